@@ -21,7 +21,7 @@ pub mod release;
 pub mod renishaw;
 pub mod rules;
 pub mod safety;
-mod sinumerik;
+pub mod sinumerik;
 pub mod trace;
 
 use std::cell::OnceCell;
@@ -309,6 +309,12 @@ impl Request<'_> {
     /// What a program that computes asks of its results.
     pub fn questions(&self) -> Vec<Question> {
         if self.post.computes && self.form == Form::Moves { self.path.formula.questions(&self.limits) } else { Vec::new() }
+    }
+
+    /// Whether the program is read back and followed: one of calls is, where the control's own cycles say so.
+    pub fn is_followed(&self) -> bool {
+        let calls = self.form == Form::Cycle && self.post.own.is_some_and(|own| !own.followed);
+        self.post.read.is_some() && !calls
     }
 
     /// Whether the program itself writes a work offset.

@@ -25,13 +25,13 @@ pub trait Moves {
     /// Everything before the first move: the header, checks of the control's state, modes.
     fn begin(&mut self, w: &mut Writer<'_>);
 
-    /// The moves that a cycle of the control makes by itself; it computes and writes the results, too.
-    fn own_cycle(&self) -> Option<Range<usize>> {
-        None
+    /// The moves that each cycle of the control makes by itself; they compute and write the results, too.
+    fn own_cycles(&self) -> Vec<Range<usize>> {
+        Vec::new()
     }
 
-    /// The blocks that call that cycle.
-    fn call(&self, _w: &mut Writer<'_>) {}
+    /// The blocks that call one of these.
+    fn call(&self, _which: usize, _w: &mut Writer<'_>) {}
 
     /// To the first place, from wherever the stylus stands.
     fn approach(&mut self, w: &mut Writer<'_>, first: &Move);
@@ -93,18 +93,19 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let used = formula.used();
     let mut stored = StoredCoordinate::default();
     hooks.begin(&mut w);
-    let own = hooks.own_cycle();
+    let own = hooks.own_cycles();
     let needed = if request.post.when == When::AtOnce { needed_touches(path) } else { Vec::new() };
     let (mut made, mut computed) = (0, 0);
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
         match step.purpose {
-            _ if own.as_ref().is_some_and(|own| own.contains(&index)) => {
-                if own.as_ref().is_some_and(|own| own.start == index) {
-                    hooks.call(&mut w);
+            _ if own.iter().any(|own| own.contains(&index)) => {
+                if let Some(which) = own.iter().position(|own| own.start == index) {
+                    hooks.call(which, &mut w);
                 }
                 w.leaves_move();
+                w.forgets_place();
             }
             Purpose::Position if start_unknown(request, index, step) => hooks.approach(&mut w, step),
             Purpose::Position => hooks.position(&mut w, place),
@@ -123,10 +124,10 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
         }
         from = Some(step.to);
     }
-    match &own {
+    match own.first() {
         None => conclude(&mut w, request, hooks, computed),
         // Of given points alone a cycle computes without a move.
-        Some(own) if own.start == path.moves.len() => hooks.call(&mut w),
+        Some(own) if own.start == path.moves.len() => hooks.call(0, &mut w),
         Some(_) => {}
     }
     hooks.end(&mut w);

@@ -31,8 +31,7 @@ impl Released {
 /// Reads a written program back, proves it, and asks every rule.
 pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refusal> {
     // What the control's own cycles do is modelled, and not read out of the program.
-    let own = request.post.read.is_none() || request.path.own.is_some();
-    if own && request.form == Form::Cycle {
+    if !request.is_followed() {
         return Ok(Released { program, proof: None, verdicts: safety::not_followed() });
     }
     let followed = prove::follow(request, &program.text, Part::Path).map_err(Refusal::NotProven)?;

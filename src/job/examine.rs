@@ -20,9 +20,8 @@ fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) ->
 /// not read. Faults are lines that are not understood, or do not work where they stand.
 pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<Fault>>> {
     about(value, false, |request| {
-        request.post.read?;
-        // Calls of the control's own cycles are compared block by block, and not followed.
-        if request.path.own.is_some() {
+        // Others are compared block by block.
+        if !request.is_followed() {
             return None;
         }
         let rules = |followed: Followed<'_>| {

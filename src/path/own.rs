@@ -1,6 +1,7 @@
 //! The calls by which a control's own cycles do what a cycle is for.
 
 use crate::geom::Vec3;
+use crate::path::Feed;
 
 /// A value of a call.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,8 +30,10 @@ impl Quantity {
 pub enum OwnBlock {
     /// A macro by its number, with its letters.
     Call(u32, Vec<(char, Quantity)>),
-    /// A cycle by its number, with its parameters by theirs: Q of a HEIDENHAIN.
+    /// A cycle by its number, with its parameters by theirs: Q of a HEIDENHAIN, places of a SINUMERIK.
     Cycle(u16, Vec<(u16, Quantity)>),
+    /// A watched move of the program to a place.
+    Goes(Vec3, Feed),
     /// A result of the call before, by its place in that call's output, kept in the variable of this number: the next call empties it.
     Keep(usize, usize),
 }
@@ -41,7 +44,7 @@ impl OwnBlock {
         match self {
             OwnBlock::Call(number, _) => ![9810, 9832, 9833, 9834].contains(number),
             OwnBlock::Cycle(number, _) => *number != 247,
-            OwnBlock::Keep(..) => false,
+            OwnBlock::Goes(..) | OwnBlock::Keep(..) => false,
         }
     }
 
@@ -49,8 +52,10 @@ impl OwnBlock {
     pub fn writes(&self) -> bool {
         match self {
             OwnBlock::Call(_, letters) => letters.iter().any(|(letter, _)| *letter == 'S'),
+            // The row of a preset, or a frame.
+            OwnBlock::Cycle(977 | 978, arguments) => arguments.iter().any(|(place, _)| *place == 2),
             OwnBlock::Cycle(_, parameters) => parameters.iter().any(|(q, _)| *q == 305),
-            OwnBlock::Keep(..) => false,
+            OwnBlock::Goes(..) | OwnBlock::Keep(..) => false,
         }
     }
 }

@@ -19,6 +19,7 @@ mod layers;
 mod lentoax;
 mod line_by_line;
 mod linuxcnc;
+mod measuring_cycles;
 mod naming;
 mod own_codes;
 mod own_cycles;

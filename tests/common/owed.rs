@@ -35,7 +35,11 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
         plan.program.text.ends_with('\n') && plan.findings.iter().all(|f| f.level != touchpath::form::Level::Error)
     );
     if plan.program.own {
-        return if plan.program.post == "heidenhain" { klartext_is_sane(plan) } else { calls_are_sane(plan) };
+        return match plan.program.post {
+            "heidenhain" => klartext_is_sane(plan),
+            "sinumerik" => sinumerik_is_sane(plan),
+            _ => calls_are_sane(plan),
+        };
     }
     let mut touched = Vec::new();
     for (i, step) in plan.moves.iter().enumerate() {
@@ -203,7 +207,7 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
 /// Emit, read, and the path is there again; nothing moves unwatched; every line is within what the control takes.
 fn sinumerik_is_sane(plan: &Plan) -> Result<(), String> {
     let text = &plan.program.text;
-    if text.contains("CYCLE977(") {
+    if text.contains("CYCLE977(") || text.contains("CYCLE978(") {
         // The control makes the moves of its own cycle.
         let own =
             plan.moves.iter().zip(&plan.program.move_lines).filter(|(m, _)| m.kind == "touch").all(|(_, line)| *line == -1);

@@ -133,7 +133,9 @@ impl Machine {
                     ("WRITE", [Some(_), Some(_), Some(text)]) => self.written.push(self.text(text, at)?),
                     ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),
                     // The hundreds of its variant: it corrects the work offset by itself.
-                    ("CYCLE977", [Some(Term::Number(variant)), ..]) => self.writes += usize::from(*variant % 1000.0 >= 100.0),
+                    ("CYCLE977" | "CYCLE978", [Some(Term::Number(variant)), ..]) => {
+                        self.writes += usize::from(*variant % 1000.0 >= 100.0)
+                    }
                     _ => return Err(format!("line {line}: {name} is not known")),
                 },
             }

@@ -70,7 +70,8 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
         let Ok(plan) = plan(&imported.job) else { continue };
         let touched = plan.moves.iter().filter(|m| m.kind == "touch").count();
         // Renishaw's macros touch twice.
-        let times = if plan.program.own && plan.program.post != "heidenhain" { 2 } else { 1 };
+        let once = ["heidenhain", "sinumerik"].contains(&plan.program.post);
+        let times = if plan.program.own && !once { 2 } else { 1 };
         if touched != times * plan.touches.len() {
             return Err(format!("{touched} of {} touches are in the path of\n{text}", plan.touches.len()));
         }

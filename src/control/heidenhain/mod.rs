@@ -118,11 +118,11 @@ impl Moves for Klartext<'_> {
         }
     }
 
-    fn own_cycle(&self) -> Option<Range<usize>> {
-        Some(0..self.request.path.moves.len())
+    fn own_cycles(&self) -> Vec<Range<usize>> {
+        std::iter::once(0..self.request.path.moves.len()).collect()
     }
 
-    fn call(&self, w: &mut Writer<'_>) {
+    fn call(&self, _: usize, w: &mut Writer<'_>) {
         let Some(circles) = self.request.path.feature.two_circles() else { return };
         for (head, settings) in
             [("1493 EXTRUSION PROBING", &circles.extrusion), ("1411 PROBING TWO CIRCLES", &circles.settings)]

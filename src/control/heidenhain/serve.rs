@@ -19,6 +19,7 @@ const NEAR: f64 = 1e-6;
 pub static CYCLES: OwnCycles = OwnCycles {
     plan: serve,
     rerun,
+    followed: false,
     offset: f64::from,
     name: |stored| match stored {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),

@@ -238,6 +238,8 @@ impl<'t> Cursor<'t> {
                 let end = rest.iter().position(|b| !(b.is_ascii_alphanumeric() || *b == b'_')).unwrap_or(rest.len()) + 1;
                 if bytes.get(end) == Some(&b'[') { to(b']')? } else { end }
             }
+            // What a measuring cycle has left.
+            (Names::Words, _) if bytes.starts_with(b"_OVR[") => to(b']')?,
             (Names::Words, _) => return self.name(),
             _ => return None,
         };

@@ -333,6 +333,11 @@ impl<'a> Writer<'a> {
         block
     }
 
+    /// Where the ball stands is the control's own: the next block names every axis.
+    pub fn forgets_place(&mut self) {
+        (self.last, self.last_mm) = ([const { Digits::NONE }; 3], Vec3::NAN);
+    }
+
     /// What a block has named stands until the next one.
     fn keep(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) {
         for (i, number) in numbers.into_iter().enumerate().filter(|(i, _)| wanted[*i]) {

@@ -47,6 +47,8 @@ pub struct OwnCycles {
     pub plan: for<'a> fn(&OwnRequest<'a>, Meets<'_>) -> Result<Path, Refused>,
     /// Runs the calls again on another part.
     pub rerun: fn(&Own, f64, Meets<'_>) -> Outcome,
+    /// Whether a program of calls is read back and followed: what it does before, between and after them.
+    pub followed: bool,
     /// How the calls name a work offset.
     pub offset: fn(i32) -> f64,
     /// The control's name of a result.

@@ -9,5 +9,5 @@ use crate::path::Stored;
 
 /// The cycles of a control that names work offsets and results so.
 pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> OwnCycles {
-    OwnCycles { plan: serve::serve, rerun: serve::rerun, offset, name }
+    OwnCycles { plan: serve::serve, rerun: serve::rerun, followed: false, offset, name }
 }

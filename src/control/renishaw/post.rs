@@ -82,7 +82,7 @@ const BY_DIRECTIONS: [u32; 3] = [9821, 9822, 9823];
 fn called(own: &Own) -> impl Iterator<Item = u32> {
     own.blocks.iter().filter_map(|(block, _)| match block {
         OwnBlock::Call(number, _) => Some(*number),
-        OwnBlock::Cycle(..) | OwnBlock::Keep(..) => None,
+        OwnBlock::Cycle(..) | OwnBlock::Goes(..) | OwnBlock::Keep(..) => None,
     })
 }
 
@@ -143,7 +143,7 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
                     letters.iter().map(|(letter, quantity)| (*letter, word(&w, *quantity))).collect();
                 w.line(&call(calls, *number, &words));
             }
-            OwnBlock::Cycle(..) => {}
+            OwnBlock::Cycle(..) | OwnBlock::Goes(..) => {}
             OwnBlock::Keep(kept, output) => {
                 let Some(cycles) = request.post.own else { continue };
                 let [kept, output] = [Stored::Kept(*kept), Stored::Output(*output)].map(cycles.name);

@@ -1,4 +1,4 @@
-//! SINUMERIK 840D sl and its kin: plain moves with MEAS, or the control's own CYCLE977.
+//! SINUMERIK 840D sl and its kin: plain moves with MEAS, or the control's own CYCLE977 and CYCLE978.
 //!
 //! Plain moves. Every positioning move is `MEAS=1 G1` and is followed by the check that nothing was touched; a contact jumps to
 //! one exit that names the move, lifts (but not on, where the contact was on the way up) and stops. Only the way back from a
@@ -14,8 +14,9 @@
 //! system, `$AA_IW` as the place in it, the values of `$MN_SCALING_SYSTEM_IS_METRIC`, R0 to R99 by default (MD28050), that `TRANS` switches
 //! programmable frames off, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
 
-mod cycle977;
+pub mod cycles;
 mod read;
+mod serve;
 
 use std::ops::Range;
 
@@ -31,7 +32,7 @@ use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::{decimal, format_count, push_count};
-use crate::path::{Move, STATED_RAPID, Subject, Touch};
+use crate::path::{Feed, Move, STATED_RAPID, Subject, Touch};
 use crate::text::text;
 
 pub static DEF: PostDef = PostDef {
@@ -48,6 +49,7 @@ pub static DEF: PostDef = PostDef {
     check,
     emit,
     read: Some(read::read),
+    own: Some(&serve::CYCLES),
     ..BASE
 };
 
@@ -74,12 +76,13 @@ const CHANGES: [usize; 4] = [8, 9, 10, 11];
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
-        (_, Form::Moves) | (Subject::PocketProtected, Form::Cycle) => Ok(()),
-        (Subject::CornerInside, Form::Cycle) => Err(
+        (_, Form::Moves) => Ok(()),
+        (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, _) => Err(
             "its corner cycle is CYCLE961, and no source we have proves the order of its arguments: a wrong one would move the probe elsewhere",
         ),
-        (Subject::TwoCircles, Form::Cycle) => Err("it has no cycle of its own for two circles"),
-        _ => Err("of its measuring cycles only the protected rectangle is supported: use plain moves"),
+        (Subject::TwoCircles, _) => Err("it has no cycle of its own for two circles"),
+        (Subject::Switch | Subject::Action, _) => Err("it has no measuring cycle for it"),
+        _ => Ok(()),
     }
 }
 
@@ -88,7 +91,10 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         "That MEAS ends a move at the contact, and what $A_PROBE and $AA_IW hold, is recalled and not verified; $AC_MEA and $AA_MW follow the description of a converter, CYCLE977 working programs. None of it was run on a control: try it without a part first, with a hand on the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
-    if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+    // The rapids of a measuring cycle are its own.
+    let own = request.path.own.is_some();
+    let rapid = |m: &Move| request.feeds.rate(m.feed).is_none() && !(own && m.feed == Feed::Rapid);
+    if request.protected && request.path.moves.iter().any(rapid) {
         let message = text!(
             "A move is watched by MEAS only at a stated feed: rapids run as watched moves at {rate}/min",
             checker.length(STATED_RAPID)
@@ -97,7 +103,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     }
     check_watched(request, checker);
     if request.form == Form::Cycle {
-        return cycle977::check(request, checker);
+        return serve::check(request, checker);
     }
     check_plain_moves(request, checker);
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
@@ -166,17 +172,19 @@ impl Sinumerik<'_> {
 }
 
 impl Moves for Sinumerik<'_> {
-    fn own_cycle(&self) -> Option<Range<usize>> {
-        if self.request.form == Form::Cycle { cycle977::moves(self.request) } else { None }
+    fn own_cycles(&self) -> Vec<Range<usize>> {
+        serve::ranges(self.request)
     }
 
-    fn call(&self, w: &mut Writer<'_>) {
-        cycle977::call(self.request, w);
+    fn call(&self, which: usize, w: &mut Writer<'_>) {
+        serve::call(self.request, which, w);
     }
 
     fn begin(&mut self, w: &mut Writer<'_>) {
         if self.request.form == Form::Cycle {
-            return begin(w, self.request, ": selected first, corrected by the cycle", &cycle977::notes(self.request));
+            let notes = serve::notes(self.request);
+            let notes: Vec<&str> = notes.iter().map(String::as_str).collect();
+            return begin(w, self.request, ": selected first, corrected by the cycle", &notes);
         }
         let formula = &self.request.path.formula;
         let more = frame_registers(self.request);
@@ -384,7 +392,8 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     let offset = format!("$P_UIFR[{n},");
     if request.form == Form::Cycle {
         w.comment("The cycle corrects the coarse part of the work offset: it must have no fine part");
-        return w.line(&any(&offset, &[a, o], &[("FI", 0)]));
+        let written = request.writes();
+        return w.line(&any(&offset, &all.into_iter().filter(|axis| written.contains(axis)).collect::<Vec<_>>(), &[("FI", 0)]));
     }
     w.comment("The correction knows a turn about the tool axis only, and no frame behind the work offset: TOROT, CYCLE800");
     w.line(&any(&offset, &[a, o], &[("RT", 0)]));

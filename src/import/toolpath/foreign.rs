@@ -67,7 +67,7 @@ impl Reader {
             all.into_iter().filter(|(name, _)| name != "G" && name != "P").collect()
         };
         match block.p {
-            Some(p) if self.run.is_some() && self.makes_own_moves(p as u32, &arguments()) => {
+            Some(p) if self.run.is_some() && self.makes_macro(p as u32, &arguments()) => {
                 native_call(&mut self.path, self.line, &name(p), arguments(), place);
                 block.elsewhere = true;
             }

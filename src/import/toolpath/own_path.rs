@@ -1,44 +1,88 @@
-//! The moves of a macro of the control's own, where they are known: Renishaw's, in a run that knows where the stylus stands.
+//! The moves of the control's own cycles, where they are known, in a run that knows where the stylus stands: Renishaw's macros, measuring cycles of a SINUMERIK.
 
+use crate::control::native::{self, Unit};
 use crate::control::own::machine::{Alarm, IN_POSITION, Kind, Machine, Made, Met};
 use crate::control::renishaw::macros::{self, FAST};
+use crate::control::sinumerik::cycles;
 use crate::geom::{Plane, Vec3};
-use crate::import::toolpath::count::count;
+use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::known::Trip;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
 
 /// The radius of a ball that nothing says, mm.
-pub(super) const RADIUS: f64 = 3.0;
+const RADIUS: f64 = 3.0;
 
 impl Reader {
     /// Makes the moves of a macro by its number and letters, in the program's units; false where they are not known.
     #[cold]
-    pub(super) fn makes_own_moves(&mut self, number: u32, arguments: &[(String, f64)]) -> bool {
+    pub(super) fn makes_macro(&mut self, number: u32, arguments: &[(String, f64)]) -> bool {
         let number = if (8800..8900).contains(&number) { number + 1000 } else { number };
-        let in_plane = self.modes.plane.unwrap_or_default() == Plane::G17;
-        let known = macros::KNOWN.contains(&number) && in_plane && !self.path.centroid;
-        let Some(run) = self.run.as_ref().filter(|_| known && !self.modes.diameter) else { return false };
-        let inch = if self.path.metric == Some(false) { 25.4 } else { 1.0 };
-        let scale = inch * self.modes.scale;
-        let at = Vec3::from_array(self.place) * inch;
-        let letters: Vec<(char, f64)> = arguments.iter().filter_map(|(name, x)| Some((name.chars().next()?, *x))).collect();
         // A protected move goes to a place that may be known along some axes alone.
         let goes = number == 9810;
-        let unknown = letters.iter().any(|(_, x)| x.is_nan());
-        if unknown || at.is_nan() && !goes || self.stale != 0 && !goes {
+        let unknown = arguments.iter().any(|(_, x)| x.is_nan());
+        if !macros::KNOWN.contains(&number) || self.path.centroid || unknown || !goes && !self.knows_place() {
             return false;
         }
+        let scale = self.inch() * self.modes.scale;
         let lengths = "CDFHIJKMQRUVXYZ";
         // Of 9823 and 9819 C is an angle.
         let is_length = |letter: char| lengths.contains(letter) && !(letter == 'C' && number == 9823);
+        let letters = arguments.iter().filter_map(|(name, x)| Some((name.chars().next()?, *x)));
         let letters: Vec<(char, f64)> =
-            letters.into_iter().map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x })).collect();
-        let radius = run.feature.as_ref().map_or(RADIUS, |feature| feature.radius());
-        let mut answers = self.answers();
-        let mut machine = Machine::new(at, radius, 0.0, &mut answers);
-        let Some(end) = macros::run(number, letters.as_slice(), &mut machine) else { return false };
+            letters.map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x })).collect();
+        let counted: fn(&mut Self) -> &mut Count = |reader| &mut reader.own_moves;
+        let made = self.makes_own((!goes).then_some(counted), |machine| macros::run(number, letters.as_slice(), machine));
+        if made {
+            self.feed = FAST / self.inch();
+        }
+        made
+    }
+
+    /// Makes the moves of a measuring cycle of a SINUMERIK by its number and arguments; false where they are not known.
+    #[cold]
+    pub(super) fn makes_measuring_cycle(&mut self, name: &str, arguments: &[(String, f64)]) -> bool {
+        let Some(number) = name.to_ascii_uppercase().strip_prefix("CYCLE").and_then(|number| number.parse().ok()) else {
+            return false;
+        };
+        if !self.knows_place() {
+            return false;
+        }
+        let scale = self.inch() * self.modes.scale;
+        let call = native::find(name);
+        let is_length =
+            |place: &str| call.and_then(|call| call.argument(place)).is_some_and(|known| known.unit == Unit::Length);
+        let value = |(place, x): &(String, f64)| {
+            let number = place.parse().ok().filter(|_| x.is_finite())?;
+            Some((number, if is_length(place) { x * scale } else { *x }))
+        };
+        let places: Vec<(u16, f64)> = arguments.iter().filter_map(value).collect();
+        self.makes_own(Some(|reader| &mut reader.measuring_cycles), |machine| cycles::run(number, places.as_slice(), machine))
+    }
+
+    /// Whether it is known where the stylus stands.
+    fn knows_place(&self) -> bool {
+        !self.place.iter().any(|x| x.is_nan()) && self.stale == 0
+    }
+
+    /// Millimetres in a unit that places are kept in.
+    fn inch(&self) -> f64 {
+        if self.path.metric == Some(false) { 25.4 } else { 1.0 }
+    }
+
+    /// Runs a call on what the run knows, and takes its moves over; false where the call is not known. What is said of its kind is counted.
+    pub(super) fn makes_own(
+        &mut self,
+        counted: Option<fn(&mut Self) -> &mut Count>,
+        run: impl FnOnce(&mut Machine<'_>) -> Option<Result<(), Alarm>>,
+    ) -> bool {
+        let in_plane = self.modes.plane.or(self.plane).unwrap_or_default() == Plane::G17;
+        let Some(touching) = self.run.as_ref().filter(|_| in_plane && !self.modes.diameter) else { return false };
+        let radius = touching.feature.as_ref().map_or(RADIUS, |feature| feature.radius());
+        let (inch, mut answers) = (self.inch(), self.answers());
+        let mut machine = Machine::new(Vec3::from_array(self.place) * inch, radius, 0.0, &mut answers);
+        let Some(end) = run(&mut machine) else { return false };
         // What contradicts in the call is said of it.
         if end == Err(Alarm::Arguments) {
             return false;
@@ -47,12 +91,12 @@ impl Reader {
         let first = self.path.len();
         made.iter().for_each(|made| self.own_move(made, inch));
         self.place = (at / inch).to_array();
-        self.feed = FAST / inch;
         if let Some(log) = &mut self.log {
             log.own.push((first, self.path.len()));
         }
-        if !goes {
-            count(&mut self.own_moves, self.line);
+        if let Some(counted) = counted {
+            let line = self.line;
+            count(counted(self), line);
         }
         if end.is_err() {
             count(&mut self.stopped, self.line);
@@ -61,10 +105,10 @@ impl Reader {
         true
     }
 
-    pub(super) fn own_move(&mut self, made: &Made, inch: f64) {
+    fn own_move(&mut self, made: &Made, inch: f64) {
         let kind = match made.kind {
             Kind::Rapid => RAPID,
-            // As fast as the probe table says.
+            // As fast as the control goes.
             Kind::Watched | Kind::Back if made.rate.is_none() && made.arc.is_none() => RAPID,
             Kind::Watched | Kind::Back => FEED,
             Kind::Search | Kind::Measure | Kind::Once => PROBE,
@@ -78,7 +122,7 @@ impl Reader {
     }
 
     /// What answers the moves of the control's own cycles: places of the ball's centre, mm.
-    pub(super) fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met> + use<> {
+    fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met> + use<> {
         let run = self.run.as_ref();
         let known = run.map(|run| (run.feature.clone(), run.touch, run.positioning));
         move |from: Vec3, to: Vec3, expected: Option<Vec3>| {

@@ -161,6 +161,8 @@ pub(super) struct Reader {
     pub own_moves: Count,
     /// The same of a HEIDENHAIN's cycles.
     pub own_cycles: Count,
+    /// The same of a SINUMERIK's.
+    pub measuring_cycles: Count,
     pub stopped: Count,
     /// Codes that make no place of their axis words, by name.
     pub foreign: Vec<Named>,
@@ -323,6 +325,12 @@ impl Reader {
         self.settle(block, before);
         let here = self.here();
         let cycle = self.sinumerik && runs_cycle(line);
+        if cycle && !block.jumps {
+            let name = String::from_utf8_lossy(&line[block.begin..][..name_length(&line[block.begin..])]).into_owned();
+            if self.makes_measuring_cycle(&name, &places(line)) {
+                return self.listed(&name, places(line), here);
+            }
+        }
         let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || cycle;
         let gone = if lost { 7 } else { block.given };
         self.forget(gone);
@@ -650,6 +658,11 @@ fn lnc_macro(code: &[u8]) -> Option<String> {
     let end = name.iter().position(|b| *b == b'"')?;
     let length = code.len() - name.len() + end + 1;
     Some(String::from_utf8_lossy(&code[..length]).into_owned())
+}
+
+/// How long the name is that a call of a SINUMERIK begins with.
+fn name_length(code: &[u8]) -> usize {
+    code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()
 }
 
 fn jumps(line: &[u8]) -> bool {

@@ -246,7 +246,14 @@ fn sinumerik_runs_by_hand() {
         &Known::default(),
     );
     assert_eq!(run.calls[0].arguments[2].meaning, Some("diameter or width"));
-    assert_eq!((shown(&run).last().map(String::as_str), asks(&run)), (Some("4 rapid ? ? ?"), vec!["R7"]));
+    assert_eq!((shown(&run).last().map(String::as_str), asks(&run)), (Some("4 rapid ? 0 5"), vec!["R7"]));
+    // The cycle's own moves: from 2 in front of each contact to 2 behind it, by a ball of 6, X plus first, and back to the middle.
+    assert_eq!(
+        shown(&run)[1..7],
+        ["3 rapid 7.5 0 5", "3 probe 11.5 0 5", "3 rapid 7.5 0 5", "3 rapid 0 0 5", "3 rapid -7.5 0 5", "3 probe -11.5 0 5"]
+    );
+    let contacts: Vec<String> = run.contacts.iter().map(|c| format!("{:.3} {:.3}", c[1] + 1e-9, c[2] + 1e-9)).collect();
+    assert_eq!(contacts, ["9.500 0.000", "-9.500 0.000", "0.000 9.500", "0.000 -9.500"]);
 }
 
 /// A condition of a SINUMERIK that is not known: both branches are read, what they set is not known, an end behind it ends; a known one within it is decided.

@@ -4,10 +4,6 @@
 
 use crate::control::heidenhain::cycles;
 use crate::control::native::{self, Unit};
-use crate::control::own::machine::Machine;
-use crate::geom::{Plane, Vec3};
-use crate::import::toolpath::count::count;
-use crate::import::toolpath::own_path::RADIUS;
 use crate::import::toolpath::reader::Reader;
 use crate::path::Reach;
 
@@ -16,12 +12,11 @@ const REACH: Reach = Reach { set_up: 0.0, behind: 10.0 };
 
 /// Makes the moves of a cycle; false where they are not known, or a parameter is not.
 pub fn makes(number: &str, given: &[(String, f64)], reader: &mut Reader) -> bool {
-    let (Some(run), Ok(cycle)) = (&reader.run, number.parse::<u16>()) else { return false };
-    let inch = if reader.path.metric == Some(false) { 25.4 } else { 1.0 };
-    let at = Vec3::from_array(reader.place) * inch;
-    if reader.plane.unwrap_or_default() != Plane::G17 || at.z.is_nan() {
+    let Ok(cycle) = number.parse::<u16>() else { return false };
+    if reader.place[2].is_nan() {
         return false;
     }
+    let inch = if reader.path.metric == Some(false) { 25.4 } else { 1.0 };
     let call = native::find(&format!("TCH PROBE {number}"));
     let is_length = |q: &str| call.and_then(|call| call.argument(q)).is_some_and(|argument| argument.unit == Unit::Length);
     let value = |(q, x): &(String, f64)| {
@@ -29,21 +24,5 @@ pub fn makes(number: &str, given: &[(String, f64)], reader: &mut Reader) -> bool
         Some((number, if is_length(q) { x * inch } else { *x }))
     };
     let parameters: Vec<(u16, f64)> = given.iter().filter_map(value).collect();
-    let radius = run.feature.as_ref().map_or(RADIUS, |feature| feature.radius());
-    let mut answers = reader.answers();
-    let mut machine = Machine::new(at, radius, 0.0, &mut answers);
-    let Some(end) = cycles::run(cycle, parameters.as_slice(), REACH, &mut machine) else { return false };
-    let (made, at) = (machine.made, machine.at);
-    let first = reader.path.len();
-    made.iter().for_each(|made| reader.own_move(made, inch));
-    reader.place = (at / inch).to_array();
-    if let Some(log) = &mut reader.log {
-        log.own.push((first, reader.path.len()));
-    }
-    count(&mut reader.own_cycles, reader.line);
-    if end.is_err() {
-        count(&mut reader.stopped, reader.line);
-        reader.ended = true;
-    }
-    true
+    reader.makes_own(Some(|reader| &mut reader.own_cycles), |machine| cycles::run(cycle, parameters.as_slice(), REACH, machine))
 }

@@ -1,0 +1,523 @@
+//! Which measuring cycles a feature needs, their arguments, and the path that they make of it.
+//!
+//! Places and fixed values are those of working generators and their calls [S], and so is the positive infeed: two of them, which copy the control's own
+//! editor, ask for one without a sign. Open, and said in the program: that a rectangle takes both coordinates of the centre, that argument 10 turns a feature
+//! other than a hole, and, in inches, the unit of the measuring path.
+
+use std::ops::Range;
+
+use super::cycles;
+use crate::control::iso::writer::Writer;
+use crate::control::own::machine::{Alarm, Machine};
+use crate::control::own::made::moves_of;
+use crate::control::own::{Meets, Outcome, OwnCycles, OwnRequest, Refused, refused};
+use crate::control::{Request, check_write};
+use crate::form::Checker;
+use crate::formula::Role;
+use crate::geom::{Plane, Vec3};
+use crate::num::{decimal, wrap_degrees};
+use crate::path::{Bore, Entry, Feature, Feed, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
+use crate::text::{Text, text, words};
+
+use Quantity::{Angle, Length, Plain};
+
+/// The shortest measuring path that a cycle is called with, mm.
+const SHORTEST_PATH: f64 = 0.1;
+
+/// How nearly directions and places must agree.
+const NEAR: f64 = 1e-6;
+
+const ADVICE: &str = words!(". Use the form \"moves\"");
+
+pub static CYCLES: OwnCycles = OwnCycles {
+    plan: serve,
+    rerun,
+    followed: true,
+    offset: |n| 10_000.0 + f64::from(n),
+    name: |stored| match stored {
+        Stored::Output(entry) => format!("_OVR[{entry}]"),
+        Stored::Kept(register) => format!("R{register}"),
+    },
+};
+
+/// The path that the cycles make of a job's feature, with the calls.
+fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
+    let path = request.path;
+    if path.picked {
+        let message = text!("The measuring cycles choose their own touch points{advice}", Text::words(ADVICE));
+        return Err(refused("cycle-chooses-points", "cycle.touches", message));
+    }
+    if request.setup.plane != Plane::G17 {
+        let message = text!(
+            "No source at hand shows how a measuring cycle selects another plane than G17: it could probe in the wrong one{advice}",
+            Text::words(ADVICE)
+        );
+        return Err(refused("cycle-plane", "plane", message));
+    }
+    let first = path.moves.first().map_or(Vec3::ZERO, |step| step.to);
+    let mut program =
+        Plan { request, radius: request.setup.radius, first, at: first, blocks: Vec::new(), stored: Vec::new(), kept: 0 };
+    match &path.feature {
+        Feature::Surface(point) => program.surface(point)?,
+        Feature::Bore(bore) => program.bore(bore)?,
+        Feature::Pairs(pairs) => program.pairs(pairs)?,
+        Feature::Corner(_) | Feature::TwoCircles(_) | Feature::Unmoving => return Ok(path.clone()),
+    }
+    program.finish(meets)
+}
+
+/// Runs the cycles of a path again on another part.
+fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
+    let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
+    let mut machine = Machine::new(own.first, radius, 0.0, &mut answer);
+    let alarm = own.blocks.iter().find_map(|(block, _)| run(block, &mut machine)?.err());
+    (machine.made, alarm)
+}
+
+/// Runs a block: none of one that moves nothing.
+fn run(block: &OwnBlock, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+    match block {
+        OwnBlock::Cycle(number, arguments) => {
+            let values: Vec<(u16, f64)> = arguments.iter().map(|(place, quantity)| (*place, quantity.value())).collect();
+            cycles::run(*number, values.as_slice(), machine)
+        }
+        OwnBlock::Goes(to, _) => Some(machine.watched(*to, None, Alarm::Obstructed)),
+        OwnBlock::Call(..) | OwnBlock::Keep(..) => None,
+    }
+}
+
+/// A program while it is put together.
+struct Plan<'a> {
+    request: &'a OwnRequest<'a>,
+    radius: f64,
+    first: Vec3,
+    at: Vec3,
+    blocks: Vec<OwnBlock>,
+    stored: Vec<(&'static str, Stored)>,
+    kept: usize,
+}
+
+impl Plan<'_> {
+    /// A watched move of the program: behind a cycle in any case, which ends where it found the feature.
+    fn goes(&mut self, to: Vec3, feed: Feed) {
+        if to.distance(self.at) > NEAR || matches!(self.blocks.last(), Some(OwnBlock::Cycle(..) | OwnBlock::Keep(..))) {
+            self.blocks.push(OwnBlock::Goes(to, feed));
+            self.at = to;
+        }
+    }
+
+    /// Where the documented cycle begins its first touch.
+    fn begins(&self) -> Vec3 {
+        let first = self.request.path.searches().next();
+        first.and_then(|(_, from, _)| from).unwrap_or(self.first)
+    }
+
+    /// Where the documented cycle stands before it goes anywhere else.
+    fn start(&self) -> Vec3 {
+        let moves = &self.request.path.moves;
+        moves.iter().take_while(|step| step.step <= 1).last().map_or(self.first, |step| step.to)
+    }
+
+    /// Down to where the cycle starts.
+    fn down(&mut self, place: Vec3) {
+        self.goes(self.start(), Feed::Approach);
+        self.goes(place, Feed::LongLink);
+    }
+
+    fn up(&mut self) {
+        let first = self.first;
+        self.goes(self.at.with_z(first.z), Feed::Return);
+    }
+
+    /// A length in the job's unit.
+    fn length(&self, mm: f64) -> String {
+        let unit = if self.request.scale == 1.0 { "mm" } else { "inch" };
+        format!("{} {unit}", decimal(mm / self.request.scale, 4))
+    }
+
+    /// The measuring path for a clearance from the wall to the ball's centre; the overtravel where the job says none.
+    fn path(&self, clearance: Option<Entry>) -> Result<f64, Refused> {
+        let Some(clearance) = clearance else { return Ok(self.request.setup.overtravel) };
+        let path = clearance.value - self.radius;
+        if path < SHORTEST_PATH {
+            let message = text!(
+                "The measuring path of the cycle (clearance less ball radius, before and behind each contact) would be {path}: at least {least} makes sense{advice}",
+                self.length(path),
+                self.length(SHORTEST_PATH),
+                Text::words(ADVICE)
+            );
+            return Err(refused("cycle-path-short", clearance.field, message));
+        }
+        Ok(path)
+    }
+
+    /// What it takes for plausible: how far a wall may be off.
+    fn safe(&self, path: f64) -> Quantity {
+        let limit = self.request.limits.position.unwrap_or(f64::INFINITY);
+        Length(self.request.setup.overtravel.min(path).min(limit))
+    }
+
+    /// The tolerances that every call has, from this place on, and behind them what a correction needs.
+    fn tolerances(&self, from: u16, arguments: &mut Vec<(u16, Quantity)>) {
+        let tolerance = |sign: f64| Length(sign * 1.01);
+        arguments.push((from, Plain(0.0)));
+        arguments.extend([(from + 1, tolerance(1.0)), (from + 2, tolerance(1.0)), (from + 3, tolerance(-1.0))]);
+        if self.request.work_offset.is_some() {
+            arguments.extend([(from + 4, Length(0.34)), (from + 5, Plain(1.0)), (from + 6, Plain(0.0))]);
+        }
+    }
+
+    /// The variant and the offset: hundreds correct, thousands have a protection zone.
+    fn variant(&self, kind: u16, zone: bool) -> Vec<(u16, Quantity)> {
+        let corrects = self.request.work_offset;
+        let variant = kind + if zone { 1000 } else { 0 } + if corrects.is_some() { 100 } else { 0 };
+        let offset = corrects.map(|n| (2, Plain((self.request.offset)(n))));
+        [(1, Plain(f64::from(variant)))].into_iter().chain(offset).chain([(4, Plain(1.0))]).collect()
+    }
+
+    /// CYCLE977 with what all its variants have. `zones` stand at 12 and 13, the centre at 28 and 29.
+    fn feature(&mut self, kind: u16, zones: Option<[Option<f64>; 2]>, sizes: &[(u16, f64)], rest: Rest<'_>) {
+        let mut arguments = self.variant(kind, zones.is_some());
+        arguments.extend(sizes.iter().map(|(place, size)| (*place, Length(*size))));
+        arguments.extend([(8, Length(rest.path)), (9, self.safe(rest.path)), (10, Angle(rest.angle))]);
+        // Where nothing goes down, and where there is no zone, the control's editor leaves a 1.
+        arguments.push((11, rest.down.map_or(Plain(1.0), Length)));
+        let [one, two] = zones.unwrap_or([None; 2]);
+        arguments.push((12, one.map_or(Plain(1.0), Length)));
+        if sizes.len() == 2 {
+            arguments.push((13, two.map_or(Plain(1.0), Length)));
+        }
+        if let Some(axis) = rest.axis {
+            arguments.push((14, Plain(axis as f64 + 1.0)));
+        }
+        arguments.push((15, Plain(1.0)));
+        self.tolerances(18, &mut arguments);
+        arguments.extend([(26, Plain(1.0)), (27, Plain(11.0))]);
+        arguments.extend(rest.center.iter().zip([28, 29]).map(|(place, number)| (number, Length(*place))));
+        self.blocks.push(OwnBlock::Cycle(977, arguments));
+    }
+
+    fn stores(&mut self, results: &[(&'static str, usize)]) {
+        self.stored.extend(results.iter().map(|(code, entry)| (*code, Stored::Output(*entry))));
+    }
+
+    /// Keeps what the last call gave, before the next one writes there.
+    fn keeps(&mut self) {
+        for (_, stored) in &mut self.stored {
+            if let Stored::Output(entry) = *stored {
+                self.kept += 1;
+                self.blocks.push(OwnBlock::Keep(self.kept, entry));
+                *stored = Stored::Kept(self.kept);
+            }
+        }
+    }
+
+    fn surface(&mut self, point: &Point) -> Result<(), Refused> {
+        let touch = &self.request.path.touches[0];
+        let start = self.begins();
+        let clearance = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
+        self.down(start);
+        self.touches_surface(touch.point, touch.vector, clearance, point.elevation)?;
+        self.stores(&[]);
+        self.up();
+        Ok(())
+    }
+
+    /// CYCLE978 from where the stylus stands.
+    fn touches_surface(&mut self, point: Vec3, vector: Vec3, clearance: Entry, field: &'static str) -> Result<(), Refused> {
+        let axis = (0..3).find(|axis| vector[*axis].abs() > 1.0 - NEAR).filter(|axis| *axis < 2 || vector.z > 0.0);
+        let Some(axis) = axis else {
+            let message = text!(
+                "CYCLE978 touches along X and Y and downwards: this surface is turned or sloped{advice}",
+                Text::words(ADVICE)
+            );
+            return Err(refused("cycle-not-parallel", field, message));
+        };
+        let path = self.path(Some(clearance))?;
+        let mut arguments = self.variant(0, false);
+        arguments.extend([(5, Length(point[axis])), (6, Length(path)), (7, self.safe(path))]);
+        // A touch runs against the vector: 1 towards plus, 2 towards minus.
+        arguments.extend([
+            (8, Plain(axis as f64 + 1.0)),
+            (9, Plain(if vector[axis] < 0.0 { 1.0 } else { 2.0 })),
+            (10, Plain(1.0)),
+        ]);
+        self.tolerances(13, &mut arguments);
+        arguments.extend([(21, Plain(1.0)), (22, Plain(1.0))]);
+        self.blocks.push(OwnBlock::Cycle(978, arguments));
+        Ok(())
+    }
+
+    fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
+        let path = self.request.path;
+        let (center, touches) = (path.frame.origin, &path.touches);
+        let inside = touches.first().is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
+        let angles: Vec<f64> = touches.iter().map(|touch| direction(touch.point - center)).collect();
+        let square =
+            angles.len() == 4 && angles.iter().all(|angle| (wrap_degrees(angle - angles[0]) / 90.0 % 1.0).abs() < NEAR);
+        if !square {
+            let message = text!(
+                "CYCLE977 touches a circle at four points a quarter turn apart: not at {count} like these{advice}",
+                angles.len(),
+                Text::words(ADVICE)
+            );
+            return Err(refused("cycle-chooses-points", "cycle.stepCount", message));
+        }
+        let measuring = self.path(bore.clearance)?;
+        let start = if bore.clearance.is_some() { self.start() } else { self.begins() };
+        let zone = bore.clearance.filter(|_| inside).map(|clearance| self.zone(bore.diameter, clearance)).transpose()?;
+        self.down(start);
+        let rest = Rest {
+            path: measuring,
+            angle: angles[0],
+            down: bore.clearance.map(|_| start.z - touches[0].point.z),
+            axis: None,
+            center: &[center.x, center.y],
+        };
+        self.feature(if inside { 1 } else { 2 }, zone.map(|zone| [Some(zone), None]), &[(5, bore.diameter.value)], rest);
+        self.stores(&[("center.x", 5), ("center.y", 6), ("diameter", 4)]);
+        self.up();
+        Ok(())
+    }
+
+    /// What the ball leaves free where it goes down.
+    fn zone(&self, width: Entry, clearance: Entry) -> Result<f64, Refused> {
+        let zone = width.value - 2.0 * (clearance.value + self.radius);
+        if zone <= 0.0 {
+            let message =
+                text!("The points where the ball goes down leave no room for a protection zone{advice}", Text::words(ADVICE));
+            return Err(refused("cycle-no-zone", clearance.field, message));
+        }
+        Ok(zone)
+    }
+
+    fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
+        let path = self.request.path;
+        let (center, touches) = (path.frame.origin, &path.touches);
+        let clearances: Vec<Entry> = pairs.sides.iter().filter_map(|side| side.clearance).collect();
+        if let [one, two] = clearances.as_slice()
+            && (one.value - two.value).abs() > NEAR
+        {
+            let message = text!(
+                "CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}",
+                Text::words(ADVICE)
+            );
+            return Err(refused("cycle-one-path", two.field, message));
+        }
+        let measuring = self.path(clearances.first().copied())?;
+        let beside = !clearances.is_empty();
+        // The direction of the first pair, from −90 to 90.
+        let mut angle = direction(touches[0].vector);
+        if angle <= -90.0 + NEAR || angle > 90.0 + NEAR {
+            angle = wrap_degrees(angle + 180.0);
+        }
+        let along_y = (angle.abs() - 90.0).abs() < NEAR;
+        let turned = !along_y && angle.abs() > NEAR;
+        let zones = match (pairs.internal, beside) {
+            (true, true) => {
+                let zone =
+                    |side: &crate::path::Side| side.clearance.map(|clearance| self.zone(side.width, clearance)).transpose();
+                let mut zones = [zone(&pairs.sides[0])?, pairs.sides.get(1).map_or(Ok(None), zone)?];
+                if along_y && pairs.sides.len() == 2 {
+                    zones.swap(0, 1);
+                }
+                Some(zones)
+            }
+            _ => None,
+        };
+        let start = if beside { self.start() } else { self.begins() };
+        self.down(start);
+        let down = beside.then_some(start.z - touches[0].point.z);
+        let outside = u16::from(!pairs.internal);
+        if let [one, two] = pairs.sides.as_slice() {
+            let mut sizes = [one.width.value, two.width.value];
+            if along_y {
+                sizes.swap(0, 1);
+            }
+            let rest = Rest {
+                path: measuring,
+                angle: if turned { angle } else { 0.0 },
+                down,
+                axis: None,
+                center: &[center.x, center.y],
+            };
+            self.feature(5 + outside, zones, &[(6, sizes[0]), (7, sizes[1])], rest);
+            self.stores(&[("center.x", 5), ("center.y", 6)]);
+        } else {
+            if turned && self.request.work_offset.is_some() {
+                let message = text!(
+                    "No source says how CYCLE977 corrects a work offset along a turned groove or web: write no work offset{advice}",
+                    Text::words(ADVICE)
+                );
+                return Err(refused("cycle-not-parallel", "control.workOffset", message));
+            }
+            let axis = usize::from(along_y);
+            let rest = Rest {
+                path: measuring,
+                angle: if turned { angle } else { 0.0 },
+                down,
+                axis: Some(axis),
+                center: &[center[axis]],
+            };
+            self.feature(3 + outside, zones, &[(5, pairs.sides[0].width.value)], rest);
+            match turned {
+                true => self.stores(&[("width", 4)]),
+                false => self.stores(&[(["center.x", "center.y"][axis], 5 + axis), ("width", 4)]),
+            }
+        }
+        if let Some((k, Some(from), _)) = path.searches().find(|(k, ..)| *k == 2 && pairs.sides.len() == 1) {
+            let touch = &touches[k];
+            self.keeps();
+            self.goes(self.at.with_z(self.at.z.max(from.z)), Feed::LongLink);
+            self.goes(from.with_z(self.at.z), Feed::LongLink);
+            self.goes(from, Feed::LongLink);
+            let clearance = Entry { field: "cycle.topClearance", value: (from - touch.point).dot(touch.vector) };
+            self.touches_surface(touch.point, touch.vector, clearance, "cycle")?;
+        }
+        self.up();
+        Ok(())
+    }
+
+    /// Runs the program on the nominal part: the path, its touches in the order of the documented ones.
+    fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
+        let Plan { request, radius, first, blocks, stored, .. } = self;
+        let mut path = request.path.clone();
+        let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
+        let mut machine = Machine::new(first, radius, 0.0, &mut answer);
+        let (mut counted, mut feeds) = (Vec::new(), Vec::new());
+        for (step, block) in blocks.iter().enumerate() {
+            let before = machine.made.len();
+            if run(block, &mut machine).is_some_and(|end| end.is_err()) {
+                let message =
+                    text!("On the nominal part the cycle would touch something on its way{advice}", Text::words(ADVICE));
+                return Err(refused("cycle-stops", "cycle", message));
+            }
+            let feed = if let OwnBlock::Goes(_, feed) = block { *feed } else { Feed::Rapid };
+            feeds.resize(machine.made.len(), (Some(feed), u8::try_from(step + 2).unwrap_or(u8::MAX)));
+            counted.push(machine.made.len() - before);
+        }
+        let made = machine.made;
+        let Some((moves, touches)) = moves_of(&path, false, &made, &feeds, first, (radius, None)) else {
+            let message =
+                text!("The cycle would touch other surfaces than the documented one does{advice}", Text::words(ADVICE));
+            return Err(refused("cycle-stops", "cycle", message));
+        };
+        (path.moves, path.touches) = (moves, touches);
+        path.formula.results.retain(|result| result.role != Role::Residual);
+        path.own = Some(Box::new(Own {
+            counts: made.iter().map(|made| made.count).collect(),
+            first,
+            blocks: blocks.into_iter().zip(counted).collect(),
+            stored,
+            reach: Reach::default(),
+        }));
+        Ok(path)
+    }
+}
+
+/// What a call of CYCLE977 has beside its kind and its sizes.
+struct Rest<'a> {
+    path: f64,
+    angle: f64,
+    down: Option<f64>,
+    axis: Option<usize>,
+    center: &'a [f64],
+}
+
+/// The angle of a direction in the plane, degrees.
+fn direction(vector: Vec3) -> f64 {
+    crate::num::tidy(vector.y.atan2(vector.x).to_degrees())
+}
+
+/// The argument of a call at a place.
+fn argument(request: &Request<'_>, place: u16) -> Option<f64> {
+    let own = request.path.own.as_ref()?;
+    own.blocks.iter().find_map(|(block, _)| match block {
+        OwnBlock::Cycle(977, arguments) => arguments.iter().find(|(known, _)| *known == place).map(|(_, x)| x.value()),
+        _ => None,
+    })
+}
+
+/// What the cycles do otherwise than the job says.
+pub fn check(request: &Request<'_>, checker: &mut Checker) {
+    let Some(own) = &request.path.own else { return };
+    check_write(request, checker);
+    let path = own.blocks.iter().find_map(|(block, _)| match block {
+        OwnBlock::Cycle(number, arguments) => {
+            let place = if *number == 977 { 8 } else { 6 };
+            arguments.iter().find(|(known, _)| *known == place).map(|(_, path)| path.value())
+        }
+        _ => None,
+    });
+    let message = text!(
+        "The cycle searches {path} before and behind each contact, and not the job's overtravel, and measures at its own feed",
+        checker.length(path.unwrap_or(0.0))
+    );
+    checker.warning("cycle-differs", "control.form", message);
+}
+
+/// What the header says of it.
+pub fn notes(request: &Request<'_>) -> Vec<String> {
+    let mut notes = Vec::new();
+    let Some(own) = &request.path.own else { return notes };
+    let names: Vec<String> = own.stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();
+    let results = if names.is_empty() { "_OVR of the measuring cycle".to_owned() } else { names.join(", ") };
+    notes.push(format!("Results: {results}; probe data set 1, the control's own measuring feed"));
+    if own.stored.iter().any(|(_, stored)| matches!(stored, Stored::Output(4)))
+        || own.blocks.iter().any(|(block, _)| matches!(block, OwnBlock::Keep(_, 4)))
+    {
+        notes.push("NOT VERIFIED: that _OVR[4] is the size".to_owned());
+    }
+    if argument(request, 7).is_some() {
+        notes.push("NOT VERIFIED: that a rectangle takes both 28 and 29, the centre".to_owned());
+    }
+    if argument(request, 5).is_none_or(|_| argument(request, 14).is_some())
+        && argument(request, 10).is_some_and(|angle| angle != 0.0)
+    {
+        notes.push("NOT VERIFIED: that argument 10 turns it".to_owned());
+    }
+    if request.scale != 1.0 {
+        notes.push("NOT VERIFIED: the measuring path is written in inches; its forerunner _FA was in mm always".to_owned());
+    }
+    notes
+}
+
+/// The moves that each cycle makes, in the order of the calls.
+pub fn ranges(request: &Request<'_>) -> Vec<Range<usize>> {
+    let Some(own) = &request.path.own else { return Vec::new() };
+    // The first move comes to where they count from.
+    let mut at = 1;
+    let mut found = Vec::new();
+    for (block, moves) in &own.blocks {
+        if matches!(block, OwnBlock::Cycle(..)) {
+            found.push(at..at + moves);
+        }
+        at += moves;
+    }
+    found
+}
+
+/// Writes the call that makes these moves, and what keeps the results of the one before it.
+pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
+    let Some(own) = &request.path.own else { return };
+    let calls = own.blocks.iter().enumerate().filter(|(_, (block, _))| matches!(block, OwnBlock::Cycle(..)));
+    let Some((index, (OwnBlock::Cycle(number, arguments), _))) = calls.clone().nth(which) else { return };
+    let before = which.checked_sub(1).and_then(|before| calls.clone().nth(before)).map_or(0, |(index, _)| index);
+    for (block, _) in &own.blocks[before..index] {
+        if let OwnBlock::Keep(register, entry) = block {
+            w.line(&format!("R{register}=_OVR[{entry}]"));
+        }
+    }
+    let last = arguments.iter().map(|(place, _)| *place).max().unwrap_or(0);
+    // The name of a tool, which is none.
+    let name = if *number == 977 { 16 } else { 11 };
+    let text = |place: u16| match arguments.iter().find(|(known, _)| *known == place) {
+        _ if place == name => "\"\"".to_owned(),
+        Some((_, Length(mm) | Quantity::Feed(mm))) => w.number(*mm).to_string(),
+        Some((_, Angle(x))) => decimal(*x, 4),
+        Some((_, Plain(x))) => decimal(*x, 0),
+        None => String::new(),
+    };
+    let block = format!("CYCLE{number}({})", (1..=last).map(text).collect::<Vec<_>>().join(","));
+    w.line(&block);
+}

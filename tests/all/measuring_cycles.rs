@@ -1,0 +1,221 @@
+//! Programs of SINUMERIK's measuring cycles, judged by a control of our own that knows each cycle from its description and shares nothing with the crate, and
+//! by the strings of generators for the control's own editor.
+
+use super::own_cycles::{BALL, Face, stopped};
+use crate::common::{number, point as list, with};
+use touchpath::form::{Level, Value};
+use touchpath::job::{Plan, plan};
+
+/// The arguments of a call; what is left out is NaN.
+fn arguments(line: &str) -> Option<(u32, Vec<f64>)> {
+    let (number, inner) = line.strip_prefix("CYCLE")?.split_once('(')?;
+    let places = inner.strip_suffix(')')?.split(',');
+    Some((number.parse().unwrap(), places.map(|text| text.parse().unwrap_or(f64::NAN)).collect()))
+}
+
+/// Where a touch from a place along a direction is stopped.
+fn contact(faces: &[Face], from: [f64; 3], along: [f64; 3], far: f64) -> [f64; 3] {
+    let tip = |p: [f64; 3]| [p[0], p[1], p[2] - BALL];
+    let to = [0, 1, 2].map(|i| from[i] + along[i] * far);
+    let parts = faces.iter().filter_map(|face| stopped(*face, tip(from), tip(to)));
+    let part = parts.fold(f64::INFINITY, f64::min);
+    assert!(part <= 1.0, "nothing is met from {from:?} to {to:?}");
+    [0, 1, 2].map(|i| from[i] + part * (to[i] - from[i]))
+}
+
+/// The contacts of a program, in the order in which the control makes them.
+fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
+    let (mut at, mut made) = ([f64::NAN; 3], Vec::new());
+    for line in text.lines() {
+        if line == "M30" {
+            break;
+        }
+        if let Some(words) = line.strip_prefix("MEAS=1 G1 ") {
+            for word in words.split(' ') {
+                if let Some(axis) = ["X", "Y", "Z"].iter().position(|axis| word.starts_with(axis)) {
+                    at[axis] = word[1..].parse().unwrap();
+                }
+            }
+        }
+        let Some((number, given)) = arguments(line) else { continue };
+        let a = |place: usize| given[place - 1];
+        if number == 978 {
+            let mut along = [0.0; 3];
+            along[a(8) as usize - 1] = if a(9) == 1.0 { 1.0 } else { -1.0 };
+            let axis = a(8) as usize - 1;
+            let mut from = at;
+            from[axis] = a(5) - along[axis] * (BALL + a(6));
+            made.push(contact(faces, from, along, 2.0 * a(6)));
+            continue;
+        }
+        let (kind, zone) = (a(1) % 10.0, a(1) >= 1000.0);
+        let inside = kind % 2.0 == 1.0;
+        let height = if zone || !inside { at[2] - a(11) } else { at[2] };
+        let sides: Vec<(f64, f64)> = match kind as u32 {
+            1 | 2 => vec![(0.0, a(5)), (90.0, a(5))],
+            3 | 4 => vec![((a(14) - 1.0) * 90.0, a(5))],
+            _ => vec![(0.0, a(6)), (90.0, a(7))],
+        };
+        let mut center = at;
+        for (angle, size) in sides {
+            let (s, c) = (angle + a(10)).to_radians().sin_cos();
+            let pair = [1.0, -1.0].map(|side| {
+                let out = [c * side, s * side, 0.0];
+                let off = if inside { size / 2.0 - BALL - a(8) } else { size / 2.0 + BALL + a(8) };
+                let from = [center[0] + out[0] * off, center[1] + out[1] * off, height];
+                contact(faces, from, if inside { out } else { out.map(|x| -x) }, 2.0 * a(8))
+            });
+            made.extend(pair);
+            let found = [0, 1].map(|i| (pair[0][i] + pair[1][i]) / 2.0 - center[i]);
+            let along = found[0] * c + found[1] * s;
+            center = [center[0] + along * c, center[1] + along * s, center[2]];
+        }
+    }
+    made
+}
+
+fn job(cycle: &str, changes: &[(&str, Value)]) -> Value {
+    let job = touchpath::job::default_job(cycle).unwrap();
+    let job = with(&job, "control.post", Value::Text("sinumerik".to_owned()));
+    let job = with(&job, "control.form", Value::Text("cycle".to_owned()));
+    changes.iter().fold(job, |job, (path, value)| with(&job, path, value.clone()))
+}
+
+fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
+    let made = plan.moves.iter().filter(|step| step.kind == "touch").map(|step| step.touch.unwrap());
+    made.map(|k| plan.triggers[k].unwrap()).collect()
+}
+
+#[test]
+fn the_judge_touches_where_the_plan_does() {
+    let (dx, dy, dz) = (0.4, -0.3, 0.2);
+    let hole = vec![Face::Circle([dx, dy], 20.0)];
+    let walls = |degrees: f64, half: f64, inside: bool| {
+        let (s, c) = degrees.to_radians().sin_cos();
+        let sign = if inside { -1.0 } else { 1.0 };
+        [[c, s], [-c, -s]].map(|n| Face::Wall([n[0] * sign, n[1] * sign], sign * (n[0] * dx + n[1] * dy + half)))
+    };
+    let rectangle = |turn: f64, inside: bool| [walls(turn, 40.0, inside), walls(turn + 90.0, 25.0, inside)].concat();
+    let turn = |degrees: f64| vec![("cycle.rotation", number(degrees))];
+    let side = |degrees: f64| vec![("cycle.elevation", number(0.0)), ("cycle.rotation", number(degrees))];
+    let mut top = walls(90.0, 15.0, false).to_vec();
+    top.push(Face::Top(dz));
+    type Case = (&'static str, Vec<(&'static str, Value)>, Vec<Face>, u32);
+    let cases: Vec<Case> = vec![
+        ("surface", vec![], vec![Face::Top(dz)], 0),
+        ("surface", side(0.0), vec![Face::Wall([1.0, 0.0], dx)], 0),
+        ("surface", side(180.0), vec![Face::Wall([-1.0, 0.0], -dx)], 0),
+        ("surface", side(90.0), vec![Face::Wall([0.0, 1.0], dy)], 0),
+        ("surface", side(-90.0), vec![Face::Wall([0.0, -1.0], -dy)], 0),
+        ("hole", vec![], hole.clone(), 1),
+        ("hole", turn(25.0), hole.clone(), 1),
+        ("hole-protected", vec![], hole.clone(), 1001),
+        ("boss", turn(-70.0), hole, 2),
+        ("internal-rectangle", vec![], rectangle(0.0, true), 5),
+        ("internal-rectangle", turn(30.0), rectangle(30.0, true), 5),
+        ("internal-rectangle-protected", turn(90.0), rectangle(90.0, true), 1005),
+        ("external-rectangle", turn(-20.0), rectangle(-20.0, false), 6),
+        ("web", vec![], walls(0.0, 15.0, false).to_vec(), 4),
+        ("web-three-points", turn(90.0), top, 4),
+        ("groove", turn(90.0), walls(90.0, 15.0, true).to_vec(), 3),
+        ("groove", turn(40.0), walls(40.0, 15.0, true).to_vec(), 3),
+        ("groove-protected", vec![], walls(0.0, 15.0, true).to_vec(), 1003),
+    ];
+    let mut touches = 0;
+    for (cycle, changes, faces, variant) in cases {
+        let turned = changes.iter().any(|(path, _)| *path == "cycle.rotation");
+        for offset in [Value::Null, number(2.0)] {
+            if turned && cycle == "groove" && offset != Value::Null {
+                continue;
+            }
+            let mut changes = changes.clone();
+            changes.extend([("part.offset", list([dx, dy, dz])), ("control.workOffset", offset.clone())]);
+            let planned =
+                plan(&job(cycle, &changes)).unwrap_or_else(|error| panic!("{cycle} {changes:?}: {:?}", error.findings));
+            let text = &planned.program.text;
+            let (number, given) = text.lines().find_map(arguments).unwrap();
+            let corrects = if offset == Value::Null { 0 } else { 100 };
+            assert_eq!((number, given[0] as u32), (if variant == 0 { 978 } else { 977 }, variant + corrects), "{cycle}");
+            let (judged, found) = (judged(text, &faces), of_plan(&planned));
+            assert_eq!(judged.len(), found.len(), "{cycle} {changes:?}\n{text}");
+            for (a, b) in judged.iter().zip(&found) {
+                assert!((0..3).all(|i| (a[i] - b[i]).abs() < 2e-3), "{cycle} {changes:?}: {a:?} and {b:?}\n{text}");
+                touches += 1;
+            }
+            for row in planned.results.iter().filter(|row| row.truth.is_some() && row.value.is_some()) {
+                let off = (row.value.unwrap() - row.truth.unwrap()).abs();
+                let second_order = row.code == "diameter" || row.code.starts_with("center");
+                assert!(off < if second_order { 2e-2 } else { 1e-6 }, "{cycle} {}: {off}", row.code);
+            }
+        }
+    }
+    assert!(touches > 90, "{touches}");
+}
+
+/// The two calls that a generator's own documents print: all but the zone, which ours takes from the clearance.
+#[test]
+fn the_calls_are_those_of_a_generator() {
+    let call = |cycle: &str, changes: &[(&str, Value)]| {
+        let text = plan(&job(cycle, changes)).unwrap().program.text;
+        text.lines().find(|line| line.starts_with("CYCLE")).unwrap().to_owned()
+    };
+    let hole = [
+        ("cycle.diameter", number(32.0)),
+        ("cycle.origin", list([-3.0, 15.0, 0.0])),
+        ("cycle.rotation", number(11.0)),
+        ("cycle.depth", number(6.0)),
+        ("cycle.topClearance", number(10.0)),
+        ("cycle.sideClearance", number(10.0)),
+        ("control.workOffset", number(1.0)),
+    ];
+    let theirs = "CYCLE977(1101,10001,,1,32,,,7,5,11,16,5,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,11,-3,15)";
+    assert_eq!(call("hole-protected", &hole), theirs.replace(",16,5,,,1,", ",16,6,,,1,"), "zone 32 - 2(10 + 3)");
+    let surface =
+        [("cycle.elevation", number(0.0)), ("cycle.origin", list([-55.0, 0.0, 0.0])), ("cycle.clearance", number(18.0))];
+    assert_eq!(call("surface", &surface), "CYCLE978(0,,,1,-55,15,5,1,2,1,\"\",,0,1.01,1.01,-1.01,,,,,1,1)");
+    // A web of another generator, but for the offset and the centre.
+    let web = call("web", &[("cycle.rotation", number(90.0)), ("control.workOffset", number(1.0))]);
+    assert_eq!(web, "CYCLE977(104,10001,,1,30,,,5,5,0,20,1,,2,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,11,0)");
+}
+
+#[test]
+fn what_no_cycle_does_is_refused() {
+    let refused = |cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
+        let error = plan(&job(cycle, changes)).expect_err("refused");
+        let errors = error.findings.iter().filter(|finding| finding.level == Level::Error);
+        errors.map(|finding| format!("{} {}", finding.code, finding.path)).collect()
+    };
+    assert_eq!(refused("surface", &[("cycle.elevation", number(40.0))]), ["cycle-not-parallel cycle.elevation"]);
+    assert_eq!(
+        refused("surface", &[("cycle.elevation", number(0.0)), ("cycle.rotation", number(5.0))]),
+        ["cycle-not-parallel cycle.elevation"]
+    );
+    let turned = [("cycle.rotation", number(30.0)), ("control.workOffset", number(1.0))];
+    assert_eq!(refused("web", &turned), ["cycle-not-parallel control.workOffset"]);
+    let three = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(120.0)), ("cycle.stepCount", number(3.0))];
+    assert_eq!(refused("hole", &three), ["cycle-chooses-points cycle.stepCount"]);
+    for cycle in ["double-wall-internal-corner", "triple-wall-external-corner", "probing-two-circles", "probe-on-off"] {
+        assert_eq!(refused(cycle, &[]), ["form-unsupported control.form"], "{cycle}");
+    }
+}
+
+/// A web's results are kept before the touch of its top; what has been is no part of the frame.
+#[test]
+fn results_are_kept_before_the_next_cycle() {
+    let planned = plan(&job("web-three-points", &[("control.workOffset", number(1.0))])).unwrap();
+    let stored: Vec<(&str, &str)> =
+        planned.results.iter().filter_map(|row| Some((row.code.as_str(), row.stored.as_deref()?))).collect();
+    assert_eq!(stored, [("center.x", "R1"), ("width", "R2")]);
+    let text = &planned.program.text;
+    let at = |line: &str| text.find(line).unwrap_or_else(|| panic!("{line} in\n{text}"));
+    assert!(at("\nCYCLE977(") < at("\nR1=_OVR[5]\n") && at("\nR2=_OVR[4]\n") < at("\nCYCLE978("));
+    assert!(text.contains("IF ($P_UIFR[1,X,FI]<>0) OR ($P_UIFR[1,Z,FI]<>0) GOTOF TP_FRAME"), "{text}");
+    // Every move that the program makes itself is watched; a program comes back as its job.
+    assert!(
+        planned.safety.iter().any(|row| row.rule == "positioning-watched" && row.holds == Some(true)),
+        "{:?}",
+        planned.safety
+    );
+    let back = crate::common::import(text).unwrap();
+    assert_eq!(plan(&back.job).unwrap().program.text, *text);
+}
