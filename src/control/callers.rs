@@ -43,6 +43,7 @@ pub(super) static BROTHER: PostDef = PostDef {
         checker.warning("units-not-stated", "units", message);
     },
     emit: |request| post::emit(request, &BROTHER_CALLS),
+    own: Some(&BROTHER_OWN),
     ..CALLER
 };
 
@@ -110,11 +111,18 @@ static OKUMA_CALLS: Calls = Calls {
 };
 
 static OWN: OwnCycles = cycles(offsets::letter, |stored| variable(135, stored));
+static BROTHER_OWN: OwnCycles = OwnCycles {
+    word: |number, letter| format!("P{} {letter}", number.saturating_sub(1000)),
+    ..cycles(offsets::letter, |stored| variable(135, stored))
+};
 static HURCO_OWN: OwnCycles = cycles(offsets::letter, |stored| variable(185, stored));
-static OKUMA_OWN: OwnCycles = cycles(f64::from, |stored| match stored {
-    Stored::Output(output) => format!("VS{}", 75 + output),
-    Stored::Kept(variable) => format!("VC{variable}"),
-});
+static OKUMA_OWN: OwnCycles = OwnCycles {
+    word: |number, letter| format!("O{number} P{letter}"),
+    ..cycles(f64::from, |stored| match stored {
+        Stored::Output(output) => format!("VS{}", 75 + output),
+        Stored::Kept(variable) => format!("VC{variable}"),
+    })
+};
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {

@@ -10,4 +10,4 @@ pub use catalog::{
     SectionEntry, SupportEntry, catalog,
 };
 pub use schema::job_schema;
-pub use table::export_table;
+pub use table::{export_table, export_table_with_calls};

@@ -8,19 +8,30 @@ use crate::text::text;
 /// The table of a plan as `csv` (with a heading), `json` (a list of rows) or `text` (a line `CmdPrm.Flt[-50] = 50` a row), in
 /// the documented order. Any other format is refused.
 pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
+    export_table_with_calls(plan, None, format)
+}
+
+/// The same, in `csv` and `json` with the words of the control's own cycles that take each row, as [`calls`](crate::job::calls) has them.
+pub fn export_table_with_calls(plan: &Plan, calls: Option<&[Vec<String>]>, format: &str) -> Result<String, JobError> {
+    let call = |index: usize| calls.map(|calls| calls.get(index).map_or_else(String::new, |words| words.join(", ")));
     match format {
         "csv" => {
-            let mut text = "code,type,value,meaning\n".to_owned();
-            for row in &plan.table {
+            let mut text =
+                if calls.is_some() { "code,type,value,meaning,call\n" } else { "code,type,value,meaning\n" }.to_owned();
+            for (index, row) in plan.table.iter().enumerate() {
                 let cells = [row.code.as_str(), row.type_name, &value(row), &row.meaning.english()].map(cell);
                 text.push_str(&cells.join(","));
+                if let Some(call) = call(index) {
+                    text.push(',');
+                    text.push_str(&cell(&call));
+                }
                 text.push('\n');
             }
             Ok(text)
         }
         "text" => Ok(plan.table.iter().map(|row| format!("{} = {}\n", row.code, value(row))).collect()),
         "json" => {
-            let rows: Vec<String> = plan.table.iter().map(json_row).collect();
+            let rows: Vec<String> = plan.table.iter().enumerate().map(|(index, row)| json_row(row, call(index))).collect();
             Ok(format!("[\n  {}\n]\n", rows.join(",\n  ")))
         }
         _ => {
@@ -45,15 +56,16 @@ fn cell(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
-fn json_row(row: &ParameterRow) -> String {
+fn json_row(row: &ParameterRow, call: Option<String>) -> String {
     let number = match &row.value {
         ParameterValue::Text(text) => quoted(text),
         ParameterValue::Whole(_) | ParameterValue::Flag(_) | ParameterValue::Number(_) => value(row),
     };
     let field = row.field.as_deref().map_or("null".to_owned(), quoted);
     let touch = row.touch.map_or("null".to_owned(), |k| k.to_string());
+    let call = call.map_or_else(String::new, |call| format!(", \"call\": {}", quoted(&call)));
     format!(
-        "{{ \"code\": {}, \"type\": {}, \"value\": {number}, \"meaning\": {}, \"field\": {field}, \"touch\": {touch} }}",
+        "{{ \"code\": {}, \"type\": {}, \"value\": {number}, \"meaning\": {}, \"field\": {field}, \"touch\": {touch}{call} }}",
         quoted(&row.code),
         quoted(row.type_name),
         quoted(&row.meaning.english())

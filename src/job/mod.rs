@@ -7,6 +7,7 @@
 //! # Ok::<(), touchpath::job::JobError>(())
 //! ```
 
+mod calls;
 mod defaults;
 mod examine;
 mod inertia;
@@ -24,6 +25,7 @@ mod stretch;
 mod stylus;
 mod units;
 
+pub use calls::calls;
 pub use defaults::default_job;
 pub use lentoax::lentoax_query;
 pub use measure::Measurement;

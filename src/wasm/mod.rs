@@ -140,8 +140,10 @@ pub fn measure(codes: &[f64], text: &str, measured: &[f64], measured_text: &str)
 /// The parameter table as text: `csv`, `json` or `text`.
 #[wasm_bindgen(js_name = exportTable)]
 pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<String, JsValue> {
-    let plan = job::plan(&decoded(codes, text)).map_err(refused)?;
-    describe::export_table(&plan, &text_of(format, 100).unwrap_or_default()).map_err(refused)
+    let job = decoded(codes, text);
+    let plan = job::plan(&job).map_err(refused)?;
+    let calls = if plan.program.own { job::calls(&job) } else { None };
+    describe::export_table_with_calls(&plan, calls.as_deref(), &text_of(format, 100).unwrap_or_default()).map_err(refused)
 }
 
 /// The picture of a job as an SVG, looked at from `top`, `front`, `side` or `isometric`.

@@ -2,6 +2,7 @@
 
 mod controls;
 mod layout;
+mod macro_calls;
 mod structs;
 mod surface;
 mod typed;
@@ -309,4 +310,5 @@ fn every_text_that_needs_words_is_listed() {
 fn the_matrix_of_controls_is_that_of_the_crate() {
     keep("docs/controls.md", &controls::page());
     keep("docs/calls.md", &calls_page());
+    keep("docs/table-to-calls.md", &macro_calls::page());
 }

@@ -1,6 +1,7 @@
 //! The tests of the crate, a module a subject: `cargo test --lib safety` runs one of them.
 
 mod border;
+mod calls;
 mod circles;
 mod controls;
 mod does;

@@ -21,6 +21,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
     rerun,
     followed: false,
     offset: f64::from,
+    word: |number, q| format!("{number} Q{q}"),
     name: |stored| match stored {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },

@@ -51,6 +51,8 @@ pub struct OwnCycles {
     pub followed: bool,
     /// How the calls name a work offset.
     pub offset: fn(i32) -> f64,
+    /// How a manual calls a word of a call: `P9814 D`, `412 Q262`.
+    pub word: fn(u32, &str) -> String,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
 }

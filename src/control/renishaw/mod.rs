@@ -9,5 +9,6 @@ use crate::path::Stored;
 
 /// The cycles of a control that names work offsets and results so.
 pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> OwnCycles {
-    OwnCycles { plan: serve::serve, rerun: serve::rerun, followed: false, offset, name }
+    let word = |number, letter: &str| format!("P{number} {letter}");
+    OwnCycles { plan: serve::serve, rerun: serve::rerun, followed: false, offset, word, name }
 }

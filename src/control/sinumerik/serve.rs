@@ -33,6 +33,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
     plan: serve,
     rerun,
     followed: true,
+    word: |number, place| format!("CYCLE{number} {place}"),
     offset: |n| 10_000.0 + f64::from(n),
     name: |stored| match stored {
         Stored::Output(entry) => format!("_OVR[{entry}]"),

@@ -1,0 +1,155 @@
+//! Which words of the control's own cycles take which rows of the parameter table: found by moving each value a little and looking at what follows in the
+//! calls, so that nothing is said that the writer does not do.
+
+use crate::form::{Checker, Value};
+use crate::job::Job;
+use crate::job::defaults::resolved;
+use crate::job::plan::Planned;
+use crate::path::{Feature, OwnBlock, Parameter, ParameterValue, Path};
+
+/// By how much a value is moved, in units of the job.
+const STEP: f64 = 1.0 / 128.0;
+
+/// By how much the feature is, so that no two places are the same by chance.
+const ASIDE: [f64; 3] = [12.0625, -7.1875, 3.3125];
+
+/// Codes from here down are those of the touches before dimensions are compensated.
+const ORIGINAL: i32 = -200;
+
+/// How nearly values must agree, mm or degrees.
+const NEAR: f64 = 1e-7;
+
+/// For each row of the parameter table the words of the calls that follow it: `P9814 D`, `CYCLE977 5`. None where the job's program calls no cycles of the
+/// control's own, or has errors.
+pub fn calls(value: &Value) -> Option<Vec<Vec<String>>> {
+    let job = aside(&resolved(value)?);
+    let planned = planned(&job)?;
+    let base = words(&planned)?;
+    let rows = table(&planned);
+    let walls = matches!(planned.path.feature, Feature::Surface(_) | Feature::Corner(_));
+    let found = rows.iter().map(|row| {
+        let followed = row.field.as_deref().and_then(|field| following(&job, field, &base)).unwrap_or_default();
+        // The place of a wall is a touch's.
+        let place = match row.value {
+            ParameterValue::Length(mm) if walls && row.touch.is_some() && row.code > ORIGINAL => Some(mm),
+            _ => None,
+        };
+        let same = base.iter().filter(|word| word.measures && place.is_some_and(|mm| (word.value - mm).abs() < NEAR));
+        let mut names: Vec<String> = followed.into_iter().chain(same.map(|word| word.name.clone())).collect();
+        let mut seen = Vec::new();
+        names.retain(|name| {
+            !seen.contains(name) && {
+                seen.push(name.clone());
+                true
+            }
+        });
+        names
+    });
+    Some(found.collect())
+}
+
+/// A word of a call.
+struct Word {
+    name: String,
+    /// mm, degrees.
+    value: f64,
+    /// Whether the call measures something.
+    measures: bool,
+}
+
+fn planned(job: &Value) -> Option<Planned> {
+    let mut checker = Checker::default();
+    let planned = Planned::of(Job::read(&mut checker, job)?);
+    (!checker.failed() && planned.refused.is_empty()).then_some(planned)
+}
+
+/// The words of the calls; none where nothing is called.
+fn words(planned: &Planned) -> Option<Vec<Word>> {
+    let (own, cycles) = (planned.path.own.as_ref()?, planned.job.post.own?);
+    let all = own.blocks.iter().flat_map(|(block, _)| {
+        let measures = block.measures();
+        let of = |number: u32, name: String, value: f64| Word { name: (cycles.word)(number, &name), value, measures };
+        match block {
+            OwnBlock::Call(number, letters) => {
+                letters.iter().map(|(letter, x)| of(*number, letter.to_string(), x.value())).collect::<Vec<Word>>()
+            }
+            OwnBlock::Cycle(number, places) => {
+                places.iter().map(|(place, x)| of(u32::from(*number), place.to_string(), x.value())).collect()
+            }
+            OwnBlock::Goes(..) | OwnBlock::Keep(..) => Vec::new(),
+        }
+    });
+    Some(all.collect())
+}
+
+/// The rows of the table as the cycle documents them.
+fn table(planned: &Planned) -> Vec<Parameter> {
+    let documented: Path = planned.job.cycle.plan(&planned.job.setup);
+    planned.job.cycle.parameters(&planned.job.setup, &documented.touches)
+}
+
+/// The words that follow a field of the job.
+fn following(job: &Value, field: &str, base: &[Word]) -> Option<Vec<String>> {
+    let moved = moved(job, field)?;
+    // Where a cycle has one value for two sides, both are moved.
+    let other = match (words_of(&moved), twin(field)) {
+        (None, Some(twin)) => words_of(&self::moved(&moved, &twin)?)?,
+        (words, _) => words?,
+    };
+    let same = other.len() == base.len() && other.iter().zip(base).all(|(a, b)| a.name == b.name);
+    same.then_some(())?;
+    let changed = other.iter().zip(base).filter(|(a, b)| (a.value - b.value).abs() > NEAR);
+    Some(changed.map(|(word, _)| word.name.clone()).collect())
+}
+
+fn words_of(job: &Value) -> Option<Vec<Word>> {
+    words(&planned(job)?)
+}
+
+/// The same field of the other side.
+fn twin(field: &str) -> Option<String> {
+    let (stem, side) = field.split_at_checked(field.len().checked_sub(1)?)?;
+    match side {
+        "1" => Some(format!("{stem}2")),
+        "2" => Some(format!("{stem}1")),
+        _ => None,
+    }
+}
+
+/// The job with a number of it moved: a field, or the coordinate of one, `cycle.point1[0]`.
+fn moved(job: &Value, field: &str) -> Option<Value> {
+    let (field, index) = match field.strip_suffix(']').and_then(|field| field.split_once('[')) {
+        Some((field, index)) => (field, index.parse::<usize>().ok()),
+        None => (field, None),
+    };
+    let path: Vec<&str> = field.split('.').collect();
+    let step = |value: &Value| if let Value::Number(x) = value { Some(Value::Number(x + STEP)) } else { None };
+    let new = match (path.iter().try_fold(job, |value, key| value.get(key))?, index) {
+        (Value::List(places), Some(index)) => {
+            let mut places = places.clone();
+            let place = places.get_mut(index)?;
+            *place = step(place)?;
+            Value::List(places)
+        }
+        (value, _) => step(value)?,
+    };
+    Some(with(job, &path, &new))
+}
+
+/// The job with its feature elsewhere.
+fn aside(job: &Value) -> Value {
+    let Some(Value::List(origin)) = job.get("cycle").and_then(|cycle| cycle.get("origin")) else { return job.clone() };
+    let places = origin.iter().zip(ASIDE).map(|(place, by)| match place {
+        Value::Number(x) => Value::Number(x + by),
+        other => other.clone(),
+    });
+    with(job, &["cycle", "origin"], &Value::List(places.collect()))
+}
+
+/// A job with another value at a place that it has.
+fn with(value: &Value, path: &[&str], new: &Value) -> Value {
+    let ([key, rest @ ..], Value::Map(entries)) = (path, value) else { return new.clone() };
+    let inner =
+        |(known, value): &(String, Value)| (known.clone(), if known == key { with(value, rest, new) } else { value.clone() });
+    Value::Map(entries.iter().map(inner).collect())
+}
