@@ -124,6 +124,25 @@ ratio("16 touches / 4 touches (type 13)", "type 13, 16 touches", "type 13, 4 tou
 ratio("with part / without, 16 touches (goal: < 2)", "type 13, 16 touches, part", "type 13, 16 touches");
 ratio("with part / without, 4 touches (type 7)", "type 7, 4 touches, part", "type 7, 4 touches");
 
+// Calls of a control's own cycles: calls and their path, a run on the displaced part, the program. The same job as LinuxCNC's moves is 1.
+console.log("\nOwn cycles, plan / plan of LinuxCNC's moves, wasm   type 7   hole   web");
+const called = ["internal-rectangle-protected", "hole", "web"];
+const placed = (/** @type {string} */ type, /** @type {string} */ post, /** @type {"moves" | "cycle"} */ form) =>
+  /** @type {any} */ ({ format: 1, cycle: { type }, part: { offset: [0.3, -0.2, 0] }, control: { post, form } });
+for (const { id, cycles } of catalog().posts) {
+  const served = (/** @type {string} */ type) =>
+    cycles.some((entry) => entry.type === type && entry.form === "cycle" && entry.supported);
+  if (!called.every(served)) continue;
+  const cells = called.map((type) => {
+    const [own = Number.NaN, moves = Number.NaN] = times([
+      () => plan(placed(type, id, "cycle")),
+      () => plan(placed(type, "linuxcnc", "moves")),
+    ]);
+    return (own / moves).toFixed(2).padStart(8);
+  });
+  console.log(id.padEnd(50), ...cells);
+}
+
 // Every type of the family against its number of touches, in WebAssembly. A corner needs two, one a wall.
 const counted = (/** @type {import("touchpath").CycleEntry} */ cycle, /** @type {number} */ n) => {
   const keys = cycle.fields.map((field) => field.key);
