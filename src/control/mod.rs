@@ -40,6 +40,8 @@ use crate::text::{Text, text};
 pub const POSTS: &[&PostDef] = &[
     &linuxcnc::DEF,
     &grbl::DEF,
+    &grbl::GRBLHAL,
+    &grbl::FLUIDNC,
     &sinumerik::DEF,
     &heidenhain::DEF,
     &fanuc::FANUC,

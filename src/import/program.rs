@@ -394,7 +394,7 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
 fn may_be_for(post: &PostDef, sign: Option<Sign>, text: &str) -> bool {
     match sign {
         Some(Sign::LinuxCnc) => post.key == "linuxcnc",
-        Some(Sign::Rs274) => matches!(post.key, "linuxcnc" | "grbl"),
+        Some(Sign::Rs274) => matches!(post.key, "linuxcnc" | "grbl" | "grblhal" | "fluidnc"),
         Some(Sign::LikeFanuc) => matches!(post.key, "fanuc" | "haas"),
         Some(Sign::Klartext | Sign::RepRap) => false,
         None => post.key == "sinumerik" || toolpath::guessed(text) != "sinumerik",

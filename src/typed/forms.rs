@@ -1054,6 +1054,10 @@ pub enum Post {
     Linuxcnc,
     /// `grbl`.
     Grbl,
+    /// `grblhal`.
+    Grblhal,
+    /// `fluidnc`.
+    Fluidnc,
     /// `sinumerik`.
     Sinumerik,
     /// `heidenhain`.
@@ -1073,7 +1077,7 @@ pub enum Post {
 }
 
 impl Given for Post {
-    fn given(&self) -> Value { Value::Text(match self { Post::Linuxcnc => "linuxcnc", Post::Grbl => "grbl", Post::Sinumerik => "sinumerik", Post::Heidenhain => "heidenhain", Post::Fanuc => "fanuc", Post::Haas => "haas", Post::Mazak => "mazak", Post::Brother => "brother", Post::Hurco => "hurco", Post::Okuma => "okuma" }.to_owned()) }
+    fn given(&self) -> Value { Value::Text(match self { Post::Linuxcnc => "linuxcnc", Post::Grbl => "grbl", Post::Grblhal => "grblhal", Post::Fluidnc => "fluidnc", Post::Sinumerik => "sinumerik", Post::Heidenhain => "heidenhain", Post::Fanuc => "fanuc", Post::Haas => "haas", Post::Mazak => "mazak", Post::Brother => "brother", Post::Hurco => "hurco", Post::Okuma => "okuma" }.to_owned()) }
 }
 
 /// One of a fixed set of words.

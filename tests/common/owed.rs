@@ -97,7 +97,7 @@ type Judge = fn(&Plan) -> Result<(), String>;
 /// Who judges the programs of a control.
 pub fn judge(post: &str) -> Option<Judge> {
     match post {
-        "linuxcnc" | "grbl" => Some(rs274_is_sane),
+        "linuxcnc" | "grbl" | "grblhal" | "fluidnc" => Some(rs274_is_sane),
         "sinumerik" => Some(sinumerik_is_sane),
         "heidenhain" => Some(klartext_is_sane),
         "fanuc" | "haas" => Some(skip_is_sane),
@@ -125,6 +125,11 @@ fn klartext_is_sane(plan: &Plan) -> Result<(), String> {
     Ok(())
 }
 
+/// Whether a rapid that goes down runs at a feed, since nothing watches it.
+fn like_grbl(plan: &Plan) -> bool {
+    ["grbl", "grblhal", "fluidnc"].contains(&plan.program.post)
+}
+
 fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
     let lines: Vec<&str> = plan.program.text.lines().collect();
     owe_eq!("every move has its line", plan.program.move_lines.len(), plan.moves.len());
@@ -149,7 +154,7 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
             ("position", ..) if watched && (short || i == 0) => &["G1", "G38.3"],
             ("position", ..) if watched => &["G38.3"],
             // A rapid with a rate of its own is a feed move; grbl goes down at a feed.
-            (_, "rapid", None) if circles(plan) || plan.program.post == "grbl" => &["G0", "G1"],
+            (_, "rapid", None) if circles(plan) || like_grbl(plan) => &["G0", "G1"],
             (_, "rapid", None) => &["G0"],
             (.., None) => &["G1"],
         };
@@ -164,7 +169,7 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
                 check
             );
         }
-        if word == "G0" && plan.program.post == "grbl" && i > 0 {
+        if word == "G0" && like_grbl(plan) && i > 0 {
             let axis = lines.iter().find_map(|l| ["G17 ", "G18 ", "G19 "].iter().position(|g| l.starts_with(g))).unwrap();
             let axis = [2, 1, 0][axis];
             owe!("no rapid goes down on grbl", step.to[axis] >= plan.moves[i - 1].to[axis] - 2e-6, "{:?}", step);

@@ -661,7 +661,7 @@ export interface Job {
   };
   control?: {
     /** Which control the program is for. */
-    post?: "linuxcnc" | "grbl" | "sinumerik" | "heidenhain" | "fanuc" | "haas" | "mazak" | "brother" | "hurco" | "okuma";
+    post?: "linuxcnc" | "grbl" | "grblhal" | "fluidnc" | "sinumerik" | "heidenhain" | "fanuc" | "haas" | "mazak" | "brother" | "hurco" | "okuma";
     /** Plain moves, or the control's own cycle where it has one. */
     form?: "moves" | "cycle";
     /** The work offset that the program writes at its end: 1 is G54. Empty: measure only. `null`: measure only. */

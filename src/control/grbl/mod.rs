@@ -19,7 +19,57 @@ use crate::num::decimal;
 use crate::path::{Move, Touch};
 use crate::text::{text, words};
 
-pub static DEF: PostDef = PostDef {
+pub static DEF: PostDef = KIN;
+
+/// grblHAL. Whether it has variables depends on how it was built: they are not used.
+pub static GRBLHAL: PostDef = PostDef {
+    key: "grblhal",
+    title: "grblHAL",
+    about: "the moves of grbl, in longer lines. Its variables depend on how it was built, and are not used.",
+    ..LATER
+};
+
+/// FluidNC. Its variables hold machine coordinates: they are not used.
+pub static FLUIDNC: PostDef = PostDef {
+    key: "fluidnc",
+    title: "FluidNC",
+    about: "the moves of grbl, in longer lines. Its variables hold machine coordinates, and are not used.",
+    ..LATER
+};
+
+/// Those that can more than grbl, and get its program.
+const LATER: PostDef = PostDef {
+    no_work_offset: words!(
+        "the program is that of grbl and uses no variables: let the sender read the [PRB:] reports and write the offset"
+    ),
+    orients: Err(words!("the program is that of grbl and does not turn the spindle: turn it by hand")),
+    dialect: &LONG,
+    cannot: &[
+        (rules::WATCHED, words!("the program is that of grbl and does not ask whether a positioning move hit something")),
+        (rules::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),
+        (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs")),
+        (
+            rules::LOW_START,
+            words!(
+                "the program is that of grbl and does not ask where the stylus is: it must be above the first place, as the header says"
+            ),
+        ),
+        (rules::ONE_WRITE, WRITTEN_BY_THE_SENDER),
+        (
+            rules::PLAUSIBLE,
+            words!("the program is that of grbl and uses no variables: whoever reads the results must judge them"),
+        ),
+        (rules::RESTART, WRITTEN_BY_THE_SENDER),
+        (rules::WRITE_LAST, WRITTEN_BY_THE_SENDER),
+    ],
+    ..KIN
+};
+
+const WRITTEN_BY_THE_SENDER: &str =
+    words!("the program is that of grbl and uses no variables: the sender writes the work offset");
+
+/// What they have in common.
+const KIN: PostDef = PostDef {
     key: "grbl",
     title: "grbl",
     about: "the same moves. grbl has no variables, so a program cannot compute or write anything, and it does not watch the probe in positioning moves; the page and the program say so.",
@@ -64,6 +114,9 @@ const DIALECT: Dialect = Dialect {
     ..PLAIN
 };
 
+/// Their lines may have 256 characters.
+const LONG: Dialect = Dialect { comment_width: 120, longest_block: 250, ..DIALECT };
+
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_length_axis(request, checker);
@@ -71,7 +124,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.info(
         "no-results-in-program",
         "control.post",
-        text!("{control} computes nothing: it reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
+        text!("The program computes nothing: {control} reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
          those points give", request.post.title.to_owned()),
     );
     if !request.path.moves.is_empty() {

@@ -12,6 +12,8 @@ fn comment_lines_are_longer_than_the_control_takes() {
     let longest = [
         ("linuxcnc", 160),
         ("grbl", 80),
+        ("grblhal", 120),
+        ("fluidnc", 120),
         ("sinumerik", 120),
         ("heidenhain", 80),
         ("fanuc", 80),
