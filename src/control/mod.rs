@@ -426,7 +426,7 @@ fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
 
 /// What the header says of the angle at which the spindle stands.
 fn orientation_line(request: &Request<'_>) -> String {
-    match request.orient {
+    match request.orient.filter(|_| request.post.orients.is_ok()) {
         Some(angle) => {
             format!("The spindle is turned to {} degrees first: the probe must be calibrated at that angle", decimal(angle, 3))
         }

@@ -83,6 +83,15 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
         "no move goes higher than the path ends",
         plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + level + 1e-6)
     );
+    // Picks may lie beside their wall: contacts are made where that is.
+    if picked && ["fanuc", "haas"].contains(&plan.program.post) {
+        let nominal = super::with(job, "part", Value::Map(Vec::new()));
+        let nominal = touchpath::job::plan(&nominal).map_err(|e| format!("on the nominal part: {e}"))?;
+        // A pick beside the part meets nothing there.
+        if let Some(contacts) = nominal.triggers.iter().copied().collect::<Option<Vec<_>>>() {
+            return skip_is_sane_on(plan, contacts);
+        }
+    }
     program_is_sane(plan)
 }
 
@@ -295,12 +304,18 @@ pub fn macro_call(line: &str) -> Option<(u32, Vec<(char, f64)>)> {
 
 /// On the nominal part a control of our own makes the moves of the path, and no other but its way to the first place and the pieces of arcs.
 fn skip_is_sane(plan: &Plan) -> Result<(), String> {
+    let ends = plan.moves.iter().filter(|m| m.kind == "touch").map(|m| m.to).collect();
+    skip_is_sane_on(plan, ends)
+}
+
+/// The same with contacts where a part has them.
+fn skip_is_sane_on(plan: &Plan, contacts: Vec<[f64; 3]>) -> Result<(), String> {
     let text = &plan.program.text;
     let mut control = super::fanuc::Control::new(plan.program.post == "haas", text.contains("\nG20\n"));
     for offset in (5221..=5321).step_by(20).chain((7001..=7941).step_by(20)).chain((14_001..=15_973).step_by(20)) {
         control.variables.extend((0..3).map(|axis| (offset + axis, 0.0)));
     }
-    control.contacts = plan.moves.iter().filter(|m| m.kind == "touch").map(|m| m.to).collect();
+    control.contacts = contacts;
     let header = text.replace(")\n(", " ");
     if let Some((_, rest)) = header.split_once("THE STYLUS IS TAKEN TO BE AT ") {
         for (axis, word) in rest.split(' ').take(3).enumerate() {

@@ -67,6 +67,11 @@ impl Reader {
             all.into_iter().filter(|(name, _)| name != "G" && name != "P").collect()
         };
         match block.p {
+            // A number that the control computes.
+            Some(p) if !p.is_finite() => {
+                self.forget(7);
+                self.native("G65", arguments(), place);
+            }
             Some(p) if self.run.is_some() && self.makes_macro(p as u32, &arguments()) => {
                 native_call(&mut self.path, self.line, &name(p), arguments(), place);
                 block.elsewhere = true;

@@ -363,6 +363,16 @@ fn a_rule_names_the_lines_that_break_it() {
     assert!(run_program("G21 G90\nG0 X1\nM2\n", &Known::default()).rules.is_empty());
 }
 
+/// The number of a macro may be computed: it is named without one, and where it ends is not known.
+#[test]
+fn a_macro_whose_number_is_computed_is_named() {
+    for text in ["G21 G90\nG0 X0 Y0 Z5\nG65 P#100 D5.\nG1 X1 F9\n", "G21 G90\nG0 X0 Y0 Z5\nG65 P[#1+9800] X3.\nG1 X1 F9\n"] {
+        let run = run_program(text, &Known::default());
+        assert_eq!((run.calls[0].name.as_str(), run.calls[0].title), ("G65", None));
+        assert_eq!(shown(&run).last().map(String::as_str), Some("4 feed 1 ? ?"));
+    }
+}
+
 #[test]
 fn a_native_call_says_what_contradicts_in_it() {
     let text = "%\nO1\nG21 G90 G0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG65 P9814 Q3.\nG65 P9810 X1. Y2. Z-8. F800.\nG65 P8811 Z-10.\nG65 P9999 A1.\nM30\n%\n";
