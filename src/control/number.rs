@@ -57,10 +57,9 @@ fn listed(c: char) -> char {
     }
 }
 
-/// A number that the control may refuse, or under which it keeps the macros.
+/// A number that the control may refuse.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
-    let Some(number) = chosen(request).filter(|n| *n >= PROTECTED) else { return };
-    let path = if request.number.is_some() { "control.number" } else { "name" };
+    let Some((number, path)) = high(request) else { return };
     let message = text!(
         "Program numbers 8000 to 9999 are usually protected (parameter 3202): the control may refuse O{number}. Use a number below 8000",
         number
@@ -70,13 +69,18 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// A number under which a control that calls macros keeps them: the program would take the place of one. Ours.
 pub(super) fn check_macros(request: &Request<'_>, checker: &mut Checker) {
-    let Some(number) = chosen(request).filter(|n| *n >= PROTECTED) else { return };
-    let path = if request.number.is_some() { "control.number" } else { "name" };
+    let Some((number, path)) = high(request) else { return };
     let message = text!(
         "Program numbers 8000 to 9999 are those of macros: O{number} may take the place of one. Use a number below 8000",
         number
     );
     checker.warning("number-protected", path, message);
+}
+
+/// A chosen number that is above those of users' programs, and the field that says it.
+fn high(request: &Request<'_>) -> Option<(i32, &'static str)> {
+    let number = chosen(request).filter(|n| *n >= PROTECTED)?;
+    Some((number, if request.number.is_some() { "control.number" } else { "name" }))
 }
 
 /// No place needs more digits than a number may have.

@@ -3,8 +3,8 @@
 
 use std::collections::BTreeMap;
 
-use super::own_cycles::{BALL, Face, stopped};
-use crate::common::{number, point as list, with};
+use super::own_cycles::{BALL, Face, own, stopped};
+use crate::common::{number, point as list};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, plan};
 
@@ -23,7 +23,7 @@ fn blocks(text: &str) -> Vec<(u32, Vec<(u32, f64)>)> {
 }
 
 /// Where a touch from a place along a direction is stopped, within so much.
-fn contact(faces: &[Face], from: [f64; 3], along: [f64; 3], far: f64) -> [f64; 3] {
+pub(super) fn contact(faces: &[Face], from: [f64; 3], along: [f64; 3], far: f64) -> [f64; 3] {
     // The faces are of a stylus tip along Z; this control's heights are of the ball's centre.
     let tip = |p: [f64; 3]| [p[0], p[1], p[2] - BALL];
     let to = [0, 1, 2].map(|i| from[i] + along[i] * far);
@@ -98,13 +98,11 @@ fn judged(text: &str, faces: &[Face], set_up: f64) -> Vec<[f64; 3]> {
 }
 
 fn job(cycle: &str, changes: &[(&str, Value)]) -> Value {
-    let job = touchpath::job::default_job(cycle).unwrap();
-    let job = with(&job, "control.post", Value::Text("heidenhain".to_owned()));
-    let job = with(&job, "control.form", Value::Text("cycle".to_owned()));
-    changes.iter().fold(job, |job, (path, value)| with(&job, path, value.clone()))
+    own(cycle, "heidenhain", changes)
 }
 
-fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
+/// Where the plan's own run has its contacts, in the order in which they are made.
+pub(super) fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
     let made = plan.moves.iter().filter(|step| step.kind == "touch").map(|step| step.touch.unwrap());
     made.map(|k| plan.triggers[k].unwrap()).collect()
 }
@@ -282,6 +280,8 @@ fn what_no_cycle_does_is_refused() {
         refused("internal-rectangle-protected", &[("cycle.sideClearance2", number(9.0))]),
         ["cycle-one-path cycle.sideClearance2"]
     );
+    let low = [("cycle.middleClearance", number(4.0)), ("control.setUp", number(2.0))];
+    assert_eq!(refused("web-three-points", &low), ["set-up-too-long cycle.middleClearance"]);
     assert_eq!(refused("double-wall-internal-corner", &[]), ["form-unsupported control.form"]);
     let three = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(120.0)), ("cycle.stepCount", number(3.0))];
     assert_eq!(refused("hole", &three), ["cycle-chooses-points cycle.stepCount"], "421 touches four times");

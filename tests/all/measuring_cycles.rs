@@ -1,26 +1,17 @@
 //! Programs of SINUMERIK's measuring cycles, judged by a control of our own that knows each cycle from its description and shares nothing with the crate, and
 //! by the strings of generators for the control's own editor.
 
-use super::own_cycles::{BALL, Face, stopped};
-use crate::common::{number, point as list, with};
+use super::klartext_cycles::{contact, of_plan};
+use super::own_cycles::{BALL, Face, own};
+use crate::common::{number, point as list};
 use touchpath::form::{Level, Value};
-use touchpath::job::{Plan, plan};
+use touchpath::job::plan;
 
 /// The arguments of a call; what is left out is NaN.
 fn arguments(line: &str) -> Option<(u32, Vec<f64>)> {
     let (number, inner) = line.strip_prefix("CYCLE")?.split_once('(')?;
     let places = inner.strip_suffix(')')?.split(',');
     Some((number.parse().unwrap(), places.map(|text| text.parse().unwrap_or(f64::NAN)).collect()))
-}
-
-/// Where a touch from a place along a direction is stopped.
-fn contact(faces: &[Face], from: [f64; 3], along: [f64; 3], far: f64) -> [f64; 3] {
-    let tip = |p: [f64; 3]| [p[0], p[1], p[2] - BALL];
-    let to = [0, 1, 2].map(|i| from[i] + along[i] * far);
-    let parts = faces.iter().filter_map(|face| stopped(*face, tip(from), tip(to)));
-    let part = parts.fold(f64::INFINITY, f64::min);
-    assert!(part <= 1.0, "nothing is met from {from:?} to {to:?}");
-    [0, 1, 2].map(|i| from[i] + part * (to[i] - from[i]))
 }
 
 /// The contacts of a program, in the order in which the control makes them.
@@ -75,15 +66,7 @@ fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
 }
 
 fn job(cycle: &str, changes: &[(&str, Value)]) -> Value {
-    let job = touchpath::job::default_job(cycle).unwrap();
-    let job = with(&job, "control.post", Value::Text("sinumerik".to_owned()));
-    let job = with(&job, "control.form", Value::Text("cycle".to_owned()));
-    changes.iter().fold(job, |job, (path, value)| with(&job, path, value.clone()))
-}
-
-fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
-    let made = plan.moves.iter().filter(|step| step.kind == "touch").map(|step| step.touch.unwrap());
-    made.map(|k| plan.triggers[k].unwrap()).collect()
+    own(cycle, "sinumerik", changes)
 }
 
 #[test]
@@ -190,6 +173,8 @@ fn what_no_cycle_does_is_refused() {
         refused("surface", &[("cycle.elevation", number(0.0)), ("cycle.rotation", number(5.0))]),
         ["cycle-not-parallel cycle.elevation"]
     );
+    let low = [("cycle.middleClearance", number(3.05))];
+    assert_eq!(refused("web-three-points", &low), ["cycle-path-short cycle.middleClearance"]);
     let turned = [("cycle.rotation", number(30.0)), ("control.workOffset", number(1.0))];
     assert_eq!(refused("web", &turned), ["cycle-not-parallel control.workOffset"]);
     let three = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(120.0)), ("cycle.stepCount", number(3.0))];

@@ -193,7 +193,7 @@ fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
     made.into_iter().map(|k| plan.triggers[k].unwrap()).collect()
 }
 
-fn own(cycle: &str, post: &str, changes: &[(&str, Value)]) -> Value {
+pub(super) fn own(cycle: &str, post: &str, changes: &[(&str, Value)]) -> Value {
     let job = touchpath::job::default_job(cycle).unwrap();
     let job = with(&job, "control.post", Value::Text(post.to_owned()));
     let job = with(&job, "control.form", Value::Text("cycle".to_owned()));

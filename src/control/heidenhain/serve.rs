@@ -3,14 +3,13 @@
 use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
 use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::made::moves_of;
-use crate::control::own::{Meets, Outcome, OwnCycles, OwnRequest, Refused};
+use crate::control::own::made::{self, Drafted};
+use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused};
 use crate::control::{Program, Report, Request, check_write, does, own};
 use crate::form::Checker;
-use crate::formula::Role;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
-use crate::path::{Bore, Entry, Feature, Feed, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
+use crate::path::{Bore, Entry, Feature, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
 use crate::text::{Text, text};
 
 /// How nearly directions and places must agree.
@@ -18,7 +17,7 @@ const NEAR: f64 = 1e-6;
 
 pub static CYCLES: OwnCycles = OwnCycles {
     plan: serve,
-    rerun,
+    rerun: |own, radius, meets| made::rerun(own, radius, call, meets),
     followed: false,
     offset: f64::from,
     word: |number, q| format!("{number} Q{q}"),
@@ -51,14 +50,6 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     program.finish(meets)
 }
 
-/// Runs the cycles of a path again on another part.
-fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
-    let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
-    let mut machine = Machine::new(own.first, radius, 0.0, &mut answer);
-    let alarm = own.blocks.iter().find_map(|(block, _)| call(block, own.reach, &mut machine)?.err());
-    (machine.made, alarm)
-}
-
 /// Runs a block: none of one that moves nothing.
 fn call(block: &OwnBlock, reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     let OwnBlock::Cycle(number, parameters) = block else { return None };
@@ -86,8 +77,8 @@ impl Plan<'_> {
     fn high(&self) -> f64 {
         let path = self.request.path;
         let level = path.touches.iter().map(|touch| touch.point.z).fold(f64::NEG_INFINITY, f64::max);
-        let crosses = path.moves.iter().take_while(|step| step.step <= 1).last().filter(|step| step.to.z > level + NEAR);
-        crosses.or(path.moves.first()).map_or(level, |step| step.to.z)
+        let crosses = made::start(path).filter(|start| start.z > level + NEAR);
+        crosses.or(path.moves.first().map(|step| step.to)).map_or(level, |place| place.z)
     }
 
     fn begins_at(&mut self, place: Vec3, high: f64) {
@@ -178,7 +169,7 @@ impl Plan<'_> {
     fn surface(&mut self, point: &Point) -> Result<(), Refused> {
         let path = self.request.path;
         let touch = &path.touches[0];
-        let start = path.searches().next().and_then(|(_, from, _)| from).unwrap_or(touch.point);
+        let start = made::begins(path).unwrap_or(touch.point);
         let entry = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
         let set_up = self.set_up(entry)?;
         let high = path.moves.first().map_or(start.z, |step| step.to.z);
@@ -415,7 +406,7 @@ impl Plan<'_> {
         let top = path.searches().find(|(k, ..)| *k == 2);
         if let Some((k, Some(from), _)) = top {
             let touch = &path.touches[k];
-            let entry = Entry { field: "cycle.topClearance", value: (from - touch.point).dot(touch.vector) };
+            let entry = Entry { field: "cycle.middleClearance", value: (from - touch.point).dot(touch.vector) };
             let set_up = self.set_up(entry)?;
             self.touches_surface(touch.point, touch.vector, set_up, high, "cycle")?;
             // The code of the top is the height.
@@ -424,41 +415,20 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// Runs the cycles on the nominal part: the path, its touches in the order of the documented ones.
+    /// The path that the cycles make on the nominal part.
     fn finish(mut self, meets: Meets<'_>) -> Result<Path, Refused> {
         if let Some(row) = self.row() {
             self.blocks.push(OwnBlock::Cycle(247, vec![(339, Plain(row))]));
         }
         let Plan { request, blocks, stored, first } = self;
-        let (mut path, radius) = (request.path.clone(), request.setup.radius);
         let reach = Reach { set_up: request.set_up, behind: request.setup.overtravel };
-        let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
-        let mut machine = Machine::new(first, radius, 0.0, &mut answer);
-        let (mut counted, mut feeds) = (Vec::new(), Vec::new());
-        for (step, block) in blocks.iter().enumerate() {
-            let before = machine.made.len();
-            if let Some(Err(alarm)) = call(block, reach, &mut machine) {
-                let message = text!("On the nominal part the control's own cycle would stop: {alarm}", what(alarm));
-                return Err(own::refused("cycle-stops", "cycle", message));
-            }
-            feeds.resize(machine.made.len(), (Some(Feed::Rapid), u8::try_from(step + 2).unwrap_or(u8::MAX)));
-            counted.push(machine.made.len() - before);
-        }
-        let made = machine.made;
-        let Some((moves, touches)) = moves_of(&path, false, &made, &feeds, first, (radius, None)) else {
-            let message = text!("The control's own cycle would touch other surfaces than the documented one does");
-            return Err(own::refused("cycle-stops", "cycle", message));
-        };
-        (path.moves, path.touches, path.start) = (moves, touches, None);
-        path.formula.results.retain(|result| result.role != Role::Residual);
-        path.own = Some(Box::new(Own {
-            counts: made.iter().map(|made| made.count).collect(),
-            first,
-            blocks: blocks.into_iter().zip(counted).collect(),
-            stored,
-            reach,
-        }));
-        Ok(path)
+        made::planned(request, Drafted { blocks, stored, first, reach }, call, meets).map_err(|alarm| {
+            let message = match alarm {
+                Some(alarm) => text!("On the nominal part the control's own cycle would stop: {alarm}", what(alarm)),
+                None => text!("The control's own cycle would touch other surfaces than the documented one does"),
+            };
+            own::refused("cycle-stops", "cycle", message)
+        })
     }
 }
 

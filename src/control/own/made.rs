@@ -1,8 +1,10 @@
 //! What a control's own cycles made, as a path.
 
-use super::machine::{Kind, Made};
+use super::machine::{Alarm, Kind, Machine, Made};
+use super::{Meets, Outcome, OwnRequest};
+use crate::formula::Role;
 use crate::geom::Vec3;
-use crate::path::{Feed, Move, Path, Purpose, Touch};
+use crate::path::{Feed, Move, Own, OwnBlock, Path, Purpose, Reach, Stored, Touch};
 
 /// How nearly directions must agree.
 const NEAR: f64 = 1e-6;
@@ -60,4 +62,66 @@ pub fn moves_of(
         }
     }
     Some((moves, touches.into_iter().collect::<Option<Vec<Touch>>>()?))
+}
+
+/// Where a documented cycle begins its first touch.
+pub fn begins(path: &Path) -> Option<Vec3> {
+    path.searches().next().and_then(|(_, from, _)| from)
+}
+
+/// Where a documented cycle stands before it goes anywhere else: the end of its first steps.
+pub fn start(path: &Path) -> Option<Vec3> {
+    path.moves.iter().take_while(|step| step.step <= 1).last().map(|step| step.to)
+}
+
+/// Runs a block of a program: none of one that moves nothing.
+pub type Runs = fn(&OwnBlock, Reach, &mut Machine<'_>) -> Option<Result<(), Alarm>>;
+
+/// A program of cycles that is put together.
+#[derive(Debug)]
+pub struct Drafted {
+    pub blocks: Vec<OwnBlock>,
+    pub stored: Vec<(&'static str, Stored)>,
+    /// Where the first move comes to.
+    pub first: Vec3,
+    pub reach: Reach,
+}
+
+/// The path that a program makes on the nominal part, its touches in the order of the documented ones. Else what stops it, or nothing where it touches other
+/// surfaces than the documented cycle.
+pub fn planned(request: &OwnRequest<'_>, drafted: Drafted, runs: Runs, meets: Meets<'_>) -> Result<Path, Option<Alarm>> {
+    let Drafted { blocks, stored, first, reach } = drafted;
+    let (mut path, radius) = (request.path.clone(), request.setup.radius);
+    let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
+    let mut machine = Machine::new(first, radius, 0.0, &mut answer);
+    let (mut counted, mut feeds) = (Vec::new(), Vec::new());
+    for (step, block) in blocks.iter().enumerate() {
+        let before = machine.made.len();
+        if let Some(Err(alarm)) = runs(block, reach, &mut machine) {
+            return Err(Some(alarm));
+        }
+        let feed = if let OwnBlock::Goes(_, feed) = block { *feed } else { Feed::Rapid };
+        feeds.resize(machine.made.len(), (Some(feed), u8::try_from(step + 2).unwrap_or(u8::MAX)));
+        counted.push(machine.made.len() - before);
+    }
+    let made = machine.made;
+    (path.moves, path.touches) = moves_of(&path, false, &made, &feeds, first, (radius, None)).ok_or(None)?;
+    path.start = None;
+    path.formula.results.retain(|result| result.role != Role::Residual);
+    path.own = Some(Box::new(Own {
+        counts: made.iter().map(|made| made.count).collect(),
+        first,
+        blocks: blocks.into_iter().zip(counted).collect(),
+        stored,
+        reach,
+    }));
+    Ok(path)
+}
+
+/// Runs a program again on another part.
+pub fn rerun(own: &Own, radius: f64, runs: Runs, meets: Meets<'_>) -> Outcome {
+    let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
+    let mut machine = Machine::new(own.first, radius, 0.0, &mut answer);
+    let alarm = own.blocks.iter().find_map(|(block, _)| runs(block, own.reach, &mut machine)?.err());
+    (machine.made, alarm)
 }

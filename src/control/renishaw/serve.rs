@@ -3,7 +3,7 @@
 use super::macros::{self, FAST, MEASURE, SEARCH};
 use crate::control::Report;
 use crate::control::own::machine::{Alarm, Machine, Made, Met};
-use crate::control::own::made::moves_of;
+use crate::control::own::made::{self, moves_of};
 use crate::control::own::{OwnRequest, Refused, refused};
 use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
@@ -96,14 +96,12 @@ impl<'a> Program<'a> {
 
     /// Where the documented cycle begins its first touch.
     fn begins(&self) -> Vec3 {
-        let first = self.request.path.searches().next();
-        first.and_then(|(_, from, _)| from).unwrap_or(self.first)
+        made::begins(self.request.path).unwrap_or(self.first)
     }
 
     /// Where the documented cycle stands before it goes anywhere else: the end of its first steps.
     fn start(&self) -> Vec3 {
-        let moves = &self.request.path.moves;
-        moves.iter().take_while(|step| step.step <= 1).last().map_or(self.first, |step| step.to)
+        made::start(self.request.path).unwrap_or(self.first)
     }
 
     /// A protected move along these axes.

@@ -9,14 +9,13 @@ use std::ops::Range;
 use super::cycles;
 use crate::control::iso::writer::Writer;
 use crate::control::own::machine::{Alarm, Machine};
-use crate::control::own::made::moves_of;
-use crate::control::own::{Meets, Outcome, OwnCycles, OwnRequest, Refused, refused};
+use crate::control::own::made::{self, Drafted};
+use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, refused};
 use crate::control::{Request, check_write};
 use crate::form::Checker;
-use crate::formula::Role;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
-use crate::path::{Bore, Entry, Feature, Feed, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
+use crate::path::{Bore, Entry, Feature, Feed, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
 use crate::text::{Text, text, words};
 
 use Quantity::{Angle, Length, Plain};
@@ -31,7 +30,7 @@ const ADVICE: &str = words!(". Use the form \"moves\"");
 
 pub static CYCLES: OwnCycles = OwnCycles {
     plan: serve,
-    rerun,
+    rerun: |own, radius, meets| made::rerun(own, radius, run, meets),
     followed: true,
     word: |number, place| format!("CYCLE{number} {place}"),
     offset: |n| 10_000.0 + f64::from(n),
@@ -67,16 +66,8 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     program.finish(meets)
 }
 
-/// Runs the cycles of a path again on another part.
-fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
-    let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
-    let mut machine = Machine::new(own.first, radius, 0.0, &mut answer);
-    let alarm = own.blocks.iter().find_map(|(block, _)| run(block, &mut machine)?.err());
-    (machine.made, alarm)
-}
-
 /// Runs a block: none of one that moves nothing.
-fn run(block: &OwnBlock, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     match block {
         OwnBlock::Cycle(number, arguments) => {
             let values: Vec<(u16, f64)> = arguments.iter().map(|(place, quantity)| (*place, quantity.value())).collect();
@@ -107,16 +98,13 @@ impl Plan<'_> {
         }
     }
 
-    /// Where the documented cycle begins its first touch.
+    /// Where the documented cycle begins its first touch, and where it stands before.
     fn begins(&self) -> Vec3 {
-        let first = self.request.path.searches().next();
-        first.and_then(|(_, from, _)| from).unwrap_or(self.first)
+        made::begins(self.request.path).unwrap_or(self.first)
     }
 
-    /// Where the documented cycle stands before it goes anywhere else.
     fn start(&self) -> Vec3 {
-        let moves = &self.request.path.moves;
-        moves.iter().take_while(|step| step.step <= 1).last().map_or(self.first, |step| step.to)
+        made::start(self.request.path).unwrap_or(self.first)
     }
 
     /// Down to where the cycle starts.
@@ -372,47 +360,25 @@ impl Plan<'_> {
             self.goes(self.at.with_z(self.at.z.max(from.z)), Feed::LongLink);
             self.goes(from.with_z(self.at.z), Feed::LongLink);
             self.goes(from, Feed::LongLink);
-            let clearance = Entry { field: "cycle.topClearance", value: (from - touch.point).dot(touch.vector) };
+            let clearance = Entry { field: "cycle.middleClearance", value: (from - touch.point).dot(touch.vector) };
             self.touches_surface(touch.point, touch.vector, clearance, "cycle")?;
         }
         self.up();
         Ok(())
     }
 
-    /// Runs the program on the nominal part: the path, its touches in the order of the documented ones.
+    /// The path that the program makes on the nominal part.
     fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
-        let Plan { request, radius, first, blocks, stored, .. } = self;
-        let mut path = request.path.clone();
-        let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
-        let mut machine = Machine::new(first, radius, 0.0, &mut answer);
-        let (mut counted, mut feeds) = (Vec::new(), Vec::new());
-        for (step, block) in blocks.iter().enumerate() {
-            let before = machine.made.len();
-            if run(block, &mut machine).is_some_and(|end| end.is_err()) {
-                let message =
-                    text!("On the nominal part the cycle would touch something on its way{advice}", Text::words(ADVICE));
-                return Err(refused("cycle-stops", "cycle", message));
-            }
-            let feed = if let OwnBlock::Goes(_, feed) = block { *feed } else { Feed::Rapid };
-            feeds.resize(machine.made.len(), (Some(feed), u8::try_from(step + 2).unwrap_or(u8::MAX)));
-            counted.push(machine.made.len() - before);
-        }
-        let made = machine.made;
-        let Some((moves, touches)) = moves_of(&path, false, &made, &feeds, first, (radius, None)) else {
-            let message =
-                text!("The cycle would touch other surfaces than the documented one does{advice}", Text::words(ADVICE));
-            return Err(refused("cycle-stops", "cycle", message));
-        };
-        (path.moves, path.touches) = (moves, touches);
-        path.formula.results.retain(|result| result.role != Role::Residual);
-        path.own = Some(Box::new(Own {
-            counts: made.iter().map(|made| made.count).collect(),
-            first,
-            blocks: blocks.into_iter().zip(counted).collect(),
-            stored,
-            reach: Reach::default(),
-        }));
-        Ok(path)
+        let Plan { request, first, blocks, stored, .. } = self;
+        made::planned(request, Drafted { blocks, stored, first, reach: Reach::default() }, run, meets).map_err(|alarm| {
+            let message = match alarm {
+                Some(_) => text!("On the nominal part the cycle would touch something on its way{advice}", Text::words(ADVICE)),
+                None => {
+                    text!("The cycle would touch other surfaces than the documented one does{advice}", Text::words(ADVICE))
+                }
+            };
+            refused("cycle-stops", "cycle", message)
+        })
     }
 }
 
