@@ -75,11 +75,16 @@ impl Called<'_> {
 
     fn renishaw(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         let [x, y, z] = self.place;
+        // A program of calls has the heights of the stylus tip: a job has those of the ball's centre.
+        let tip = if self.post.is_some() { radius } else { 0.0 };
+        let z = z + tip;
         let protected = self.get("R").is_some_and(|r| r < 0.0);
         let outside = self.get("Z").is_some() && !protected;
         // The touches are where the stylus stands, or at Z.
-        let top = self.get("Z").unwrap_or(z) + depth;
+        let top = self.get("Z").map_or(z, |z| z + tip) + depth;
         let mut fields = vec![("depth", depth)];
+        // Of a surface across Z it is counted from the contact.
+        let mut counted = radius;
         if self.get("Z").is_some() {
             fields.push(("sideClearance", self.get("R").map_or(5.0 * radius / 3.0, f64::abs) + radius));
             if z > top {
@@ -106,7 +111,8 @@ impl Called<'_> {
                 let axes = [self.get("X"), self.get("Y"), self.get("Z")];
                 let axis = axes.iter().position(Option::is_some).filter(|_| axes.iter().flatten().count() == 1)?;
                 let surface = axes[axis]?;
-                let away = self.place[axis] - surface;
+                let away = self.place[axis] - surface + if axis == 2 { tip } else { 0.0 };
+                counted = if axis == 2 { radius - tip } else { radius };
                 let turn = [0.0, 90.0][usize::from(axis == 1)] + if away < 0.0 { 180.0 } else { 0.0 };
                 fields = vec![("clearance", away.abs()), ("elevation", if axis == 2 { 90.0 } else { 0.0 })];
                 if axis < 2 {
@@ -119,7 +125,7 @@ impl Called<'_> {
             _ => return None,
         };
         let offset = self.get("S").filter(|s| s.fract() == 0.0 && (1.0..=6.0).contains(s));
-        Some(Said { cycle, fields, origin, overtravel: self.get("Q").map(|q| q + radius), post: Some("fanuc"), offset })
+        Some(Said { cycle, fields, origin, overtravel: self.get("Q").map(|q| q + counted), post: Some("fanuc"), offset })
     }
 
     /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
@@ -154,7 +160,16 @@ impl Called<'_> {
             fields.push(("topClearance", z - top));
         }
         let turn = self.get("10").unwrap_or(0.0);
-        let centre = if self.get("27") == Some(11.0) { [self.get("28")?, self.get("29").unwrap_or(y)] } else { [x, y] };
+        // The centre that the offset is corrected to; of a groove or web its coordinate along the measuring axis.
+        let across = self.get("14") == Some(2.0);
+        let said = self.get("27") == Some(11.0);
+        let centre = match (said, kind) {
+            (true, 3.0 | 4.0) if across => [x, self.get("28")?],
+            (true, _) => [self.get("28")?, self.get("29").unwrap_or(y)],
+            (false, _) => [x, y],
+        };
+        // Without one it is taken to be at 0, 0: a job has no other place than where the feature is.
+        let offset = offset.filter(|_| said || [x, y] == [0.0; 2]);
         let aside = protected || outside;
         let kinds = |inside: &'static str, over: &'static str, out: &'static str| match (outside, protected) {
             (true, _) => out,
@@ -167,8 +182,8 @@ impl Called<'_> {
                 kinds("hole", "hole-protected", "boss")
             }
             3.0 | 4.0 => {
-                let across = if self.get("14")? == 2.0 { 90.0 } else { 0.0 };
-                fields.extend([("width", self.get("5")?), ("rotation", across + turn)]);
+                self.get("14")?;
+                fields.extend([("width", self.get("5")?), ("rotation", if across { 90.0 } else { 0.0 } + turn)]);
                 kinds("groove", "groove-protected", "web")
             }
             5.0 | 6.0 => {
@@ -184,6 +199,11 @@ impl Called<'_> {
         }
         let origin = [centre[0], centre[1], top];
         Some(Said { cycle, fields, origin, overtravel: Some(path), post: Some("sinumerik"), offset })
+    }
+
+    /// From where a touch begins up to the clearance height.
+    fn feed_distance(&self, start: f64) -> Option<(&'static str, f64)> {
+        self.get("Q260").map(|high| high - start).filter(|far| *far >= 0.0).map(|far| ("feedDistance", far))
     }
 
     fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
@@ -253,8 +273,10 @@ impl Called<'_> {
                 (cycle, [x, y, top()?])
             }
             "417" => {
+                let z = self.get("Q294")?;
                 fields = vec![("elevation", 90.0), ("clearance", clearance)];
-                ("surface", [self.get("Q263")?, self.get("Q264")?, self.get("Q294")?])
+                fields.extend(self.feed_distance(z + clearance));
+                ("surface", [self.get("Q263")?, self.get("Q264")?, z])
             }
             "419" | "427" => {
                 let axis = self.get("Q272").filter(|axis| [1.0, 2.0, 3.0].contains(axis))?;
@@ -272,11 +294,23 @@ impl Called<'_> {
                 if axis < 3.0 {
                     fields.push(("rotation", turn));
                 }
-                ("surface", [self.get("Q263")?, self.get("Q264")?, self.get("Q261")?])
+                let z = self.get("Q261")?;
+                fields.extend(self.feed_distance(if axis == 3.0 { z + clearance } else { z }));
+                ("surface", [self.get("Q263")?, self.get("Q264")?, z])
             }
             _ => return None,
         };
-        let row = self.get("Q305").filter(|row| self.get("Q303") == Some(1.0) && (1.0..=99.0).contains(row));
+        // A row whose values are the nominal place: a job writes no other.
+        let same = |q: &str, place: Option<f64>| self.get(q).is_none_or(|value| place == Some(value));
+        let along = self.get("Q272").filter(|axis| (1.0..=3.0).contains(axis)).map(|axis| origin[axis as usize - 1]);
+        let nominal = match number {
+            "408" | "409" => same("Q405", along),
+            "417" => same("Q333", self.get("Q294")),
+            "419" => same("Q333", along),
+            _ => same("Q331", Some(origin[0])) && same("Q332", Some(origin[1])),
+        };
+        let nominal = nominal && self.get("Q381").is_none_or(|more| more == 0.0);
+        let row = self.get("Q305").filter(|row| nominal && self.get("Q303") == Some(1.0) && (1.0..=99.0).contains(row));
         Some(Said {
             cycle,
             fields,

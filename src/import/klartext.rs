@@ -68,6 +68,11 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
         return Ok(Imported::Job { job, findings: said });
     }
     let mut checker = Checker::default();
+    let of_header = Value::Text(TYPE.to_owned());
+    if job.get("cycle").and_then(|cycle| cycle.get("type")) != Some(&of_header) {
+        // A program of other cycles is the header's job; what differs is said.
+        return Ok(Imported::Job { job, findings: said });
+    }
     let (read, notes) = read(text)?;
     // Blocks that do not say their units are in those of the header.
     let unsaid = notes.iter().any(|f| f.code == "units-unknown");

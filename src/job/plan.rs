@@ -300,7 +300,7 @@ fn report_own(path: &Path, checker: &mut Checker) {
         )
     } else {
         text!(
-            "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, and choose the order and their feeds",
+            "The moves shown are those of the control's own cycles (measuring calls: {calls}): they choose the order and their feeds",
             calls
         )
     };

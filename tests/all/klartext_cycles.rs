@@ -293,6 +293,71 @@ fn what_no_cycle_does_is_refused() {
     );
 }
 
+/// A limit that is not there asks nothing: both bounds 0, and the program does not stop.
+#[test]
+fn a_missing_limit_asks_nothing() {
+    let given = |cycle: &str, changes: &[(&str, Value)]| -> BTreeMap<u32, f64> {
+        blocks(&plan(&job(cycle, changes)).unwrap().program.text)[0].1.iter().copied().collect()
+    };
+    let of = |all: &BTreeMap<u32, f64>, numbers: &[u32]| numbers.iter().map(|q| all[q]).collect::<Vec<f64>>();
+    // Of the default limits the size has one and the place has none.
+    assert_eq!(
+        of(&given("surface", &[("cycle.origin", list([0.0, 0.0, 12.0]))]), &[261, 288, 289, 309]),
+        [12.0, 0.0, 0.0, 0.0]
+    );
+    let place = [("limits.position", number(0.2)), ("limits.size", Value::Null)];
+    assert_eq!(of(&given("surface", &place), &[288, 289, 309]), [0.2, -0.2, 1.0]);
+    assert_eq!(of(&given("hole", &place), &[275, 276, 279, 280, 309]), [0.0, 0.0, 0.2, 0.2, 1.0]);
+    assert_eq!(of(&given("web", &place), &[288, 289, 309]), [0.0, 0.0, 0.0]);
+    assert!(plan(&job("web", &place)).unwrap().findings.iter().any(|f| f.code == "limits-not-asked"));
+}
+
+/// A call of someone else's program as a job: only what a job would write the same way.
+#[test]
+fn a_call_becomes_no_other_write() {
+    use touchpath::import::toolpath::{Known, run_program};
+    let made = |call: &str, start: [f64; 3]| -> Value {
+        let run = run_program(call, &Known { start: Some(start), ..Known::default() });
+        run.calls.iter().find_map(|call| call.job.clone()).unwrap_or_else(|| panic!("{call}: {:?}", run.calls))
+    };
+    let at = |job: &Value, path: &str| {
+        path.split('.').fold(job.clone(), |value, key| value.get(key).cloned().unwrap_or(Value::Null))
+    };
+    let klartext = |cycle: &str| format!("BEGIN PGM A MM\nTCH PROBE {cycle}\nEND PGM A MM\n");
+    // The measured place shall read 100: a job would give it the nominal 10.
+    let wall = "419 Q263=+10 Q264=+20 Q261=-5 Q320=+7 Q260=+150 Q272=+1 Q267=+1 Q305=+5 Q303=+1";
+    let other = made(&klartext(&format!("{wall} Q333=+100")), [0.0, 0.0, 200.0]);
+    assert_eq!(at(&other, "control.workOffset"), Value::Null);
+    let same = made(&klartext(&format!("{wall} Q333=+10")), [0.0, 0.0, 200.0]);
+    assert_eq!(at(&same, "control.workOffset"), number(5.0));
+    let (number_of_block, given) = &blocks(&plan(&same).unwrap().program.text)[0];
+    let q: BTreeMap<u32, f64> = given.iter().copied().collect();
+    assert_eq!((*number_of_block, q[&260], q[&320], q[&333], q[&305]), (419, 150.0, 7.0, 10.0, 5.0));
+    // A web along Y: 28 is its Y.
+    let web = "G71 G90\nG0 X10 Y50 Z15\nCYCLE977(4,,,1,30,,,5,5,0,20,1,,2,1,\"\",,0,1.01,1.01,-1.01,,,,,1,11,50)\n";
+    assert_eq!(at(&made(web, [0.0, 0.0, 50.0]), "cycle.origin"), list([10.0, 50.0, 5.0]));
+    // Without a centre the control takes it for 0, 0.
+    let hole = "G71 G90\nG0 X100 Y50 Z-5\nCYCLE977(101,10001,,1,32,,,7,5,0,1,1,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,1)\n";
+    assert_eq!(at(&made(hole, [0.0, 0.0, 50.0]), "control.workOffset"), Value::Null);
+    // Heights of calls are the stylus tip's: written again they are the same.
+    for post in ["okuma", "brother"] {
+        let web = own("web", post, &[("cycle.origin", list([10.0, 50.0, 5.0])), ("cycle.rotation", number(90.0))]);
+        let text = plan(&web).unwrap().program.text;
+        let again = plan(&made(&text, [0.0, 0.0, 50.0])).unwrap().program.text;
+        let call = |text: &str| text.lines().find(|line| line.contains("812")).map(str::to_owned);
+        assert_eq!(call(&again), call(&text), "{post}");
+    }
+}
+
+/// An edited program is the header's job, and what differs is said.
+#[test]
+fn an_edited_program_says_what_differs() {
+    let text = plan(&job("boss", &[])).unwrap().program.text;
+    let back = crate::common::import(&text.replacen("Q262=+40", "Q262=+42", 1)).unwrap();
+    assert!(back.findings.iter().any(|finding| finding.code == "program-differs"), "{:?}", back.findings);
+    assert_eq!(plan(&back.job).unwrap().program.text, text);
+}
+
 /// Where the control has what it found.
 #[test]
 fn results_have_the_controls_own_names() {

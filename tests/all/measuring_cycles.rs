@@ -184,6 +184,20 @@ fn what_no_cycle_does_is_refused() {
     }
 }
 
+/// By hand: a ball of 6 has 2 to go from the middle of a hole of 10. A quarter turn is one to the last digit.
+#[test]
+fn a_measuring_path_is_no_longer_than_the_room() {
+    let call = |changes: &[(&str, Value)]| {
+        let planned = plan(&job("hole", changes)).unwrap_or_else(|error| panic!("{changes:?}: {:?}", error.findings));
+        planned.program.text.lines().find(|line| line.starts_with("CYCLE")).unwrap().to_owned()
+    };
+    let small = call(&[("cycle.diameter", number(10.0)), ("overtravel", number(20.0))]);
+    assert!(small.starts_with("CYCLE977(1,,,1,10,,,2,2,0,1,1,"), "{small}");
+    for turn in [-320.8, 17.3, 123.456, -89.9] {
+        call(&[("cycle.rotation", number(turn))]);
+    }
+}
+
 /// A web's results are kept before the touch of its top; what has been is no part of the frame.
 #[test]
 fn results_are_kept_before_the_next_cycle() {

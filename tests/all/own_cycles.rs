@@ -315,6 +315,10 @@ fn what_no_macro_does_is_refused() {
     );
     assert_eq!(refused("double-wall-internal-corner", &[("cycle.angle", number(80.0))]), ["cycle-not-parallel cycle.rotation"]);
     assert_eq!(refused("double-wall-internal-corner", &[("cycle.count1", number(3.0))]), ["cycle-chooses-points cycle.count1"]);
+    // The macro touches along X and Y alone.
+    assert_eq!(refused("hole", &[("cycle.rotation", number(45.0))]), ["cycle-not-parallel cycle.rotation"]);
+    let two = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(180.0)), ("cycle.stepCount", number(4.0))];
+    assert_eq!(refused("boss", &two), ["cycle-chooses-points cycle.stepCount"]);
     let five = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(72.0)), ("cycle.stepCount", number(5.0))];
     assert_eq!(refused("hole", &five), ["cycle-chooses-points cycle.stepCount"]);
     // Both macros of a turned rectangle write both axes.

@@ -67,7 +67,7 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     [["plan", "missing.json"], /There is no file missing\.json/],
     [["plan", "missing-*.json"], /No file matches/],
     [["plan", name, "--colour"], /--colour/],
-    [["plan", name, "--post", "mazak"], /--post is one of linuxcnc/],
+    [["plan", name, "--post", "mazatrol"], /--post is one of linuxcnc/],
     [["plan", name, "--form", "dance"], /--form is one of/],
     [["table", name, "--format", "xml"], /--format is one of csv/],
     [["plan", name, "--format", "csv"], /--format is for table, moves, examine, evaluate/],

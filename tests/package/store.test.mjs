@@ -121,6 +121,8 @@ test("the form follows the control, and the control stays where it takes the cyc
   store.chooseControl("heidenhain");
   store.set("control.workOffset", 3);
   store.choose("hole");
+  assert.deepEqual([store.get("control.post"), store.get("control.form")], ["heidenhain", "cycle"]);
+  store.choose("double-wall-internal-corner");
   assert.notEqual(store.get("control.post"), "heidenhain");
 });
 

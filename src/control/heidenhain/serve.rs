@@ -112,10 +112,10 @@ impl Plan<'_> {
         format!("{} {unit}", decimal(mm / self.request.scale, 4))
     }
 
-    /// The limits of a size: the nominal size itself where there are none.
+    /// The limits of a size; both 0 where it has none, which asks nothing.
     fn sizes(&self, largest: u16, smallest: u16, size: f64) -> [(u16, Quantity); 2] {
-        let off = self.request.limits.size.unwrap_or(0.0);
-        [(largest, Length(size + off)), (smallest, Length((size - off).max(0.0)))]
+        let [high, low] = self.request.limits.size.map_or([0.0; 2], |off| [size + off, (size - off).max(0.0)]);
+        [(largest, Length(high)), (smallest, Length(low))]
     }
 
     /// How far the centre may be off; 0 asks nothing.
@@ -134,16 +134,14 @@ impl Plan<'_> {
         (281, Plain(log))
     }
 
-    /// Whether it stops out of tolerance; no tool is monitored.
-    fn stops(&self) -> [(u16, Quantity); 2] {
-        let limits = &self.request.limits;
-        let stops = limits.size.is_some() || limits.position.is_some();
-        [(309, flag(stops)), (330, Plain(0.0))]
+    /// Whether it stops out of one of these limits; no tool is monitored.
+    fn stops(&self, limits: &[Option<f64>]) -> [(u16, Quantity); 2] {
+        [(309, flag(limits.iter().any(Option::is_some))), (330, Plain(0.0))]
     }
 
     /// The same behind the limits, as most cycles have it.
-    fn verdict(&self) -> [(u16, Quantity); 3] {
-        let [stop, tool] = self.stops();
+    fn verdict(&self, limits: &[Option<f64>]) -> [(u16, Quantity); 3] {
+        let [stop, tool] = self.stops(limits);
         [self.log(), stop, tool]
     }
 
@@ -211,9 +209,10 @@ impl Plan<'_> {
                 parameters.extend([(261, Length(point.z)), set_up]);
                 parameters.extend(direction);
                 parameters.extend([high, self.log()]);
-                let off = self.request.limits.position.unwrap_or(0.0);
-                parameters.extend([(288, Length(point[axis] + off)), (289, Length(point[axis] - off))]);
-                parameters.extend(self.stops());
+                let limit = self.request.limits.position;
+                let [high, low] = limit.map_or([0.0; 2], |off| [point[axis] + off, point[axis] - off]);
+                parameters.extend([(288, Length(high)), (289, Length(low))]);
+                parameters.extend(self.stops(&[limit]));
                 self.calls(427, parameters);
                 self.stores(&[(["point.x", "point.y", "point.z"][axis], 160)]);
             }
@@ -228,7 +227,7 @@ impl Plan<'_> {
         let mut angles: Vec<f64> = touches.iter().map(|touch| direction(touch.point - center)).collect();
         let first = angles[0];
         // By the angle of the first, counter-clockwise, or clockwise where they are documented so.
-        let square = angles.len() == 4 && angles.iter().all(|angle| (wrap_degrees(angle - first) / 90.0 % 1.0).abs() < NEAR);
+        let square = made::are_quarters(&angles);
         let step = if square { 90.0 } else { wrap_degrees(angles.get(1).map_or(0.0, |second| second - first)) };
         if square {
             angles = (0..4).map(|k| first + 90.0 * f64::from(k)).collect();
@@ -236,7 +235,7 @@ impl Plan<'_> {
         let even = angles.iter().enumerate().all(|(k, angle)| wrap_degrees(angle - first - step * k as f64).abs() < 1e-4);
         // As far as our sources go, those that measure only touch four times.
         let fewest = if self.row().is_some() { 3 } else { 4 };
-        if !(fewest..=4).contains(&angles.len()) || !even || !(5.0..=120.0).contains(&step.abs()) {
+        if !(fewest..=4).contains(&angles.len()) || !even || !(5.0 - NEAR..=120.0 + NEAR).contains(&step.abs()) {
             let message = text!(
                 "The control's own cycles touch a circle four times, 5° to 120° apart (three times where they write a preset): not {count} times like this",
                 angles.len()
@@ -271,7 +270,7 @@ impl Plan<'_> {
                 let [largest, smallest] = if inside { [275, 276] } else { [277, 278] };
                 parameters.extend(self.sizes(largest, smallest, bore.diameter.value));
                 parameters.extend(self.places());
-                parameters.extend(self.verdict());
+                parameters.extend(self.verdict(&[self.request.limits.size, self.request.limits.position]));
             }
         }
         self.calls([[421, 412], [422, 413]][usize::from(!inside)][usize::from(row.is_some())], parameters);
@@ -330,7 +329,7 @@ impl Plan<'_> {
                 parameters.extend(self.sizes(284, 285, sides[0]));
                 parameters.extend(self.sizes(286, 287, sides[1]));
                 parameters.extend(self.places());
-                parameters.extend(self.verdict());
+                parameters.extend(self.verdict(&[self.request.limits.size, self.request.limits.position]));
             }
         }
         self.calls([[423, 410], [424, 411]][usize::from(!pairs.internal)][usize::from(row.is_some())], parameters);
@@ -373,7 +372,7 @@ impl Plan<'_> {
                     (311, Length(width)),
                 ];
                 parameters.extend(self.sizes(288, 289, width));
-                parameters.extend(self.verdict());
+                parameters.extend(self.verdict(&[self.request.limits.size]));
                 self.calls(425, parameters);
                 self.stores(&[(["center.x", "center.y"][axis], 157), ("width", 156)]);
             }
@@ -398,7 +397,7 @@ impl Plan<'_> {
                     (311, Length(width)),
                 ];
                 parameters.extend(self.sizes(288, 289, width));
-                parameters.extend(self.verdict());
+                parameters.extend(self.verdict(&[self.request.limits.size]));
                 self.calls(426, parameters);
                 self.stores(&[(["center.x", "center.y"][axis], 157), ("width", 156)]);
             }
@@ -462,6 +461,16 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     );
     checker.info("dist-needed", "overtravel", message);
     check_write(request, checker);
+    let own = request.path.own.iter().flat_map(|own| &own.blocks);
+    let width = own.clone().find_map(|(block, _)| match block {
+        OwnBlock::Cycle(number @ (425 | 426), _) => Some(*number),
+        _ => None,
+    });
+    if let Some(number) = width.filter(|_| request.limits.position.is_some()) {
+        let message =
+            text!("Cycle {number} has no tolerance of the place: the position limit is not asked", usize::from(number));
+        checker.warning("limits-not-asked", "limits.position", message);
+    }
     if let Some(row) = request.work_offset {
         if request.limits.position.is_some() || request.limits.size.is_some() {
             let message = text!(
@@ -507,8 +516,9 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
         length(own.first.z)
     ));
     w.comment(&format!(
-        "Probe table: SET_UP {}, DIST at least {}. F and FMAX are those of the table",
+        "Probe table: SET_UP {} {1}, DIST at least {2} {1}. F and FMAX are those of the table",
         length(own.reach.set_up),
+        unit.to_ascii_lowercase(),
         length(reach(request))
     ));
     let names: Vec<String> = own.stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();

@@ -64,6 +64,15 @@ pub fn moves_of(
     Some((moves, touches.into_iter().collect::<Option<Vec<Touch>>>()?))
 }
 
+/// Whether four directions, degrees, are a quarter turn apart.
+pub fn are_quarters(angles: &[f64]) -> bool {
+    let turns = angles.iter().map(|angle| (angle - angles[0]) / 90.0);
+    let mut quarters: Vec<i64> =
+        turns.filter(|turn| (turn - turn.round()).abs() < NEAR).map(|turn| (turn.round() as i64).rem_euclid(4)).collect();
+    quarters.sort_unstable();
+    quarters == [0, 1, 2, 3]
+}
+
 /// Where a documented cycle begins its first touch.
 pub fn begins(path: &Path) -> Option<Vec3> {
     path.searches().next().and_then(|(_, from, _)| from)

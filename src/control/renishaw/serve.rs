@@ -7,7 +7,7 @@ use crate::control::own::made::{self, moves_of};
 use crate::control::own::{OwnRequest, Refused, refused};
 use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
-use crate::num::{decimal, wrap_degrees};
+use crate::num::decimal;
 use crate::path::{
     Bore, Corner, Entry, Feature, Feed, Feeds, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Quantity, Reach,
     STATED_RAPID, Stored, Surface, Touch, TwoCircles,
@@ -260,9 +260,11 @@ impl<'a> Program<'a> {
         let inside = path.touches.first().is_some_and(|touch| (touch.point - path.frame.origin).dot(touch.vector) < 0.0);
         let angles: Vec<f64> =
             path.touches.iter().map(|touch| direction(if inside { -touch.vector } else { touch.vector })).collect();
-        let square = |angles: &[f64]| {
-            angles.len() == 4 && angles.iter().all(|angle| (wrap_degrees(angle - angles[0]) / 90.0 % 1.0).abs() < NEAR)
-        };
+        let square = made::are_quarters;
+        if square(&angles) && (angles[0] / 90.0 - (angles[0] / 90.0).round()).abs() > NEAR {
+            let message = text!("P9814 touches along X and Y: these four touches are turned{advice}", Text::words(ADVICE));
+            return Err(refused("cycle-not-parallel", "cycle.rotation", message));
+        }
         let mut letters = vec![('D', Quantity::Length(bore.diameter.value))];
         let beside = bore.clearance.is_some();
         let start = if beside { self.start() } else { self.begins() };

@@ -124,9 +124,14 @@ impl Plan<'_> {
         format!("{} {unit}", decimal(mm / self.request.scale, 4))
     }
 
-    /// The measuring path for a clearance from the wall to the ball's centre; the overtravel where the job says none.
-    fn path(&self, clearance: Option<Entry>) -> Result<f64, Refused> {
-        let Some(clearance) = clearance else { return Ok(self.request.setup.overtravel) };
+    /// The measuring path for a clearance from the wall to the ball's centre. Where the job touches from the middle it is the overtravel, but no more than
+    /// the way to the contact: what the control does without that room has no source.
+    fn path(&self, clearance: Option<Entry>, width: Entry) -> Result<f64, Refused> {
+        let room = Entry {
+            field: width.field,
+            value: self.radius + self.request.setup.overtravel.min(width.value / 2.0 - self.radius),
+        };
+        let clearance = clearance.unwrap_or(room);
         let path = clearance.value - self.radius;
         if path < SHORTEST_PATH {
             let message = text!(
@@ -222,7 +227,7 @@ impl Plan<'_> {
             );
             return Err(refused("cycle-not-parallel", field, message));
         };
-        let path = self.path(Some(clearance))?;
+        let path = self.path(Some(clearance), clearance)?;
         let mut arguments = self.variant(0, false);
         arguments.extend([(5, Length(point[axis])), (6, Length(path)), (7, self.safe(path))]);
         // A touch runs against the vector: 1 towards plus, 2 towards minus.
@@ -242,9 +247,7 @@ impl Plan<'_> {
         let (center, touches) = (path.frame.origin, &path.touches);
         let inside = touches.first().is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
         let angles: Vec<f64> = touches.iter().map(|touch| direction(touch.point - center)).collect();
-        let square =
-            angles.len() == 4 && angles.iter().all(|angle| (wrap_degrees(angle - angles[0]) / 90.0 % 1.0).abs() < NEAR);
-        if !square {
+        if !made::are_quarters(&angles) {
             let message = text!(
                 "CYCLE977 touches a circle at four points a quarter turn apart: not at {count} like these{advice}",
                 angles.len(),
@@ -252,7 +255,7 @@ impl Plan<'_> {
             );
             return Err(refused("cycle-chooses-points", "cycle.stepCount", message));
         }
-        let measuring = self.path(bore.clearance)?;
+        let measuring = self.path(bore.clearance, bore.diameter)?;
         let start = if bore.clearance.is_some() { self.start() } else { self.begins() };
         let zone = bore.clearance.filter(|_| inside).map(|clearance| self.zone(bore.diameter, clearance)).transpose()?;
         self.down(start);
@@ -293,7 +296,9 @@ impl Plan<'_> {
             );
             return Err(refused("cycle-one-path", two.field, message));
         }
-        let measuring = self.path(clearances.first().copied())?;
+        let narrowest = pairs.sides.iter().map(|side| side.width).min_by(|a, b| a.value.total_cmp(&b.value));
+        let Some(narrowest) = narrowest else { return Ok(()) };
+        let measuring = self.path(clearances.first().copied(), narrowest)?;
         let beside = !clearances.is_empty();
         // The direction of the first pair, from −90 to 90.
         let mut angle = direction(touches[0].vector);
@@ -409,18 +414,23 @@ fn argument(request: &Request<'_>, place: u16) -> Option<f64> {
 pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let Some(own) = &request.path.own else { return };
     check_write(request, checker);
-    let path = own.blocks.iter().find_map(|(block, _)| match block {
+    let paths = own.blocks.iter().filter_map(|(block, _)| match block {
         OwnBlock::Cycle(number, arguments) => {
             let place = if *number == 977 { 8 } else { 6 };
             arguments.iter().find(|(known, _)| *known == place).map(|(_, path)| path.value())
         }
         _ => None,
     });
-    let message = text!(
-        "The cycle searches {path} before and behind each contact, and not the job's overtravel, and measures at its own feed",
-        checker.length(path.unwrap_or(0.0))
-    );
-    checker.warning("cycle-differs", "control.form", message);
+    let mut others: Vec<String> =
+        paths.filter(|path| (path - request.setup.overtravel).abs() > NEAR).map(|path| checker.length(path)).collect();
+    others.dedup();
+    if !others.is_empty() {
+        let message = text!(
+            "The cycle searches {path} before and behind each contact, and not the job's overtravel, and measures at its own feed",
+            others.join(" / ")
+        );
+        checker.warning("cycle-differs", "control.form", message);
+    }
 }
 
 /// What the header says of it.
