@@ -46,6 +46,12 @@ export abstract class Entries extends Phrases {
     return takes.map((c) => c.form);
   }
 
+  /** Whether the control's own cycle corrects the active preset by itself, so that no work offset is chosen. */
+  ownPreset(post: unknown, type: string): boolean {
+    const forms = this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ?? [];
+    return forms.some((c) => c.ownPreset);
+  }
+
   /** What a control calls the work offset of a number. */
   protected offsetWord(post: unknown, number: unknown): string | undefined {
     return typeof number === "number" ? this.postOf(post)?.workOffsetWords[number - 1] : undefined;
@@ -64,6 +70,7 @@ export abstract class Entries extends Phrases {
 
   /** The work offset that a job for one control has on another: the one of the same name, else none. */
   protected offsetOn(post: unknown, control = this.draft.control as Draft): unknown {
+    if (this.ownPreset(post, this.cycle.type)) return null;
     const { workOffset } = control;
     const word = this.offsetWord(control.post, workOffset);
     const words = this.postOf(post)?.workOffsetWords;

@@ -336,8 +336,10 @@ export class Store extends Entries {
     const takes = [old, this.beforeControl, usual].find((one) => one && this.serves(one.post, type)) ?? usual;
     const forms = this.formsOf(takes.post, type);
     const form = forms.includes(takes.form as Form) ? takes.form : (forms[0] ?? takes.form);
-    if (takes.post === old.post) this.draft.control = { ...old, form };
-    else {
+    if (takes.post === old.post) {
+      const workOffset = this.ownPreset(old.post, type) ? null : old.workOffset;
+      this.draft.control = { ...old, form, workOffset };
+    } else {
       const workOffset = this.offsetFor(takes.post);
       this.beforeControl = old;
       this.draft.control = { ...old, post: takes.post, form, workOffset };

@@ -149,6 +149,8 @@ pub struct PostDef {
     pub extension: &'static str,
     /// Highest number of a work offset the control takes; 0 where a program cannot write one.
     pub work_offsets: i32,
+    /// Whether its own cycle for this corrects the active preset by itself: no work offset is chosen then.
+    pub own_preset: fn(Subject) -> bool,
     /// How a work offset is called, by its number.
     pub work_offset_word: fn(i32) -> String,
     /// Why no work offset can be written, where that is so.
@@ -202,6 +204,7 @@ pub const BASE: PostDef = PostDef {
     about: "",
     extension: "",
     work_offsets: 0,
+    own_preset: |_| false,
     work_offset_word: |_| String::new(),
     no_work_offset: "",
     unused: &[],

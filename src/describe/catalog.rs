@@ -213,6 +213,9 @@ pub struct SupportEntry {
     pub supported: bool,
     /// Why not; null where it does.
     pub reason: Option<&'static str>,
+    /// Whether this cycle of the control's own corrects the active preset by itself, so that no work offset is chosen.
+    #[serde(rename = "ownPreset")]
+    pub own_preset: bool,
 }
 
 /// Every cycle, field, control and rule, as the checks themselves have them.
@@ -238,7 +241,13 @@ pub fn catalog() -> Catalog {
                     .flat_map(|def| {
                         Form::ALL.map(|form| {
                             let reason = (post.serves)(def.probes, form).err();
-                            SupportEntry { key: def.key, form: form.word(), supported: reason.is_none(), reason }
+                            SupportEntry {
+                                key: def.key,
+                                form: form.word(),
+                                supported: reason.is_none(),
+                                reason,
+                                own_preset: form == Form::Cycle && (post.own_preset)(def.probes),
+                            }
                         })
                     })
                     .collect(),

@@ -49,7 +49,7 @@ test("a cycle that its control does not take goes back to the control before it,
   await field("cycle.type").selectOption("probing-two-circles");
   await page.getByText("This is a cycle of HEIDENHAIN TNC7 (Klartext); the program for SINUMERIK").waitFor();
   await field("control.post").selectOption("heidenhain");
-  await field("cycle.type").selectOption("hole");
+  await field("cycle.type").selectOption("double-wall-internal-corner");
   assert.equal(await held("control.post"), "sinumerik");
   await page
     .getByText("HEIDENHAIN TNC7 (Klartext) does not take this cycle: the program is now for SINUMERIK")

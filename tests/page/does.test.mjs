@@ -12,7 +12,7 @@ test("a job that sets rotation and preset was said to measure only, in the bar a
   await field("control.post").selectOption("heidenhain");
   const does = page.locator("tp-bar .does");
   assert.equal(await textOf(does), "measures only");
-  assert.equal(await field("control.workOffset").count(), 0, "this control has none");
+  assert.equal(await field("control.workOffset").count(), 0, "this cycle takes none");
   // From the bar to the fields that say it.
   await does.click();
   await field("cycle.confirmRotation").selectOption("1");

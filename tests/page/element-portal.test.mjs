@@ -183,13 +183,13 @@ test("a job that names another control than the page asks for says so, to the us
   const later = { format: 1, cycle: { type: "hole" } };
   await set("job", { ...later, name: "LATER" });
   assert.deepEqual((await asked())[0]?.slice(2), ["linuxcnc", "mm"], "nothing is asked for any more");
-  await set("post", "mazak");
+  await set("post", "mazatrol");
   await set("job", { ...later, name: "LAST" });
   assert.deepEqual((await asked())[0]?.slice(2), ["linuxcnc", "mm"], "what is not known is not asked for");
 });
 
 test("a cycle that the control does not take made a program for another control: it has an error", async () => {
-  await open('<touch-path post="heidenhain" cycle="hole"></touch-path>');
+  await open('<touch-path post="heidenhain" cycle="double-wall-internal-corner"></touch-path>');
   const state = () =>
     on((element) => [
       element.post,
@@ -199,7 +199,7 @@ test("a cycle that the control does not take made a program for another control:
   assert.deepEqual(await state(), ["heidenhain", null, true]);
   await field("cycle.type").selectOption("probing-two-circles");
   assert.deepEqual(await on((element) => [element.post, element.plan.program.post]), ["heidenhain", "heidenhain"]);
-  await field("cycle.type").selectOption("boss");
+  await field("cycle.type").selectOption("double-wall-external-corner");
   assert.deepEqual(await state(), ["heidenhain", null, true]);
 });
 

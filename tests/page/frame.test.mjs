@@ -139,6 +139,7 @@ test("the box at the foot says what the field in focus is, puts its default back
 });
 
 test("a control that does not take this cycle cannot be chosen, and says why", async () => {
+  await field("cycle.type").selectOption("double-wall-internal-corner");
   const options = await field("control.post")
     .locator("option:disabled")
     .evaluateAll((all) =>
@@ -149,6 +150,7 @@ test("a control that does not take this cycle cannot be chosen, and says why", a
     ["heidenhain"],
   );
   assert.ok((options[0]?.[1] ?? "").length > 20);
+  await field("cycle.type").selectOption("internal-rectangle-protected");
 });
 
 test("the bar reads as the job's sentence: what is written, under which name", async () => {

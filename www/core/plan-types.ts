@@ -622,6 +622,8 @@ export interface SupportEntry {
   supported: boolean;
   /** Why not; null where it does. */
   reason: string | null;
+  /** Whether this cycle of the control's own corrects the active preset by itself, so that no work offset is chosen. */
+  ownPreset: boolean;
 }
 
 /** A control that programs are written for. */

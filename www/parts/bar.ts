@@ -65,7 +65,8 @@ class BarPart extends FieldPart {
   /** The work offset; where the control has none, what the program does: a cycle of the control has fields for that. */
   private offset(): TemplateResult {
     const { store } = this;
-    if (store.post?.workOffsets === 0 && (store.get("control.workOffset") ?? null) === null) {
+    const none = store.post?.workOffsets === 0 || store.ownPreset(store.get("control.post"), store.cycle.type);
+    if (none && (store.get("control.workOffset") ?? null) === null) {
       const does = store.stale ? this.t("no program") : store.does;
       const go = () => this.dispatchEvent(new CustomEvent("go", { detail: SETS, bubbles: true }));
       return store.fieldAt(SETS)

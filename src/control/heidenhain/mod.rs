@@ -26,6 +26,7 @@ pub static DEF: PostDef = PostDef {
     about: "a Klartext program with the control's own cycles: 1411, tolerances, semi-automatic and given positions included; 408 to 427 for surfaces, circles, rectangles, webs and grooves along the axes, which measure only or write a row of the preset table. Not verified on a control.",
     extension: "h",
     work_offsets: 99,
+    own_preset: |subject| subject == Subject::TwoCircles,
     work_offset_word: |n| format!("preset row {n}"),
     computes: false,
     orients: Err(words!(
