@@ -95,7 +95,7 @@ test("the element was unknown in React's TSX: the example compiles, and a proper
 // @ts-expect-error there is no such theme
 export const theme = <touch-path theme="drak" />;
 // @ts-expect-error there is no such control
-export const post = <touch-path post="mazak" />;
+export const post = <touch-path post="mazatrol" />;
 // @ts-expect-error a plan has no such section
 export const plan = <touch-path onplan-change={(event) => event.detail.plan.nothing} />;
 `,
