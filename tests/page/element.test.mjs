@@ -71,7 +71,7 @@ test("a job comes in as an object or as JSON, and what cannot be used changes no
   }
   for (const [input = "", value] of [
     ["cycle", "holes"],
-    ["post", "mazak"],
+    ["post", "mazatrol"],
     ["units", "cm"],
     ["theme", "drak"],
     ["panels", "form progam"],
