@@ -189,7 +189,7 @@ form! {
     pub struct Control {
         /// Which control the program is for.
         post: String = Field::choice("post", "Control", POST_CHOICES).group("Control"),
-        /// Plain moves: many lines; the program watches, touches and writes, on the path of the job. The control's own cycle: a few calls; watching, touches and writing are the control's, on a path of its own, which is shown.
+        /// Plain moves: every move written out, on the job's path. The control's own cycle: a few calls, on the cycle's own path, which is shown.
         form: String = Field::choice("form", "Program form", FORMS).group("Control"),
         /// The work offset that the program writes at its end: 1 is G54. Empty: measure only.
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 105).null_by_default().null_means("measure only").group("Control"),

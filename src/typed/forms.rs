@@ -915,7 +915,7 @@ impl Given for Machine {
 pub struct Control {
     /// Which control the program is for.
     pub post: Option<Post>,
-    /// Plain moves: many lines; the program watches, touches and writes, on the path of the job. The control's own cycle: a few calls; watching, touches and writing are the control's, on a path of its own, which is shown.
+    /// Plain moves: every move written out, on the job's path. The control's own cycle: a few calls, on the cycle's own path, which is shown.
     pub form: Option<Form>,
     /// The work offset that the program writes at its end: 1 is G54. Empty: measure only. `Some(None)`: measure only.
     pub work_offset: Option<Option<i32>>,

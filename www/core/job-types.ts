@@ -662,7 +662,7 @@ export interface Job {
   control?: {
     /** Which control the program is for. */
     post?: "linuxcnc" | "grbl" | "grblhal" | "fluidnc" | "sinumerik" | "heidenhain" | "fanuc" | "haas" | "mazak" | "brother" | "hurco" | "okuma";
-    /** Plain moves: many lines; the program watches, touches and writes, on the path of the job. The control's own cycle: a few calls; watching, touches and writing are the control's, on a path of its own, which is shown. */
+    /** Plain moves: every move written out, on the job's path. The control's own cycle: a few calls, on the cycle's own path, which is shown. */
     form?: "moves" | "cycle";
     /** The work offset that the program writes at its end: 1 is G54. Empty: measure only. `null`: measure only. */
     workOffset?: number | null;
