@@ -5,28 +5,13 @@
 //! 411, 412, 417 and 419 follow a simulator that was written from the manual [S]. Ours [I]: 408, 409, 410 and 426 as their kin, the sides of a
 //! rectangle counter-clockwise from the first axis' plus side, a ridge from its plus side.
 
-use crate::control::own::machine::{Alarm, Kind, Machine};
+use crate::control::own::machine::{Alarm, Machine};
+use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 use crate::path::{Arc, Reach};
 
-/// The Q parameters of a call: lengths in mm, angles in degrees; none where one is not given, or not known.
-pub trait Parameters {
-    fn get(&self, number: u16) -> Option<f64>;
-}
-
-impl Parameters for [(u16, f64)] {
-    fn get(&self, number: u16) -> Option<f64> {
-        self.iter().find(|(known, _)| *known == number).map(|(_, value)| *value)
-    }
-}
-
-/// Runs a cycle: none of one that is not known here, or whose parameters are not.
-pub fn run(
-    number: u16,
-    parameters: &(impl Parameters + ?Sized),
-    reach: Reach,
-    machine: &mut Machine<'_>,
-) -> Option<Result<(), Alarm>> {
+/// Runs a cycle by its Q parameters, lengths in mm and angles in degrees: none of one that is not known here, or whose parameters are not.
+pub fn run(number: u16, parameters: &[(u16, f64)], reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     let mut cycle = Cycle { parameters, reach, high: f64::NAN, machine };
     let known = match number {
         412 | 421 => cycle.circle(true),
@@ -38,7 +23,7 @@ pub fn run(
         409 => cycle.ridge(),
         426 => cycle.ridge_by_points(),
         417 => cycle.down(294),
-        427 if parameters.get(272) == Some(3.0) => cycle.down(261),
+        427 if cycle.get(272) == Some(3.0) => cycle.down(261),
         419 | 427 => cycle.coordinate(),
         _ => None,
     }?;
@@ -48,17 +33,17 @@ pub fn run(
 /// What became of a cycle whose parameters are known.
 type Run = Option<Result<(), Alarm>>;
 
-struct Cycle<'c, 'w, P: ?Sized> {
-    parameters: &'c P,
+struct Cycle<'c, 'w> {
+    parameters: &'c [(u16, f64)],
     reach: Reach,
     /// The clearance height.
     high: f64,
     machine: &'c mut Machine<'w>,
 }
 
-impl<P: Parameters + ?Sized> Cycle<'_, '_, P> {
+impl Cycle<'_, '_> {
     fn get(&self, number: u16) -> Option<f64> {
-        self.parameters.get(number)
+        value(self.parameters, number)
     }
 
     /// From a surface to the ball's centre where its touch begins.
@@ -66,32 +51,24 @@ impl<P: Parameters + ?Sized> Cycle<'_, '_, P> {
         self.machine.radius + self.reach.set_up + self.get(320).unwrap_or(0.0)
     }
 
-    fn goes(&mut self, to: Vec3) -> Result<(), Alarm> {
-        if to.distance(self.machine.at) < 1e-9 {
-            self.machine.skip();
-            return Ok(());
-        }
-        self.machine.watched(to, None, Alarm::Unexpected)
-    }
-
     /// The positioning logic: below the clearance height up to it first, then in the plane, then down.
     fn comes(&mut self, to: Vec3) -> Result<(), Alarm> {
         let high = self.machine.at.z.max(self.high);
-        self.goes(self.machine.at.with_z(high))?;
-        self.goes(to.with_z(high))?;
-        self.goes(to)
+        let up = self.machine.at.with_z(high);
+        self.machine.goes(up)?;
+        self.machine.goes(to.with_z(high))?;
+        self.machine.goes(to)
     }
 
     /// A touch towards where the contact should be, and back.
     fn touches(&mut self, contact: Vec3) -> Result<(), Alarm> {
-        let start = self.machine.at;
-        let along = (contact - start).normalize_or_zero();
-        self.machine.touch(contact + along * self.reach.behind, contact, Kind::Once, None)?;
-        self.machine.plain(start, Kind::Back, None)
+        let towards = (contact - self.machine.at).normalize_or_zero();
+        self.machine.touches_once(contact, towards, self.reach.behind).map(|_| ())
     }
 
     fn ends(&mut self) -> Result<(), Alarm> {
-        self.goes(self.machine.at.with_z(self.high))
+        let up = self.machine.at.with_z(self.high);
+        self.machine.goes(up)
     }
 
     /// The centre of a feature, at the measuring height; takes the clearance height, too.
@@ -109,21 +86,17 @@ impl<P: Parameters + ?Sized> Cycle<'_, '_, P> {
         let count = self.get(423).unwrap_or(4.0);
         let sign = if inside { -1.0 } else { 1.0 };
         let off = (half + sign * self.aside()).max(0.0);
-        let direction = |k: usize| {
-            let (sin, cos) = (start + step * k as f64).to_radians().sin_cos();
-            Vec3::new(cos, sin, 0.0)
-        };
         // From the middle nothing lies between the touches.
         let lifts = self.get(301) == Some(1.0) && off > 0.0;
         let arc = self.get(365).unwrap_or(1.0) == 1.0 && off > 0.0;
         Some((0..(count as usize).clamp(1, 8)).try_for_each(|k| {
-            let towards = direction(k);
+            let towards = direction_at(start + step * k as f64);
             let place = center + towards * off;
             match k {
                 0 => self.comes(place)?,
                 _ if lifts => self.comes(place)?,
                 _ if arc => self.machine.along(Arc { center, sweep: step.to_radians() }, Alarm::Unexpected)?,
-                _ => self.goes(place)?,
+                _ => self.machine.goes(place)?,
             }
             self.touches(center + towards * (half + sign * self.machine.radius))
         }))
@@ -146,8 +119,8 @@ impl<P: Parameters + ?Sized> Cycle<'_, '_, P> {
             } else {
                 // Round the corner, along the axes.
                 let before = sides[k - 1];
-                self.goes(place + before.0 * off[before.1])?;
-                self.goes(place)?;
+                self.machine.goes(place + before.0 * off[before.1])?;
+                self.machine.goes(place)?;
             }
             self.touches(center + *towards * (halves[*axis] + sign * self.machine.radius))
         }))
@@ -172,7 +145,7 @@ impl<P: Parameters + ?Sized> Cycle<'_, '_, P> {
             if lifts || side > 0.0 {
                 self.comes(place)?
             } else {
-                self.goes(place)?
+                self.machine.goes(place)?
             }
             self.touches(center + axis * side * (half - self.machine.radius))
         }))
@@ -190,7 +163,7 @@ impl<P: Parameters + ?Sized> Cycle<'_, '_, P> {
         Some(
             self.comes(start)
                 .and_then(|()| self.touches(start + axis * contact))
-                .and_then(|()| self.goes(second))
+                .and_then(|()| self.machine.goes(second))
                 .and_then(|()| self.touches(second - axis * contact))
                 .and_then(|()| self.ends()),
         )

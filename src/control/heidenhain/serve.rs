@@ -4,7 +4,7 @@ use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
-use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused};
+use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, degrees_of};
 use crate::control::{Program, Report, Request, check_write, does, own};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
@@ -17,7 +17,7 @@ const NEAR: f64 = 1e-6;
 
 pub static CYCLES: OwnCycles = OwnCycles {
     plan: serve,
-    rerun: |own, radius, meets| made::rerun(own, radius, call, meets),
+    rerun: |own, radius, meets| made::rerun(own, (radius, 0.0), call, meets),
     followed: false,
     offset: f64::from,
     word: |number, q| format!("{number} Q{q}"),
@@ -54,7 +54,7 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
 fn call(block: &OwnBlock, reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     let OwnBlock::Cycle(number, parameters) = block else { return None };
     let values: Vec<(u16, f64)> = parameters.iter().map(|(q, quantity)| (*q, quantity.value())).collect();
-    cycles::run(*number, values.as_slice(), reach, machine)
+    cycles::run(*number, &values, reach, machine)
 }
 
 /// A program while it is put together.
@@ -93,8 +93,8 @@ impl Plan<'_> {
         if left < -NEAR {
             let message = text!(
                 "The probe table's SET_UP ({set_up}) and the ball's radius ({radius}) are more than this clearance: a touch would begin farther away",
-                self.length(self.request.set_up),
-                self.length(self.request.setup.radius)
+                self.request.length(self.request.set_up),
+                self.request.length(self.request.setup.radius)
             );
             return Err(own::refused("set-up-too-long", clearance.field, message));
         }
@@ -104,12 +104,6 @@ impl Plan<'_> {
     /// Q320 where the job says no clearance: a touch begins as far in front of its contact as it searches behind.
     fn free_set_up(&self) -> f64 {
         (self.request.setup.overtravel - self.request.set_up).max(0.0)
-    }
-
-    /// A length in the job's unit.
-    fn length(&self, mm: f64) -> String {
-        let unit = if self.request.scale == 1.0 { "mm" } else { "inch" };
-        format!("{} {unit}", decimal(mm / self.request.scale, 4))
     }
 
     /// The limits of a size; both 0 where it has none, which asks nothing.
@@ -224,7 +218,7 @@ impl Plan<'_> {
         let path = self.request.path;
         let (center, touches) = (path.frame.origin, &path.touches);
         let inside = touches.first().is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
-        let mut angles: Vec<f64> = touches.iter().map(|touch| direction(touch.point - center)).collect();
+        let mut angles: Vec<f64> = touches.iter().map(|touch| degrees_of(touch.point - center)).collect();
         let first = angles[0];
         // By the angle of the first, counter-clockwise, or clockwise where they are documented so.
         let square = made::are_quarters(&angles);
@@ -441,11 +435,6 @@ fn what(alarm: Alarm) -> Text {
         Alarm::NotFound => text!("a touch makes no contact"),
         _ => text!("the probe touches something on its way"),
     }
-}
-
-/// The angle of a direction in the plane, degrees.
-fn direction(vector: Vec3) -> f64 {
-    crate::num::tidy(vector.y.atan2(vector.x).to_degrees())
 }
 
 /// What these cycles do otherwise than the job says.

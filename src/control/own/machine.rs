@@ -96,11 +96,6 @@ impl<'w> Machine<'w> {
         programmed + self.tip
     }
 
-    /// A move of no length: it is counted.
-    pub fn skip(&mut self) {
-        self.count += 1;
-    }
-
     /// A watched move.
     pub fn watched(&mut self, to: Vec3, rate: Option<f64>, alarm: Alarm) -> Result<(), Alarm> {
         let met = (self.answers)(self.at, to, None);
@@ -114,10 +109,29 @@ impl<'w> Machine<'w> {
         Ok(())
     }
 
+    /// Whether it is there already: such a move is counted, and not made.
+    fn is_at(&mut self, to: Vec3) -> bool {
+        let there = to.distance(self.at) < 1e-9;
+        self.count += usize::from(there);
+        there
+    }
+
+    /// A watched move as fast as the control goes; none where it is there already.
+    pub fn goes(&mut self, to: Vec3) -> Result<(), Alarm> {
+        if self.is_at(to) { Ok(()) } else { self.watched(to, None, Alarm::Unexpected) }
+    }
+
+    /// One touch in a direction, searching `behind` where the contact is expected, and back: where the ball's centre was.
+    pub fn touches_once(&mut self, contact: Vec3, towards: Vec3, behind: f64) -> Result<Vec3, Alarm> {
+        let start = self.at;
+        let met = self.touch(contact + towards * behind, contact, Kind::Once, None)?;
+        self.plain(start, Kind::Back, None)?;
+        Ok(met)
+    }
+
     /// A move that nothing watches.
     pub fn plain(&mut self, to: Vec3, kind: Kind, rate: Option<f64>) -> Result<(), Alarm> {
-        if to.distance(self.at) < 1e-9 {
-            self.skip();
+        if self.is_at(to) {
             return Ok(());
         }
         let met = (self.answers)(self.at, to, None);

@@ -127,10 +127,10 @@ pub fn planned(request: &OwnRequest<'_>, drafted: Drafted, runs: Runs, meets: Me
     Ok(path)
 }
 
-/// Runs a program again on another part.
-pub fn rerun(own: &Own, radius: f64, runs: Runs, meets: Meets<'_>) -> Outcome {
+/// Runs a program again on another part. `tip` is how far the ball's centre is above what its heights are of.
+pub fn rerun(own: &Own, (radius, tip): (f64, f64), runs: Runs, meets: Meets<'_>) -> Outcome {
     let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
-    let mut machine = Machine::new(own.first, radius, 0.0, &mut answer);
+    let mut machine = Machine::new(own.first, radius, tip, &mut answer);
     let alarm = own.blocks.iter().find_map(|(block, _)| runs(block, own.reach, &mut machine)?.err());
     (machine.made, alarm)
 }

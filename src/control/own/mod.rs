@@ -7,6 +7,7 @@ use self::machine::{Alarm, Made, Met};
 use crate::control::Report;
 use crate::formula::Limits;
 use crate::geom::Vec3;
+use crate::num::{decimal, tidy};
 use crate::path::{Feeds, Own, Path, Setup, Stored};
 use crate::text::Text;
 
@@ -55,6 +56,30 @@ pub struct OwnCycles {
     pub word: fn(u32, &str) -> String,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
+}
+
+impl OwnRequest<'_> {
+    /// A length, mm, in the job's unit.
+    pub fn length(&self, mm: f64) -> String {
+        let unit = if self.scale == 1.0 { "mm" } else { "inch" };
+        format!("{} {unit}", decimal(mm / self.scale, 4))
+    }
+}
+
+/// A value of a call by its letter, or by the number of its parameter: lengths in mm, angles in degrees.
+pub fn value<K: PartialEq>(values: &[(K, f64)], key: K) -> Option<f64> {
+    values.iter().find(|(known, _)| *known == key).map(|(_, value)| *value)
+}
+
+/// The angle of a direction in the plane XY, degrees from X towards Y.
+pub fn degrees_of(direction: Vec3) -> f64 {
+    tidy(direction.y.atan2(direction.x).to_degrees())
+}
+
+/// The direction in the plane XY at an angle, degrees from X towards Y.
+pub fn direction_at(degrees: f64) -> Vec3 {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    Vec3::new(cos, sin, 0.0)
 }
 
 /// Refuses a job: code, field, words.

@@ -2,6 +2,7 @@
 //! feeds and the way back between the two touches are settings of an installation [I: those of that edition].
 
 use crate::control::own::machine::{Alarm, Kind, Machine};
+use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 
 /// Feeds of the macros, mm/min: positioning, going down and the first touch, the second touch.
@@ -12,17 +13,6 @@ pub const MEASURE: f64 = 102.0;
 /// From the first contact back to where the second touch begins, mm: 8 mm times a factor of the calibration, 0.2 unless it was found.
 pub const BACK_OFF: f64 = 1.6;
 
-/// The letters of a call: lengths in mm, angles in degrees.
-pub trait Letters {
-    fn get(&self, letter: char) -> Option<f64>;
-}
-
-impl Letters for [(char, f64)] {
-    fn get(&self, letter: char) -> Option<f64> {
-        self.iter().find(|(known, _)| *known == letter).map(|(_, value)| *value)
-    }
-}
-
 /// How far a touch searches unless Q says it, and how far a touch begins from the surface of the ball unless R does, mm.
 const Q: f64 = 5.0;
 const R: f64 = 5.0;
@@ -32,9 +22,9 @@ const Q_ANGLE: f64 = 10.0;
 /// The macros whose moves are known, by their numbers.
 pub const KNOWN: [u32; 10] = [9810, 9811, 9812, 9814, 9815, 9816, 9821, 9822, 9823, 9843];
 
-/// Runs a macro: none of a number that is not known here.
-pub fn run(number: u32, letters: &(impl Letters + ?Sized), m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let call = Call { letters, q: letters.get('Q').unwrap_or(if number == 9843 { Q_ANGLE } else { Q }) };
+/// Runs a macro by its letters, lengths in mm and angles in degrees: none of a number that is not known here.
+pub fn run(number: u32, letters: &[(char, f64)], m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+    let call = Call { letters, q: value(letters, 'Q').unwrap_or(if number == 9843 { Q_ANGLE } else { Q }) };
     Some(match number {
         9810 => call.protected(m),
         9811 => call.surface(m),
@@ -69,15 +59,9 @@ impl Machine<'_> {
     }
 }
 
-struct Call<'l, L: ?Sized> {
-    letters: &'l L,
+struct Call<'l> {
+    letters: &'l [(char, f64)],
     q: f64,
-}
-
-/// A direction in the plane, by degrees.
-fn direction(degrees: f64) -> Vec3 {
-    let (sin, cos) = degrees.to_radians().sin_cos();
-    Vec3::new(cos, sin, 0.0)
 }
 
 /// Whether 9822 touches at A + 90 first: the order changes at 90.
@@ -86,9 +70,9 @@ pub fn first_side(a: f64, outside: bool) -> f64 {
     if outside { inside + 180.0 } else { inside }
 }
 
-impl<L: Letters + ?Sized> Call<'_, L> {
+impl Call<'_> {
     fn get(&self, letter: char) -> Option<f64> {
-        self.letters.get(letter)
+        value(self.letters, letter)
     }
 
     fn need(&self, letter: char) -> Result<f64, Alarm> {
@@ -214,13 +198,13 @@ impl<L: Letters + ?Sized> Call<'_, L> {
 
     fn turned_surface(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (a, d) = (self.need('A')?, self.need('D')?);
-        m.measure(m.at + direction(a) * d, self.q, m.radius).map(drop)
+        m.measure(m.at + direction_at(a) * d, self.q, m.radius).map(drop)
     }
 
     /// Out to a side, down, a touch, up and back. Beside a feature Q counts from the nominal contact of the ball's centre, and not from the surface.
     fn side(&self, m: &mut Machine<'_>, a: f64, size: f64) -> Result<(), Alarm> {
         let start = m.at;
-        let (mut towards, mut way, mut before) = (direction(a), size / 2.0, m.radius);
+        let (mut towards, mut way, mut before) = (direction_at(a), size / 2.0, m.radius);
         if let Some((height, clearance)) = self.beside(m) {
             let radius = if clearance < 0.0 { -m.radius } else { m.radius };
             let aside = start + towards * (size / 2.0 + radius + clearance);

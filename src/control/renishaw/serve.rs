@@ -2,12 +2,11 @@
 
 use super::macros::{self, FAST, MEASURE, SEARCH};
 use crate::control::Report;
-use crate::control::own::machine::{Alarm, Machine, Made, Met};
+use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, moves_of};
-use crate::control::own::{OwnRequest, Refused, refused};
+use crate::control::own::{Meets, Outcome, OwnRequest, Refused, degrees_of, refused};
 use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
-use crate::num::decimal;
 use crate::path::{
     Bore, Corner, Entry, Feature, Feed, Feeds, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Quantity, Reach,
     STATED_RAPID, Stored, Surface, Touch, TwoCircles,
@@ -26,7 +25,7 @@ const NEAR: f64 = 1e-6;
 const ADVICE: &str = words!(". Use the form \"moves\"");
 
 /// The path that the macros make of a job's feature, with the calls.
-pub fn serve(request: &OwnRequest<'_>, answers: &dyn Fn(Vec3, Vec3) -> Option<Met>) -> Result<Path, Refused> {
+pub fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     let mut program = Program::of(request)?;
     match &request.path.feature {
         Feature::Surface(point) => program.surface(point)?,
@@ -36,21 +35,19 @@ pub fn serve(request: &OwnRequest<'_>, answers: &dyn Fn(Vec3, Vec3) -> Option<Me
         Feature::TwoCircles(circles) => program.two_circles(circles)?,
         Feature::Unmoving => return program.switch(),
     }
-    program.finish(answers)
+    program.finish(meets)
 }
 
 /// Runs the calls of a path again, on what answers: what each of its moves met, up to the alarm.
-pub fn rerun(own: &Own, radius: f64, answers: &dyn Fn(Vec3, Vec3) -> Option<Met>) -> (Vec<Made>, Option<Alarm>) {
-    let mut answer = |from, to, _: Option<Vec3>| answers(from, to);
-    let mut machine = Machine::new(own.first, radius, radius, &mut answer);
-    for (block, _) in &own.blocks {
-        let OwnBlock::Call(number, letters) = block else { continue };
-        let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
-        if let Some(Err(alarm)) = macros::run(*number, letters.as_slice(), &mut machine) {
-            return (machine.made, Some(alarm));
-        }
-    }
-    (machine.made, None)
+pub fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
+    made::rerun(own, (radius, radius), run, meets)
+}
+
+/// Runs a block: none of one that moves nothing.
+fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+    let OwnBlock::Call(number, letters) = block else { return None };
+    let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
+    macros::run(*number, &letters, machine)
 }
 
 /// A program while it is put together.
@@ -146,19 +143,13 @@ impl<'a> Program<'a> {
         if q <= 0.0 {
             let message = text!(
                 "The macros count the search by the ball's centre from the surface: an overtravel of {overtravel} behind the contact ends in front of it. More than the ball's radius, {radius}, is needed{advice}",
-                self.length(overtravel.value),
-                self.length(self.radius),
+                self.request.length(overtravel.value),
+                self.request.length(self.radius),
                 Text::words(ADVICE)
             );
             return Err(refused("overtravel-too-short", overtravel.field, message));
         }
         Ok(Quantity::Length(q))
-    }
-
-    /// A length in the job's unit.
-    fn length(&self, mm: f64) -> String {
-        let unit = if self.request.scale == 1.0 { "mm" } else { "inch" };
-        format!("{} {unit}", decimal(mm / self.request.scale, if self.request.scale == 1.0 { 3 } else { 4 }))
     }
 
     /// R, from the surface of the ball.
@@ -167,7 +158,7 @@ impl<'a> Program<'a> {
         if r < LEAST_CLEARANCE {
             let message = text!(
                 "The macros take a contact close to the start of a touch for one on the way: the side clearance must be {least} more than the ball's radius",
-                self.length(LEAST_CLEARANCE)
+                self.request.length(LEAST_CLEARANCE)
             );
             return Err(refused("touch-too-short", clearance.field, message));
         }
@@ -241,7 +232,7 @@ impl<'a> Program<'a> {
                     self.stores(&[("point.x", 0), ("point.y", 1)]);
                 }
                 None => {
-                    let a = direction(-vector);
+                    let a = degrees_of(-vector);
                     let d = (start - touch.point).dot(vector);
                     self.measures(9821, vec![('A', Quantity::Angle(a)), ('D', Quantity::Length(d)), ('Q', q)]);
                     self.stores(&[("point.x", 0), ("point.y", 1)]);
@@ -259,7 +250,7 @@ impl<'a> Program<'a> {
         let path = self.request.path;
         let inside = path.touches.first().is_some_and(|touch| (touch.point - path.frame.origin).dot(touch.vector) < 0.0);
         let angles: Vec<f64> =
-            path.touches.iter().map(|touch| direction(if inside { -touch.vector } else { touch.vector })).collect();
+            path.touches.iter().map(|touch| degrees_of(if inside { -touch.vector } else { touch.vector })).collect();
         let square = made::are_quarters;
         if square(&angles) && (angles[0] / 90.0 - (angles[0] / 90.0).round()).abs() > NEAR {
             let message = text!("P9814 touches along X and Y: these four touches are turned{advice}", Text::words(ADVICE));
@@ -320,7 +311,7 @@ impl<'a> Program<'a> {
                 Some(axis) => vec![(['X', 'Y'][axis], Quantity::Length(side.width.value))],
                 None => {
                     // The angle of the wall, not of the touch.
-                    let wall = (direction(touch.vector) + 90.0).rem_euclid(180.0);
+                    let wall = (degrees_of(touch.vector) + 90.0).rem_euclid(180.0);
                     vec![('A', Quantity::Angle(wall)), ('D', Quantity::Length(side.width.value))]
                 }
             };
@@ -493,19 +484,18 @@ impl<'a> Program<'a> {
     }
 
     /// Runs the calls on the nominal part: the path, its touches in the order of the documented ones.
-    fn finish(self, answers: &dyn Fn(Vec3, Vec3) -> Option<Met>) -> Result<Path, Refused> {
+    fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
         let Program { request, radius, first, blocks, stored, feeds, .. } = self;
         let mut path = request.path.clone();
-        let mut answer = |from, to, _: Option<Vec3>| answers(from, to);
+        let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
         let mut machine = Machine::new(first, radius, radius, &mut answer);
         let mut counted = Vec::new();
         let mut own_feeds: Vec<(Option<Feed>, u8)> = Vec::new();
         let mut protected = feeds.iter();
         for (step, block) in blocks.iter().enumerate() {
             let before = machine.made.len();
-            if let OwnBlock::Call(number, letters) = block {
-                let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
-                if let Some(Err(alarm)) = macros::run(*number, letters.as_slice(), &mut machine) {
+            if let OwnBlock::Call(number, _) = block {
+                if let Some(Err(alarm)) = run(block, Reach::default(), &mut machine) {
                     let message = text!(
                         "On the nominal part P{number} would stop: {alarm}{advice}",
                         *number as usize,
@@ -572,11 +562,6 @@ fn four_points() -> Refused {
     let message =
         text!("The macros touch each circle at four points a quarter turn apart, at one height{advice}", Text::words(ADVICE));
     refused("cycle-chooses-points", "cycle.probePoints", message)
-}
-
-/// The angle of a direction in the plane, degrees.
-fn direction(vector: Vec3) -> f64 {
-    crate::num::tidy(vector.y.atan2(vector.x).to_degrees())
 }
 
 fn words_of(alarm: Alarm) -> Text {

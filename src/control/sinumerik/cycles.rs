@@ -4,22 +4,12 @@
 //! over a web out at the height of the start, down, a touch inwards, up (a generator's picture). Ours [I]: a hole and a shaft likewise, each touch from the
 //! measuring path in front of its contact to as far behind it, and back.
 
-use crate::control::own::machine::{Alarm, Kind, Machine};
+use crate::control::own::machine::{Alarm, Machine};
+use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 
-/// The arguments of a call by their places: lengths in mm, angles in degrees; none where one is left out, or not known.
-pub trait Arguments {
-    fn get(&self, place: u16) -> Option<f64>;
-}
-
-impl Arguments for [(u16, f64)] {
-    fn get(&self, place: u16) -> Option<f64> {
-        self.iter().find(|(known, _)| *known == place).map(|(_, value)| *value)
-    }
-}
-
-/// Runs a cycle: none of one that is not known here, or whose arguments are not.
-pub fn run(number: u16, arguments: &(impl Arguments + ?Sized), machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+/// Runs a cycle by the places of its arguments, lengths in mm and angles in degrees: none of one that is not known here, or whose arguments are not.
+pub fn run(number: u16, arguments: &[(u16, f64)], machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     match number {
         977 => Feature::of(arguments).map(|feature| feature.run(machine)),
         978 => surface(arguments, machine),
@@ -39,23 +29,20 @@ struct Feature {
 }
 
 impl Feature {
-    fn of(arguments: &(impl Arguments + ?Sized)) -> Option<Self> {
-        let variant = arguments.get(1)?;
+    fn of(arguments: &[(u16, f64)]) -> Option<Self> {
+        let variant = value(arguments, 1)?;
         let kind = (variant % 10.0) as u8;
         let (inside, zone) = (kind % 2 == 1, variant >= 1000.0);
-        let angle = arguments.get(10).unwrap_or(0.0);
-        let along = |degrees: f64| {
-            let (sin, cos) = (degrees + angle).to_radians().sin_cos();
-            Vec3::new(cos, sin, 0.0)
-        };
+        let angle = value(arguments, 10).unwrap_or(0.0);
+        let along = |degrees: f64| direction_at(degrees + angle);
         let sides = match kind {
-            1 | 2 => vec![(along(0.0), arguments.get(5)?), (along(90.0), arguments.get(5)?)],
-            3 | 4 => vec![(along(if arguments.get(14)? == 2.0 { 90.0 } else { 0.0 }), arguments.get(5)?)],
-            5 | 6 => vec![(along(0.0), arguments.get(6)?), (along(90.0), arguments.get(7)?)],
+            1 | 2 => vec![(along(0.0), value(arguments, 5)?), (along(90.0), value(arguments, 5)?)],
+            3 | 4 => vec![(along(if value(arguments, 14)? == 2.0 { 90.0 } else { 0.0 }), value(arguments, 5)?)],
+            5 | 6 => vec![(along(0.0), value(arguments, 6)?), (along(90.0), value(arguments, 7)?)],
             _ => return None,
         };
-        let down = if zone || !inside { Some(arguments.get(11)?) } else { None };
-        Some(Feature { inside, sides, path: arguments.get(8)?, down })
+        let down = if zone || !inside { Some(value(arguments, 11)?) } else { None };
+        Some(Feature { inside, sides, path: value(arguments, 8)?, down })
     }
 
     fn run(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
@@ -70,46 +57,30 @@ impl Feature {
                 } else {
                     (half + m.radius, half + m.radius + self.path)
                 };
-                goes(m, start + out * begin)?;
+                m.goes(start + out * begin)?;
                 if let Some(down) = self.down {
-                    goes(m, m.at - Vec3::Z * down)?;
+                    m.goes(m.at - Vec3::Z * down)?;
                 }
                 let towards = if self.inside { out } else { -out };
-                let met = touches(m, m.at + out * (contact - begin), towards, self.path)?;
+                let met = m.touches_once(m.at + out * (contact - begin), towards, self.path)?;
                 found += (met - start).dot(*along) / 2.0;
-                goes(m, m.at.with_z(start.z))?;
-                goes(m, start)?;
+                m.goes(m.at.with_z(start.z))?;
+                m.goes(start)?;
             }
             center = start + *along * found;
-            goes(m, center)?;
+            m.goes(center)?;
         }
         Ok(())
     }
 }
 
-fn goes(m: &mut Machine<'_>, to: Vec3) -> Result<(), Alarm> {
-    if to.distance(m.at) < 1e-9 {
-        m.skip();
-        return Ok(());
-    }
-    m.watched(to, None, Alarm::Unexpected)
-}
-
-/// A touch, and back to where it began.
-fn touches(m: &mut Machine<'_>, contact: Vec3, towards: Vec3, behind: f64) -> Result<Vec3, Alarm> {
-    let start = m.at;
-    let met = m.touch(contact + towards * behind, contact, Kind::Once, None)?;
-    m.plain(start, Kind::Back, None)?;
-    Ok(met)
-}
-
-fn surface(arguments: &(impl Arguments + ?Sized), m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let axis = arguments.get(8).filter(|axis| [1.0, 2.0, 3.0].contains(axis))? as usize - 1;
-    let (place, path) = (arguments.get(5)?, arguments.get(6)?);
+fn surface(arguments: &[(u16, f64)], m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+    let axis = value(arguments, 8).filter(|axis| [1.0, 2.0, 3.0].contains(axis))? as usize - 1;
+    let (place, path) = (value(arguments, 5)?, value(arguments, 6)?);
     let mut towards = Vec3::ZERO;
-    towards[axis] = if arguments.get(9)? == 1.0 { 1.0 } else { -1.0 };
+    towards[axis] = if value(arguments, 9)? == 1.0 { 1.0 } else { -1.0 };
     let start = m.at;
     let mut contact = start;
     contact[axis] = place - towards[axis] * m.radius;
-    Some(goes(m, contact - towards * path).and_then(|()| touches(m, contact, towards, path)).and_then(|_| goes(m, start)))
+    Some(m.goes(contact - towards * path).and_then(|()| m.touches_once(contact, towards, path)).and_then(|_| m.goes(start)))
 }

@@ -10,7 +10,7 @@ use super::cycles;
 use crate::control::iso::writer::Writer;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
-use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, refused};
+use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, degrees_of, refused};
 use crate::control::{Request, check_write};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
@@ -30,7 +30,7 @@ const ADVICE: &str = words!(". Use the form \"moves\"");
 
 pub static CYCLES: OwnCycles = OwnCycles {
     plan: serve,
-    rerun: |own, radius, meets| made::rerun(own, radius, run, meets),
+    rerun: |own, radius, meets| made::rerun(own, (radius, 0.0), run, meets),
     followed: true,
     word: |number, place| format!("CYCLE{number} {place}"),
     offset: |n| 10_000.0 + f64::from(n),
@@ -71,7 +71,7 @@ fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(
     match block {
         OwnBlock::Cycle(number, arguments) => {
             let values: Vec<(u16, f64)> = arguments.iter().map(|(place, quantity)| (*place, quantity.value())).collect();
-            cycles::run(*number, values.as_slice(), machine)
+            cycles::run(*number, &values, machine)
         }
         OwnBlock::Goes(to, _) => Some(machine.watched(*to, None, Alarm::Obstructed)),
         OwnBlock::Call(..) | OwnBlock::Keep(..) => None,
@@ -118,12 +118,6 @@ impl Plan<'_> {
         self.goes(self.at.with_z(first.z), Feed::Return);
     }
 
-    /// A length in the job's unit.
-    fn length(&self, mm: f64) -> String {
-        let unit = if self.request.scale == 1.0 { "mm" } else { "inch" };
-        format!("{} {unit}", decimal(mm / self.request.scale, 4))
-    }
-
     /// The measuring path for a clearance from the wall to the ball's centre. Where the job touches from the middle it is the overtravel, but no more than
     /// the way to the contact: what the control does without that room has no source.
     fn path(&self, clearance: Option<Entry>, width: Entry) -> Result<f64, Refused> {
@@ -136,8 +130,8 @@ impl Plan<'_> {
         if path < SHORTEST_PATH {
             let message = text!(
                 "The measuring path of the cycle (clearance less ball radius, before and behind each contact) would be {path}: at least {least} makes sense{advice}",
-                self.length(path),
-                self.length(SHORTEST_PATH),
+                self.request.length(path),
+                self.request.length(SHORTEST_PATH),
                 Text::words(ADVICE)
             );
             return Err(refused("cycle-path-short", clearance.field, message));
@@ -212,7 +206,6 @@ impl Plan<'_> {
         let clearance = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
         self.down(start);
         self.touches_surface(touch.point, touch.vector, clearance, point.elevation)?;
-        self.stores(&[]);
         self.up();
         Ok(())
     }
@@ -246,7 +239,7 @@ impl Plan<'_> {
         let path = self.request.path;
         let (center, touches) = (path.frame.origin, &path.touches);
         let inside = touches.first().is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
-        let angles: Vec<f64> = touches.iter().map(|touch| direction(touch.point - center)).collect();
+        let angles: Vec<f64> = touches.iter().map(|touch| degrees_of(touch.point - center)).collect();
         if !made::are_quarters(&angles) {
             let message = text!(
                 "CYCLE977 touches a circle at four points a quarter turn apart: not at {count} like these{advice}",
@@ -301,7 +294,7 @@ impl Plan<'_> {
         let measuring = self.path(clearances.first().copied(), narrowest)?;
         let beside = !clearances.is_empty();
         // The direction of the first pair, from −90 to 90.
-        let mut angle = direction(touches[0].vector);
+        let mut angle = degrees_of(touches[0].vector);
         if angle <= -90.0 + NEAR || angle > 90.0 + NEAR {
             angle = wrap_degrees(angle + 180.0);
         }
@@ -394,11 +387,6 @@ struct Rest<'a> {
     down: Option<f64>,
     axis: Option<usize>,
     center: &'a [f64],
-}
-
-/// The angle of a direction in the plane, degrees.
-fn direction(vector: Vec3) -> f64 {
-    crate::num::tidy(vector.y.atan2(vector.x).to_degrees())
 }
 
 /// The argument of a call at a place.

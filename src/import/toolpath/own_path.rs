@@ -33,7 +33,7 @@ impl Reader {
         let letters: Vec<(char, f64)> =
             letters.map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x })).collect();
         let counted: fn(&mut Self) -> &mut Count = |reader| &mut reader.own_moves;
-        let made = self.makes_own((!goes).then_some(counted), |machine| macros::run(number, letters.as_slice(), machine));
+        let made = self.makes_own((!goes).then_some(counted), |machine| macros::run(number, &letters, machine));
         if made {
             self.feed = FAST / self.inch();
         }
@@ -58,7 +58,7 @@ impl Reader {
             Some((number, if is_length(place) { x * scale } else { *x }))
         };
         let places: Vec<(u16, f64)> = arguments.iter().filter_map(value).collect();
-        self.makes_own(Some(|reader| &mut reader.measuring_cycles), |machine| cycles::run(number, places.as_slice(), machine))
+        self.makes_own(Some(|reader| &mut reader.measuring_cycles), |machine| cycles::run(number, &places, machine))
     }
 
     /// Whether it is known where the stylus stands.

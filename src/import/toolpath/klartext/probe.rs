@@ -24,5 +24,5 @@ pub fn makes(number: &str, given: &[(String, f64)], reader: &mut Reader) -> bool
         Some((number, if is_length(q) { x * inch } else { *x }))
     };
     let parameters: Vec<(u16, f64)> = given.iter().filter_map(value).collect();
-    reader.makes_own(Some(|reader| &mut reader.own_cycles), |machine| cycles::run(cycle, parameters.as_slice(), REACH, machine))
+    reader.makes_own(Some(|reader| &mut reader.own_cycles), |machine| cycles::run(cycle, &parameters, REACH, machine))
 }
