@@ -1,6 +1,6 @@
 //! Controls whose programs call Renishaw's macros and nothing else: Mazak, Brother, Hurco, Okuma.
 //!
-//! Sources: the posts that Autodesk publishes for these controls, for Okuma one that goes on from it [S]: the calls with their letters, work offsets,
+//! Sources: the posts that Autodesk publishes for these controls, for Okuma a post derived from one [S]: the calls with their letters, work offsets,
 //! outputs, units, what begins and ends a program. Ours, and marked [I] in the docs: that the macros move as those for Haas do, 9821, 9822 and 9834 on a
 //! Brother and an Okuma, the variables that keep a result.
 
@@ -26,7 +26,7 @@ pub(super) static MAZAK: PostDef = PostDef {
     ..CALLER
 };
 
-/// Brother Speedio, CNC-C00 and its kin.
+/// Brother Speedio, CNC-C00 and related controls.
 pub(super) static BROTHER: PostDef = PostDef {
     key: "brother",
     title: "Brother Speedio",
@@ -129,7 +129,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
         (_, Form::Moves) => Err(words!(
             "no source says how the control answers a program that asks for modes, tool length and contacts: use its own cycles"
         )),
-        (Subject::Action, Form::Cycle) => Err(words!("a line for the control is no cycle")),
+        (Subject::Action, Form::Cycle) => Err(words!("a line for the control is not a cycle")),
         _ => Ok(()),
     }
 }

@@ -70,10 +70,8 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
 /// A number under which a control that calls macros keeps them: the program would take the place of one. Ours.
 pub(super) fn check_macros(request: &Request<'_>, checker: &mut Checker) {
     let Some((number, path)) = high(request) else { return };
-    let message = text!(
-        "Program numbers 8000 to 9999 are those of macros: O{number} may take the place of one. Use a number below 8000",
-        number
-    );
+    let message =
+        text!("Program numbers 8000 to 9999 belong to macros: O{number} may replace one. Use a number below 8000", number);
     checker.warning("number-protected", path, message);
 }
 

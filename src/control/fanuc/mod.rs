@@ -128,7 +128,9 @@ const CHANGES: usize = 3;
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (_, Form::Moves) => Ok(()),
-        (Subject::Action, Form::Cycle) => Err("a line for the control is no cycle: the moves form states the modes and ends"),
+        (Subject::Action, Form::Cycle) => {
+            Err("a line for the control is not a cycle: the moves form states the modes and ends")
+        }
         _ => Ok(()),
     }
 }

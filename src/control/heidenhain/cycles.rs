@@ -2,7 +2,7 @@
 //!
 //! Read in the control's own pages for 413, 421, 423, 424, 425 and 427 [S]: points in the order of the angle, on an arc between them or over the clearance
 //! height, the first touch of 425 towards plus, all touches from the middle where there is no room, the end at the clearance height. Positioning logic,
-//! 411, 412, 417 and 419 follow a simulator that was written from the manual [S]. Ours [I]: 408, 409, 410 and 426 as their kin, the sides of a
+//! 411, 412, 417 and 419 follow a simulator that was written from the manual [S]. Ours [I]: 408, 409, 410 and 426 like the related cycles, the sides of a
 //! rectangle counter-clockwise from the first axis' plus side, a ridge from its plus side.
 
 use crate::control::own::machine::{Alarm, Machine};

@@ -456,19 +456,18 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         _ => None,
     });
     if let Some(number) = width.filter(|_| request.limits.position.is_some()) {
-        let message =
-            text!("Cycle {number} has no tolerance of the place: the position limit is not asked", usize::from(number));
+        let message = text!("Cycle {number} has no position tolerance: the position limit is not checked", usize::from(number));
         checker.warning("limits-not-asked", "limits.position", message);
     }
     if let Some(row) = request.work_offset {
         if request.limits.position.is_some() || request.limits.size.is_some() {
             let message = text!(
-                "The cycles that write a preset have no tolerances: what they measure is written without asking the limits. Measure without a work offset first"
+                "The cycles that write a preset have no tolerances: what they measure is written without a check of the limits. Measure without a work offset first"
             );
             checker.warning("limits-not-asked", "limits", message);
         }
         let message = text!(
-            "Preset row {row} is written and activated: its other axes and its rotation are those that stand in the table",
+            "Preset row {row} is written and activated: its other axes and its rotation keep the values in the table",
             row
         );
         checker.warning("row-activated", "control.workOffset", message);

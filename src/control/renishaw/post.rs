@@ -100,7 +100,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     }
     if let Some(number) = called(own).find(|number| calls.not_seen.contains(number)) {
         let message = text!(
-            "No source we have shows {macro} on this control: its number and letters follow from those of its other macros. Look whether it is installed",
+            "No source we have shows {macro} on this control: its number and letters follow from those of its other macros. Check that it is installed",
             calls.name(number)
         );
         checker.warning("macro-not-seen", "control.form", message);

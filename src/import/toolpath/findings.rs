@@ -64,7 +64,7 @@ impl Reader {
             (take(&mut self.aborted), "program-stops", text!("The program stops itself with a message")),
             (take(&mut self.own_moves), "own-moves", text!("The moves of these macros are those of one edition: feeds, and the way back between their two touches, are settings of an installation")),
             (take(&mut self.own_cycles), "own-moves", text!("The moves of these cycles are documented; SET_UP of the touch probe table is taken for 0, and a touch to search 10 mm behind its contact")),
-            (take(&mut self.measuring_cycles), "own-moves", text!("The moves of these measuring cycles follow a manual and generators as we read them: the ways between the touches are ours")),
+            (take(&mut self.measuring_cycles), "own-moves", text!("The moves of these measuring cycles follow a manual and generators; the paths between the touches are our interpretation")),
             (take(&mut self.stopped), "macro-stops", text!("A macro of the control's own stops the program with an alarm: it meets nothing where it must, or something where it must not")),
             (take(&mut self.twice), "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read")),
         ]);
