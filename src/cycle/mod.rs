@@ -39,6 +39,10 @@ pub struct CycleDef {
     pub key: &'static str,
     /// Its documented name.
     pub title: &'static str,
+    /// What it measures, in a sentence, as a setter says it.
+    pub says: &'static str,
+    /// What else it is looked for by: words that stand in neither its name nor its sentence.
+    pub also: &'static str,
     /// What the name of a job begins with that has none of its own.
     pub name: &'static str,
     /// Whose cycle it is, and its number there.

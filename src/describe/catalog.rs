@@ -5,8 +5,8 @@ use serde::Serialize;
 use crate::control::safety::RULES;
 use crate::control::{Form, POSTS};
 use crate::cycle::{CODE_GROUPS, CYCLES, CycleDef};
-use crate::form::{Choice, Code, Default, Field, Kind};
-use crate::job::{FORMAT, LONGEST_PROGRAM, LONGEST_TEXT, SECTIONS};
+use crate::form::{STANDING, Choice, Code, Default, Field, Kind};
+use crate::job::{self, FORMAT, LONGEST_PROGRAM, LONGEST_TEXT, SECTIONS};
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
 
 /// Cycles, controls and the sections around them.
@@ -23,6 +23,8 @@ pub struct Catalog {
     pub posts: Vec<PostEntry>,
     /// What programs are checked for.
     pub rules: Vec<RuleEntry>,
+    /// Codes of findings that hold for a control and form whatever the job: a page may say them once, at the control's name.
+    pub standing: &'static [&'static str],
     /// What the codes of a CmdPrm table are about; the first that fits counts.
     pub code_groups: Vec<CodeGroup>,
     /// The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them.
@@ -44,6 +46,10 @@ pub struct CycleEntry {
     pub key: &'static str,
     /// The name that its source gives it.
     pub title: &'static str,
+    /// What it measures, in a sentence, in English.
+    pub says: &'static str,
+    /// What else people look for it by, in English: words for a search.
+    pub also: &'static str,
     /// Who documents it, and as what: `ENCY/SprutCAM type 5`.
     pub source: &'static str,
     /// Its type number in the source's parameter table, where it has one.
@@ -86,6 +92,7 @@ pub struct SectionEntry {
 
 /// One field. Lengths are in mm, feeds in mm/min, angles in degrees, whatever the job's units.
 #[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct FieldEntry {
     /// Key in its section.
     pub key: &'static str,
@@ -105,6 +112,8 @@ pub struct FieldEntry {
     pub usual: Option<[f64; 2]>,
     /// The value in a job that leaves the field out.
     pub default: DefaultEntry,
+    /// What a new job in inch begins with, in inch: a number that people type, near to `default`. A job in inch that leaves the field out has `default`.
+    pub default_inch: DefaultEntry,
     /// What `null` means; null where it is not allowed.
     pub null: Option<&'static str>,
     /// The allowed values of a choice or a code; else empty.
@@ -254,6 +263,7 @@ pub fn catalog() -> Catalog {
             })
             .collect(),
         rules: RULES.iter().map(|rule| RuleEntry { name: rule.name, says: rule.says, why: rule.why }).collect(),
+        standing: STANDING,
         code_groups: CODE_GROUPS.iter().map(|&(title, lowest, highest)| CodeGroup { title, lowest, highest }).collect(),
         rapid_rate: RAPID_RATE,
         max_touches: MAX_TOUCHES,
@@ -266,6 +276,8 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
     CycleEntry {
         key: def.key,
         title: def.title,
+        says: def.says,
+        also: def.also,
         source: def.source,
         number: def.number,
         touches: def.place.is_some(),
@@ -288,6 +300,16 @@ fn choice_entry(choice: &Choice) -> ChoiceEntry {
 
 fn code_entry(code: &Code) -> ChoiceEntry {
     ChoiceEntry { value: DefaultEntry::Number(f64::from(code.value)), label: code.label }
+}
+
+fn default_entry(default: Default) -> DefaultEntry {
+    match default {
+        Default::Number(x) => DefaultEntry::Number(x),
+        Default::Flag(b) => DefaultEntry::Flag(b),
+        Default::Text(text) => DefaultEntry::Text(text),
+        Default::Point(p) => DefaultEntry::Point(p),
+        Default::Null => DefaultEntry::Null,
+    }
 }
 
 fn entries(fields: &[Field]) -> Vec<FieldEntry> {
@@ -324,13 +346,8 @@ fn entries(fields: &[Field]) -> Vec<FieldEntry> {
                     .then_some([field.hard.min, field.hard.max]),
                 above: field.hard.above,
                 usual: field.usual.map(|(min, max)| [min, max]),
-                default: match field.default {
-                    Default::Number(x) => DefaultEntry::Number(x),
-                    Default::Flag(b) => DefaultEntry::Flag(b),
-                    Default::Text(text) => DefaultEntry::Text(text),
-                    Default::Point(p) => DefaultEntry::Point(p),
-                    Default::Null => DefaultEntry::Null,
-                },
+                default: default_entry(field.default),
+                default_inch: default_entry(job::typed_in_inch(field)),
                 null: field.null,
                 choices,
                 code: (!field.code.is_empty()).then_some(field.code),

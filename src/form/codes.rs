@@ -1,5 +1,9 @@
 //! Every code of a finding, and what it means. Codes are stable: portals act on them.
 
+/// Those that say how a control, or a form of its programs, always is: no job is better or worse by them.
+pub const STANDING: &[&str] =
+    &["limit-stops", "no-results-in-program", "not-verified", "own-path", "positioning-not-watched", "units-not-stated"];
+
 /// Code and meaning, in the order of the codes.
 pub const CODES: &[(&str, &str)] = &[
     ("align-needs-confirm", "1411: aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121)."),

@@ -14,6 +14,8 @@ pub struct Field {
     pub kind: Kind,
     /// The value where the job says nothing; lengths in mm, feeds in mm/min, accelerations in mm/s², times in ms, angles in degrees.
     pub default: Default,
+    /// What a new job in inch begins with, in inch, where that is not `default` brought to a number that people type.
+    pub inch: Option<f64>,
     /// What is allowed; same units as `default`.
     pub hard: Range,
     /// What is usual; a warning outside.
@@ -73,6 +75,16 @@ pub enum Kind {
     Nominal,
     /// Three nominal values: X, Y, Z.
     NominalPoint,
+}
+
+impl Kind {
+    /// Whether values are converted with the units of the job.
+    pub const fn is_metric(self) -> bool {
+        match self {
+            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint => true,
+            Kind::Time | Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Code(_) => false,
+        }
+    }
 }
 
 /// One number of a [`Kind::Code`].
@@ -153,6 +165,7 @@ impl Field {
             help: "",
             kind,
             default,
+            inch: None,
             hard,
             usual: None,
             reason: "",
@@ -265,6 +278,12 @@ impl Field {
     /// Usually from `min` to `max`; a warning outside.
     pub const fn usual(mut self, min: f64, max: f64) -> Self {
         self.usual = Some((min, max));
+        self
+    }
+
+    /// What a new job in inch begins with.
+    pub const fn in_inch(mut self, default: f64) -> Self {
+        self.inch = Some(default);
         self
     }
 

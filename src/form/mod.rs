@@ -10,7 +10,7 @@ mod finding;
 mod value;
 
 pub(crate) use checker::printable;
-pub use codes::CODES;
+pub use codes::{CODES, STANDING};
 pub use finding::{Finding, Level};
 pub use value::Value;
 

@@ -1,35 +1,92 @@
 //! Complete jobs: every value that a job leaves out.
 
 use crate::cycle::{self, CycleDef};
-use crate::form::{Default, Field, Kind, Value};
+use crate::form::{Default, Field, Value};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, SECTIONS, Units};
 use crate::job::units::default_in;
+
+/// How a default that is given in mm stands in a job in inch.
+#[derive(Clone, Copy, PartialEq)]
+enum Inch {
+    /// In full.
+    Exact,
+    /// With as many decimals as a conversion has.
+    Converted,
+    /// As a number that people type.
+    Typed,
+}
 
 /// A complete, valid job of a type, in mm, named by what it measures; none for an unknown type.
 pub fn default_job(key: &str) -> Option<Value> {
     default_job_in(key, Units::Mm)
 }
 
-/// The same with lengths and feeds in `units`; the job's own units stay to be set.
+/// A new job of a type in `units`, as people begin one: in inch with numbers that they type, and not with millimetres converted.
+pub fn new_job(key: &str, units: Units) -> Option<Value> {
+    named(key, units, Inch::Typed).map(|mut job| {
+        put(&mut job, "units", Value::Text(units.word().to_owned()));
+        let name = Value::Text(job_name(&job));
+        put(&mut job, "name", name);
+        job
+    })
+}
+
+/// The default job with lengths and feeds converted to `units`; the job's own units stay to be set.
 pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
-    let mut job = cycle::find(key).map(|def| complete_job(def, units, true))?;
-    let name = Value::Text(job_name(&job));
-    if let Value::Map(entries) = &mut job
-        && let Some((_, place)) = entries.iter_mut().find(|(key, _)| key == "name")
-    {
-        *place = name;
+    named(key, units, Inch::Converted)
+}
+
+/// What a new job in inch begins with, in inch: given with the field, or its default with one digit, two where it begins with 1.
+pub fn typed_in_inch(field: &Field) -> Default {
+    let metric = field.kind.is_metric();
+    match (field.default, field.inch) {
+        (Default::Number(_), Some(inch)) => Default::Number(inch),
+        (Default::Number(x), None) if metric => Default::Number(typed(x)),
+        (Default::Point(p), _) if metric => Default::Point(p.map(typed)),
+        (default, _) => default,
     }
+}
+
+/// Millimetres as an inch user would type them: one digit, two where the first is 1.
+fn typed(mm: f64) -> f64 {
+    let inch = mm / Units::Inch.scale();
+    if inch == 0.0 {
+        return 0.0;
+    }
+    let first = inch.abs().log10().floor();
+    let digits = if inch.abs() / 10f64.powf(first) < 2.0 { 1.0 } else { 0.0 };
+    // Divided by a whole power of ten, a whole number is as near as a number can be.
+    let places = digits - first;
+    if places >= 0.0 {
+        (inch * 10f64.powf(places)).round() / 10f64.powf(places)
+    } else {
+        (inch / 10f64.powf(-places)).round() * 10f64.powf(-places)
+    }
+}
+
+fn put(job: &mut Value, key: &str, value: Value) {
+    if let Value::Map(entries) = job
+        && let Some((_, place)) = entries.iter_mut().find(|(k, _)| k == key)
+    {
+        *place = value;
+    }
+}
+
+fn named(key: &str, units: Units, inch: Inch) -> Option<Value> {
+    let mut job = cycle::find(key).map(|def| complete_job(def, units, inch))?;
+    let name = Value::Text(job_name(&job));
+    put(&mut job, "name", name);
     Some(job)
 }
 
 /// The defaults of the fields of a form inside a cycle's form, likewise.
 pub fn section_defaults_in(fields: &[Field], units: Units) -> Value {
-    Value::Map(default_values(fields, units, true))
+    Value::Map(default_values(fields, units, Inch::Converted))
 }
 
-fn complete_job(def: &CycleDef, units: Units, short: bool) -> Value {
-    let default_values = |fields: &[Field]| default_values(fields, units, short);
+fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
+    let default_values = |fields: &[Field]| default_values(fields, units, inch);
     let mut job = vec![("format".to_owned(), Value::Number(FORMAT))];
     for (path, fields) in SECTIONS {
         if path.is_empty() {
@@ -37,7 +94,7 @@ fn complete_job(def: &CycleDef, units: Units, short: bool) -> Value {
         } else {
             let mut entries = default_values(fields);
             // A form begins with the cycle's own control; what a job leaves out is the reader's default.
-            if *path == "control" && short {
+            if *path == "control" && inch != Inch::Exact {
                 for (key, value) in [("post", def.home.0), ("form", def.home.1)] {
                     entries.retain(|(k, _)| k != key);
                     entries.push((key.to_owned(), Value::Text(value.to_owned())));
@@ -67,11 +124,11 @@ pub fn resolved(job: &Value) -> Option<Value> {
     let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { return None };
     let units = Units::of(job);
     let def = cycle::find(key)?;
-    let mut whole = complete_job(def, units, false);
+    let mut whole = complete_job(def, units, Inch::Exact);
     for section in def.sections {
         // A form inside the form that is there has all its fields.
         if matches!(job.get("cycle").and_then(|c| c.get(section.key)), Some(Value::Map(_))) {
-            let values = Value::Map(default_values(section.fields, units, false));
+            let values = Value::Map(default_values(section.fields, units, Inch::Exact));
             overlay(&mut whole, &Value::Map(vec![("cycle".to_owned(), Value::Map(vec![(section.key.to_owned(), values)]))]));
         }
     }
@@ -93,21 +150,22 @@ fn overlay(under: &mut Value, over: &Value) {
     }
 }
 
-/// Default values in `units`: as people write them, or in full.
-fn default_values(fields: &[Field], units: Units, short: bool) -> Vec<(String, Value)> {
-    let rounded = |x: f64| if short { default_in(x, units) } else { x / units.scale() };
-    let value = |field: &Field| match field.default {
-        Default::Number(x) => match field.kind {
-            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal => Value::Number(rounded(x)),
-            Kind::Time | Kind::Angle | Kind::Count | Kind::Code(_) | Kind::Flag | Kind::Choice(_) | Kind::Text(_) => {
-                Value::Number(x)
-            }
-            Kind::Point | Kind::NominalPoint => Value::Number(x),
-        },
-        Default::Flag(b) => Value::Flag(b),
-        Default::Text(text) => Value::Text(text.to_owned()),
-        Default::Point(p) => Value::List(p.map(|x| Value::Number(rounded(x))).to_vec()),
-        Default::Null => Value::Null,
+/// Default values in `units`.
+fn default_values(fields: &[Field], units: Units, inch: Inch) -> Vec<(String, Value)> {
+    let scaled = |x: f64| match inch {
+        Inch::Exact => x / units.scale(),
+        Inch::Converted | Inch::Typed => default_in(x, units),
+    };
+    let value = |field: &Field| {
+        let typed = inch == Inch::Typed && units == Units::Inch;
+        let scaled = |x: f64| if field.kind.is_metric() && !typed { scaled(x) } else { x };
+        match if typed { typed_in_inch(field) } else { field.default } {
+            Default::Number(x) => Value::Number(scaled(x)),
+            Default::Flag(b) => Value::Flag(b),
+            Default::Text(text) => Value::Text(text.to_owned()),
+            Default::Point(p) => Value::List(p.map(|x| Value::Number(scaled(x))).to_vec()),
+            Default::Null => Value::Null,
+        }
     };
     fields.iter().map(|field| (field.key.to_owned(), value(field))).collect()
 }

@@ -26,7 +26,7 @@ mod stylus;
 mod units;
 
 pub use calls::calls;
-pub use defaults::default_job;
+pub use defaults::{default_job, new_job};
 pub use lentoax::lentoax_query;
 pub use measure::Measurement;
 pub use naming::job_name;
@@ -41,7 +41,7 @@ pub use units::convert_units;
 /// Where a picture is looked at from.
 pub use crate::view::scene::Projection;
 
-pub(crate) use defaults::{default_job_in, resolved, section_defaults_in};
+pub(crate) use defaults::{default_job_in, resolved, section_defaults_in, typed_in_inch};
 pub(crate) use examine::examine;
 #[cfg(test)]
 pub(crate) use examine::{proves, released};

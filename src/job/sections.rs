@@ -128,9 +128,9 @@ form! {
     /// The stylus.
     pub struct Stylus {
         /// Effective diameter of the ball; 0 is a point.
-        diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).range(0.0, 100.0).usual(0.3, 20.0).group("Probe"),
+        diameter: f64 = Field::length("diameter", "Ball diameter", 6.0).in_inch(0.236).range(0.0, 100.0).usual(0.3, 20.0).group("Probe"),
         /// One sigma of a single touch along its probing direction.
-        repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
+        repeatability: f64 = Field::length("repeatability", "Repeatability", 0.001).in_inch(0.00005).range(0.0, 1.0).usual(0.0, 0.02).group("Probe"),
         /// From the ball centre up to the probe body. Empty: not known, and the probe body is not checked.
         length: Option<f64> = Field::length("length", "Stylus length", 50.0).range(0.1, 1000.0).usual(5.0, 200.0).null_by_default().null_means("not known").group("Probe"),
         /// Diameter of the stylus above the ball. Empty: not known.

@@ -1,7 +1,7 @@
 //! A job in other units: every length and feed converted, values with tolerances too. The geometry stays.
 
 use crate::cycle;
-use crate::form::{Field, Finding, Kind, Level, Value};
+use crate::form::{Field, Finding, Level, Value};
 use crate::job::JobError;
 use crate::job::sections::{SECTIONS, Units};
 use crate::text::text;
@@ -106,11 +106,7 @@ fn put(value: &mut Value, key: &str, new: Value) {
 fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {
     let Some(section) = section else { return };
     for field in fields {
-        let metric = matches!(
-            field.kind,
-            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint
-        );
-        if let Some(value) = entry(section, field.key).filter(|_| metric) {
+        if let Some(value) = entry(section, field.key).filter(|_| field.kind.is_metric()) {
             convert(value, to);
         }
     }

@@ -36,11 +36,12 @@ pub fn catalog() -> Result<JsValue, JsValue> {
     to_js(&describe::catalog())
 }
 
-/// A complete, valid job of a type.
+/// A complete, valid job of a type, in mm or in inch.
 #[wasm_bindgen(js_name = defaultJob)]
-pub fn default_job(kind: &JsValue) -> Result<JsValue, JsValue> {
+pub fn default_job(kind: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> {
     let key = text_of(kind, 100).unwrap_or_default();
-    job::default_job(&key).map(|value| value_to_js(&value)).ok_or_else(|| {
+    let units = text_of(units, 10).and_then(|word| job::Units::named(&word)).unwrap_or(job::Units::Mm);
+    job::new_job(&key, units).map(|value| value_to_js(&value)).ok_or_else(|| {
         let message = text!("There is no cycle of this type; catalog() lists them");
         thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)])
     })

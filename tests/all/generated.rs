@@ -139,7 +139,7 @@ fn codes_of(rows: &[ParameterRow], field: &str) -> String {
 }
 
 fn manual(def: &CycleDef) -> String {
-    let mut page = format!("# {}\n\n{}. In a job: `\"type\": \"{}\"`.\n\n", def.title, def.source, def.key);
+    let mut page = format!("# {}\n\n{} {}. In a job: `\"type\": \"{}\"`.\n\n", def.title, def.says, def.source, def.key);
     if def.steps.is_empty() {
         page.push_str("Rows of the parameter table; nothing moves.\n");
     } else {

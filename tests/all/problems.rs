@@ -2,7 +2,7 @@
 
 use crate::common::{job, number, point, with};
 use touchpath::form::{Finding, Level, Value};
-use touchpath::job::{check, default_job, plan};
+use touchpath::job::{Units, check, default_job, new_job, plan};
 use touchpath::path::Subject;
 
 fn pocket() -> Value {
@@ -35,6 +35,47 @@ fn default_jobs_are_without_any_finding() {
         plan(&job).unwrap();
     }
     assert!(default_job("bogus").is_none());
+}
+
+#[test]
+fn new_jobs_in_inch_are_sound_and_say_what_inch_users_type() {
+    for cycle in touchpath::cycle::CYCLES {
+        let job = new_job(cycle.key, Units::Inch).unwrap();
+        let mm = new_job(cycle.key, Units::Mm).unwrap();
+        assert_eq!(mm, default_job(cycle.key).unwrap());
+        let codes = |job: &Value| check(job).into_iter().map(|f| f.code).collect::<Vec<_>>();
+        assert_eq!(codes(&job), codes(&mm), "{}", cycle.key);
+        // No number needs more than three digits, whatever its size.
+        fn numbers(value: &Value, seen: &mut Vec<f64>) {
+            match value {
+                Value::Number(x) => seen.push(*x),
+                Value::List(items) => items.iter().for_each(|x| numbers(x, seen)),
+                Value::Map(map) => map.iter().for_each(|(_, x)| numbers(x, seen)),
+                _ => {}
+            }
+        }
+        let mut seen = Vec::new();
+        numbers(&job, &mut seen);
+        assert!(seen.len() > 20, "{}", cycle.key);
+        for x in seen {
+            let digits = format!("{x:e}").split('e').next().unwrap().replace(['-', '.'], "").len();
+            assert!(digits <= 3, "{}: {x}", cycle.key);
+        }
+    }
+    // What the shop floor types, from the report of those who tried it.
+    let corner = new_job("double-wall-internal-corner", Units::Inch).unwrap();
+    for (path, typed) in [
+        ("cycle.clearance1", 0.6),
+        ("cycle.step1", 0.8),
+        ("feeds.longLink", 40.0),
+        ("stylus.diameter", 0.236),
+        ("stylus.repeatability", 0.000_05),
+        ("overtravel", 0.2),
+    ] {
+        let found = path.split('.').fold(&corner, |value, key| value.get(key).unwrap());
+        assert_eq!(found, &number(typed), "{path}");
+    }
+    assert_eq!(corner.get("units"), Some(&text("inch")));
 }
 
 #[test]
@@ -239,4 +280,30 @@ fn what_is_said_goes_out_as_its_template_and_its_values() {
     let range = serde_json::json!(["from {min} to {max}{unit}", "0.01", "1000", " mm"]);
     assert_eq!(said("overtravel"), serde_json::json!(["{label} must be {allowed}", ["Overtravel"], range]));
     assert_eq!(said("cycle.depth"), serde_json::json!(["{label} must be a number, not {given}", ["Depth"], ["a list"]]));
+}
+
+/// A finding that stands at the control's name holds whatever the job: it comes with every cycle of a control and form, or with none that moves.
+#[test]
+fn standing_findings_hold_for_every_job_of_a_control() {
+    use std::collections::BTreeMap;
+    let mut held = 0;
+    for post in touchpath::control::POSTS {
+        for form in ["moves", "cycle"] {
+            let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+            let mut jobs = 0;
+            for cycle in touchpath::cycle::CYCLES.iter().filter(|cycle| !cycle.steps.is_empty() && cycle.key != "probing-two-circles") {
+                let job = with(&with(&default_job(cycle.key).unwrap(), "control.post", text(post.key)), "control.form", text(form));
+                let Ok(plan) = plan(&job) else { continue };
+                jobs += 1;
+                for code in touchpath::form::STANDING {
+                    *counts.entry(code).or_default() += plan.findings.iter().filter(|f| f.code == *code).count();
+                }
+            }
+            for (code, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
+                assert_eq!(count, jobs, "{} {form}: {code} comes with some cycles only", post.key);
+                held += 1;
+            }
+        }
+    }
+    assert!(held > 20, "{held}");
 }

@@ -35,9 +35,15 @@ export function catalog(): Catalog {
   return instance.call(() => raw.catalog());
 }
 
-/** A complete, valid job of a type. Throws `JobError` for an unknown type. */
-export function defaultJob<T extends Cycle["type"]>(type: T): Required<Job> & { cycle: Extract<Cycle, { type: T }> } {
-  return instance.call(() => raw.defaultJob(type));
+/**
+ * A complete, valid job of a type, in mm or in inch: there with numbers that people type (0.6), not with millimetres converted. Throws `JobError` for an
+ * unknown type.
+ */
+export function defaultJob<T extends Cycle["type"]>(
+  type: T,
+  units: "mm" | "inch" = "mm",
+): Required<Job> & { cycle: Extract<Cycle, { type: T }> } {
+  return instance.call(() => raw.defaultJob(type, units));
 }
 
 /** The name that a job has by itself: what it measures, and its main sizes (`BORE-D25`, `POCKET-80X50`). */

@@ -26,7 +26,7 @@ export class Sink implements Packed {
 /** What the WebAssembly module gives. A value comes to it coded: `codes` and `text`. */
 export interface Raw {
   catalog(): unknown;
-  defaultJob(type: unknown): unknown;
+  defaultJob(type: unknown, units: unknown): unknown;
   jobName(codes: Float64Array, text: string): unknown;
   misfit(codes: Float64Array, text: string): unknown;
   check(codes: Float64Array, text: string): unknown;

@@ -554,6 +554,8 @@ export interface FieldEntry {
   usual: [number, number] | null;
   /** The value in a job that leaves the field out. */
   default: DefaultEntry;
+  /** What a new job in inch begins with, in inch: a number that people type, near to `default`. A job in inch that leaves the field out has `default`. */
+  defaultInch: DefaultEntry;
   /** What `null` means; null where it is not allowed. */
   null: string | null;
   /** The allowed values of a choice or a code; else empty. */
@@ -584,6 +586,10 @@ export interface CycleEntry {
   type: Cycle["type"];
   /** The name that its source gives it. */
   title: string;
+  /** What it measures, in a sentence, in English. */
+  says: string;
+  /** What else people look for it by, in English: words for a search. */
+  also: string;
   /** Who documents it, and as what: `ENCY/SprutCAM type 5`. */
   source: string;
   /** Its type number in the source's parameter table, where it has one. */
@@ -682,6 +688,8 @@ export interface Catalog {
   posts: PostEntry[];
   /** What programs are checked for. */
   rules: RuleEntry[];
+  /** Codes of findings that hold for a control and form whatever the job: a page may say them once, at the control's name. */
+  standing: string[];
   /** What the codes of a CmdPrm table are about; the first that fits counts. */
   codeGroups: CodeGroup[];
   /** The rate that rapids are taken to have in `plan().time`, mm/min, where the program states none for them. */

@@ -41,6 +41,8 @@ const FEED_DISTANCE: &str = "cycle.feedDistance";
 pub const BASE: CycleDef = CycleDef {
     key: "",
     title: "",
+    says: "",
+    also: "",
     name: "",
     source: "",
     probes: Subject::Action,

@@ -73,7 +73,7 @@ fn described(found: &mut BTreeSet<String>) {
     }
     catalog.sections.iter().flat_map(|section| &section.fields).for_each(&mut field);
     for cycle in &catalog.cycles {
-        add(cycle.title);
+        [cycle.title, cycle.says, cycle.also].into_iter().for_each(&mut add);
         cycle.steps.iter().for_each(|step| add(step));
     }
     for post in &catalog.posts {

@@ -10,6 +10,8 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "boss",
     title: "Boss",
+    says: "A stud, pin or shaft from outside: centre and diameter.",
+    also: "stud pin shaft spigot outside diameter round",
     name: "BOSS",
     source: "ENCY/SprutCAM type 5",
     probes: Subject::Boss,

@@ -11,6 +11,8 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "double-wall-external-corner",
     title: "Double wall external corner",
+    says: "The outside corner of a part: where its two walls meet, and the angle of each wall that is touched twice.",
+    also: "outside corner edge wall angle rotation skew stock part vise",
     name: "CORNER",
     source: "ENCY/SprutCAM type 14",
     probes: Subject::CornerOutside,

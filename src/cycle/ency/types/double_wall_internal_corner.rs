@@ -12,6 +12,8 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "double-wall-internal-corner",
     title: "Double wall internal corner",
+    says: "The inside corner of two walls: where they meet, and the angle of each wall that is touched twice.",
+    also: "inside corner edge wall angle rotation skew fixture stop vise",
     name: "CORNER",
     source: "ENCY/SprutCAM type 13",
     probes: Subject::CornerInside,

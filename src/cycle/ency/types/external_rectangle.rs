@@ -10,6 +10,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "external-rectangle",
     title: "External rectangle",
+    says: "A block or an island from outside: centre, length and width.",
+    also: "island block stock part outside vise",
     name: "BLOCK",
     source: "ENCY/SprutCAM type 8",
     probes: Subject::Block,

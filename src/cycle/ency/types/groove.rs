@@ -11,6 +11,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "groove",
     title: "Groove",
+    says: "A slot, or the gap between two jaws: its middle and its width, touched from the middle.",
+    also: "slot keyway channel gap inside width vise jaws",
     name: "GROOVE",
     source: "ENCY/SprutCAM type 11",
     probes: Subject::Groove,

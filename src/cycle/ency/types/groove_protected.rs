@@ -10,6 +10,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "groove-protected",
     title: "Groove, protected",
+    says: "A slot with something standing in it: the probe goes up and over it between the touches.",
+    also: "slot keyway channel gap island inside width over",
     name: "GROOVE",
     source: "ENCY/SprutCAM type 12",
     probes: Subject::GrooveProtected,

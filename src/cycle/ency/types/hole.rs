@@ -11,6 +11,8 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "hole",
     title: "Hole",
+    says: "A bore or a ring: centre and diameter, touched from its middle.",
+    also: "bore ring inside diameter circle",
     name: "BORE",
     source: "ENCY/SprutCAM type 3",
     probes: Subject::Hole,

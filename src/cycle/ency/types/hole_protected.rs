@@ -10,6 +10,8 @@ use crate::path::{MAX_TOUCHES, Subject};
 pub static DEF: CycleDef = CycleDef {
     key: "hole-protected",
     title: "Hole, protected",
+    says: "A bore with something standing in the middle: the probe goes up and over it between the touches.",
+    also: "bore ring island inside diameter circle over",
     name: "BORE",
     source: "ENCY/SprutCAM type 4",
     probes: Subject::HoleProtected,

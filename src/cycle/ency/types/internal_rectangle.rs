@@ -11,6 +11,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "internal-rectangle",
     title: "Internal rectangle",
+    says: "A pocket: centre, length and width, touched from its middle.",
+    also: "pocket window inside",
     name: "POCKET",
     source: "ENCY/SprutCAM type 6",
     probes: Subject::Pocket,

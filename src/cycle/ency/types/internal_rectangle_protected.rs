@@ -10,6 +10,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "internal-rectangle-protected",
     title: "Internal rectangle, protected",
+    says: "A pocket with something standing in the middle: the probe goes up and over it between the touches.",
+    also: "pocket window island inside over",
     name: "POCKET",
     source: "ENCY/SprutCAM type 7",
     probes: Subject::PocketProtected,

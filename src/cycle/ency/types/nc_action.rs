@@ -8,6 +8,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "nc-action",
     title: "NC action",
+    says: "Rows of the parameter table that a postprocessor acts on; nothing moves.",
+    also: "postprocessor offset report",
     name: "NC-ACTION",
     source: "ENCY/SprutCAM type 1",
     probes: Subject::Action,

@@ -8,6 +8,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "probe-on-off",
     title: "Probe on/off",
+    says: "Switches the probe on or off in a postprocessor; nothing moves.",
+    also: "switch activate",
     name: "PROBE-ON-OFF",
     source: "ENCY/SprutCAM type 0",
     probes: Subject::Switch,

@@ -11,6 +11,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "surface",
     title: "Surface",
+    says: "One touch of a face, a wall or the top, in X, Y or Z: where it is.",
+    also: "face plane top edge Z single point height parallels vise jaw",
     name: "SURFACE",
     source: "ENCY/SprutCAM type 2",
     probes: Subject::Surface,

@@ -11,6 +11,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "triple-wall-external-corner",
     title: "Triple wall external corner",
+    says: "The outside corner of a part and its top: X, Y and Z of the corner.",
+    also: "outside corner edge wall top Z stock part vise",
     name: "CORNER",
     source: "ENCY/SprutCAM type 16",
     probes: Subject::TripleOutside,

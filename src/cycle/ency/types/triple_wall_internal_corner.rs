@@ -11,6 +11,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "triple-wall-internal-corner",
     title: "Triple wall internal corner",
+    says: "The inside corner of two walls and a floor: X, Y and Z of the corner.",
+    also: "inside corner edge wall floor Z fixture stop vise",
     name: "CORNER",
     source: "ENCY/SprutCAM type 15",
     probes: Subject::TripleInside,

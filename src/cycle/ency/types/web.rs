@@ -10,6 +10,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "web",
     title: "Web",
+    says: "A rib from both sides: its middle and its width.",
+    also: "rib ridge bar wall outside width",
     name: "WEB",
     source: "ENCY/SprutCAM type 9",
     probes: Subject::Web,

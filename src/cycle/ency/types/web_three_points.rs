@@ -11,6 +11,8 @@ use crate::path::Subject;
 pub static DEF: CycleDef = CycleDef {
     key: "web-three-points",
     title: "Web, three points",
+    says: "A rib from both sides and on top: its middle, its width and its height.",
+    also: "rib ridge bar wall outside width top Z",
     name: "WEB",
     source: "ENCY/SprutCAM type 10",
     probes: Subject::WebTop,

@@ -27,6 +27,8 @@ use crate::tolerance::Nominal;
 pub static DEF: CycleDef = CycleDef {
     key: "probing-two-circles",
     title: "Probing two circles",
+    says: "Two bores or studs: the line through their centres gives the rotation of the part.",
+    also: "two holes bores studs rings bolt circle alignment angle skew rotation",
     name: "CIRCLES",
     source: "HEIDENHAIN cycle 1411",
     probes: Subject::TwoCircles,
