@@ -1,6 +1,8 @@
 // The words that each language lacks, and those of texts that are gone. `node scripts/words.mjs` prints both; tests/package/words.test.mjs asks the same.
-import { readdirSync, readFileSync } from "node:fs";
+// The simplified Chinese is made from the traditional one, and written with every run.
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { Converter } from "opencc-js";
 
 const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
 const json = (/** @type {string} */ path) => JSON.parse(readFileSync(at(path), "utf8"));
@@ -34,8 +36,25 @@ export const languages = () =>
 export const wordsOf = (/** @type {string} */ language) =>
   /** @type {Record<string, string>} */ (json(`www/words/${language}.json`));
 
+/** What the trade calls it otherwise on the mainland, after the characters and the general words are converted. @type {[string, string][]} */
+const TERMS = [
+  ["座标", "坐标"],
+  ["控制器", "数控系统"],
+  ["色彩", "颜色"],
+  ["壁面", "侧壁"],
+  ["进给速率", "进给速度"],
+];
+
+/** The words of simplified Chinese, from those of the traditional one. */
+export function simplified() {
+  const convert = Converter({ from: "twp", to: "cn" });
+  const said = (/** @type {string} */ text) => TERMS.reduce((all, [from, to]) => all.replaceAll(from, to), convert(text));
+  return Object.fromEntries(Object.entries(wordsOf("zh-Hant")).map(([english, text]) => [english, said(text)]));
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const all = texts();
+  writeFileSync(at("www/words/zh-Hans.json"), `${JSON.stringify(simplified(), null, 2)}\n`);
   for (const language of languages()) {
     const words = wordsOf(language);
     const missing = [...all].filter((text) => !Object.hasOwn(words, text));

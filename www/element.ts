@@ -26,7 +26,7 @@ type Input = (typeof INPUTS)[number];
 type Inputs = Partial<Record<Input, unknown>>;
 
 /** The attributes that are words, and which there are. One that is not known changes nothing. */
-const WORDS = { theme: ["light", "dark", "auto"], panels: PANEL_NAMES, storage: ["none", "local"] } as const;
+const WORDS = { theme: ["light", "dark", "auto"], panels: PANEL_NAMES, mode: ["setter", "cam"], storage: ["none", "local"] } as const;
 type Wordy = keyof typeof WORDS;
 const isWordy = (name: string): name is Wordy => Object.hasOwn(WORDS, name);
 
@@ -70,7 +70,8 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
  * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
- * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default.
+ * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, the table where it is named or the mode is `cam`.
+ * @attr {"setter" | "cam"} mode - Whether what only the author of a postprocessor needs is shown: parameters, codes, picked touches. Without it, as the user says, and from when a parameter dump was opened.
  * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
  * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
  * @attr {string} name - The name under which a form gets the job's JSON.
@@ -96,7 +97,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  */
 export class TouchPath extends Base {
   static readonly formAssociated = true;
-  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "storage"];
+  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "mode", "storage"];
 
   /** The page's state, once it is loaded. Not part of what is promised. @internal */
   store?: Store;
@@ -129,7 +130,7 @@ export class TouchPath extends Base {
 
   connectedCallback(): void {
     // What was set before this class was known hides the class's own properties.
-    for (const name of ["job", "cycle", "post", "units", "theme", "readonly", "panels", "storage", "name"] as const) {
+    for (const name of ["job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "storage", "name"] as const) {
       if (!Object.hasOwn(this, name)) continue;
       const value = this[name];
       delete (this as Record<string, unknown>)[name];
@@ -232,6 +233,15 @@ export class TouchPath extends Base {
 
   set panels(value: string) {
     this.setAttribute("panels", value);
+  }
+
+  /** For whom it is shown: `cam` shows what only the author of a postprocessor needs. */
+  get mode(): "setter" | "cam" {
+    return (this.words.get("mode") ?? (this.store?.cam ? "cam" : "setter")) as "setter" | "cam";
+  }
+
+  set mode(value: "setter" | "cam") {
+    this.setAttribute("mode", value);
   }
 
   /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
@@ -429,9 +439,11 @@ export class TouchPath extends Base {
     if (!app || !store) return;
     store.readonly = this.readonly || this.matches(":disabled");
     const words = this.panels.split(/\s+/);
+    if (this.words.has("mode")) store.cam = this.mode === "cam";
     app.applyOptions(
       this.theme,
       PANEL_NAMES.filter((name) => words.includes(name)),
+      this.words.has("panels"),
     );
   }
 }

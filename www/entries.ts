@@ -107,6 +107,24 @@ export abstract class Entries extends Phrases {
     return when === null || this.get(path.replace(/\w+$/, when.key)) === when.value;
   }
 
+  /** What a field of a new job begins with, in the job's units: in inch a number that people type. */
+  begins(field: FieldEntry, units = this.units): unknown {
+    return units === "inch" ? field.defaultInch : field.default;
+  }
+
+  /** Every field of the job's form that is converted with its units, by its path. */
+  protected *metric(): Generator<[string, FieldEntry]> {
+    const { cycle, catalog } = this;
+    const sections = [
+      { path: "cycle", fields: cycle.fields },
+      ...cycle.sections.map(({ key, fields }) => ({ path: `cycle.${key}`, fields })),
+      ...catalog.sections,
+    ];
+    for (const { path, fields } of sections)
+      for (const field of fields)
+        if (isMetric(field.unit)) yield [path === "" ? field.key : `${path}.${field.key}`, field];
+  }
+
   /** What a field holds where the job says nothing, in the job's units. */
   standIn(field: FieldEntry): unknown {
     const metric = isMetric(field.unit);
@@ -124,7 +142,7 @@ export function sizeField(field: FieldEntry | undefined, words: Words): FieldEnt
   if (!field) return undefined;
   const label = say([w("{label} differs by"), field.label], words);
   const help = say([w("How much larger this is on the real part than in the form; negative is smaller.")], words);
-  return { ...field, label, help, default: 0, code: null, usual: null, range: null };
+  return { ...field, label, help, default: 0, defaultInch: 0, code: null, usual: null, range: null };
 }
 
 /** The keys of a path such as `cycle.origin[1]`. */

@@ -1,7 +1,6 @@
 // What the page around the element puts in and asks for, and which jobs were sent to it.
 import {
   type Cycle,
-  convertUnits,
   defaultJob,
   type Finding,
   type FindingCode,
@@ -96,9 +95,8 @@ export class Outside {
   /** The default job of a cycle, for the control and in the units that the page around asks for. */
   fresh(type: Cycle["type"]): Draft {
     const { post, units } = this.asked;
-    const job = structuredClone(defaultJob(type)) as unknown as Draft;
-    const whole = this.filled(post ? unnamed(job) : job);
-    return units ? (convertUnits(whole, units) as unknown as Draft) : (whole as Draft);
+    const job = structuredClone(defaultJob(type, units ?? this.store.units)) as unknown as Draft;
+    return this.filled(post ? unnamed(job) : job) as Draft;
   }
 
   /** The job of a text. A dump names no control: the one in its job is a default, which gives way to the one that is asked for. */

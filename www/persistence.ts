@@ -96,6 +96,7 @@ export const keepFiles = (files: Map<string, string>) =>
   keepChoice(SAVED, JSON.stringify([...files].slice(-MOST_SAVED)));
 
 const THEME = "touchpath.theme.1";
+const CAM = "touchpath.cam.1";
 const LANGUAGE = "touchpath.language.1";
 
 /** A choice for the page that was kept under a name; null where there is none. */
@@ -120,3 +121,5 @@ export const keptTheme = () => choice(THEME);
 export const keepTheme = (theme: string) => keepChoice(THEME, theme);
 export const keptLanguage = () => choice(LANGUAGE);
 export const keepLanguage = (language: string) => keepChoice(LANGUAGE, language);
+export const keptCam = () => choice(CAM) === "on";
+export const keepCam = (on: boolean) => keepChoice(CAM, on ? "on" : "off");

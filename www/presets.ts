@@ -1,4 +1,5 @@
 // Named presets: what belongs to a machine and not to a part, kept in this browser and as a file.
+import { convertUnits } from "./core/browser.js";
 import { isObject } from "./job.js";
 
 /** The sections of a job that a preset holds. */
@@ -18,13 +19,35 @@ const FORMAT = "touchpath-presets";
 export const MOST = 200;
 const LONGEST_NAME = 80;
 
+/** What was read last, and the text that it was in. */
+let known: { text: string; list: Preset[] } = { text: "", list: [] };
+
 /** The presets of this browser; null where it keeps nothing. What it keeps and cannot be read counts as none. */
 export function presets(): Preset[] | null {
   try {
-    return read(localStorage.getItem(KEY) ?? "") ?? [];
+    const text = localStorage.getItem(KEY) ?? "";
+    if (text !== known.text) known = { text, list: read(text) ?? [] };
+    return known.list;
   } catch {
     return null;
   }
+}
+
+/** Presets in other units, as they were converted. */
+const converted = new WeakMap<Preset, Preset>();
+
+/** A preset in these units. */
+export function convertedPreset(preset: Preset, units: Preset["units"]): Preset {
+  if (preset.units === units) return preset;
+  const known = converted.get(preset);
+  if (known) return known;
+  const { overtravel, ...sections } = convertUnits(
+    { format: 1, units: preset.units, overtravel: preset.overtravel, ...preset.sections },
+    units,
+  ) as unknown as Record<string, unknown>;
+  const made = { ...preset, units, overtravel, sections };
+  converted.set(preset, made);
+  return made;
 }
 
 /** Keeps these, and no others. False where this browser keeps nothing. */

@@ -12,6 +12,7 @@ export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPath>, TouchP
   theme?: "light" | "dark" | "auto";
   readonly?: boolean;
   panels?: string;
+  mode?: "setter" | "cam";
   storage?: "none" | "local";
   links?: boolean;
   name?: string;

@@ -4,6 +4,7 @@ import {
   check,
   convertUnits,
   defaultJob,
+  type FieldEntry,
   type Finding,
   type Job,
   JobError,
@@ -19,7 +20,7 @@ import { Entries, type Form, steps, type Units } from "./entries.js";
 import { History } from "./history.js";
 import { Outside } from "./host-inputs.js";
 import { alike, complete, type Draft, formIn, isObject } from "./job.js";
-import { keepFiles, keepSoon, kept, keptFiles } from "./persistence.js";
+import { keepCam, keepFiles, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./read-text.js";
 import { type Lang, w } from "./words.js";
@@ -70,10 +71,14 @@ interface Moment {
   typed: [string, string][];
   points: Points;
   left: [string, Left][];
+  given: string[] | null;
   document: number;
 }
 
 const LOOK_ONLY: Said = [w("Nothing was changed: this job is read-only")];
+
+/** Where people measure in inch, a first job is in inch. */
+const beginsInInch = () => /^en-US\b/i.test(navigator.languages[0] ?? "");
 
 /** What the blocks of a program are: the hash over them that its header says, or else all of it. */
 const contentOf = (text: string): string => /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
@@ -84,6 +89,7 @@ interface State {
   typed: [string, string][];
   points?: Points;
   left?: [string, Left][];
+  given?: string[];
 }
 
 export class Store extends Entries {
@@ -118,6 +124,8 @@ export class Store extends Entries {
   notice: Said | null = null;
   /** The points that a machine measured for this job. */
   private points = noPoints();
+  /** The paths that somebody has given a value; the others still hold what a new job begins with. Null where a whole job was given. */
+  private given: Set<string> | null = new Set();
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
   private left = new Map<string, Left>();
   private readonly history = new History<Moment>();
@@ -142,8 +150,44 @@ export class Store extends Entries {
     if (!first) throw new Error("the catalog has a cycle");
     this.draft = structuredClone(defaultJob(first.type)) as unknown as Draft;
     this.compute();
-    if (local) this.restore();
+    if (local && !this.restore() && beginsInInch()) {
+      this.draft = structuredClone(defaultJob(first.type, "inch")) as unknown as Draft;
+      this.compute();
+    }
+    this.cams = local && keptCam();
     this.ownName = jobName(this.draft);
+  }
+
+  /** Whether what only the author of a postprocessor needs is shown. */
+  get cam(): boolean {
+    return this.cams;
+  }
+
+  set cam(on: boolean) {
+    if (on === this.cams) return;
+    this.cams = on;
+    if (this.local) keepCam(on);
+    this.dispatchEvent(new Event("cam"));
+    this.byUser = false;
+    this.dispatchEvent(new Event("change"));
+    this.byUser = true;
+  }
+
+  private cams = false;
+
+  /** Whether a finding says how the control always is, and nothing about this job. */
+  stands({ code, level }: Finding): boolean {
+    return level !== "error" && this.catalog.standing.includes(code);
+  }
+
+  /** Whether the plan is of a cycle of the control's own. */
+  get ownCycle(): boolean {
+    return (this.shown.control as Draft | undefined)?.form === "cycle";
+  }
+
+  /** The findings about this job. */
+  get ofJob(): Finding[] {
+    return this.findings.filter((f) => !this.stands(f));
   }
 
   /** Another language for everything that is shown. The job stays as it is. */
@@ -217,10 +261,19 @@ export class Store extends Entries {
   set(path: string, value: unknown, typed?: string): void {
     if (this.refuses) return;
     this.mark(path);
+    this.given?.add(path.replace(/\[\d\]$/, ""));
     // What the user chooses now holds, also that none is written.
     if (path === "control.workOffset") this.lost = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
+    this.place(path, value);
+    // What was typed inside a value that is another one now.
+    if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
+    this.changed();
+  }
+
+  /** Puts a value at a path of the job. */
+  private place(path: string, value: unknown): void {
     const keys = steps(path);
     const last = keys.pop() as string;
     let place = this.draft;
@@ -229,9 +282,6 @@ export class Store extends Entries {
       place = place[key] as Draft;
     }
     place[last] = value;
-    // What was typed inside a value that is another one now.
-    if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
-    this.changed();
   }
 
   /** Another control, and what of the job it has not. */
@@ -304,11 +354,14 @@ export class Store extends Entries {
     const part = this.draft.part as Draft;
     this.left.set(String(old.type), { units, cycle: old, points: this.points, sizes: part.sizes as Draft });
     const back = this.left.get(type);
-    const fresh = defaultJob(type) as unknown as Draft;
+    const fresh = defaultJob(type, units) as unknown as Draft;
     const { post } = this.draft.control as Draft;
     this.takeControl(type, fresh.control as Draft);
     this.document = ++this.documents;
-    const [cycle, sizes] = formIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.sizes ?? {}, back?.units ?? "mm");
+    const [cycle, sizes] = formIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.sizes ?? {}, back?.units ?? units);
+    // A form that comes back was somebody's.
+    for (const path of [...(this.given ?? [])]) if (path.startsWith("cycle")) this.given?.delete(path);
+    if (back) this.given?.add("cycle");
     this.draft.cycle = cycle;
     part.sizes = sizes;
     this.points = back?.points ?? noPoints();
@@ -361,9 +414,20 @@ export class Store extends Entries {
     this.mark(null);
     // Numbers in units that are none cannot be converted: they stay, and now have units.
     const known = this.draft.units === "mm" || this.draft.units === "inch";
-    this.draft = known ? (convertUnits(this.draft, units) as unknown as Draft) : { ...this.draft, units };
+    const old = this.draft;
+    const untouched = known ? this.untouched() : [];
+    this.draft = known ? (convertUnits(old, units) as unknown as Draft) : { ...old, units };
+    for (const [path, field] of untouched) this.place(path, structuredClone(this.begins(field, units)));
     this.typed.clear();
     this.changed();
+  }
+
+  /** The fields that still hold what a new job begins with. */
+  private untouched(): [string, FieldEntry][] {
+    const { given } = this;
+    if (!given) return [];
+    const isGiven = (path: string) => [...given].some((one) => path === one || path.startsWith(`${one}.`));
+    return [...this.metric()].filter(([path, field]) => !isGiven(path) && alike(this.get(path), this.begins(field)));
   }
 
   /** Takes a whole job, one that fits the form. */
@@ -374,6 +438,7 @@ export class Store extends Entries {
     this.beforeControl = null;
     this.lost = null;
     this.ownName = null;
+    this.given = null;
     this.draft = complete(this.outside.filled(job) as Draft, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
@@ -427,6 +492,7 @@ export class Store extends Entries {
   /** Back to the defaults of the present cycle. */
   reset(): void {
     this.load(this.outside.fresh(this.cycle.type));
+    this.given = new Set();
   }
 
   /** What belongs to the machine, as a preset. Which work offset is written belongs to the job. */
@@ -455,6 +521,7 @@ export class Store extends Entries {
     this.mark(null);
     for (const key of Object.keys(taken)) {
       draft[key] = structuredClone(fitted[key]);
+      this.given?.add(key);
       this.forget(key);
     }
     this.changed();
@@ -577,7 +644,13 @@ export class Store extends Entries {
   private keep(): void {
     if (!this.local) return;
     keepSoon(
-      (): State => ({ draft: this.draft, typed: [...this.typed], points: this.points, left: [...this.left] }),
+      (): State => ({
+        draft: this.draft,
+        typed: [...this.typed],
+        points: this.points,
+        left: [...this.left],
+        ...(this.given ? { given: [...this.given] } : {}),
+      }),
       () => this.tell([w("This browser keeps nothing: save the job as a file, or it is lost with this page")]),
     );
   }
@@ -613,9 +686,9 @@ export class Store extends Entries {
   }
 
   /** Takes up what was kept. What cannot be used is left alone, and the page says so. */
-  private restore(): void {
+  private restore(): boolean {
     for (const state of kept()) {
-      const { draft, typed, points, left } = (isObject(state) ? state : {}) as Partial<State>;
+      const { draft, typed, points, left, given } = (isObject(state) ? state : {}) as Partial<State>;
       const problem = this.unusable(draft);
       if (problem) {
         this.notice = [w("What was kept in this browser cannot be used: {problem}"), problem];
@@ -628,10 +701,12 @@ export class Store extends Entries {
       for (const units of ["mm", "inch"] as const)
         if (typeof points?.[units] === "string") this.points[units] = points[units];
       this.left = new Map(Array.isArray(left) ? left.filter((one) => this.isLeft(one)) : []);
+      this.given = Array.isArray(given) ? new Set(given.filter((path) => typeof path === "string")) : null;
       this.document = ++this.documents;
       this.compute();
-      return;
+      return true;
     }
+    return false;
   }
 
   /** Whether something kept is a form of a cycle that can be shown again. */
@@ -644,8 +719,15 @@ export class Store extends Entries {
   }
 
   private moment(): Moment {
-    const { typed, points, left, document } = this;
-    return { draft: structuredClone(this.draft), typed: [...typed], points: { ...points }, left: [...left], document };
+    const { typed, points, left, given, document } = this;
+    return {
+      draft: structuredClone(this.draft),
+      typed: [...typed],
+      points: { ...points },
+      left: [...left],
+      given: given && [...given],
+      document,
+    };
   }
 
   /** Before a change: what it is of decides whether it can be taken back by itself. */
@@ -660,6 +742,7 @@ export class Store extends Entries {
     this.typed = new Map(moment.typed);
     this.points = moment.points;
     this.left = new Map(moment.left);
+    this.given = moment.given && new Set(moment.given);
     this.document = moment.document;
     this.ownName = null;
     this.pinned = null;

@@ -2,10 +2,17 @@
 import type { Catalog, FieldEntry, Words } from "./core/types.js";
 
 /** The languages that have words, each by its own name. */
-export const LANGUAGES = { en: "English", "zh-Hant": "繁體中文", de: "Deutsch", ru: "Русский" } as const;
+export const LANGUAGES = {
+  en: "English",
+  "zh-Hans": "简体中文",
+  "zh-Hant": "繁體中文",
+  de: "Deutsch",
+  ru: "Русский",
+} as const;
 export type Lang = keyof typeof LANGUAGES;
 
 const LOAD: Record<Exclude<Lang, "en">, () => Promise<{ default: Words }>> = {
+  "zh-Hans": () => import("./words/zh-Hans.json"),
   "zh-Hant": () => import("./words/zh-Hant.json"),
   de: () => import("./words/de.json"),
   ru: () => import("./words/ru.json"),
@@ -14,10 +21,14 @@ const LOAD: Record<Exclude<Lang, "en">, () => Promise<{ default: Words }>> = {
 /** Marks English words that stand as data, so that the lists of words must have them. */
 export const w = (english: string): string => english;
 
-/** The first language of some BCP 47 tags that has words: `de-AT` is German, any Chinese is the traditional one. Null where none has. */
+/** Chinese that is written in traditional characters, by its script or by where it is spoken. */
+const TRADITIONAL = /^zh-(?:.*-)?(hant|tw|hk|mo)\b/;
+
+/** The first language of some BCP 47 tags that has words: `de-AT` is German, `zh-CN` and `zh` the simplified Chinese. Null where none has. */
 export function languageOf(tags: readonly string[]): Lang | null {
-  for (const tag of tags) {
-    const primary = tag.toLowerCase().split("-")[0];
+  for (const tag of tags.map((tag) => tag.toLowerCase())) {
+    const primary = tag.split("-")[0];
+    if (primary === "zh") return TRADITIONAL.test(tag) ? "zh-Hant" : "zh-Hans";
     const lang = (Object.keys(LANGUAGES) as Lang[]).find((lang) => lang.split("-")[0] === primary);
     if (lang) return lang;
   }
@@ -46,6 +57,9 @@ export function worded(catalog: Catalog, words: Words): Catalog {
     cycles: catalog.cycles.map((c) => ({
       ...section(c),
       title: t(c.title),
+      says: t(c.says),
+      also: t(c.also),
+      source: c.source.replace(/(type|cycle)(?= \d+$)/, t),
       steps: c.steps.map(t),
       sections: c.sections.map(section),
     })),
@@ -57,3 +71,6 @@ export function worded(catalog: Catalog, words: Words): Catalog {
     codeGroups: catalog.codeGroups.map((g) => ({ ...g, title: t(g.title) })),
   };
 }
+
+/** What the names of sources say, beside the name of who documents a cycle. */
+export const SOURCE_WORDS = [w("type"), w("cycle")];

@@ -114,11 +114,11 @@ form! {
     /// The job itself.
     pub struct General {
         /// Name of the program.
-        name: String = Field::text("name", "Program name", "PROBE", 200).group("Program"),
+        name: String = Field::text("name", "Program name", "PROBE", 200).group("Program and machine"),
         /// Unit of every length in the job, the program and the table.
-        units: String = Field::choice("units", "Units", UNITS).group("Program"),
+        units: String = Field::choice("units", "Units", UNITS).group("Program and machine"),
         /// The working plane; the tool axis is square to it.
-        plane: String = Field::choice("plane", "Plane", PLANES).group("Program"),
+        plane: String = Field::choice("plane", "Plane", PLANES).group("Program and machine"),
         /// How far past the nominal contact a touch searches before the control gives up.
         overtravel: f64 = Field::length("overtravel", "Overtravel", 5.0).range(0.01, 1000.0).usual(0.5, 50.0).group("Probe"),
     }
@@ -146,13 +146,13 @@ form! {
     /// How far a result may be off its nominal value: beyond that the program raises an alarm and writes nothing.
     pub struct LimitsForm {
         /// Largest distance of a measured position from its nominal one, along each axis. Empty: the part may lie anywhere within the search.
-        position: Option<f64> = Field::length("position", "Position limit", 2.0).range(0.001, 1000.0).null_by_default().null_means("no limit").group("Limits"),
+        position: Option<f64> = Field::length("position", "Position limit", 2.0).range(0.001, 1000.0).null_by_default().null_means("no limit").group("Feeds and limits"),
         /// Largest deviation of a measured width, diameter or length.
-        size: Option<f64> = Field::length("size", "Size limit", 0.5).range(0.001, 1000.0).usual(0.01, 5.0).null_means("no limit").group("Limits"),
+        size: Option<f64> = Field::length("size", "Size limit", 0.5).range(0.001, 1000.0).usual(0.01, 5.0).null_means("no limit").group("Feeds and limits"),
         /// Largest deviation of a measured angle or direction.
-        angle: Option<f64> = Field::angle("angle", "Angle limit", 1.0).range(0.001, 180.0).usual(0.01, 15.0).null_means("no limit").group("Limits"),
+        angle: Option<f64> = Field::angle("angle", "Angle limit", 1.0).range(0.001, 180.0).usual(0.01, 15.0).null_means("no limit").group("Feeds and limits"),
         /// Largest root mean square distance of the touches from the circle or wall that is fitted through them, where there are touches to spare.
-        residual: Option<f64> = Field::length("residual", "Residual limit", 0.1).range(0.001, 1000.0).usual(0.005, 1.0).null_means("no limit").group("Limits"),
+        residual: Option<f64> = Field::length("residual", "Residual limit", 0.1).range(0.001, 1000.0).usual(0.005, 1.0).null_means("no limit").group("Feeds and limits"),
     }
 }
 
@@ -160,11 +160,11 @@ form! {
     /// What the machine needs to stop. The defaults are assumptions: moderate values, since neither is known before it is measured.
     pub struct MachineForm {
         /// How fast an axis slows down after the probe triggers. Hobby machines have 200 to 1000 mm/s², machining centres more.
-        acceleration: f64 = Field::acceleration("acceleration", "Acceleration", 500.0).usual(50.0, 20_000.0).group("Machine"),
+        acceleration: f64 = Field::acceleration("acceleration", "Acceleration", 500.0).usual(50.0, 20_000.0).group("Program and machine"),
         /// From the contact until the axes begin to slow down: probe, receiver and control.
-        latency: f64 = Field::time("latency", "Latency", 5.0).range(0.0, 1000.0).usual(0.5, 50.0).group("Machine"),
+        latency: f64 = Field::time("latency", "Latency", 5.0).range(0.0, 1000.0).usual(0.5, 50.0).group("Program and machine"),
         /// Travel that the stylus takes past contact without damage: 3 to 12 mm sideways, by the probe's data sheet.
-        deflection: f64 = Field::length("deflection", "Stylus deflection", 3.0).range(0.01, 100.0).usual(1.0, 15.0).group("Machine"),
+        deflection: f64 = Field::length("deflection", "Stylus deflection", 3.0).range(0.01, 100.0).usual(1.0, 15.0).group("Program and machine"),
     }
 }
 
@@ -172,15 +172,15 @@ form! {
     /// The feeds.
     pub struct FeedForm {
         /// From the feed distance to the start of the cycle.
-        approach: Option<f64> = Field::feed("approach", "Approach feed", 2000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
+        approach: Option<f64> = Field::feed("approach", "Approach feed", 2000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds and limits"),
         /// Every positioning move inside the cycle.
-        long_link: Option<f64> = Field::feed("longLink", "Long link feed", 1000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
+        long_link: Option<f64> = Field::feed("longLink", "Long link feed", 1000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds and limits"),
         /// The touches. Never rapid.
-        work: f64 = Field::feed("work", "Work feed", 150.0).usual(5.0, 1000.0).group("Feeds"),
+        work: f64 = Field::feed("work", "Work feed", 150.0).usual(5.0, 1000.0).group("Feeds and limits"),
         /// Back from a surface touch; only cycles with such a step use it.
-        retract: Option<f64> = Field::feed("retract", "Retract feed", 1000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
+        retract: Option<f64> = Field::feed("retract", "Retract feed", 1000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds and limits"),
         /// The last lift.
-        return_: Option<f64> = Field::feed("return", "Return feed", 2000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds"),
+        return_: Option<f64> = Field::feed("return", "Return feed", 2000.0).usual(50.0, 10_000.0).null_means("rapid").group("Feeds and limits"),
     }
 }
 
@@ -188,25 +188,25 @@ form! {
     /// The control.
     pub struct Control {
         /// Which control the program is for.
-        post: String = Field::choice("post", "Control", POST_CHOICES).group("Control"),
+        post: String = Field::choice("post", "Control", POST_CHOICES).group("Program and machine"),
         /// Plain moves: every move written out, on the job's path. The control's own cycle: a few calls, on the cycle's own path, which is shown.
-        form: String = Field::choice("form", "Program form", FORMS).group("Control"),
+        form: String = Field::choice("form", "Program form", FORMS).group("Program and machine"),
         /// The work offset that the program writes at its end: 1 is G54. Empty: measure only.
-        work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 105).null_by_default().null_means("measure only").group("Control"),
+        work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 105).null_by_default().null_means("measure only").group("Program and machine"),
         /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
-        protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Control"),
+        protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Program and machine"),
         /// How much the comments at the top say: with the whole job the program can be opened here again.
-        header: String = Field::choice("header", "Comments at the top", HEADERS).group("Control"),
+        header: String = Field::choice("header", "Comments at the top", HEADERS).group("Program and machine"),
         /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call.
-        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Control"),
+        tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Program and machine"),
         /// Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it.
-        orient: Option<f64> = Field::angle("orient", "Spindle orientation", 0.0).range(0.0, 360.0).null_by_default().null_means("not oriented").group("Control"),
+        orient: Option<f64> = Field::angle("orient", "Spindle orientation", 0.0).range(0.0, 360.0).null_by_default().null_means("not oriented").group("Program and machine"),
         /// Where the program shows its results before it ends.
-        report: String = Field::choice("report", "Results in the program", REPORTS).group("Control"),
+        report: String = Field::choice("report", "Results in the program", REPORTS).group("Program and machine"),
         /// SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance.
-        set_up: f64 = Field::length("setUp", "SET_UP of the probe table", 0.0).range(0.0, 100.0).usual(0.0, 20.0).group("Control"),
+        set_up: f64 = Field::length("setUp", "SET_UP of the probe table", 0.0).range(0.0, 100.0).usual(0.0, 20.0).group("Program and machine"),
         /// Number of the program, on controls whose programs have one. Empty: the four digits that the program name ends in (O2201, BORE2201; not a size such as D1200), else 1000.
-        number: Option<i32> = Field::count("number", "Program number", 1000, 1, 9999).null_by_default().null_means("from the name").group("Program"),
+        number: Option<i32> = Field::count("number", "Program number", 1000, 1, 9999).null_by_default().null_means("from the name").group("Program and machine"),
     }
 }
 

@@ -58,7 +58,9 @@ export function setUp(viewport = { width: 1280, height: 800 }) {
  */
 export async function open(options) {
   await context?.close();
-  context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"], ...options });
+  // Where people measure in inch a first job is in inch: here it is in mm.
+  const locale = "en-GB";
+  context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"], locale, ...options });
   problems = [];
   page = await openTab();
 }
@@ -84,11 +86,13 @@ export async function ready(tab = page) {
   await unfold(tab);
 }
 
-/** Opens every group of the form. */
+/** Opens every group of the form, and every line of the program. */
 export const unfold = (tab = page) =>
   tab.evaluate(() => {
     const root = document.querySelector("touch-path")?.shadowRoot;
     /** @type {any} */ (root?.querySelector("tp-form"))?.unfold();
+    const program = /** @type {any} */ (root?.querySelector("tp-program"));
+    if (program && !program.everything) program.unfold();
   });
 
 /** Chooses in the menu of what is rarely used. */
@@ -101,10 +105,7 @@ export async function more(/** @type {string | RegExp} */ name, tab = page) {
 }
 
 /** Puts the whole form back. */
-export async function reset() {
-  await more("Reset");
-  await page.getByRole("button", { name: "Put back" }).click();
-}
+export const reset = () => more("Reset");
 
 /** Sets a value of the job, as a file or another program would: also one that the page does not offer. */
 export const put = (/** @type {string} */ path, /** @type {unknown} */ value) =>

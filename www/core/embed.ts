@@ -12,7 +12,7 @@ interface Element extends HTMLElement {
   take(inputs: Record<string, unknown>): void;
 }
 
-const WORDS = ["theme", "lang", "panels"] as const;
+const WORDS = ["theme", "lang", "panels", "mode"] as const;
 const KEYS = ["job", "cycle", "post", "units", "readonly", ...WORDS];
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
 

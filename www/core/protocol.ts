@@ -18,6 +18,8 @@ export interface FrameState {
   lang?: string;
   readonly?: boolean;
   panels?: string;
+  /** `cam` shows what only the author of a postprocessor needs. */
+  mode?: "setter" | "cam";
 }
 
 /** What the frame holds. */

@@ -1,6 +1,6 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import type { Job, Said } from "../core/browser.js";
+import { type Job, JobError, type Said } from "../core/browser.js";
 import { isObject } from "../job.js";
 import { keepTheme, keptTheme } from "../persistence.js";
 import { Store } from "../store.js";
@@ -15,7 +15,9 @@ import "./help.js";
 import { Export } from "./export.js";
 import { Intake, type Unread, type Viewed } from "./intake.js";
 import { Language } from "./language.js";
-import { dialogs, type Frame, menu, OF_THE_JOB, type Theme } from "./menu.js";
+import type { Preset } from "../presets.js";
+import type { CommandsPart } from "./commands.js";
+import { actions, dialogs, type Frame, menu, OF_THE_JOB, type Theme } from "./menu.js";
 import { Part } from "./part.js";
 import type { PastePart } from "./paste.js";
 import "./paste.js";
@@ -56,12 +58,14 @@ const WIDE = 1080;
 /** Below this width picture and panel stand on each other; the style sheet knows the same width. */
 const NARROW = 600;
 
-/** What takes the place of the job's picture and panels: pictures to choose from, LENTOAX, a program that says no job, a page to print. */
-type Tool = "gallery" | "cycles" | "lengths" | "viewer" | "sheet";
+/** What takes the place of the job's picture and panels: pictures to choose from, LENTOAX, a page of the manual, a program that says no job, a page to print. */
+type Tool = "gallery" | "cycles" | "lengths" | "manual" | "viewer" | "sheet";
 
 /** What is loaded when the job is on the screen, or when it is asked for before. */
 const LATER: Record<string, () => Promise<unknown>> = {
   gallery: () => import("./gallery.js"),
+  commands: () => import("./commands.js"),
+  manual: () => import("./manual.js"),
   lengths: () => import("./lentoax.js"),
   viewer: () => import("./viewer.js"),
   sheet: () => import("./sheet.js"),
@@ -94,12 +98,15 @@ interface Around {
 export class App extends LitElement {
   private panel: Panel | null = null;
   private tool: Tool = "cycles";
+  /** The page of the manual that is shown. */
+  private topic = "";
   private viewed: Viewed | null = null;
   /** What is said of the job: of the whole document above it, of the job as it is now in the foot, where nothing moves when it goes. */
   private said: { text: Said; passing: boolean; at: number; foot: boolean } | null = null;
   /** Takes a newer version of the page, where there is one. */
   private newer: (() => void) | null = null;
   private width = WIDE;
+  private height = 0;
   private wanted: PanelName[] = [];
   private theme: Theme = "auto";
   private readonly observer = new ResizeObserver(() => this.measure());
@@ -129,6 +136,9 @@ export class App extends LitElement {
         this.show("results");
       },
       showJob: () => this.use("cycles"),
+      forCam: () => {
+        this.store.cam = true;
+      },
       showMoves: (viewed) => {
         this.viewed = viewed;
         this.use("viewer");
@@ -164,9 +174,13 @@ export class App extends LitElement {
     return this;
   }
 
-  /** What is shown, and in which colours. */
-  applyOptions(theme: Theme, panels: PanelName[]): void {
+  /** Whether the page around has asked for the parameters by name. */
+  private asked = false;
+
+  /** What is shown, and in which colours; `asked`: the parameters were asked for by name. */
+  applyOptions(theme: Theme, panels: PanelName[], asked: boolean): void {
     this.theme = theme;
+    this.asked = asked;
     this.wanted = panels;
     this.recolour();
     this.requestUpdate();
@@ -186,7 +200,7 @@ export class App extends LitElement {
 
   private get panels(): Panel[] {
     const fits = (panel: Panel) =>
-      this.wanted.includes(NAME_OF[panel]) && (panel !== "setup" || this.width < WIDE || !this.wanted.includes("form"));
+      this.wanted.includes(NAME_OF[panel]) && (panel !== "table" || this.store.cam || this.asked) && (panel !== "setup" || this.width < WIDE || !this.wanted.includes("form"));
     return (Object.keys(PANELS) as Panel[]).filter(fits);
   }
 
@@ -195,13 +209,14 @@ export class App extends LitElement {
     this.measure();
     this.observer.observe(this);
     const { intake } = this;
-    this.addEventListener("paste", intake.refuse);
+    this.keys.addEventListener("paste", this.pasted);
     this.addEventListener("drop", intake.refuse);
     this.addEventListener("dragover", intake.welcome);
     this.keys.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
     this.store.addEventListener("change", this.forget);
     this.store.addEventListener("told", this.pass);
+    this.store.addEventListener("cam", this.redraw);
     this.around.host.addEventListener("update-ready", this.offer);
     for (const query of [system, forced]) query.addEventListener("change", this.recolour);
     if (!this.around.links) return;
@@ -215,13 +230,14 @@ export class App extends LitElement {
     this.observer.disconnect();
     const { intake } = this;
     intake.stop();
-    this.removeEventListener("paste", intake.refuse);
+    this.keys.removeEventListener("paste", this.pasted);
     this.removeEventListener("drop", intake.refuse);
     this.removeEventListener("dragover", intake.welcome);
     this.keys.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
     this.store.removeEventListener("change", this.forget);
     this.store.removeEventListener("told", this.pass);
+    this.store.removeEventListener("cam", this.redraw);
     this.around.host.removeEventListener("update-ready", this.offer);
     for (const query of [system, forced]) query.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
@@ -231,24 +247,26 @@ export class App extends LitElement {
   override render(): TemplateResult {
     const { store, wanted, frame, said, away } = this;
     const narrow = this.width < NARROW;
+    const stacked = narrow || (this.width < WIDE && this.height > this.width);
     const panels = this.panels;
     const active = this.panel && panels.includes(this.panel) ? this.panel : panels[0];
     const hidden = (panel: Panel) => panels.includes(panel) && panel !== active;
     const shows = (name: PanelName) => wanted.includes(name);
     const none = (name: string, is: boolean) => (is ? name : "");
     const role = panels.length < 2 ? nothing : "tabpanel";
-    const shape = [none("no-form", !shows("form")), none("no-stage", !shows("stage")), none("no-tabs", !panels.length)];
+    const shape = [none("stacked", stacked && !narrow), none("no-form", !shows("form")), none("no-stage", !shows("stage")), none("no-tabs", !panels.length)];
     return html`
-      <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @go=${(e: CustomEvent<string>) => this.go(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.showLines(e.detail)}>
+      <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @about=${(e: CustomEvent<string>) => this.about(e.detail)} @choose=${(e: CustomEvent<string>) => this.choose(e.detail)}
+        @machine=${(e: CustomEvent<Preset>) => this.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.go(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.showLines(e.detail)}>
       <header part="bar">
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
-        <tp-bar .store=${store} .links=${this.around.links} .away=${away} .saves=${!narrow}></tp-bar>
+        <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .saves=${!narrow}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${menu(frame)}
       </header>
       <div class="notes">
       ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Load it")}</button> ${this.t("The job is kept.")}</p>` : nothing}
-      ${said && !said.foot ? html`<p class="note" role="status">${store.say(said.text)} <button type="button" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
+      ${said && !said.foot ? html`<p class="note" role="status"><button type="button" class="ok" @click=${() => this.tell(null)}>OK</button><span>${store.say(said.text)}</span></p>` : nothing}
       ${
         this.tool === "cycles"
           ? nothing
@@ -257,8 +275,8 @@ export class App extends LitElement {
       </div>
       <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
         ${repeat(
-          // One order for eye and Tab: on a narrow page the picture stands above the form.
-          (narrow ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
+          // One order for eye and Tab: on a narrow page, and on one that is higher than wide, the picture stands above the form.
+          (stacked ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
           (name) => name,
           (name) =>
             name === "stage"
@@ -276,17 +294,19 @@ export class App extends LitElement {
             aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${this.t(PANELS[panel])}${panel === "checks" ? html`<tp-badge aria-hidden="true" .store=${store}></tp-badge>` : nothing}</button>`,
           )}
         </div>
-        ${shows("program") ? html`<section class="panel" part="panel program" id="panel-program" role=${role} aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
-        ${shows("table") ? html`<section class="panel" part="panel table" id="panel-table" role=${role} aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
-        ${shows("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
-        ${shows("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${shows("program")}></tp-checks></section>` : nothing}
+        ${panels.includes("program") ? html`<section class="panel" part="panel program" id="panel-program" role=${role} aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
+        ${panels.includes("table") ? html`<section class="panel" part="panel table" id="panel-table" role=${role} aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
+        ${panels.includes("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
+        ${panels.includes("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${shows("program")}></tp-checks></section>` : nothing}
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
+      ${this.tool === "manual" ? html`<tp-manual role="main" .store=${store} .topic=${this.topic} @chosen=${() => this.use("cycles")}></tp-manual>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
+      ${this.there.has("commands") ? html`<tp-commands .store=${store} .actions=${actions(frame)}></tp-commands>` : nothing}
       <tp-paste .store=${store} .take=${this.intake.pasted} .stop=${() => this.intake.stop()} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
       </div>
     `;
@@ -339,9 +359,12 @@ export class App extends LitElement {
   }
 
   private measure(): void {
-    const width = this.getBoundingClientRect().width || WIDE;
-    if (width === this.width) return;
+    const { width: wide, height } = this.getBoundingClientRect();
+    const width = wide || WIDE;
+    const turned = height > width !== this.height > this.width;
+    if (width === this.width && !turned) return;
     this.width = width;
+    this.height = height;
     this.keepPlace();
   }
 
@@ -378,8 +401,12 @@ export class App extends LitElement {
     const key = letterOf(event);
     const at = event.composedPath()[0] as Element;
     if (!this.owns(at)) return;
-    if (!["s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
+    if (!["k", "s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
     event.preventDefault();
+    if (key === "k") {
+      if (!this.renderRoot.querySelector("dialog[open]")) this.ask("commands");
+      return;
+    }
     if (key === "s") {
       this.ask("save");
       return;
@@ -391,6 +418,16 @@ export class App extends LitElement {
     if (!seen || other) return;
     if (key === "y" || event.shiftKey) this.store.redo();
     else this.store.undo();
+  };
+
+  /** What is pasted beside every field is opened, as a file would be. */
+  private readonly pasted = (event: Event): void => {
+    if (!(event instanceof ClipboardEvent)) return;
+    const at = event.composedPath()[0] as Element;
+    if (!this.owns(at)) return;
+    const typed = at.matches("input, textarea, [contenteditable]") || this.renderRoot.querySelector("dialog[open]");
+    if (typed || this.store.readonly) this.intake.refuse(event);
+    else this.intake.paste(event);
   };
 
   /** Where keys are heard: on Touchpath's own page everywhere, so that a click beside everything does not make them dead. */
@@ -428,6 +465,8 @@ export class App extends LitElement {
     const { document, revision } = this.store;
     if (this.said && this.said.at !== (this.said.passing ? revision : document)) this.tell(null);
   };
+
+  private readonly redraw = () => this.requestUpdate();
 
   /** Says what the store has done beside what it was asked for. */
   private readonly pass = (event: Event): void => this.tell((event as CustomEvent<Said>).detail, true);
@@ -534,10 +573,19 @@ export class App extends LitElement {
         this.tell(null);
         this.renderRoot.querySelector<PastePart>("tp-paste")?.open();
       },
-      reset: () => {
-        // The question names the cycle; nothing else of the frame follows the job, so a keystroke does not render it.
+      reset: async () => {
+        await this.use("cycles");
+        store.reset();
+        this.tell([w("The form is put back to its defaults. Undo brings back what was there")], true);
+      },
+      undo: () => store.undo(),
+      cam: () => {
+        store.cam = !store.cam;
         this.requestUpdate();
-        open("ask-reset");
+      },
+      commands: async () => {
+        if (!(await this.loads("commands"))) return;
+        await this.renderRoot.querySelector<CommandsPart>("tp-commands")?.open();
       },
       save: () => this.outlet.program(),
       sheet: () => store.withheld === null && this.use("sheet"),
@@ -554,6 +602,33 @@ export class App extends LitElement {
       "save-picture": () => this.outlet.picture(),
     };
     await actions[what]?.();
+  }
+
+  /** To a page of the manual. */
+  private async about(topic: string): Promise<void> {
+    this.topic = topic;
+    await this.use("manual");
+  }
+
+  /** Chooses a cycle or a control by its path and its name. */
+  private async choose(what: string): Promise<void> {
+    const [path, name = ""] = what.split(":");
+    await this.use("cycles");
+    const { store } = this;
+    if (path === "cycle.type") store.choose(name as Job["cycle"]["type"]);
+    else if (store.formsOf(name, store.cycle.type).length > 0) store.chooseControl(name);
+    else this.tell([w("{control} has no program for this cycle"), store.postOf(name)?.title ?? name], true);
+  }
+
+  /** The job for a machine that was kept. */
+  private machine(preset: Preset): void {
+    try {
+      this.store.usePreset(preset);
+      this.tell([w("The job is now for {machine}"), preset.name], true);
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      this.tell([w("{reason}"), this.store.why(thrown)], true);
+    }
   }
 
   /** Light or dark: what the page around wants, or the system. */

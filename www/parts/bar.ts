@@ -1,15 +1,36 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { CycleEntry } from "../core/browser.js";
+import { type CycleEntry, defaultJob, type Finding } from "../core/browser.js";
+import { alike, type Draft } from "../job.js";
+import { convertedPreset, type Preset, presets, SECTIONS } from "../presets.js";
+import { w } from "../words.js";
+import { Drawing } from "./drawing.js";
 import { FieldPart } from "./field.js";
 import { saveButton } from "./save.js";
 
-/** Where a cycle of the control itself says what it sets. */
-const SETS = "cycle.confirmRotation";
+/** What a cycle of the control itself can set, as the values of its fields, and what that is called. */
+const SETS: [confirmRotation: number, transferPosition: number, words: string][] = [
+  [0, 0, w("measures only")],
+  [1, 0, w("sets basic rotation")],
+  [1, 3, w("sets basic rotation and preset X Y, mean of both circles")],
+  [1, 1, w("sets basic rotation and preset X Y by circle 1")],
+  [1, 2, w("sets basic rotation and preset X Y by circle 2")],
+  [0, 3, w("sets preset X Y, mean of both circles")],
+];
 
-/** The head of the page: the job in one sentence, and what is handed out. */
+/** What always holds for a control, in so few words that they stand at its name; the gravest first. */
+const ALWAYS: Record<string, string> = {
+  "positioning-not-watched": w("positioning not watched"),
+  "units-not-stated": w("units not stated"),
+  "not-verified": w("not run on a control"),
+  "no-results-in-program": w("computes nothing"),
+};
+
+/** The head of the page: what is measured, on which machine, and what the program does with it; and what is handed out. */
 class BarPart extends FieldPart {
   /** Whether links to the job are handed out. */
   links = false;
+  /** Whether machines are kept in this browser. */
+  local = false;
   /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
   declare away: string;
   /** Whether the program is saved here. */
@@ -17,19 +38,27 @@ class BarPart extends FieldPart {
 
   static override properties = { away: { attribute: false }, saves: { attribute: false } };
 
+  /** The small drawing of the cycle, and the one that it is of. */
+  private drawing?: Drawing;
+  private drawn = "";
+
   override render(): TemplateResult {
     const { store } = this;
     const away = this.away !== "";
     const withheld = this.away || store.withheld;
+    const { cycle } = store;
     return html`
       <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>
-      ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("Cycle"))}
-      <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}>▦</button>
-      <span class="joined">${this.select("control.post", this.posts(), (id) => store.chooseControl(id), this.t("Control"))}${this.offset()}</span>
-      ${this.radios("units", ["mm", "inch"], (units) => store.setUnits(units as "mm" | "inch"), this.t("Units"))}
+      <div class="answer what"><span class="asks" aria-hidden="true">${this.t("What do you measure?")}</span><span class="joined">
+        <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}><canvas class="mini" aria-hidden="true"></canvas></button>
+        ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("What do you measure?"), { title: cycle.says })}</span></div>
+      <div class="answer where"><span class="asks"><span aria-hidden="true">${this.t("On which machine?")}</span> ${this.always()}</span>${this.machine()}</div>
+      <div class="answer then"><span class="asks" aria-hidden="true">${this.t("What shall it do?")}</span><span class="joined">${this.does()}</span></div>
+      <div class="answer in"><span class="asks" aria-hidden="true">${this.t("Units")}</span>${this.radios("units", ["mm", "inch"], (units) => store.setUnits(units as "mm" | "inch"), this.t("Units"))}</div>
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
+      <button type="button" class="icon find" aria-label=${this.t("Find anything")} title=${`${this.t("Find anything")} (Ctrl+K)`} @click=${() => this.ask("commands")}><span aria-hidden="true">⌕</span></button>
       <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || away} @click=${() => store.undo()}>↶</button>
       <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || away} @click=${() => store.redo()}>↷</button>
       <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>${this.t("Open")}</button>
@@ -41,61 +70,203 @@ class BarPart extends FieldPart {
     `;
   }
 
+  /** What holds for this control always: one mark at its name, and its page behind it. */
+  private always(): TemplateResult {
+    const { store } = this;
+    const found = new Set(store.findings.filter((f: Finding) => store.stands(f)).map((f) => f.code as string));
+    const code = Object.keys(ALWAYS).find((code) => found.has(code));
+    const grave = store.findings.some((f) => f.code === code && f.level === "warning");
+    const title = this.t("About {control}", store.post?.title ?? "");
+    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${code ? `${title}: ${this.t(ALWAYS[code] as string)}` : title} title=${title} @click=${() => this.about(`control:${store.post?.id}`)}>${code ? this.t(ALWAYS[code] as string) : nothing} <span class="i" aria-hidden="true">i</span></button>`;
+  }
+
+  private about(topic: string): void {
+    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: topic }));
+  }
+
   /** Under their source, whose name would leave no room for theirs: `ENCY/SprutCAM type 7` says the source and the number in it. */
   private cycles() {
+    const { store } = this;
     const last = Number.POSITIVE_INFINITY;
-    const sorted = [...this.store.catalog.cycles].sort((a, b) => (a.number ?? last) - (b.number ?? last));
+    const still = (cycle: CycleEntry) => cycle.steps.length === 0 && !store.cam && cycle.type !== store.cycle.type;
+    const sorted = store.catalog.cycles
+      .filter((cycle) => !still(cycle))
+      .sort((a, b) => (a.number ?? last) - (b.number ?? last));
     return sorted.map(({ type, title, source }) => {
       const [under = "", ...number] = source.split(" ");
-      return { value: type, under, label: `${title} · ${number.join(" ")}` };
+      return { value: type, under, label: store.cam ? `${title} · ${number.join(" ")}` : title };
     });
   }
 
-  /** Controls that do not take this cycle are shown, with the reason, and cannot be chosen. */
+  /** Machines that were kept, and the controls. A control that does not take this cycle says why when it is chosen. */
+  private machine(): TemplateResult {
+    const { store } = this;
+    const kept = this.local ? (presets() ?? []) : [];
+    const used = kept.find((one) => this.isUsed(one));
+    const path = "control.post";
+    const value = used ? `machine:${used.name}` : store.get(path);
+    const machines = kept.map(({ name }) => ({ value: `machine:${name}`, label: name, under: this.t("My machines") }));
+    const posts = this.posts().map((post) => ({ ...post, under: kept.length ? this.t("Controls") : "" }));
+    const keep = { value: "keep:", label: this.t("Keep this machine …"), under: kept.length ? this.t("My machines") : " " };
+    const choices = this.local ? (kept.length ? [...machines, keep, ...posts] : [...posts, keep]) : posts;
+    const name = this.t("On which machine?");
+    return this.select(path, choices, (chosen) => this.chooseMachine(chosen, kept), name, { title: store.post?.title, value });
+  }
+
+  private chooseMachine(chosen: string, kept: Preset[]): void {
+    const { store } = this;
+    const preset = kept.find(({ name }) => chosen === `machine:${name}`);
+    const why = this.posts().find(({ value }) => value === chosen)?.not;
+    if (chosen === "keep:") this.ask("presets");
+    else if (preset) this.dispatchEvent(new CustomEvent("machine", { bubbles: true, detail: preset }));
+    else if (why)
+      this.dispatchEvent(
+        new CustomEvent("say", {
+          bubbles: true,
+          detail: [w("{control} has no program for this cycle: {why}"), store.postOf(chosen)?.title ?? chosen, why],
+        }),
+      );
+    else store.chooseControl(chosen);
+    // What could not be taken does not stay in the list.
+    this.requestUpdate();
+  }
+
+  /** Whether the job is for this machine as it was kept. */
+  private isUsed(preset: Preset): boolean {
+    const { draft, units } = this.store;
+    const held = convertedPreset(preset, units);
+    const { workOffset: _, ...control } = draft.control as Draft;
+    const now: Draft = { ...draft, control };
+    const { control: kept, ...rest } = held.sections as { control?: Draft };
+    const { workOffset: __, ...keptControl } = kept ?? {};
+    const sections: Draft = kept ? { ...rest, control: keptControl } : rest;
+    return (
+      isSame(held.overtravel, draft.overtravel) && SECTIONS.every((key) => isSame(sections[key] as unknown, now[key]))
+    );
+  }
+
+  /** Controls that do not take this cycle are shown, with the reason. */
   private posts() {
     const { type } = this.store.cycle;
     return this.store.catalog.posts.map((post) => {
       const forms = post.cycles.filter((c) => c.type === type);
       const takes = forms.some((c) => c.supported);
       const reason = forms.find((c) => !c.supported)?.reason ?? this.t("It has no program for this cycle");
-      return { value: post.id, label: post.title, ...(takes ? {} : { not: reason }) };
+      return { value: post.id, label: takes ? post.title : `${post.title} –`, ...(takes ? {} : { not: reason }) };
     });
   }
 
-  /** The work offset; where the control has none, what the program does: a cycle of the control has fields for that. */
-  private offset(): TemplateResult {
+  /** What is written: a work offset; where the control's own cycle writes by itself, what that sets; where it has none, what the program does. */
+  private does(): TemplateResult {
     const { store } = this;
-    const none = store.post?.workOffsets === 0 || store.ownPreset(store.get("control.post"), store.cycle.type);
+    const own = store.ownPreset(store.get("control.post"), store.cycle.type);
+    const none = store.post?.workOffsets === 0 || own;
     if (none && (store.get("control.workOffset") ?? null) === null) {
-      const does = store.stale ? this.t("no program") : store.does;
-      const go = () => this.dispatchEvent(new CustomEvent("go", { detail: SETS, bubbles: true }));
-      return store.fieldAt(SETS)
-        ? html`<button type="button" class="does" title=${this.t("Choose what it sets")} @click=${go}>${does}</button>`
-        : html`<span class="does" role="note">${does}</span>`;
+      if (store.fieldAt("cycle.confirmRotation") && own) return this.sets();
+      return html`<span class="does" role="note">${store.stale ? this.t("no program") : store.does}</span>`;
     }
-    const choose = (n: string) => store.put("control.workOffset", n === "" ? null : Number(n));
-    return this.select("control.workOffset", this.offsets(), choose, this.t("Work offset"));
+    const choose = (n: string) => {
+      if (n === "judge") this.dispatchEvent(new CustomEvent("go", { detail: "limits.size", bubbles: true }));
+      else store.put("control.workOffset", n === "" ? null : Number(n));
+      this.requestUpdate();
+    };
+    const { offsets, paged } = this.offsets();
+    const first = paged?.first ?? 0;
+    const value = store.get("control.workOffset") ?? null;
+    const inPages = paged && typeof value === "number" && value >= first;
+    return html`${this.select("control.workOffset", offsets, choose, this.t("What shall it do?"), { value: inPages ? first : value })}${
+      inPages && paged
+        ? html`<label class="page"><span>${paged.word}</span><input type="text" inputmode="numeric" id="offset-page" aria-label=${this.t("Number after {word}", paged.word)} .value=${String(value - first + 1)}
+            @change=${(e: Event) => this.page(e.target as HTMLInputElement, first, paged.count)} /></label>`
+        : nothing
+    }`;
   }
 
+  /** The number of an offset such as G154 P12; what is no such number changes nothing. */
+  private page(box: HTMLInputElement, first: number, count: number): void {
+    const page = Number(box.value);
+    if (Number.isInteger(page) && page >= 1 && page <= count) this.store.put("control.workOffset", first + page - 1);
+    else {
+      this.dispatchEvent(
+        new CustomEvent("say", { bubbles: true, detail: [w("Enter a whole number from 1 to {most}"), String(count)] }),
+      );
+      this.requestUpdate();
+      box.value = String(Number(this.store.get("control.workOffset")) - first + 1);
+    }
+  }
+
+  /** What the control's own cycle sets by itself. */
+  private sets(): TemplateResult {
+    const { store } = this;
+    const cycle = store.draft.cycle as Draft;
+    const is = `${cycle.confirmRotation} ${cycle.transferPosition}`;
+    const known = SETS.map(([rotation, position, words]) => ({ value: `${rotation} ${position}`, label: this.t(words) }));
+    const other = known.some(({ value }) => value === is) ? [] : [{ value: is, label: store.does }];
+    const take = (chosen: string) => {
+      const [confirmRotation, transferPosition] = chosen.split(" ").map(Number);
+      store.put("cycle", { ...cycle, confirmRotation, transferPosition });
+    };
+    return this.select("cycle.confirmRotation", [...known, ...other], take, this.t("What shall it do?"), { value: is, id: "does" });
+  }
+
+  /** The work offsets; the many of one word, such as G154 P1 to P99, are one entry with a number. */
   private offsets() {
     const { store } = this;
     const { post } = store;
     const value = store.get("control.workOffset") ?? null;
-    const most = Math.max(post?.workOffsets ?? 0, typeof value === "number" ? Math.min(value, 99) : 0);
-    // `G154 P1` and its kin under one heading.
-    const under = (i: number) => /^(\S+) P\d+$/.exec(post?.workOffsetWords[i] ?? "")?.[1] ?? "";
-    const numbers = Array.from({ length: most }, (_, i) => ({
-      value: i + 1,
-      label: store.writes(i + 1),
-      under: under(i),
-    }));
+    const words = post?.workOffsetWords ?? [];
+    const start = words.findIndex((word) => /^\S+ P\d+$/.test(word));
+    const single = start < 0 ? (post?.workOffsets ?? 0) : start;
+    const known = post?.workOffsets ?? 0;
+    const most = start < 0 ? Math.max(single, typeof value === "number" ? Math.min(value, 99) : 0) : single;
+    const numbers = Array.from({ length: most }, (_, i) => ({ value: i + 1 as number | null | string, label: store.writes(i + 1) }));
+    const word = words[start]?.replace(/\d+$/, "") ?? "";
+    const paged = start < 0 ? null : { first: start + 1, count: known - start, word };
+    if (paged) numbers.push({ value: paged.first, label: store.t("writes {offset}", `${word}…`) });
+    if (start >= 0 && typeof value === "number" && value > known) numbers.push({ value, label: store.writes(value) });
     const none = value === null && !store.stale ? store.does : this.t("measures only");
-    return [{ value: null, label: none }, ...numbers];
+    const judge = store.fieldAt("limits.size") && store.cycle.touches ? [{ value: "judge", label: this.t("judge: limits …") }] : [];
+    return { offsets: [{ value: null as number | null | string, label: none }, ...numbers, ...judge], paged };
+  }
+
+  protected override updated(changed: Map<PropertyKey, unknown>): void {
+    super.updated(changed);
+    const { type } = this.store.cycle;
+    const canvas = this.querySelector<HTMLCanvasElement>("canvas.mini");
+    if (!canvas || !canvas.checkVisibility()) return;
+    if (this.drawing && this.drawn === type) return;
+    this.drawn = type;
+    const show = (view: { showSmall(job: unknown): boolean }) => view.showSmall(defaultJob(type));
+    if (this.drawing) this.drawing.use(show);
+    this.drawing ??= new Drawing(canvas, show);
+    this.drawing.restyle();
+  }
+
+  private readonly repaint = () => this.drawing?.restyle();
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.store.addEventListener("recolour", this.repaint);
+    this.requestUpdate();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.store.removeEventListener("recolour", this.repaint);
+    this.drawing?.free();
+    this.drawing = undefined;
   }
 
   private ask(what: string): void {
     this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: what }));
   }
+}
+
+/** Whether a machine that was kept says the same: what it does not say is not asked. */
+function isSame(kept: unknown, now: unknown): boolean {
+  if (kept === undefined) return true;
+  if (typeof kept !== "object" || kept === null || typeof now !== "object" || now === null) return alike(kept, now);
+  return Object.entries(kept).every(([key, value]) => alike(value, (now as Draft)[key] ?? null));
 }
 
 customElements.define("tp-bar", BarPart);

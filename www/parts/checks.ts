@@ -8,8 +8,8 @@ import { Part } from "./part.js";
 type Row = Plan["safety"][number];
 
 /** What a rule came to: a sign that is no colour alone, and a word for who hears it. */
-function sign(row: Row): { mark: string; word: string } {
-  if (row.holds === null) return { mark: "–", word: w("this control cannot") };
+function sign(row: Row, own: boolean): { mark: string; word: string } {
+  if (row.holds === null) return { mark: "–", word: own ? w("the control's own cycle does it") : w("this control cannot") };
   return row.holds ? { mark: "✓", word: w("holds") } : { mark: "!", word: w("does not hold") };
 }
 
@@ -27,10 +27,17 @@ export function checked(store: Store): string {
         : "",
     good ? store.t("{count} safety rules hold", good) : "",
     bad === 1 ? store.t("1 does not") : bad ? store.t("{count} do not", bad) : "",
-    unable ? store.t("{count} this control cannot hold", unable) : "",
+    unable ? unheld(store, unable) : "",
   ]
     .filter(Boolean)
     .join("; ");
+}
+
+/** Of how many rules the program can say nothing: the control's own cycle does it, or the control cannot. */
+function unheld(store: Store, count: number): string {
+  return store.ownCycle
+    ? store.t("{count} are the work of the control's own cycles", count)
+    : store.t("{count} this control cannot hold", count);
 }
 
 /** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */
@@ -42,7 +49,8 @@ class ChecksPart extends Part {
   private open = false;
 
   override render(): TemplateResult {
-    const { plan, stale, findings } = this.store;
+    const { plan, stale, ofJob: findings, post } = this.store;
+    const always = this.store.findings.filter((f) => this.store.stands(f));
     const sorted = LEVELS.flatMap((level) => findings.filter((f) => f.level === level));
     const bad = plan.safety.some((row) => row.holds === false);
     // Where one reason is that of every rule, it is said once.
@@ -59,6 +67,7 @@ class ChecksPart extends Part {
             ${shared ? html`<p class="proof">${this.store.say(shared)}</p>` : nothing}
             <ul class="checks">${plan.safety.map((row) => this.row(row, shared === null))}</ul>`
       }
+      ${always.length ? html`<h2>${this.t("Always, on {control}", post?.title ?? "")} <button type="button" class="quiet" @click=${() => this.about()}>${this.t("About it")}</button></h2><ul class="found">${always.map((f) => this.finding(f))}</ul>` : nothing}
       <details class="controls" @toggle=${this.toggle}>
         <summary>${this.t("This job on every control")}</summary>
         ${this.open ? this.controls() : nothing}
@@ -117,7 +126,7 @@ class ChecksPart extends Part {
 
   /** A rule; `reason`: with why this control cannot hold it. */
   private row(row: Row, reason: boolean): TemplateResult {
-    const { mark, word } = sign(row);
+    const { mark, word } = sign(row, this.store.ownCycle);
     const rule = this.store.catalog.rules.find((rule) => rule.name === row.rule);
     const unable = row.holds === null;
     return html`<li class=${row.holds === false ? "warning" : ""} title=${rule ? `${rule.why} (${rule.name})` : nothing}><span class="mark" role="img" aria-label=${this.t(word)}>${mark}</span>
@@ -135,6 +144,10 @@ class ChecksPart extends Part {
     if (!this.linked) return html` <small>${says}</small>`;
     const show = () => this.dispatchEvent(new CustomEvent("lines", { detail: shown, bubbles: true }));
     return html` <button type="button" class="quiet" title=${this.t("Show in the program")} @click=${show}>${says}</button>`;
+  }
+
+  private about(): void {
+    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: `control:${this.store.post?.id}` }));
   }
 
   private go(event: Event, path: string): void {

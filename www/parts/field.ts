@@ -13,7 +13,7 @@ export interface Placed {
 interface Choice {
   value: string | number | null;
   label: string;
-  /** Why it cannot be chosen here; it can still be shown. */
+  /** Why it cannot be taken here: whoever chooses it is told. */
   not?: string;
   /** The heading that it stands under; choices under the same one follow each other. */
   under?: string;
@@ -120,20 +120,26 @@ export abstract class FieldPart extends Part {
   }
 
   /** A choice from a list; one that is not of the list is shown as it is. */
-  protected select(path: string, choices: Choice[], take: (value: string) => void, name?: string): TemplateResult {
+  protected select(
+    path: string,
+    choices: Choice[],
+    take: (value: string) => void,
+    name?: string,
+    shown: { title?: string; value?: unknown; id?: string } = {},
+  ): TemplateResult {
     const held = this.store.get(path);
-    const value = held === undefined ? this.fallback(path) : held;
+    const value = shown.value !== undefined ? shown.value : held === undefined ? this.fallback(path) : held;
     const known = choices.some((c) => c.value === value);
-    return html`<span class=${`choice ${this.level(path)}`}><select id=${`f-${path}`} aria-label=${name ?? nothing} aria-describedby=${`h-${path} e-${path}`}
+    return html`<span class=${`choice ${this.level(path)}`}><select id=${shown.id ?? `f-${path}`} aria-label=${name ?? nothing} title=${shown.title ?? nothing} aria-describedby=${`h-${path} e-${path}`}
         aria-invalid=${this.isBad(path) ? "true" : "false"} @focus=${() => this.store.focus(path)}
         @change=${(e: Event) => take((e.target as HTMLSelectElement).value)}>
         ${known ? nothing : html`<option value=${String(value)} .selected=${live(true)} disabled>${String(value)}</option>`}
         ${headed(choices).map(([under, those]) => {
           const options = those.map(
             (c) =>
-              html`<option value=${c.value ?? ""} title=${c.not ?? nothing} ?disabled=${c.not !== undefined} .selected=${live(c.value === value)}>${c.label}</option>`,
+              html`<option value=${c.value ?? ""} title=${c.not ?? nothing} class=${c.not === undefined ? nothing : "not"} .selected=${live(c.value === value)}>${c.label}</option>`,
           );
-          return under ? html`<optgroup label=${under}>${options}</optgroup>` : options;
+          return under.trim() ? html`<optgroup label=${under}>${options}</optgroup>` : options;
         })}
       </select></span>`;
   }

@@ -38,7 +38,8 @@ class FindingsPart extends Part {
   static override properties = { said: { attribute: false }, saves: { attribute: false } };
 
   override render(): TemplateResult {
-    const { findings, stale } = this.store;
+    // What holds for the control always stands at its name.
+    const { ofJob: findings, stale } = this.store;
     const of = (level: Finding["level"]) => findings.filter((f) => f.level === level);
     const words = LEVELS.flatMap((level) => {
       const n = of(level).length;

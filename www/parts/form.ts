@@ -1,5 +1,6 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { FieldEntry, Finding } from "../core/browser.js";
+import { alike } from "../job.js";
 import { deviations } from "../sentences.js";
 import { sizeField } from "../store.js";
 import { w } from "../words.js";
@@ -16,6 +17,7 @@ const TOUCH: FieldEntry = {
   above: false,
   usual: null,
   default: 0,
+  defaultInch: 0,
   null: null,
   choices: [],
   code: null,
@@ -26,8 +28,8 @@ const TOUCH: FieldEntry = {
 
 /** What stands in the bar, not in the form. */
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
-/** What a folded group says first. */
-const FIRST = new Set(["feeds.work", "stylus.diameter"]);
+/** What a folded group says in any case. */
+const FIRST = new Set(["feeds.work", "stylus.diameter", "name"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
 /** What only touches need. */
@@ -35,6 +37,10 @@ const OF_TOUCHES = /^(stylus|feeds|limits|machine|part|overtravel|control\.(prot
 /** As many touches are listed; no cycle takes as many. */
 const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
+/** What only the author of a postprocessor needs. */
+const FOR_CAM = /^Postprocessor/;
+/** The order of the groups that stand around the cycle's own. */
+const ORDER = ["Probe", "Feeds and limits", "Program and machine", "Tool length (SINUMERIK)", VIRTUAL];
 /** Groups of the cycle that are folded at first, as those around it are. */
 const FOLDED = /^(Postprocessor|After probing)/;
 
@@ -59,7 +65,7 @@ class FormPart extends FieldPart {
       )}</nav>
       <form @submit=${(event: Event) => event.preventDefault()} @entered=${(e: CustomEvent<HTMLElement>) => this.next(e.detail)} autocomplete="off">
         ${groups.map(([name, fields]) => this.group(name, fields))}
-        ${this.store.cycle.touches ? this.touches() : nothing}
+        ${this.store.cycle.touches && (this.store.cam || this.isPicked) ? this.touches() : nothing}
       </form>
     `;
   }
@@ -100,6 +106,8 @@ class FormPart extends FieldPart {
       const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
       const idle = (maxTouches === 0 && OF_TOUCHES.test(path)) || !this.store.counts(path, field);
       if (idle && !mended) return;
+      const asked = this.store.cam || !FOR_CAM.test(group) || !alike(this.store.get(path), this.store.begins(field));
+      if (!asked && !mended) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
       groups.set(group, list);
@@ -108,8 +116,10 @@ class FormPart extends FieldPart {
     for (const field of this.store.cycle.fields) add(`cycle.${field.key}`, field);
     for (const { key, optional, fields } of this.store.cycle.sections) {
       if (optional) this.optional.set(fields[0]?.group ?? key, { path: `cycle.${key}`, fields });
-      if (optional && this.store.get(`cycle.${key}`) === null) groups.set(fields[0]?.group ?? key, []);
-      else for (const field of fields) add(`cycle.${key}.${field.key}`, field);
+      const group = fields[0]?.group ?? key;
+      if (optional && this.store.get(`cycle.${key}`) === null) {
+        if (this.store.cam || !FOR_CAM.test(group)) groups.set(group, []);
+      } else for (const field of fields) add(`cycle.${key}.${field.key}`, field);
     }
     for (const { path, fields } of sections) {
       // A cycle with a touch probe table of its own has its own feeds and search length.
@@ -122,8 +132,12 @@ class FormPart extends FieldPart {
     for (const field of this.store.cycle.fields.filter((f) => f.size))
       add(`part.sizes.${field.key}`, sizeField(field, this.store.words) as FieldEntry, VIRTUAL);
     // The postprocessor's own fields are rarely touched.
-    const order = (name: string) => (name.startsWith("Postprocessor") ? 1 : name === VIRTUAL ? 2 : 0);
+    const order = (name: string) => (FOR_CAM.test(name) ? ORDER.length - 1.5 : ORDER.indexOf(name));
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
+  }
+
+  private get isPicked(): boolean {
+    return Boolean(this.store.get("cycle.touches")) || this.levels("cycle.touches").length > 0;
   }
 
   private group(name: string, fields: Placed[]): TemplateResult {
@@ -223,7 +237,8 @@ class FormPart extends FieldPart {
   private summary(name: string, fields: Placed[]): string {
     if (name === VIRTUAL) return deviations(this.store).join(" · ") || this.t("nominal");
     // What is at fault first, then the feed that the probe meets the part with, and its ball.
-    const rank = ({ path }: Placed) => (this.levels(path).length > 0 ? 0 : FIRST.has(path) ? 1 : 2);
+    const faulty = (path: string) => this.levels(path).some((level) => level !== "info");
+    const rank = ({ path }: Placed) => (faulty(path) ? 0 : FIRST.has(path) ? 1 : 2);
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
     // In German a noun has its capital anywhere.
     const inside = (label: string) =>
@@ -231,7 +246,13 @@ class FormPart extends FieldPart {
         ? `${label.charAt(0).toLowerCase()}${label.slice(1)}`
         : label;
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
-    const words = sorted.flatMap(({ field, path }) => {
+    // What stands as in a new job is not worth the line.
+    const said = sorted.filter(({ field, path }) => {
+      const own = this.store.cycle.fields.includes(field);
+      const usual = alike(this.store.get(path) ?? null, this.store.begins(field) ?? null);
+      return own || FIRST.has(path) || !usual || faulty(path);
+    });
+    const words = said.flatMap(({ field, path }) => {
       const value =
         this.store.typed.get(path) ?? this.store.get(path) ?? (field.null ? null : this.store.standIn(field));
       if (value === undefined || value === "" || field.kind === "flag") return value === true ? [field.label] : [];
@@ -255,7 +276,7 @@ class FormPart extends FieldPart {
   private switch(group: string): TemplateResult | typeof nothing {
     const section = this.optional.get(group);
     if (!section) return nothing;
-    const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.standIn(f) ?? null]));
+    const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.begins(f) ?? null]));
     return html`<div class="row"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
       @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${this.t("Use it")}</label></div>`;
   }
@@ -315,10 +336,10 @@ class FormPart extends FieldPart {
   private field(placed: Placed): TemplateResult {
     const { field, path } = placed;
     const row = (body: TemplateResult) =>
-      html`<div class="row"><label for=${`f-${path}`}>${field.label}</label>${body}${this.said(placed)}</div>`;
+      html`<div class="row"><label for=${`f-${path}`} title=${field.help}>${field.label}</label>${body}${this.said(placed)}</div>`;
     switch (field.kind) {
       case "flag":
-        return html`<div class="row"><label class="check"><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true}
+        return html`<div class="row"><label class="check" title=${field.help}><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true}
           aria-describedby=${`h-${path} e-${path}`} @focus=${() => this.store.focus(path)}
           @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>${this.said(placed)}</div>`;
       case "choice":
@@ -338,7 +359,7 @@ class FormPart extends FieldPart {
       case "nominalPoint":
       case "point":
         return html`<div class="row whole" role="group" aria-label=${field.label}>
-          <span class="label">${field.label}</span>
+          <span class="label" title=${field.help}>${field.label}</span>
           <div class="point">
             ${["X", "Y", "Z"].map((axis, i) => html`<span class="axis"><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`)}<span class="unseen" id=${`h-${path}[${i}]`}>${field.help}</span></span>`)}
           </div>
@@ -367,7 +388,7 @@ class FormPart extends FieldPart {
 
   /** A rate to start from where one was not wanted before. */
   private rate(field: FieldEntry): number {
-    const stand = this.store.standIn(field);
+    const stand = this.store.begins(field);
     return typeof stand === "number" ? stand : this.store.units === "inch" ? 80 : 2000;
   }
 

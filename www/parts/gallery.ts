@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type CycleEntry, defaultJob, plan } from "../core/browser.js";
+import { type CycleEntry, catalog, defaultJob, plan } from "../core/browser.js";
+import { found, LENGTHS, textOf } from "../search.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
@@ -28,27 +29,14 @@ function groupOf(cycle: CycleEntry): string {
   return WORDS.find(([word]) => word.test(cycle.type))?.[1] ?? "others";
 }
 
-/** What else people call what a cycle probes, by a part of its type. */
-const ALSO: [RegExp, string][] = [
-  [/internal-rectangle/, w("pocket")],
-  [/external-rectangle/, w("island block outside")],
-  [/hole/, w("bore inside diameter")],
-  [/boss/, w("stud pin shaft outside diameter")],
-  [/groove/, w("slot inside width")],
-  [/web/, w("rib ridge bar outside width")],
-  [/internal-corner/, w("inside corner")],
-  [/external-corner/, w("outside corner")],
-  [/circles/, w("two holes bores studs bolt circle alignment")],
-  [/surface/, w("face plane single point height")],
-];
-
 /** The touches of each cycle's default job. */
 const COUNTS = new Map<string, number>();
 
-/** Every cycle with a small drawing of its default job, made by the same code as the large picture. */
+/** What can be measured: every cycle with a sentence and a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends Part {
   protected override follows = ["change"];
   private query = "";
+  private readonly english = catalog().cycles;
   private readonly drawings = new Map<string, Drawing>();
 
   override connectedCallback(): void {
@@ -64,34 +52,49 @@ class GalleryPart extends Part {
   }
 
   override render(): TemplateResult {
+    const { store } = this;
     const last = Number.POSITIVE_INFINITY;
-    const all = [...this.store.catalog.cycles].sort((a, b) => (a.number ?? last) - (b.number ?? last));
-    const found = all.filter((cycle) => this.finds(cycle));
+    // What moves nothing is for the authors of postprocessors.
+    const all = store.catalog.cycles
+      .filter((cycle) => store.cam || cycle.steps.length > 0)
+      .sort((a, b) => (a.number ?? last) - (b.number ?? last));
+    const search = found([...all, null], this.query, (cycle) => (cycle ? this.text(cycle) : this.lengths()));
+    const cycles = search.things.filter((cycle) => cycle !== null);
+    const tool = search.things.includes(null);
     return html`
+      <h2>${this.t("What do you measure?")}</h2>
       <div class="tools">
-        <input class="filter" type="search" placeholder=${this.t("Search: name or type number")} aria-label=${this.t("Search the cycles")} .value=${this.query}
+        <input class="filter" type="search" placeholder=${this.t("Search: island, edge, rotation, vise, G54 …")} aria-label=${this.t("Search the cycles")} .value=${this.query}
           @input=${(e: Event) => {
             this.query = (e.target as HTMLInputElement).value;
             this.requestUpdate();
           }}
-          @keydown=${(e: KeyboardEvent) => this.key(e, found[0])} />
-        <span role="status" class="told">${this.t("{count} of {all} cycles", found.length, this.store.catalog.cycles.length)}</span>
+          @keydown=${(e: KeyboardEvent) => this.key(e, cycles[0], tool)} />
+        <span role="status" class="told">${search.all || search.things.length === 0 ? this.t("{count} of {all} cycles", cycles.length, all.length) : this.t("Nothing has all of these words; these have some of them")}</span>
       </div>
-      ${found.length === 0 ? html`<p>${this.t("No cycle is called so.")} <button type="button" @click=${this.showAll}>${this.t("Show all")}</button></p>` : nothing}
+      ${search.things.length === 0 ? html`<p>${this.t("No cycle is found by these words.")} <button type="button" @click=${this.showAll}>${this.t("Show all")}</button></p>` : nothing}
       <div class="groups">${GROUPS.map(([name, of]) => {
-        const cycles = all.filter((cycle) => groupOf(cycle) === of);
-        const shown = cycles.filter((cycle) => found.includes(cycle)).length;
-        return html`<section ?hidden=${shown === 0} aria-label=${this.t(name)}><h2>${this.t(name)}</h2>
-        <ul class="cards">${cycles.map(
-          (cycle) => html`<li ?hidden=${!found.includes(cycle)}>
+        const members = all.filter((cycle) => groupOf(cycle) === of);
+        const shown = members.filter((cycle) => cycles.includes(cycle)).length;
+        return html`<section ?hidden=${shown === 0} aria-label=${this.t(name)}><h3>${this.t(name)}</h3>
+        <ul class="cards">${members.map((cycle) => this.card(cycle, cycles.includes(cycle)))}</ul></section>`;
+      })}
+      <section ?hidden=${!tool} aria-label=${this.t("Another tool")}><h3>${this.t("Another tool")}</h3>
+        <ul class="cards"><li><button type="button" @click=${this.toLengths}>
+          <span class="still" aria-hidden="true">L1 L2 L3</span><b>${this.t("Tool lengths")}</b><small>${this.t("SINUMERIK: which tool length acts on which axis (LENTOAX), with a frame and a plane.")}</small></button></li></ul></section></div>
+    `;
+  }
+
+  private card(cycle: CycleEntry, shown: boolean): TemplateResult {
+    const own = this.own(cycle);
+    return html`<li ?hidden=${!shown}>
           <button type="button" data-type=${cycle.type} aria-current=${cycle.type === this.store.cycle.type ? "true" : "false"} @click=${() => this.choose(cycle)}>
             ${cycle.steps.length ? html`<canvas aria-hidden="true"></canvas>` : html`<span class="still">${this.t("rows of the table, no motion")}</span>`}
             <b>${cycle.title}</b>
-            ${[cycle.source, this.touches(cycle), this.own(cycle)].map((words) => (words ? html`<small>${words}</small>` : nothing))}
-          </button></li>`,
-        )}</ul></section>`;
-      })}</div>
-    `;
+            <small>${cycle.says}</small>
+            <small class="source">${[cycle.source, this.touches(cycle), own].filter(Boolean).join(" · ")}</small>
+          </button>
+          <button type="button" class="icon about" aria-label=${this.t("About {cycle}", cycle.title)} title=${this.t("About {cycle}", cycle.title)} @click=${() => this.about(cycle)}><span class="i" aria-hidden="true">i</span></button></li>`;
   }
 
   protected override firstUpdated(): void {
@@ -108,19 +111,19 @@ class GalleryPart extends Part {
     return known === 1 ? this.t("1 touch") : this.t("{count} touches", known);
   }
 
-  /** The controls that have it as a cycle of their own; as plain moves most controls take every cycle. */
+  /** Whether the control of the job has it as a cycle of its own. */
   private own({ type }: CycleEntry): string {
-    const calls = this.store.catalog.posts.filter((post) =>
-      post.cycles.some((c) => c.type === type && c.form === "cycle" && c.supported),
-    );
-    return calls.length === 0 ? "" : this.t("own cycle of {control}", calls.map((post) => post.title).join(", "));
+    const { post } = this.store;
+    return post && this.store.formsOf(post.id, type).includes("cycle") ? this.t("own cycle of {control}", post.title) : "";
   }
 
   /** Enter takes the first that is found. The key is used up: it must not press the button that gets the focus. */
-  private key(event: KeyboardEvent, first: CycleEntry | undefined): void {
-    if (event.key !== "Enter" || !first || this.query.trim() === "") return;
+  private key(event: KeyboardEvent, first: CycleEntry | undefined, tool: boolean): void {
+    if (event.key !== "Enter" || this.query.trim() === "") return;
+    if (first) this.choose(first);
+    else if (tool) this.toLengths();
+    else return;
     event.preventDefault();
-    this.choose(first);
   }
 
   private readonly showAll = (): void => {
@@ -129,18 +132,27 @@ class GalleryPart extends Part {
     this.querySelector<HTMLInputElement>("input")?.focus();
   };
 
-  /** A number is a type's; words must all be in the name, the source, or what else it is called. */
-  private finds(cycle: CycleEntry): boolean {
-    const also = ALSO.filter(([of]) => of.test(cycle.type)).flatMap(([, words]) => [words, this.t(words)]);
-    const text = [cycle.title, cycle.source, cycle.type, ...also].join(" ").toLowerCase();
-    const words = this.query.toLowerCase().split(/\s+/).filter(Boolean);
-    return words.every((word) => (/^\d+$/.test(word) ? new RegExp(`\\b${word}\\b`).test(text) : text.includes(word)));
+  private text(cycle: CycleEntry): string {
+    const english = this.english.find(({ type }) => type === cycle.type) ?? cycle;
+    return textOf(cycle, english, (text) => this.t(text));
+  }
+
+  private lengths(): string {
+    return [this.t("Tool lengths"), LENGTHS, this.t(LENGTHS)].join(" ").toLowerCase();
   }
 
   private choose(cycle: CycleEntry): void {
     this.store.choose(cycle.type);
     this.dispatchEvent(new CustomEvent("chosen", { bubbles: true }));
   }
+
+  private about(cycle: CycleEntry): void {
+    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: `cycle:${cycle.type}` }));
+  }
+
+  private readonly toLengths = (): void => {
+    this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "lengths" }));
+  };
 
   private readonly paint = (): void => {
     for (const button of this.querySelectorAll<HTMLElement>("button[data-type]")) {

@@ -11,11 +11,12 @@ class HelpPart extends Part {
     const { focused } = this.store;
     const entry = focused === null ? undefined : this.store.fieldAt(focused);
     if (focused === null || !entry) {
-      return html`<p class="help">${this.store.cycle.title}, ${this.store.cycle.source}. ${this.t("Select a field to see its help.")}</p>`;
+      const { title, says, type } = this.store.cycle;
+      return html`<p><b>${title}</b></p><p class="help">${says} <button type="button" class="quiet" @click=${() => this.about(`cycle:${type}`)}>${this.t("About this cycle")}</button></p>`;
     }
     const found = this.store.at(focused);
     const { label, help, code, usual, range } = entry;
-    const stand = this.store.standIn(entry);
+    const stand = this.store.begins(entry);
     const standing = Array.isArray(stand) ? stand[Number(/\[(\d)\]/.exec(focused)?.[1] ?? 0)] : stand;
     const value = this.store.get(focused);
     const choice = entry.choices.find((c) => c.value === standing)?.label;
@@ -45,6 +46,10 @@ class HelpPart extends Part {
             }</p>`
       }
     `;
+  }
+
+  private about(topic: string): void {
+    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: topic }));
   }
 
   /** An end of a range in the job's units; where it is converted, of so many digits at most. */

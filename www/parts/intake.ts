@@ -9,6 +9,8 @@ interface Page {
   tell(text: string): void;
   /** Shows the job again, whatever is shown now. */
   showJob(): void;
+  /** What came in is of a CAM system: its author sees parameters and codes. */
+  forCam(): void;
   /** Whether the results are among the panels. */
   showsResults(): boolean;
   /** Shows the results, where measured points stand beside them. */
@@ -28,6 +30,12 @@ export interface Unread {
 
 /** A text of as many characters and more is read beside the page: below, that takes longer than the reading. */
 const LONG = 100_000;
+
+/** A shorter text is no program and no dump: a word that was meant for some field. */
+const SHORTEST = 8;
+
+/** A parameter table of a CAM system, as text. */
+const DUMP = /CmdPrm|\.Flt\[|\.Int\[/i;
 
 /** A program that is looked at without a job. */
 export interface Viewed {
@@ -100,6 +108,17 @@ export class Intake {
     if (length <= this.store.longest) return;
     event.preventDefault();
     this.page.tell(this.store.say(this.store.tooLong(length, "paste")));
+  };
+
+  /** Takes what was pasted beside every field: a file, or a text of more than a word. */
+  readonly paste = async (event: ClipboardEvent): Promise<void> => {
+    const file = event.clipboardData?.files[0];
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    if (!file && text.trim().length < SHORTEST) return;
+    event.preventDefault();
+    if (file) await this.file(file);
+    else if (text.length > this.store.longestProgram) this.page.tell(this.store.say(this.store.tooLong(text.length)));
+    else await this.text(text);
   };
 
   /** Takes the job of a link. The address forgets it, so that a reload keeps what is done since. */
@@ -220,6 +239,7 @@ export class Intake {
     const ofJob = new Set(this.store.findings.map((f) => f.message));
     const news = reading.findings.filter((f) => f.level !== "error" && !ofJob.has(f.message));
     const notes = news.map((f) => this.store.say(f.said));
+    if (DUMP.test(text) || news.some(({ code }) => code === "not-in-dump")) this.page.forCam();
     this.page.showJob();
     this.page.tell(notes.length > 1 ? notes.map((note) => `• ${note}`).join("\n") : (notes[0] ?? ""));
     return true;

@@ -10,6 +10,8 @@ const THEME_NAMES = { auto: w("as the system"), light: w("light"), dark: w("dark
 /** What can be done by the keyboard beyond Tab, Enter and the arrows of a control. */
 const KEYS: [string, string][] = [
   [w("Ctrl+Z, Ctrl+Y"), w("undo, redo: fields, choices, drags, files, Reset")],
+  [w("Ctrl+K"), w("find anything: cycles, fields, controls, actions")],
+  [w("Ctrl+V"), w("open what was copied: a dump, a program, a job, a log")],
   [w("Ctrl+S"), w("save the program")],
   [w("↑ ↓ in a number"), w("one step more or less; with Shift a tenth of it")],
   [w("Enter in a number"), w("work out a sum, and to the next field")],
@@ -26,7 +28,32 @@ const KEYS: [string, string][] = [
 ];
 
 /** What changes the job, or hands it out: not while something else is shown. */
-export const OF_THE_JOB = new Set(["redo", "save", "save-job", "save-picture", "share", "sheet", "presets", "reset"]);
+export const OF_THE_JOB = new Set(["undo", "redo", "save", "save-job", "save-picture", "share", "sheet", "presets", "reset"]);
+
+/** What can be done beside the form, for the list of everything. */
+export function actions({ store, links, local, away }: Frame): [what: string, name: string][] {
+  const { readonly, withheld } = store;
+  const t = (text: string) => store.t(text);
+  const all: [string, string, boolean][] = [
+    ["gallery", t("Choose the cycle from pictures"), !readonly],
+    ["open", t("Open a file"), !readonly],
+    ["paste", t("Paste"), !readonly],
+    ["save", t("Save the program"), withheld === null],
+    ["save-job", t("Save job"), true],
+    ["save-picture", t("Save the picture (SVG)"), withheld === null],
+    ["share", t("Copy a link to this job"), links],
+    ["sheet", t("Setup sheet to print"), withheld === null],
+    ["presets", t("My machines"), local && !readonly],
+    ["lengths", t("Tool lengths (SINUMERIK)"), true],
+    ["checks", t("Checks"), true],
+    ["undo", t("Undo"), store.canUndo],
+    ["redo", t("Redo"), store.canRedo],
+    ["reset", t("Reset"), !readonly],
+    ["keys", t("Keys"), true],
+    ["cam", store.cam ? t("For setters: hide parameters and codes") : t("For CAM: show parameters and codes"), true],
+  ];
+  return all.filter(([what, , is]) => is && !(away && OF_THE_JOB.has(what))).map(([what, name]) => [what, name]);
+}
 
 /** What menu and dialogs show of the frame, and what it does for them. */
 export interface Frame {
@@ -59,14 +86,17 @@ export function menu(frame: Frame): TemplateResult {
       ? html`<button type="button" class=${only || nothing} ?disabled=${disabled || (away && OF_THE_JOB.has(what))} @click=${() => frame.choose(what)}>${name}</button>`
       : nothing;
   const { withheld } = store;
-  const of = (what: string, name: string) =>
-    html`<button type="button" ?disabled=${away || withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} title=${withheld ?? nothing} @click=${() => frame.choose(what)}>${name}</button>`;
+  const of = (what: string, name: string, only = "") =>
+    html`<button type="button" class=${only || nothing} ?disabled=${away || withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} title=${withheld ?? nothing} @click=${() => frame.choose(what)}>${name}</button>`;
   const chosen = (event: Event) => (event.target as HTMLSelectElement).value;
   return html`<div class="menu" id="menu" popover role="group" aria-label=${t("More")} @beforetoggle=${() => frame.look()}>
-      ${item("redo", t("Redo"), !readonly, "on-phone", !store.canRedo)} ${item("gallery", t("Choose the cycle from pictures"), !readonly, "on-tablet")}
-      ${item("open", t("Open a file"), !readonly)} ${item("paste", t("Paste"), !readonly)} ${item("save-job", t("Save job"))} ${of("save-picture", t("Save the picture (SVG)"))}
-      ${item("share", t("Copy a link to this job"), links)} ${of("sheet", t("Setup sheet to print"))} ${item("presets", t("Presets"), local && !readonly)}
-      ${item("lengths", t("Tool lengths"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}
+      ${item("redo", t("Redo"), !readonly, "on-phone", !store.canRedo)}
+      ${item("open", t("Open a file"), !readonly, "not-wide")} ${item("paste", t("Paste"), !readonly)} ${item("share", t("Copy a link to this job"), links, "not-wide")} ${of("sheet", t("Setup sheet to print"), "not-wide")}
+      ${item("save-job", t("Save job"))} ${of("save-picture", t("Save the picture (SVG)"))} ${item("presets", t("My machines"), local && !readonly)}
+      ${item("lengths", t("Tool lengths (SINUMERIK)"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}
+      <label class="check"><input type="checkbox" id="cam" .checked=${store.cam} @change=${(e: Event) => {
+        store.cam = (e.target as HTMLInputElement).checked;
+      }} /> ${t("For CAM: parameters, codes, picked touches")}</label>
       <label>${t("Language")} <select id="lang" @change=${(e: Event) => frame.chooseLanguage(chosen(e))}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === store.lang}>${name}</option>`)}</select></label>
       <label>${t("Colours")} <select id="theme" @change=${(e: Event) => frame.chooseTheme(chosen(e) as Theme)}>${THEMES.map((theme) => html`<option value=${theme} ?selected=${theme === frame.theme}>${t(THEME_NAMES[theme])}</option>`)}</select></label>
       ${links ? html`<small>${t("Nothing leaves this browser")}</small>` : nothing}
@@ -74,11 +104,11 @@ export function menu(frame: Frame): TemplateResult {
     </div>`;
 }
 
-/** What opens over the page: presets, the list of keys, the question before Reset. */
+/** What opens over the page: presets, the list of keys. */
 export function dialogs({ store, presets }: Frame): TemplateResult {
-  const t = (text: string, ...values: string[]) => store.t(text, ...values);
+  const t = (text: string) => store.t(text);
   const close = html`<form method="dialog" class="tools"><button>${t("Close")}</button></form>`;
-  return html`<dialog id="presets" aria-label=${t("Presets")} aria-describedby="presets-help">
+  return html`<dialog id="presets" aria-label=${t("My machines")} aria-describedby="presets-help">
       ${presets ? html`<tp-presets .store=${store}></tp-presets>` : nothing}
       ${close}
     </dialog>
@@ -86,9 +116,5 @@ export function dialogs({ store, presets }: Frame): TemplateResult {
       <h2 id="keys-title" tabindex="-1">${t("Keys")}</h2>
       <dl class="keys">${KEYS.map(([keys, what]) => html`<dt>${t(keys)}</dt><dd>${t(what)}</dd>`)}</dl>
       ${close}
-    </dialog>
-    <dialog id="ask-reset" aria-labelledby="ask-reset-text">
-      <p id="ask-reset-text">${t("Put the whole form back to the defaults of “{cycle}”? Undo brings back what is there now.", store.cycle.title)}</p>
-      <form method="dialog" class="tools"><button @click=${() => store.reset()}>${t("Put back")}</button><button>${t("Keep")}</button></form>
     </dialog>`;
 }

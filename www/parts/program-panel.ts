@@ -1,5 +1,5 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { type Job, type Programmed, programs } from "../core/browser.js";
+import { type Job, type Plan, type Programmed, programs } from "../core/browser.js";
 import type { Form } from "../entries.js";
 import { w } from "../words.js";
 import { Colours } from "./colours.js";
@@ -11,12 +11,29 @@ import { Part } from "./part.js";
 /** The forms of a program, as the field of the form has them. */
 const FORMS: Record<Form, string> = { moves: w("Plain moves"), cycle: w("The control's own cycle") };
 
+/** A line of the program, counted from 0. */
+interface Line {
+  text: string;
+  line: number;
+}
+
 /** A run of lines under one heading. */
 interface Block {
   /** The documented step; 0 is none. */
   step: number;
-  lines: { text: string; line: number }[];
+  lines: Line[];
 }
+
+/** What a folded run of lines is, by its lines: the first that fits one of them counts. */
+const RUNS: [RegExp, string, string][] = [
+  [/^(?:N\d+ ?)*$|^TP_\w+:$|^#3000=/, w("1 line for a stop"), w("{count} lines for a stop")],
+  [/\b(?:IF|if|GOTOF?|STOPRE|endif)\b|^o\d/, w("1 line of checks"), w("{count} lines of checks")],
+  [/=/, w("1 line of arithmetic"), w("{count} lines of arithmetic")],
+];
+
+/** A line that a setter looks for although it makes no move: what is written, shown, called or ended. */
+const SEEN =
+  /^(?:G10 |\$P_UIFR\[\d+,\w,TR\]=\$P|#(?:52[2-9]\d|53[0-3]\d|7\d{3}|14\d{3})=#|\(DEBUG,|\(PRINT,|\(LOG,|MSG\("[a-z]|DPRNT|POPEN|M(?:0|00|1|2|30|72)$|G65 |CALL O|CYCLE\d|\d+ |%|\(READ THE)/;
 
 /** The number of a line, as wide as the others: text alone, since a box for each is laid out at every keystroke. */
 const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
@@ -32,6 +49,34 @@ const TOLD = 8000;
 
 /** The block of a cycle that makes its moves by itself. */
 const CYCLE = /^CYCLE\d+\(|^\d+ TCH PROBE 1411 /;
+
+/** The touches that moves make, counted from 1, where a touch is made for the first time. */
+function touchNumbers(moves: Plan["moves"]): Map<number, number> {
+  const seen = new Set<number>();
+  const numbers = new Map<number, number>();
+  moves.forEach(({ kind, touch }, move) => {
+    if (kind !== "touch" || touch === null || seen.has(touch)) return;
+    seen.add(touch);
+    numbers.set(move, touch + 1);
+  });
+  return numbers;
+}
+
+/** What a program shows when it has measured, with the values that the virtual part gives: DEBUG of LinuxCNC, MSG of SINUMERIK. */
+function screenText({ program, results }: Plan): string[] {
+  const put = (text: string, digits: number) =>
+    text.replaceAll(/([\w.]+)=(?:#<\w+>|"<<R\d+(?:<<")?)/g, (all, code: string) => {
+      const value = results.find((row) => row.code === code)?.value;
+      return typeof value === "number" ? `${code}=${value.toFixed(digits)}` : all;
+    });
+  return program.text.split("\n").flatMap((line) => {
+    const debug = /^\(DEBUG,(.*)\)$/.exec(line)?.[1];
+    // A value that DEBUG shows has six decimals.
+    if (debug !== undefined) return [put(debug, 6)];
+    const message = /^MSG\("(.*?)"?\)$/.exec(line)?.[1];
+    return message !== undefined && /="<<R\d+/.test(message) ? [put(message, 3)] : [];
+  });
+}
 
 /** The program, line by line under the documented steps; a line that makes a move lights up with it. */
 class ProgramPart extends Part {
@@ -67,10 +112,27 @@ class ProgramPart extends Part {
     const own = lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
     // Calls of the control's own cycles are no documented steps.
     const steps = program.own ? [] : this.store.cycle.steps;
-    const row = ({ text, line }: Block["lines"][number]) => {
+    const numbers = touchNumbers(moves);
+    const row = ({ text, line }: Line) => {
       const move = moveAt.get(line);
       const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
-      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="no">${numberOf(line)}</span>`}<span class="text">${text}</span></div>`;
+      const touch = move === undefined ? undefined : numbers.get(move);
+      return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="no">${numberOf(line)}</span>`}<span class="text">${text}</span>${touch === undefined ? nothing : html`<span class="disc" role="img" aria-label=${this.t("touch {touch}", touch)}>${touch}</span>`}</div>`;
+    };
+    /** Lines that make no move, and that nobody looks for, under one mark. */
+    const rows = (lines: Line[]) => {
+      const plain = ({ text, line }: Line) => !moveAt.has(line) && !SEEN.test(text);
+      const runs: Line[][] = [];
+      for (const one of lines) {
+        const last = runs.at(-1)?.[0];
+        if (last && plain(last) && plain(one)) runs.at(-1)?.push(one);
+        else runs.push([one]);
+      }
+      return runs.map((run) => {
+        const [first] = run as [Line];
+        if (!plain(first) || this.everything || this.opened.has(first.line)) return run.map(row);
+        return html`<button type="button" class="folded" tabindex="-1" data-run=${first.line} @click=${() => this.open(first.line)}><span class="no" aria-hidden="true">   ⋯  </span>${this.runInWords(run)}</button>`;
+      });
     };
     const numbered = lines.map((text, line) => ({ text, line }));
     let now = -1;
@@ -88,12 +150,12 @@ class ProgramPart extends Part {
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy")}</button>
         <span role="status" class="told">${stale || this.toldOf !== program.text ? "" : this.told}</span>
         ${this.finder.render(this.comparing)}
-        <select class="compares" aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} @change=${this.choose}>
+        <select class="compares" aria-label=${this.t("Compare the program")} title=${this.t("Compare with …")} ?hidden=${this.store.saved === null && !this.otherForm} @change=${this.choose}>
           <option value="">⇄ ${this.t("Compare with …")}</option>
           <option value="saved" ?disabled=${this.store.saved === null}>${this.t("the one saved last")}</option>
           ${this.otherForm ? html`<option value="form">${this.t(FORMS[this.otherForm])}</option>` : nothing}
-          ${this.others().map((post) => html`<option value=${post.id}>${post.title}</option>`)}
         </select>
+        <button type="button" class="all" aria-pressed=${this.everything ? "true" : "false"} ?hidden=${this.comparing} title=${this.t("Show also the lines that check, compute and stop")} @click=${this.unfold}>${this.t("All lines")}</button>
       </div>
       ${head > 0 && !this.comparing ? html`<button type="button" class="head" aria-expanded=${this.unfolded ? "true" : "false"} @click=${this.fold}><span aria-hidden="true">${this.unfolded ? "▾" : "▸"}</span> ${this.t("header ({count})", head)}</button>` : nothing}
       ${withheld(this.store, "withheld-program")}
@@ -104,15 +166,47 @@ class ProgramPart extends Part {
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block) => {
           const text = steps[block.step - 1];
-          if (!text) return html`<div role="group" aria-label=${this.t("Program")}>${block.lines.map(row)}</div>`;
+          if (!text) return html`<div role="group" aria-label=${this.t("Program")}>${rows(block.lines)}</div>`;
           return html`<div role="group" aria-label=${this.t("Step {step}: {words}", block.step, text)}>
             <div class="step" data-step=${block.step} role="presentation"><b>${block.step}</b> <span>${text}</span></div>
-            ${block.lines.map(row)}</div>`;
+            ${rows(block.lines)}</div>`;
         })}
       </div>
+      ${stale ? nothing : this.screen()}
       <p class="does">${stale ? this.t("no program") : this.t("This program {does}", program.said)}</p>
     `;
   }
+
+  /** What the operator reads at the end of the program, as it will stand there for the virtual part. */
+  private screen(): TemplateResult | typeof nothing {
+    const lines = screenText(this.store.plan);
+    if (lines.length === 0) return nothing;
+    return html`<details class="screen"><summary>${this.t("On the operator's screen at the end")}</summary><pre lang="en" translate="no">${lines.join("\n")}</pre></details>`;
+  }
+
+  /** What a folded run of lines is. */
+  private runInWords(run: Line[]): string {
+    const [, one, many] = RUNS.find(([is]) => run.some(({ text }) => is.test(text))) ?? [null, w("1 more line"), w("{count} more lines")];
+    return run.length === 1 ? this.t(one) : this.t(many, run.length);
+  }
+
+  /** Shows a run of lines. */
+  private open(line: number): void {
+    this.opened.add(line);
+    this.requestUpdate();
+  }
+
+  /** Shows every line, or only those that are looked for. */
+  readonly unfold = (): void => {
+    this.everything = !this.everything;
+    this.opened.clear();
+    this.requestUpdate();
+  };
+
+  /** Whether every line is shown. */
+  private everything = false;
+  /** The runs of lines that were opened, by their first lines. */
+  private readonly opened = new Set<number>();
 
   /** How many lines stand before the first move, or before the first block of a program whose moves the control makes: they are folded. */
   private get head(): number {
@@ -141,12 +235,16 @@ class ProgramPart extends Part {
     return this.against !== "" && this.compares !== null;
   }
 
-  /** A comparison ends where its control becomes the job's own, or has no program for the job's cycle. */
+  /** The document whose lines are shown. */
+  private document = -1;
+
+  /** A comparison ends where its control has no other form for the job's cycle. */
   protected override willUpdate(): void {
     this.finder.again();
     const form = this.against === "form" && this.otherForm !== undefined;
-    const there = this.against === "saved" || form || this.others().some((post) => post.id === this.against);
-    if (!there) this.against = "";
+    if (this.store.document !== this.document) this.opened.clear();
+    this.document = this.store.document;
+    if (this.against !== "saved" && !form) this.against = "";
     if (!this.comparing || this.store.stale) this.wide = false;
   }
 
@@ -155,13 +253,6 @@ class ProgramPart extends Part {
     const { store } = this;
     const own = (store.shown as { control?: { form?: unknown } }).control?.form;
     return store.formsOf(store.plan.program.post, store.cycle.type).find((form) => form !== own);
-  }
-
-  /** The other controls that have a program for this cycle. */
-  private others() {
-    const { store } = this;
-    const takes = (id: string) => store.formsOf(id, store.cycle.type).length > 0;
-    return store.catalog.posts.filter(({ id }) => id !== store.plan.program.post && takes(id));
   }
 
   private readonly choose = async (event: Event): Promise<void> => {
@@ -179,9 +270,7 @@ class ProgramPart extends Part {
   private other(): { text: string } | { why: string } {
     const { store } = this;
     if (this.against === "saved") return store.saved === null ? { why: "" } : { text: store.saved };
-    const post = this.against === "form" ? store.plan.program.post : this.against;
-    const form = (this.against === "form" ? this.otherForm : store.formsOf(post, store.cycle.type)[0]) ?? "moves";
-    const control = store.controlOf(post, form, store.shown);
+    const control = store.controlOf(store.plan.program.post, this.otherForm ?? "moves", store.shown);
     const { program, findings } = programs([{ ...store.shown, control } as unknown as Job]).next().value as Programmed;
     const error = findings.find((f) => f.level === "error");
     return program ? { text: program.text } : { why: error ? this.message(error) : "" };
@@ -218,13 +307,12 @@ class ProgramPart extends Part {
 
   /** Both programs in two columns. */
   private beside(lines: Compared[]): TemplateResult | typeof nothing {
-    const post = this.store.postOf(this.against);
     const cells = (one: Compared | null, line: number | null | undefined) => {
       const kind = one === null ? "none" : { " ": "", "-": "less", "+": "more" }[one.sign];
       return html`<td class=${`no ${kind}`}>${one ? this.sign(one.sign) : nothing} ${typeof line === "number" ? line + 1 : ""}</td><td class=${kind}>${one?.text}</td>`;
     };
     return html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>
-      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="colgroup">${post?.title ?? this.t(this.against === "form" && this.otherForm ? FORMS[this.otherForm] : w("saved last"))}</th><th colspan="2" scope="colgroup">${this.t("this program")}</th></tr></thead>
+      <table><colgroup><col class="no" /><col /><col class="no" /><col /></colgroup><thead><tr><th colspan="2" scope="colgroup">${this.t(this.against === "form" && this.otherForm ? FORMS[this.otherForm] : w("saved last"))}</th><th colspan="2" scope="colgroup">${this.t("this program")}</th></tr></thead>
         <tbody lang="en" translate="no">${this.compares?.beside(lines).map(([left, right]) => html`<tr>${cells(left, left?.other)}${cells(right, right?.line)}</tr>`)}</tbody></table>`;
   }
 
@@ -306,6 +394,8 @@ class ProgramPart extends Part {
   private async toFound(): Promise<void> {
     const { here } = this.finder.found;
     if (here >= 0 && here < this.head) this.unfolded = true;
+    // What is found in a folded run is shown.
+    if (here >= this.head && !this.lineAt(here)) this.everything = true;
     this.requestUpdate();
     await this.updateComplete;
     this.lineAt(here)?.scrollIntoView({ block: "nearest" });

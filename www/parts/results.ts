@@ -157,33 +157,33 @@ class ResultsPart extends Part {
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(r.code);
-    const name = html`<td class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code>${r.stored ? html` <code title=${this.t("Where the control has it")}>${r.stored}</code>` : nothing} <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
+    const name = html`<td role="cell" class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code>${r.stored ? html` <code title=${this.t("Where the control has it")}>${r.stored}</code>` : nothing} <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
         ? html` <span class=${/^(rework|scrap|implausible)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
         : nothing;
     if (r.unit === "") {
       return measured
-        ? html`<tr>${name}<td></td><td class="n"><b>${r.value}</b>${verdict(r)}</td><td></td>
+        ? html`<tr role="row">${name}<td></td><td class="n"><b>${r.value}</b>${verdict(r)}</td><td></td>
         <td class="n own"><b>${own?.value ?? "–"}</b>${verdict(own)}</td></tr>`
-        : html`<tr>${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="3">${verdict(r)}</td></tr>`;
+        : html`<tr role="row">${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="3">${verdict(r)}</td></tr>`;
     }
     // Two sigma: 95 of 100 measurements lie within.
     const spread = r.uncertainty === null ? null : 2 * r.uncertainty;
     const of = (row: ResultRow | undefined) =>
       html`<b>${this.number(row?.value ?? null, digits)}</b> <small>${this.signed(row?.deviation ?? null, digits)}</small>${verdict(row)}`;
     if (measured)
-      return html`<tr>${name}
-      <td class="n">${this.nominal(r)}</td>
-      <td class="n both">${of(r)}</td>
-      <td class="n">${this.number(spread, digits + 1)}</td>
-      <td class="n both own">${of(own)}</td></tr>${this.bar(own ?? r)}`;
-    return html`<tr>${name}
-      <td class="n">${this.nominal(r)}</td>
-      <td class="n"><b>${this.number(r.value, digits)}</b></td>
-      <td class="n">${this.signed(r.deviation, digits)}${verdict(r)}</td>
-      <td class="n">${this.number(spread, digits + 1)}</td>
-      <td class="n">${this.number(r.truth, digits)}</td></tr>${this.bar(r)}`;
+      return html`<tr role="row">${name}
+      <td role="cell" data-label=${this.t("Nominal")} class="n">${this.nominal(r)}</td>
+      <td role="cell" data-label=${this.t("Value")} class="n both">${of(r)}</td>
+      <td role="cell" data-label="± 2σ" class="n">${this.number(spread, digits + 1)}</td>
+      <td role="cell" data-label=${this.t("Measured")} class="n both own">${of(own)}</td></tr>${this.bar(own ?? r)}`;
+    return html`<tr role="row">${name}
+      <td role="cell" data-label=${this.t("Nominal")} class="n">${this.nominal(r)}</td>
+      <td role="cell" data-label=${this.t("Value")} class="n"><b>${this.number(r.value, digits)}</b></td>
+      <td role="cell" data-label=${this.t("Deviation")} class="n">${this.signed(r.deviation, digits)}${verdict(r)}</td>
+      <td role="cell" data-label="± 2σ" class="n">${this.number(spread, digits + 1)}</td>
+      <td role="cell" data-label=${this.t("True")} class="n">${this.number(r.truth, digits)}</td></tr>${this.bar(r)}`;
   }
 
   private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
@@ -207,7 +207,7 @@ class ResultsPart extends Part {
       (row) => `${this.nameOf(row)} ${this.number(2 * (row.uncertaintyRunout ?? 0), places(row.unit) + 1)}`,
     );
     return html`
-      <table>
+      <table role="table" class="cards-when-narrow">
         <caption>${caption}${this.store.stale ? html`<strong>${this.store.blank ? this.t("No plan can be made of this form") : this.t("The form has errors: this is the last good plan")}</strong>` : nothing}</caption>
         <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Value")}</th>${measured ? nothing : html`<th class="n">${this.t("Deviation")}</th>`}<th class="n">± 2σ</th><th class="n">${measured ? this.t("Measured") : this.t("True")}</th></tr></thead>
         <tbody>

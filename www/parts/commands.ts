@@ -1,0 +1,142 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { catalog, type FieldEntry } from "../core/browser.js";
+import { found, LENGTHS, textOf } from "../search.js";
+import { Part } from "./part.js";
+
+/** Something that can be done or gone to. */
+interface Command {
+  /** What it is. */
+  name: string;
+  /** What kind of thing it is. */
+  kind: string;
+  /** A sentence on it. */
+  says?: string;
+  /** What else it is looked for by. */
+  also?: string;
+  /** Does it, by an event: its name and what it is about. */
+  event: [name: string, detail: string];
+}
+
+/** So many are listed. */
+const MOST = 40;
+
+/** One list to find everything by typing: cycles, fields, controls, tools, actions. */
+class CommandsPart extends Part {
+  protected override follows: string[] = [];
+  /** What the page can do besides: what is asked for, and its name. */
+  declare actions: [what: string, name: string][];
+  private query = "";
+  private at = 0;
+  private shown = false;
+  private readonly english = catalog().cycles;
+
+  static override properties = { actions: { attribute: false } };
+
+  override render(): TemplateResult {
+    const list = this.shown ? this.listed() : [];
+    const at = Math.min(this.at, list.length - 1);
+    return html`<dialog class="commands" aria-label=${this.t("Find anything")} @close=${this.closed} @click=${(e: Event) => e.target === this.dialog && this.dialog?.close()}>${
+      this.shown
+        ? html`<input class="filter" type="text" role="combobox" aria-expanded="true" aria-controls="command-list" aria-activedescendant=${list.length ? `command-${at}` : nothing}
+            aria-label=${this.t("Find anything")} placeholder=${this.t("A cycle, a field, a control, an action …")} spellcheck="false" .value=${this.query}
+            @input=${this.typed} @keydown=${(e: KeyboardEvent) => this.key(e, list)} />
+          <ul id="command-list" role="listbox" aria-label=${this.t("Find anything")}>${list.map(
+            (one, i) => html`<li id=${`command-${i}`} role="option" aria-selected=${i === at ? "true" : "false"} @click=${() => this.run(one)}>
+              <b>${one.name}</b> <span class="kind">${one.kind}</span>${one.says ? html`<small>${one.says}</small>` : nothing}</li>`,
+          )}</ul>
+          ${list.length === 0 ? html`<p class="told" role="status">${this.t("Nothing is found by these words.")}</p>` : nothing}`
+        : nothing
+    }</dialog>`;
+  }
+
+  /** Opens it, with an empty field that has the focus. */
+  async open(): Promise<void> {
+    this.shown = true;
+    this.query = "";
+    this.at = 0;
+    this.requestUpdate();
+    await this.updateComplete;
+    this.dialog?.showModal();
+    this.querySelector("input")?.focus();
+  }
+
+  private get dialog(): HTMLDialogElement | null {
+    return this.querySelector("dialog");
+  }
+
+  private readonly closed = (): void => {
+    this.shown = false;
+    this.requestUpdate();
+  };
+
+  private readonly typed = (event: Event): void => {
+    this.query = (event.target as HTMLInputElement).value;
+    this.at = 0;
+    this.requestUpdate();
+  };
+
+  private key(event: KeyboardEvent, list: Command[]): void {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    const one = list[Math.min(this.at, list.length - 1)];
+    if (step && list.length > 0) {
+      this.at = (Math.min(this.at, list.length - 1) + step + list.length) % list.length;
+      this.requestUpdate();
+      this.updateComplete.then(() => this.querySelector(`#command-${this.at}`)?.scrollIntoView({ block: "nearest" }));
+    } else if (event.key === "Enter" && one) this.run(one);
+    else return;
+    event.preventDefault();
+  }
+
+  private run({ event: [name, detail] }: Command): void {
+    this.dialog?.close();
+    this.dispatchEvent(new CustomEvent(name, { bubbles: true, detail }));
+  }
+
+  private listed(): Command[] {
+    const text = ({ name, kind, says = "", also = "" }: Command) => `${name} ${kind} ${says} ${also}`.toLowerCase();
+    return found(this.all(), this.query, text).things.slice(0, MOST);
+  }
+
+  private all(): Command[] {
+    const { store } = this;
+    const { cycle, catalog } = store;
+    const cycles = catalog.cycles
+      .filter((one) => store.cam || one.steps.length > 0)
+      .map((one): Command => {
+        const english = this.english.find(({ type }) => type === one.type) ?? one;
+        const also = textOf(one, english, (text) => this.t(text));
+        return { name: one.title, kind: this.t("measure"), says: one.says, also, event: ["choose", `cycle.type:${one.type}`] };
+      });
+    const about = cycles.map(({ name, event }): Command => ({
+      name: this.t("About {cycle}", name),
+      kind: this.t("manual"),
+      event: ["about", event[1].replace("cycle.type", "cycle")],
+    }));
+    const controls = catalog.posts.flatMap((post): Command[] => [
+      { name: post.title, kind: this.t("control"), event: ["choose", `control.post:${post.id}`] },
+      { name: this.t("About {control}", post.title), kind: this.t("manual"), event: ["about", `control:${post.id}`] },
+    ]);
+    const field = (path: string) => (entry: FieldEntry): Command[] => {
+      const at = path === "" ? entry.key : `${path}.${entry.key}`;
+      if (entry.label === "" || at === "cycle.type") return [];
+      if (!store.cam && entry.group.startsWith("Postprocessor")) return [];
+      return [{ name: entry.label, kind: this.t(entry.group), says: entry.help, also: entry.code ?? "", event: ["go", at] }];
+    };
+    const fields = [
+      ...cycle.fields.flatMap(field("cycle")),
+      ...cycle.sections.flatMap(({ key, fields }) => fields.flatMap(field(`cycle.${key}`))),
+      ...catalog.sections.flatMap(({ path, fields }) => fields.flatMap(field(path))),
+    ];
+    const actions = this.actions.map(([what, name]): Command => ({
+      name,
+      kind: this.t("action"),
+      also: what === "lengths" ? `${LENGTHS} ${this.t(LENGTHS)}` : "",
+      event: ["ask", what],
+    }));
+    return [...cycles, ...actions, ...fields, ...controls, ...about];
+  }
+}
+
+export type { CommandsPart };
+
+customElements.define("tp-commands", CommandsPart);
