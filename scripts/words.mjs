@@ -48,7 +48,8 @@ const TERMS = [
 /** The words of simplified Chinese, from those of the traditional one. */
 export function simplified() {
   const convert = Converter({ from: "twp", to: "cn" });
-  const said = (/** @type {string} */ text) => TERMS.reduce((all, [from, to]) => all.replaceAll(from, to), convert(text));
+  const said = (/** @type {string} */ text) =>
+    TERMS.reduce((all, [from, to]) => all.replaceAll(from, to), convert(text));
   return Object.fromEntries(Object.entries(wordsOf("zh-Hant")).map(([english, text]) => [english, said(text)]));
 }
 

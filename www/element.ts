@@ -26,7 +26,12 @@ type Input = (typeof INPUTS)[number];
 type Inputs = Partial<Record<Input, unknown>>;
 
 /** The attributes that are words, and which there are. One that is not known changes nothing. */
-const WORDS = { theme: ["light", "dark", "auto"], panels: PANEL_NAMES, mode: ["setter", "cam"], storage: ["none", "local"] } as const;
+const WORDS = {
+  theme: ["light", "dark", "auto"],
+  panels: PANEL_NAMES,
+  mode: ["setter", "cam"],
+  storage: ["none", "local"],
+} as const;
 type Wordy = keyof typeof WORDS;
 const isWordy = (name: string): name is Wordy => Object.hasOwn(WORDS, name);
 
@@ -130,7 +135,18 @@ export class TouchPath extends Base {
 
   connectedCallback(): void {
     // What was set before this class was known hides the class's own properties.
-    for (const name of ["job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "storage", "name"] as const) {
+    for (const name of [
+      "job",
+      "cycle",
+      "post",
+      "units",
+      "theme",
+      "readonly",
+      "panels",
+      "mode",
+      "storage",
+      "name",
+    ] as const) {
       if (!Object.hasOwn(this, name)) continue;
       const value = this[name];
       delete (this as Record<string, unknown>)[name];

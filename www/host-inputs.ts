@@ -1,12 +1,5 @@
 // What the page around the element puts in and asks for, and which jobs were sent to it.
-import {
-  type Cycle,
-  defaultJob,
-  type Finding,
-  type FindingCode,
-  type Said,
-  say,
-} from "./core/browser.js";
+import { type Cycle, defaultJob, type Finding, type FindingCode, type Said, say } from "./core/browser.js";
 import type { Entries, Units } from "./entries.js";
 import { alike, complete, type Draft, isObject, isOut } from "./job.js";
 import { w } from "./words.js";

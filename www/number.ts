@@ -60,7 +60,11 @@ export function readNumber(
 ): number | string {
   const thousands = comma ? THOUSANDS_BY_POINT : THOUSANDS;
   if (text.length > LONGEST || AMBIGUOUS.test(text.trim()) || thousands.test(text.trim())) return text;
-  let rest = text.trim().replaceAll("−", "-");
+  // As a spreadsheet begins a sum, and a drawing a diameter.
+  let rest = text
+    .trim()
+    .replace(/^=\s*|^[Øø⌀]\s*/, "")
+    .replaceAll("−", "-");
   let given: Units | null = null;
   for (const [pattern, of] of SUFFIXES[unit]) {
     if (!pattern.test(rest)) continue;

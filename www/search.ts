@@ -8,11 +8,31 @@ const MEASURES = w("work offset zero point datum preset centre G54 G55 X Y");
 export const LENGTHS = w("tool length offset frame swivel nutating head axis SINUMERIK LENTOAX");
 
 /** Words that say nothing of what is measured. */
-const EMPTY = new Set(["a", "an", "the", "with", "of", "in", "on", "and", "or", "to", "for", "from", "my", "find", "measure", "probe"]);
+const EMPTY = new Set([
+  "a",
+  "an",
+  "the",
+  "with",
+  "of",
+  "in",
+  "on",
+  "and",
+  "or",
+  "to",
+  "for",
+  "from",
+  "my",
+  "find",
+  "measure",
+  "probe",
+]);
 
 /** The words that are looked for; those that say nothing only where there are no others. */
 export function wordsIn(query: string): string[] {
-  const all = query.toLowerCase().split(/[\s,;]+/).filter(Boolean);
+  const all = query
+    .toLowerCase()
+    .split(/[\s,;]+/)
+    .filter(Boolean);
   const full = all.filter((word) => !EMPTY.has(word));
   return full.length > 0 ? full : all;
 }
@@ -32,7 +52,11 @@ export function textOf(cycle: CycleEntry, english: CycleEntry, t: (text: string)
 }
 
 /** The things whose texts have every word; where none has, those that have most of them, the best first. */
-export function found<T>(things: readonly T[], query: string, text: (thing: T) => string): { all: boolean; things: T[] } {
+export function found<T>(
+  things: readonly T[],
+  query: string,
+  text: (thing: T) => string,
+): { all: boolean; things: T[] } {
   const words = wordsIn(query);
   const counted = things.map((thing) => {
     const of = text(thing);

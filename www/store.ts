@@ -175,6 +175,19 @@ export class Store extends Entries {
 
   private cams = false;
 
+  /** Whether the virtual part's group of the form is open. */
+  get partOpen(): boolean {
+    return this.opensPart;
+  }
+
+  set partOpen(open: boolean) {
+    if (open === this.opensPart) return;
+    this.opensPart = open;
+    this.dispatchEvent(new Event("focus"));
+  }
+
+  private opensPart = false;
+
   /** Whether a finding says how the control always is, and nothing about this job. */
   stands({ code, level }: Finding): boolean {
     return level !== "error" && this.catalog.standing.includes(code);
@@ -325,6 +338,30 @@ export class Store extends Entries {
     this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
   }
 
+  /** Takes a size with the limit that it is judged by, in one step; the name says it as it was typed. */
+  judge(path: string, size: number, limit: number, text: string): void {
+    this.settle();
+    this.mark(null);
+    this.typed.delete(path);
+    const limits = { ...(this.draft.limits as Draft), size: limit };
+    for (const [at, value] of [
+      [path, size],
+      ["limits", limits],
+    ] as const) {
+      this.given?.add(at);
+      this.place(at, value);
+    }
+    this.typed.delete("limits.size");
+    if (this.draft.name === this.ownName) {
+      const [stem] = jobName(this.draft).split("-");
+      const told = text.replaceAll(/[^\w.+-]/g, "");
+      this.ownName = null;
+      this.draft.name = /diameter/i.test(path) ? `${stem}-D${told}` : `${stem}-${told}`;
+    }
+    this.settle();
+    this.changed();
+  }
+
   /** Sets a value by one act of the user, such as a choice: a step of its own. */
   put(path: string, value: unknown): void {
     this.settle();
@@ -358,7 +395,12 @@ export class Store extends Entries {
     const { post } = this.draft.control as Draft;
     this.takeControl(type, fresh.control as Draft);
     this.document = ++this.documents;
-    const [cycle, sizes] = formIn(units, back?.cycle ?? (fresh.cycle as Draft), back?.sizes ?? {}, back?.units ?? units);
+    const [cycle, sizes] = formIn(
+      units,
+      back?.cycle ?? (fresh.cycle as Draft),
+      back?.sizes ?? {},
+      back?.units ?? units,
+    );
     // A form that comes back was somebody's.
     for (const path of [...(this.given ?? [])]) if (path.startsWith("cycle")) this.given?.delete(path);
     if (back) this.given?.add("cycle");

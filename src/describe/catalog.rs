@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::control::safety::RULES;
 use crate::control::{Form, POSTS};
 use crate::cycle::{CODE_GROUPS, CYCLES, CycleDef};
-use crate::form::{STANDING, Choice, Code, Default, Field, Kind};
+use crate::form::{Choice, Code, Default, Field, Kind, STANDING};
 use crate::job::{self, FORMAT, LONGEST_PROGRAM, LONGEST_TEXT, SECTIONS};
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
 

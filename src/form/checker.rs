@@ -202,7 +202,8 @@ impl<'a, 'c> Section<'a, 'c> {
     /// The number at `path`, finite and inside the field's ranges, in mm, mm/min, degrees or whole.
     pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
         let Value::Number(given) = *value else {
-            self.checker.error("wrong-type", path, not_a_number(value, field));
+            let message = not_a_number(value, field, self.checker.scale);
+            self.checker.error("wrong-type", path, message);
             return None;
         };
         if !given.is_finite() {
@@ -492,11 +493,28 @@ impl Checked for String {
 }
 
 /// What is said of a value that should be a number: of a size with a tolerance, what to enter in its place.
-fn not_a_number(value: &Value, field: &Field) -> Text {
+fn not_a_number(value: &Value, field: &Field, scale: f64) -> Text {
+    // `40x6` is a fit, `40x2` a product.
+    let product = |text: &str| {
+        let sides = text.split_once(['x', 'X']).map(|(_, other)| other.trim().parse::<u32>());
+        matches!(sides, Some(Ok(grade)) if !(4..=18).contains(&grade))
+    };
     if let Value::Text(text) = value
+        && !product(text)
         && let Some(nominal) = tolerance::toleranced(text)
     {
+        let zone = tolerance::zone(text, scale).filter(|[low, high]| field.size && *low > 0.0 && low < high);
         let (text, nominal) = (printable(text), decimal(nominal, 6));
+        if let Some([low, high]) = zone {
+            return text!(
+                "{label} takes no tolerance: enter {nominal} alone, or {middle} with a size limit of {half} to have \"{text}\" judged",
+                field.label,
+                nominal,
+                decimal((low + high) / 2.0, 6),
+                decimal((high - low) / 2.0, 6),
+                text
+            );
+        }
         return text!(
             "{label} takes no tolerance, and \"{text}\" reads as one: enter {nominal} alone, or a sum as one number",
             field.label,
@@ -504,11 +522,53 @@ fn not_a_number(value: &Value, field: &Field) -> Text {
             nominal
         );
     }
+    if let Value::Text(text) = value {
+        return not_read(text.trim(), field.label);
+    }
     if field.null.is_some() {
         text!("{label} must be a number or null, not {given}", field.label, value.noun())
     } else {
         text!("{label} must be a number, not {given}", field.label, value.noun())
     }
+}
+
+/// Why a text in the place of a number is not read: which of its readings is refused, and what to enter.
+fn not_read(text: &str, label: &'static str) -> Text {
+    if text.is_empty() {
+        return text!("{label} must be a number, not empty", label);
+    }
+    let shown = printable(text);
+    let plain = text.trim_start_matches(['+', '-', '\u{2212}']);
+    let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    // `1,000` or `1.000`, where that is not the decimal sign.
+    if let Some((whole, zeros)) = plain.split_once([',', '.']).filter(|(whole, rest)| digits(whole) && *rest == "000") {
+        return text!(
+            "{label} must be a number, not \"{text}\": it may be a thousand or a decimal, enter {thousands} or {whole}",
+            label,
+            shown,
+            format!("{whole}{zeros}"),
+            whole.to_owned()
+        );
+    }
+    // `1-1/2`, as inches are read off a drawing, or as a difference.
+    if let Some((whole, fraction)) = plain.split_once('-').filter(|(whole, _)| digits(whole))
+        && let Some((over, under)) = fraction.split_once('/').filter(|(over, under)| digits(over) && digits(under))
+    {
+        return text!(
+            "{label} must be a number, not \"{text}\": it may be a mixed fraction or a difference, enter {mixed} or {difference}",
+            label,
+            shown,
+            format!("{whole} {over}/{under}"),
+            format!("{whole} - {over}/{under}")
+        );
+    }
+    if plain.ends_with("/0") {
+        return text!("{label} must be a number, not \"{text}\": it divides by zero", label, shown);
+    }
+    if plain.split_once(['x', 'X']).is_some_and(|(one, other)| digits(one.trim()) && digits(other.trim())) {
+        return text!("{label} must be a number, not \"{text}\": enter * to multiply", label, shown);
+    }
+    text!("{label} must be a number, not \"{text}\"", label, shown)
 }
 
 /// A user's text, short and without control characters, fit to stand in a message.

@@ -105,6 +105,18 @@ pub fn toleranced(text: &str) -> Option<f64> {
     (is_class(rest) || deviations()).then_some(nominal)
 }
 
+/// The smallest and the largest size that such a text allows, in its units, of which one has `to_mm` millimetres. None where it says no limits.
+pub fn zone(text: &str, to_mm: f64) -> Option<[f64; 2]> {
+    let plain = text.trim().trim_start_matches(['Ø', 'ø', '⌀']).replace([' ', '\t'], "").replace('\u{2212}', "-");
+    // `25±0.02` is `25+0.02-0.02`; a limit of 0 is written or left out.
+    let plain = match plain.split_once('±') {
+        Some((size, off)) => format!("{size}+{off}-{off}"),
+        None => plain.trim_end_matches("/0").to_owned(),
+    };
+    let [low, high] = parse(&plain, to_mm).ok()?.limits.map(<[f64; 2]>::from)?;
+    Some([low, high])
+}
+
 /// Whether a text is one or two letters and one or two digits, such as `H7`, alone or before a slash as in `H7/g6`.
 fn is_class(text: &str) -> bool {
     let class = text.split('/').next().unwrap_or(text).trim();
@@ -421,6 +433,23 @@ mod tests {
     }
 
     /// The middles that the reference prints.
+    #[test]
+    fn a_tolerance_as_drawings_write_it_is_a_zone() {
+        // ISO 286-2: H7 of 18 to 30 mm is +0.021/0, h6 of the same 0/-0.013, H7 of 0.9842 inch that of 25 mm.
+        let near = |text: &str, to_mm: f64, [low, high]: [f64; 2]| {
+            let zone = zone(text, to_mm).unwrap();
+            assert!((zone[0] - low).abs() < 1e-6 && (zone[1] - high).abs() < 1e-6, "{text}: {zone:?}");
+        };
+        near("25H7", 1.0, [25.0, 25.021]);
+        near("Ø25 h6", 1.0, [24.987, 25.0]);
+        near("25 ±0,02", 1.0, [24.98, 25.02]);
+        near("25+0.021", 1.0, [25.0, 25.021]);
+        near("25 +0,021/0", 1.0, [25.0, 25.021]);
+        near("1H7", 25.4, [1.0, 1.0 + 0.021 / 25.4]);
+        assert_eq!(zone("25", 1.0), None);
+        assert_eq!(zone("25Q99", 1.0), None);
+    }
+
     #[test]
     fn deviations_count_from_the_middle_of_the_zone() {
         for (text, middle) in [("10H7", 10.0075), ("10m", 10.0), ("10+0.01-0.015", 9.9975), ("+8-2-1", 6.5), ("10", 10.0)] {

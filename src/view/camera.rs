@@ -15,8 +15,12 @@ pub struct Camera {
 
 /// Room around a fitted scene, pixels: for axes and numbers, and in a small picture without them.
 pub const MARGIN: f64 = 36.0;
-/// The same where dimensions stand around the scene.
+/// The same where dimensions stand around the scene; less where the picture is small.
 pub const DIMENSION_MARGIN: f64 = 84.0;
+/// So much of the picture's lesser size is that margin at most.
+const SHARE: f64 = 0.14;
+/// How far a dimension stands from the part, pixels; less where the picture is small.
+const STANDS_OFF: f64 = 46.0;
 /// The same in a small picture.
 pub const SMALL_MARGIN: f64 = 8.0;
 
@@ -37,6 +41,16 @@ impl Camera {
     pub fn fit(size: Vec2, [low, high]: [Vec2; 2], margin: f64) -> Self {
         let room = (size - 2.0 * margin).max(Vec2::splat(20.0)) / (high - low).max(Vec2::splat(1e-3));
         Camera { scale: room.min_element(), middle: (low + high) / 2.0, size }
+    }
+
+    /// Room around a scene whose dimensions stand around it, pixels.
+    pub fn dimension_margin(&self) -> f64 {
+        crate::num::within(self.size.min_element() * SHARE, 30.0, DIMENSION_MARGIN)
+    }
+
+    /// How far the line of a dimension stands from the part, pixels.
+    pub fn stands_off(&self) -> f64 {
+        STANDS_OFF * self.dimension_margin() / DIMENSION_MARGIN
     }
 
     /// A round length for the scale bar, in units of so many millimetres.

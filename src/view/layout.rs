@@ -6,8 +6,10 @@ use crate::view::numbers::Number;
 use crate::view::plate::{Crowd, Plate};
 use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
 
-/// How far a dimension's line stands from the part, pixels: one that is always drawn, and one that comes with the focus.
-const STANDS_OFF: [f64; 2] = [46.0, 16.0];
+/// How far the line of a dimension that comes with the focus stands from the part, pixels.
+const ON_DEMAND: f64 = 16.0;
+/// In the place of a field that has the focus: every dimension is drawn.
+const EVERY: &str = "*";
 /// How far it stands from whatever else reaches beyond the part.
 const CLEAR: f64 = 18.0;
 /// Half the height of a name with the room around it.
@@ -90,6 +92,19 @@ impl Layout<'_> {
         said
     }
 
+    /// Where the scale bar lies on nothing, so wide and high by half: in the lower right corner, else in another one; none where each has something.
+    pub fn bar(&self, camera: &Camera, half: Vec2) -> Option<Vec2> {
+        let far = camera.size - half - BAR_CORNER;
+        let near = half + BAR_CORNER;
+        let past = near.x + AXES_CORNER + AXES_REACH;
+        let lines: Vec<[Vec2; 2]> = self.dimensions.iter().map(|placed| placed.reach).collect();
+        let places = [far, Vec2::new(far.x, near.y), Vec2::new(past, far.y), near];
+        places.into_iter().find(|middle| {
+            let plate = Plate { middle: *middle, along: Vec2::X, half };
+            self.crowd.leaves(&plate) && !lines.iter().any(|line| plate.crosses(*line, 1.0))
+        })
+    }
+
     /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
     pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
         let plate = |x: f64, y: f64| Plate { middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0), along: Vec2::X, half };
@@ -146,7 +161,7 @@ impl Camera {
             layout.arcs.push(arc);
         }
         let all = |on_demand: bool| scene.dimensions.iter().filter(move |d| d.on_demand == on_demand);
-        for drawn in all(false).chain(all(true).filter(|d| focus == Some(d.field))) {
+        for drawn in all(false).chain(all(true).filter(|d| focus == Some(d.field) || focus == Some(EVERY))) {
             let placed = self.dimension(drawn, crowd);
             crowd.plates.push(placed.name);
             layout.dimensions.push(placed);
@@ -168,9 +183,11 @@ impl Camera {
         let off = half.x + f64::max(tail, 10.0);
         let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
         let beside_it = [[beyond, 0.0, 0.0, off], [-beyond, 0.0, off, 0.0], [0.0, beside, 0.0, 0.0], [0.0, -beside, 0.0, 0.0]];
-        // Between its arrow heads, with a little of the line seen.
-        let on_it = [[0.0; 4]];
-        let places = if drawn.wide + 24.0 <= long { &on_it[..] } else { &beside_it[..] };
+        // Between its arrow heads, with a little of the line seen: in the middle, or aside of what stands there.
+        let quarter = long / 4.0;
+        let on_it = [[0.0; 4], [quarter, 0.0, 0.0, 0.0], [-quarter, 0.0, 0.0, 0.0]];
+        let most = if drawn.wide + 24.0 <= long / 2.0 { 3 } else { 1 };
+        let places = if drawn.wide + 24.0 <= long { &on_it[..most] } else { &beside_it[..] };
         let placed = |side: Vec2, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
             let line = ends.map(|end| end + side * far);
             let middle = line[0] + way * (long / 2.0 + over) + way.perp() * across;
@@ -184,14 +201,16 @@ impl Camera {
             }
         };
         let own = drawn.aside * DOWNWARDS;
-        let mut best = placed(own, 0.0, STANDS_OFF[0], places[0]);
+        let stands_off = self.stands_off();
+        let clear = CLEAR * self.dimension_margin() / DIMENSION_MARGIN;
+        let mut best = placed(own, 0.0, stands_off, places[0]);
         let mut least = f64::INFINITY;
         for k in 0..=usize::from(drawn.either) {
             let side = if k == 0 { own } else { -own };
             let [begins, walls, all] = crowd.beside(ends, side);
             // Extension lines begin where the part ends.
             let (begin, near) =
-                if drawn.on_demand { (0.0, STANDS_OFF[1]) } else { (begins, (walls + STANDS_OFF[0]).max(all + CLEAR + HIGH)) };
+                if drawn.on_demand { (0.0, ON_DEMAND) } else { (begins, (walls + stands_off).max(all + clear + HIGH)) };
             for step in 0..6 * places.len() {
                 let place = step % places.len();
                 let far = near + (step / places.len()) as f64 * (2.0 * HIGH + 4.0);

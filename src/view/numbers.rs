@@ -7,7 +7,7 @@ use crate::view::plate::Plate;
 use crate::view::scene::Scene;
 
 /// Radius of a number's disc, pixels: in a large picture, and in one so small that larger discs would hide the feature.
-const DISC: [f64; 2] = [9.0, 6.5];
+const DISC: [f64; 2] = [9.0, 8.0];
 /// From a contact to the disc.
 const OFF: f64 = 7.0;
 /// Contacts that are nearer to each other than this are seen as one.
@@ -75,7 +75,7 @@ impl Camera {
                 None => (-inward, OFF),
             };
             // About half as wide as its text; a dot has two bytes, and is half as wide as a digit.
-            let wide = 2.6 * number.said.len() as f64 + 4.6;
+            let wide = 2.8 * number.said.len() as f64 + 4.6;
             let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
             let mut least = f64::INFINITY;
             // Round about the contact, then further out.

@@ -115,6 +115,16 @@ impl Crowd {
         at.cmpge(Vec2::ZERO).all() && at.cmple(self.size).all()
     }
 
+    /// Whether nothing but the axes' corner lies under a plate.
+    pub fn leaves(&self, plate: &Plate) -> bool {
+        let edges = |wall: &[Vec2; 4]| (0..4).any(|k| plate.crosses([wall[k], wall[(k + 1) % 4]], 1.0));
+        !self.plates.iter().any(|other| plate.meets(other))
+            && !self.corners.iter().take(1).any(|axes| plate.meets(axes))
+            && !self.discs.iter().any(|(at, radius)| plate.covers(*at, *radius))
+            && !self.lines.iter().any(|(line, _)| plate.crosses(*line, 1.0))
+            && !self.walls.iter().any(edges)
+    }
+
     /// How much a plate would cover: another one, or the picture's edge, is worst, a move the least.
     pub fn cost(&self, plate: &Plate) -> f64 {
         let count = |many: usize, each: f64| many as f64 * each;

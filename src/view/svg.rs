@@ -10,6 +10,7 @@ use crate::view::layout::{Arc, Layout, Placed};
 use crate::view::material;
 use crate::view::numbers::Number;
 use crate::view::plate::Plate;
+use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, TouchShape};
 use crate::view::style::{self, Colour, EDGES, Pen};
 
@@ -46,6 +47,7 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     let layout = drawing.layout(scene, legend);
     drawing.begin(scene, legend, &layout);
     drawing.material(scene);
+    drawing.blocks(scene);
     let solid = scene.material.is_empty();
     for item in scene.display(&drawing.camera, legend.deviates) {
         match item {
@@ -135,16 +137,43 @@ impl Drawing {
         if filled.is_empty() {
             return;
         }
-        let colour = Colour::Wall.on_paper();
-        let _ = writeln!(
-            self.text,
-            "<pattern id=\"touchpath-hatch\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\"><path d=\"M0,9L9,0\" stroke=\"{colour}\" stroke-width=\".75\"/></pattern>"
-        );
+        self.hatch();
         self.draw(&filled, &format!("fill=\"{CUT}\""));
         self.draw(&filled, "fill=\"url(#touchpath-hatch)\"");
         if !air.is_empty() {
             self.draw(&air, "fill=\"#fff\"");
         }
+    }
+
+    /// Isometric, the material around what lies inside the part, cut open.
+    fn blocks(&mut self, scene: &Scene) {
+        if scene.blocks.is_empty() {
+            return;
+        }
+        self.hatch();
+        let colour = Colour::Wall.on_paper();
+        for Block { face, corners } in &scene.blocks {
+            let outline: Vec<Vec2> = corners.iter().map(|corner| self.camera.pixel(*corner)).collect();
+            let outline = path(&[outline], "Z");
+            let stroke = format!("stroke=\"{colour}\"");
+            match face {
+                Face::Top => self.draw(&outline, &format!("fill=\"{TOP}\" {stroke}")),
+                Face::Cut => {
+                    self.draw(&outline, &format!("fill=\"{FACE}\" {stroke}"));
+                    self.draw(&outline, "fill=\"url(#touchpath-hatch)\"");
+                }
+                Face::Away => self.draw(&outline, &format!("fill=\"{VEIL}\" {stroke} stroke-opacity=\".35\"")),
+            }
+        }
+    }
+
+    /// What cut material is filled with.
+    fn hatch(&mut self) {
+        let colour = Colour::Wall.on_paper();
+        let _ = writeln!(
+            self.text,
+            "<pattern id=\"touchpath-hatch\" width=\"9\" height=\"9\" patternUnits=\"userSpaceOnUse\"><path d=\"M0,9L9,0\" stroke=\"{colour}\" stroke-width=\".75\"/></pattern>"
+        );
     }
 
     /// The moves and the touches behind something, or those behind nothing.

@@ -128,8 +128,9 @@ fn picture(def: &CycleDef) -> Option<String> {
         return None;
     }
     let title = format!("{}: the path of the default job", def.title);
-    let legend = Legend { title: &title, names: &[], deviates: false };
-    Some(svg(&planned.picture(Projection::Isometric, 1.0).scene, &legend))
+    let picture = planned.picture(Projection::Isometric, 1.0);
+    let legend = Legend { title: &title, names: &picture.names, deviates: false };
+    Some(svg(&picture.scene, &legend))
 }
 
 /// The codes of the fields that begin so: a point's axes have one each.

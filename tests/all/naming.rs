@@ -194,6 +194,21 @@ fn a_tolerance_in_a_size_without_one_says_what_to_enter() {
         let found = check(&with(&default_job("hole").unwrap(), "cycle.diameter", text(typed)));
         assert!(found[0].message.starts_with("Diameter must be a number, not "), "{typed}: {}", found[0].message);
     }
+    let said = |typed: &str| {
+        let found = check(&with(&default_job("hole").unwrap(), "cycle.diameter", text(typed)));
+        found[0].message.clone()
+    };
+    // Which reading is refused, and what to enter.
+    for (typed, hint) in [
+        ("25H7", "enter 25 alone, or 25.0105 with a size limit of 0.0105 to have \"25H7\" judged"),
+        ("25\u{b1}0.02", "or 25 with a size limit of 0.02 to have"),
+        ("1,000", "enter 1000 or 1"),
+        ("1-1/2", "enter 1 1/2 or 1 - 1/2"),
+        ("40x2", "enter * to multiply"),
+        ("1/0", "it divides by zero"),
+    ] {
+        assert!(said(typed).ends_with(hint) || said(typed).contains(hint), "{typed}: {}", said(typed));
+    }
     // Where tolerances have a meaning, they keep it.
     let circles = with(&default_job("probing-two-circles").unwrap(), "cycle.diameter1", text("20+0.021"));
     assert!(plan(&circles).is_ok());

@@ -291,8 +291,11 @@ fn standing_findings_hold_for_every_job_of_a_control() {
         for form in ["moves", "cycle"] {
             let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
             let mut jobs = 0;
-            for cycle in touchpath::cycle::CYCLES.iter().filter(|cycle| !cycle.steps.is_empty() && cycle.key != "probing-two-circles") {
-                let job = with(&with(&default_job(cycle.key).unwrap(), "control.post", text(post.key)), "control.form", text(form));
+            for cycle in
+                touchpath::cycle::CYCLES.iter().filter(|cycle| !cycle.steps.is_empty() && cycle.key != "probing-two-circles")
+            {
+                let job =
+                    with(&with(&default_job(cycle.key).unwrap(), "control.post", text(post.key)), "control.form", text(form));
                 let Ok(plan) = plan(&job) else { continue };
                 jobs += 1;
                 for code in touchpath::form::STANDING {

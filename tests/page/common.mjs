@@ -86,10 +86,13 @@ export async function ready(tab = page) {
   await unfold(tab);
 }
 
-/** Opens every group of the form, and every line of the program. */
+/** Shows everything that stands behind a switch: parameters, every group of the form, every line of the program. */
 export const unfold = (tab = page) =>
   tab.evaluate(() => {
-    const root = document.querySelector("touch-path")?.shadowRoot;
+    const element = /** @type {any} */ (document.querySelector("touch-path"));
+    const root = element?.shadowRoot;
+    // What only authors of postprocessors need is there, too: tests of what a setter sees switch it off.
+    if (element?.store) element.store.cam = true;
     /** @type {any} */ (root?.querySelector("tp-form"))?.unfold();
     const program = /** @type {any} */ (root?.querySelector("tp-program"));
     if (program && !program.everything) program.unfold();

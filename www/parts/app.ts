@@ -12,11 +12,11 @@ import "./checks.js";
 import "./findings.js";
 import "./form.js";
 import "./help.js";
+import type { Preset } from "../presets.js";
+import type { CommandsPart } from "./commands.js";
 import { Export } from "./export.js";
 import { Intake, type Unread, type Viewed } from "./intake.js";
 import { Language } from "./language.js";
-import type { Preset } from "../presets.js";
-import type { CommandsPart } from "./commands.js";
 import { actions, dialogs, type Frame, menu, OF_THE_JOB, type Theme } from "./menu.js";
 import { Part } from "./part.js";
 import type { PastePart } from "./paste.js";
@@ -142,7 +142,7 @@ export class App extends LitElement {
       showMoves: (viewed) => {
         this.viewed = viewed;
         this.use("viewer");
-        // The page keeps the editor for when there is no network.
+        // The page keeps the editor of long programs for when there is no network.
         this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
       },
       beside: (text, signal) => {
@@ -200,7 +200,9 @@ export class App extends LitElement {
 
   private get panels(): Panel[] {
     const fits = (panel: Panel) =>
-      this.wanted.includes(NAME_OF[panel]) && (panel !== "table" || this.store.cam || this.asked) && (panel !== "setup" || this.width < WIDE || !this.wanted.includes("form"));
+      this.wanted.includes(NAME_OF[panel]) &&
+      (panel !== "table" || this.store.cam || this.asked) &&
+      (panel !== "setup" || this.width < WIDE || !this.wanted.includes("form"));
     return (Object.keys(PANELS) as Panel[]).filter(fits);
   }
 
@@ -254,7 +256,12 @@ export class App extends LitElement {
     const shows = (name: PanelName) => wanted.includes(name);
     const none = (name: string, is: boolean) => (is ? name : "");
     const role = panels.length < 2 ? nothing : "tabpanel";
-    const shape = [none("stacked", stacked && !narrow), none("no-form", !shows("form")), none("no-stage", !shows("stage")), none("no-tabs", !panels.length)];
+    const shape = [
+      none("stacked", stacked && !narrow),
+      none("no-form", !shows("form")),
+      none("no-stage", !shows("stage")),
+      none("no-tabs", !panels.length),
+    ];
     return html`
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @about=${(e: CustomEvent<string>) => this.about(e.detail)} @choose=${(e: CustomEvent<string>) => this.choose(e.detail)}
         @machine=${(e: CustomEvent<Preset>) => this.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.go(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.showLines(e.detail)}>

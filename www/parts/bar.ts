@@ -107,10 +107,17 @@ class BarPart extends FieldPart {
     const value = used ? `machine:${used.name}` : store.get(path);
     const machines = kept.map(({ name }) => ({ value: `machine:${name}`, label: name, under: this.t("My machines") }));
     const posts = this.posts().map((post) => ({ ...post, under: kept.length ? this.t("Controls") : "" }));
-    const keep = { value: "keep:", label: this.t("Keep this machine …"), under: kept.length ? this.t("My machines") : " " };
+    const keep = {
+      value: "keep:",
+      label: this.t("Keep this machine …"),
+      under: kept.length ? this.t("My machines") : " ",
+    };
     const choices = this.local ? (kept.length ? [...machines, keep, ...posts] : [...posts, keep]) : posts;
     const name = this.t("On which machine?");
-    return this.select(path, choices, (chosen) => this.chooseMachine(chosen, kept), name, { title: store.post?.title, value });
+    return this.select(path, choices, (chosen) => this.chooseMachine(chosen, kept), name, {
+      title: store.post?.title,
+      value,
+    });
   }
 
   private chooseMachine(chosen: string, kept: Preset[]): void {
@@ -200,13 +207,19 @@ class BarPart extends FieldPart {
     const { store } = this;
     const cycle = store.draft.cycle as Draft;
     const is = `${cycle.confirmRotation} ${cycle.transferPosition}`;
-    const known = SETS.map(([rotation, position, words]) => ({ value: `${rotation} ${position}`, label: this.t(words) }));
+    const known = SETS.map(([rotation, position, words]) => ({
+      value: `${rotation} ${position}`,
+      label: this.t(words),
+    }));
     const other = known.some(({ value }) => value === is) ? [] : [{ value: is, label: store.does }];
     const take = (chosen: string) => {
       const [confirmRotation, transferPosition] = chosen.split(" ").map(Number);
       store.put("cycle", { ...cycle, confirmRotation, transferPosition });
     };
-    return this.select("cycle.confirmRotation", [...known, ...other], take, this.t("What shall it do?"), { value: is, id: "does" });
+    return this.select("cycle.confirmRotation", [...known, ...other], take, this.t("What shall it do?"), {
+      value: is,
+      id: "does",
+    });
   }
 
   /** The work offsets; the many of one word, such as G154 P1 to P99, are one entry with a number. */
@@ -219,13 +232,17 @@ class BarPart extends FieldPart {
     const single = start < 0 ? (post?.workOffsets ?? 0) : start;
     const known = post?.workOffsets ?? 0;
     const most = start < 0 ? Math.max(single, typeof value === "number" ? Math.min(value, 99) : 0) : single;
-    const numbers = Array.from({ length: most }, (_, i) => ({ value: i + 1 as number | null | string, label: store.writes(i + 1) }));
+    const numbers = Array.from({ length: most }, (_, i) => ({
+      value: (i + 1) as number | null | string,
+      label: store.writes(i + 1),
+    }));
     const word = words[start]?.replace(/\d+$/, "") ?? "";
     const paged = start < 0 ? null : { first: start + 1, count: known - start, word };
     if (paged) numbers.push({ value: paged.first, label: store.t("writes {offset}", `${word}…`) });
     if (start >= 0 && typeof value === "number" && value > known) numbers.push({ value, label: store.writes(value) });
     const none = value === null && !store.stale ? store.does : this.t("measures only");
-    const judge = store.fieldAt("limits.size") && store.cycle.touches ? [{ value: "judge", label: this.t("judge: limits …") }] : [];
+    const judge =
+      store.fieldAt("limits.size") && store.cycle.touches ? [{ value: "judge", label: this.t("judge: limits …") }] : [];
     return { offsets: [{ value: null as number | null | string, label: none }, ...numbers, ...judge], paged };
   }
 
@@ -233,7 +250,7 @@ class BarPart extends FieldPart {
     super.updated(changed);
     const { type } = this.store.cycle;
     const canvas = this.querySelector<HTMLCanvasElement>("canvas.mini");
-    if (!canvas || !canvas.checkVisibility()) return;
+    if (!canvas?.checkVisibility()) return;
     if (this.drawing && this.drawn === type) return;
     this.drawn = type;
     const show = (view: { showSmall(job: unknown): boolean }) => view.showSmall(defaultJob(type));

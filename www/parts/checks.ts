@@ -9,7 +9,8 @@ type Row = Plan["safety"][number];
 
 /** What a rule came to: a sign that is no colour alone, and a word for who hears it. */
 function sign(row: Row, own: boolean): { mark: string; word: string } {
-  if (row.holds === null) return { mark: "–", word: own ? w("the control's own cycle does it") : w("this control cannot") };
+  if (row.holds === null)
+    return { mark: "–", word: own ? w("the control's own cycle does it") : w("this control cannot") };
   return row.holds ? { mark: "✓", word: w("holds") } : { mark: "!", word: w("does not hold") };
 }
 

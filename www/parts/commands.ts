@@ -41,7 +41,10 @@ class CommandsPart extends Part {
             aria-label=${this.t("Find anything")} placeholder=${this.t("A cycle, a field, a control, an action …")} spellcheck="false" .value=${this.query}
             @input=${this.typed} @keydown=${(e: KeyboardEvent) => this.key(e, list)} />
           <ul id="command-list" role="listbox" aria-label=${this.t("Find anything")}>${list.map(
-            (one, i) => html`<li id=${`command-${i}`} role="option" aria-selected=${i === at ? "true" : "false"} @click=${() => this.run(one)}>
+            (
+              one,
+              i,
+            ) => html`<li id=${`command-${i}`} role="option" aria-selected=${i === at ? "true" : "false"} @click=${() => this.run(one)}>
               <b>${one.name}</b> <span class="kind">${one.kind}</span>${one.says ? html`<small>${one.says}</small>` : nothing}</li>`,
           )}</ul>
           ${list.length === 0 ? html`<p class="told" role="status">${this.t("Nothing is found by these words.")}</p>` : nothing}`
@@ -105,34 +108,48 @@ class CommandsPart extends Part {
       .map((one): Command => {
         const english = this.english.find(({ type }) => type === one.type) ?? one;
         const also = textOf(one, english, (text) => this.t(text));
-        return { name: one.title, kind: this.t("measure"), says: one.says, also, event: ["choose", `cycle.type:${one.type}`] };
+        return {
+          name: one.title,
+          kind: this.t("measure"),
+          says: one.says,
+          also,
+          event: ["choose", `cycle.type:${one.type}`],
+        };
       });
-    const about = cycles.map(({ name, event }): Command => ({
-      name: this.t("About {cycle}", name),
-      kind: this.t("manual"),
-      event: ["about", event[1].replace("cycle.type", "cycle")],
-    }));
+    const about = cycles.map(
+      ({ name, event }): Command => ({
+        name: this.t("About {cycle}", name),
+        kind: this.t("manual"),
+        event: ["about", event[1].replace("cycle.type", "cycle")],
+      }),
+    );
     const controls = catalog.posts.flatMap((post): Command[] => [
       { name: post.title, kind: this.t("control"), event: ["choose", `control.post:${post.id}`] },
       { name: this.t("About {control}", post.title), kind: this.t("manual"), event: ["about", `control:${post.id}`] },
     ]);
-    const field = (path: string) => (entry: FieldEntry): Command[] => {
-      const at = path === "" ? entry.key : `${path}.${entry.key}`;
-      if (entry.label === "" || at === "cycle.type") return [];
-      if (!store.cam && entry.group.startsWith("Postprocessor")) return [];
-      return [{ name: entry.label, kind: this.t(entry.group), says: entry.help, also: entry.code ?? "", event: ["go", at] }];
-    };
+    const field =
+      (path: string) =>
+      (entry: FieldEntry): Command[] => {
+        const at = path === "" ? entry.key : `${path}.${entry.key}`;
+        if (entry.label === "" || at === "cycle.type") return [];
+        if (!store.cam && entry.group.startsWith("Postprocessor")) return [];
+        return [
+          { name: entry.label, kind: this.t(entry.group), says: entry.help, also: entry.code ?? "", event: ["go", at] },
+        ];
+      };
     const fields = [
       ...cycle.fields.flatMap(field("cycle")),
       ...cycle.sections.flatMap(({ key, fields }) => fields.flatMap(field(`cycle.${key}`))),
       ...catalog.sections.flatMap(({ path, fields }) => fields.flatMap(field(path))),
     ];
-    const actions = this.actions.map(([what, name]): Command => ({
-      name,
-      kind: this.t("action"),
-      also: what === "lengths" ? `${LENGTHS} ${this.t(LENGTHS)}` : "",
-      event: ["ask", what],
-    }));
+    const actions = this.actions.map(
+      ([what, name]): Command => ({
+        name,
+        kind: this.t("action"),
+        also: what === "lengths" ? `${LENGTHS} ${this.t(LENGTHS)}` : "",
+        event: ["ask", what],
+      }),
+    );
     return [...cycles, ...actions, ...fields, ...controls, ...about];
   }
 }

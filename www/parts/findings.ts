@@ -14,8 +14,23 @@ const MANY = { error: w("{count} errors"), warning: w("{count} warnings"), info:
 /** What puts it right at once. A key that no job has is in no field: what helps is to remove it. A trial of the virtual part can end. Undo brings both back. */
 export function remedy(store: Store, { code, path }: Finding): TemplateResult | null {
   if (code === "collision" && path === "part") return nominal(store);
+  const judged = toleranced(store, path);
+  if (judged) return judged;
   if (code !== "unknown-key" || store.get(path) === undefined) return null;
   return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${() => store.drop(path)}>${store.t("Remove it")}</button>`;
+}
+
+/** What is said of a size that was typed with a tolerance. */
+const TOLERANCED = /^\{label\} takes no tolerance: enter \{nominal\} alone/;
+
+/** Takes a size that was typed with a tolerance: its middle, and a size limit that the program judges by. */
+function toleranced(store: Store, path: string): TemplateResult | null {
+  const said = store.at(path).find((f) => TOLERANCED.test(f.said[0]))?.said;
+  if (!said) return null;
+  const [, , , middle, half, text] = said as string[];
+  if (!middle || !half || !text) return null;
+  const take = () => store.judge(path, Number(middle), Number(half), text);
+  return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${take}>${store.t("Judge by {text}", text)}</button>`;
 }
 
 /** Ends a trial of the virtual part. */

@@ -79,6 +79,7 @@ class FormPart extends FieldPart {
     const { type } = this.store.cycle;
     if (this.shown !== "" && this.shown !== type) this.scrollTop = 0;
     this.shown = type;
+    this.store.partOpen = this.isOpen(VIRTUAL);
     this.mark();
   }
 

@@ -114,7 +114,9 @@ class GalleryPart extends Part {
   /** Whether the control of the job has it as a cycle of its own. */
   private own({ type }: CycleEntry): string {
     const { post } = this.store;
-    return post && this.store.formsOf(post.id, type).includes("cycle") ? this.t("own cycle of {control}", post.title) : "";
+    return post && this.store.formsOf(post.id, type).includes("cycle")
+      ? this.t("own cycle of {control}", post.title)
+      : "";
   }
 
   /** Enter takes the first that is found. The key is used up: it must not press the button that gets the focus. */

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { FieldEntry } from "../core/browser.js";
 import { isMetric } from "../entries.js";
+import { remedy } from "./findings.js";
 import { Part } from "./part.js";
 
 /** The box at the foot of the form, of a fixed height: what the field in focus is, and what is wrong with it. */
@@ -37,7 +38,9 @@ class HelpPart extends Part {
       <p><b>${label}</b>${code ? html` <code>${code}</code>` : nothing}</p>
       ${
         found.length > 0
-          ? found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)
+          ? found.map(
+              (f) => html`<p class=${`problem ${f.level}`}>${this.message(f)} ${remedy(this.store, f) ?? nothing}</p>`,
+            )
           : html`<p class="help">${help}${usually}${
               other
                 ? html` ${this.t("Default {value}", shown)} <button type="button" class="quiet" aria-label=${this.t("{label}: back to its default, {value}", label, shown)}

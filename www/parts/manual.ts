@@ -71,16 +71,18 @@ class ManualPart extends Part {
 
   /** How controls take cycles: as moves, by a cycle of their own, or why not. */
   private takes(rows: [string, PostEntry, string][]): TemplateResult {
-    return html`<table><thead><tr><th>${this.t("Name")}</th><th>${this.t("moves")}</th><th>${this.t("own cycle")}</th><th>${this.t("Why not")}</th></tr></thead><tbody>${rows.map(([name, post, type]) => {
-      const forms = post.cycles.filter((one) => one.type === type);
-      const of = (form: string) => forms.find((one) => one.form === form);
-      const mark = (form: string) => {
-        const is = of(form)?.supported === true;
-        return html`<td><span role="img" aria-label=${is ? this.t("yes") : this.t("no")}>${is ? "✓" : "–"}</span></td>`;
-      };
-      const why = ["moves", "cycle"].map((form) => of(form)?.reason).find(Boolean);
-      return html`<tr><th scope="row">${name}</th>${mark("moves")}${mark("cycle")}<td>${why ?? ""}</td></tr>`;
-    })}</tbody></table>`;
+    return html`<table><thead><tr><th>${this.t("Name")}</th><th>${this.t("moves")}</th><th>${this.t("own cycle")}</th><th>${this.t("Why not")}</th></tr></thead><tbody>${rows.map(
+      ([name, post, type]) => {
+        const forms = post.cycles.filter((one) => one.type === type);
+        const of = (form: string) => forms.find((one) => one.form === form);
+        const mark = (form: string) => {
+          const is = of(form)?.supported === true;
+          return html`<td><span role="img" aria-label=${is ? this.t("yes") : this.t("no")}>${is ? "✓" : "–"}</span></td>`;
+        };
+        const why = ["moves", "cycle"].map((form) => of(form)?.reason).find(Boolean);
+        return html`<tr><th scope="row">${name}</th>${mark("moves")}${mark("cycle")}<td>${why ?? ""}</td></tr>`;
+      },
+    )}</tbody></table>`;
   }
 
   private use(cycle: CycleEntry): void {

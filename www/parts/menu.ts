@@ -28,7 +28,17 @@ const KEYS: [string, string][] = [
 ];
 
 /** What changes the job, or hands it out: not while something else is shown. */
-export const OF_THE_JOB = new Set(["undo", "redo", "save", "save-job", "save-picture", "share", "sheet", "presets", "reset"]);
+export const OF_THE_JOB = new Set([
+  "undo",
+  "redo",
+  "save",
+  "save-job",
+  "save-picture",
+  "share",
+  "sheet",
+  "presets",
+  "reset",
+]);
 
 /** What can be done beside the form, for the list of everything. */
 export function actions({ store, links, local, away }: Frame): [what: string, name: string][] {

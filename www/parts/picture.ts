@@ -63,6 +63,13 @@ class PicturePart extends DrawnPart {
     return this.end?.field ?? this.store.focused ?? undefined;
   }
 
+  /** Whether there are handles: those of the virtual part come with its group, and while it lies other than the drawing says; with them those of angles. */
+  private get grips(): boolean {
+    const { store } = this;
+    const asked = /^part\.|Angle$|Length$/.test(store.focused ?? "");
+    return this.grip !== null || store.partOpen || asked || deviations(store).length > 0;
+  }
+
   /** Where it is looked at from. */
   get from(): (typeof VIEWS)[number] {
     return this.look;
@@ -136,6 +143,7 @@ class PicturePart extends DrawnPart {
           label(view, this.store);
           view.show(this.store.shown);
           view.focus(this.lit);
+          view.grips(this.grips);
           view.highlight(this.store.highlight ?? undefined);
           view.measure(this.store.measured);
         },
@@ -163,6 +171,7 @@ class PicturePart extends DrawnPart {
         this.timeline.take(view.times());
       }
       view.focus(this.lit);
+      view.grips(this.grips);
       view.measure(this.store.measured);
       if (this.refit) view.fit();
     });

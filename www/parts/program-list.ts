@@ -1,12 +1,24 @@
-// The text of an opened program, line by line: it stands there plainly until its editor is loaded.
+// The text of an opened program, line by line. A long one has an editor, which puts only what is seen into the document; it stands there plainly until
+// that is loaded.
+import { LineList } from "./line-list.js";
 import type { Editor } from "./program-editor.js";
 import { type Found, type Kind, MARGIN, type Shown } from "./shown.js";
+
+/** A text of more lines, or of a longer line, has the editor. */
+const MOST_LINES = 5000;
+const LONGEST_LINE = 5000;
+
+/** Whether a text is shown as lines. */
+function isShort(text: string): boolean {
+  const lines = text.split("\n");
+  return lines.length <= MOST_LINES && lines.every((line) => line.length <= LONGEST_LINE);
+}
 
 const NONE: Found = { matches: new Set(), here: -1 };
 
 /** The text in its box. What changes within a frame is shown at once, in that frame. */
 export class ProgramList {
-  private editor?: Editor;
+  private editor?: Editor | LineList;
   /** What stands there until the editor does. */
   private readonly plain = document.createElement("pre");
   private readonly shown: Shown = { text: "", kind: () => "", notes: new Map(), found: NONE, lit: -1, sight: -1 };
@@ -24,13 +36,24 @@ export class ProgramList {
     this.plain.lang = "en";
     this.plain.translate = false;
     box.replaceChildren(this.plain);
-    this.load();
   }
 
   /** Another text, with what is said of its lines. Nothing of it is lit or found yet. */
   show(text: string, kind: (line: number) => Kind, notes: Shown["notes"]): void {
     Object.assign(this.shown, { text, kind, notes, found: NONE, lit: -1, sight: 0 });
-    if (!this.editor) this.plain.textContent = text;
+    const short = isShort(text);
+    if (this.editor && this.editor instanceof LineList !== short) {
+      this.editor.free();
+      this.editor = undefined;
+      this.box.replaceChildren(this.plain);
+    }
+    if (!this.editor && short) {
+      this.plain.remove();
+      this.editor = new LineList(this.box, this.name, this.point);
+    } else if (!this.editor) {
+      this.plain.textContent = text;
+      this.load();
+    }
     this.later();
   }
 
@@ -121,7 +144,7 @@ export class ProgramList {
   /** Where the editor cannot be loaded, the text stays as it is. */
   private async load(): Promise<void> {
     const { Editor } = await import("./program-editor.js").catch(() => ({ Editor: null }));
-    if (!Editor || this.freed || !this.box.isConnected) return;
+    if (!Editor || this.editor || this.freed || !this.box.isConnected || isShort(this.shown.text)) return;
     const focused = this.plain.matches(":focus");
     const first = this.plain.scrollTop > 0 && this.shown.sight < 0 ? this.first() : -1;
     this.plain.remove();

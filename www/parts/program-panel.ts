@@ -186,7 +186,11 @@ class ProgramPart extends Part {
 
   /** What a folded run of lines is. */
   private runInWords(run: Line[]): string {
-    const [, one, many] = RUNS.find(([is]) => run.some(({ text }) => is.test(text))) ?? [null, w("1 more line"), w("{count} more lines")];
+    const [, one, many] = RUNS.find(([is]) => run.some(({ text }) => is.test(text))) ?? [
+      null,
+      w("1 more line"),
+      w("{count} more lines"),
+    ];
     return run.length === 1 ? this.t(one) : this.t(many, run.length);
   }
 

@@ -16,17 +16,34 @@ function conditions(text: string): string[] {
   return said;
 }
 
+/** Where the pictures are looked at from. */
+const SEEN = ["top", "front"] as const;
+
+/** Comments as they were before the columns of the program broke them: where the next word would not have fitted, the sentence continues. */
+function unwrapped(lines: string[]): string[] {
+  const most = Math.max(...lines.map((line) => line.length));
+  const whole: string[] = [];
+  let before = "";
+  for (const line of lines) {
+    const [word = ""] = line.split(" ", 1);
+    const continues = before.length > 40 && before.length + 1 + word.length > most;
+    if (continues) whole.push(`${whole.pop()} ${line}`);
+    else whole.push(line);
+    before = line;
+  }
+  return whole;
+}
+
 /** Of a sheet with more results than these the print is smaller: it is one page. */
 const MANY_RESULTS = 12;
 
 /** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
 class SheetPart extends Part {
   protected override follows = ["change"];
-  private drawing?: Drawing;
+  /** The pictures: from the top, and from the front with every height. */
+  private readonly drawings = new Map<(typeof SEEN)[number], Drawing>();
   /** What was drawn on, and the form that was drawn. */
-  private drawn: { canvas?: HTMLCanvasElement; form: string } = { form: "" };
-  /** The hash of the program that is on the sheet. */
-  private hash = { of: "", hex: "" };
+  private drawn: { canvas?: Element; form: string } = { form: "" };
 
   override render(): TemplateResult {
     const { withheld } = this.store;
@@ -56,7 +73,7 @@ class SheetPart extends Part {
         ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
         <div class=${plan.results.length > MANY_RESULTS ? "columns dense" : "columns"}>
           <div>
-            <canvas role="img" aria-label=${this.t("Path of the probe from the top")}></canvas>
+            <div class="views"><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas><canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas></div>
             <table>
               <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to give: this control computes no results")}</caption>
               <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>
@@ -75,12 +92,12 @@ class SheetPart extends Part {
               <tbody>
                 ${cycle.fields.map((f) => this.row(`cycle.${f.key}`, f))}
                 ${cycle.sections.map(({ key, fields }) => (this.store.get(`cycle.${key}`) === null ? nothing : fields.map((f) => this.row(`cycle.${key}.${f.key}`, f))))}
-                <tr><td>${this.t("Ball diameter")}</td><td class="n">${shown(stylus.diameter)}</td><td></td></tr>
+                <tr><td>${this.t("Ball diameter")}</td><td class="n">${shown(stylus.diameter)}</td>${this.code()}</tr>
                 ${
                   cycle.ownFeeds
                     ? nothing
-                    : html`<tr><td>${this.t("Overtravel")}</td><td class="n">${shown(job.overtravel)}</td><td></td></tr>
-                  <tr><td>${this.store.fieldAt("feeds.work")?.label}</td><td class="n">${shown(feeds.work)} ${units}/min</td><td></td></tr>`
+                    : html`<tr><td>${this.t("Overtravel")}</td><td class="n">${shown(job.overtravel)}</td>${this.code()}</tr>
+                  <tr><td>${this.store.fieldAt("feeds.work")?.label}</td><td class="n">${shown(feeds.work)} ${units}/min</td>${this.code()}</tr>`
                 }
               </tbody>
             </table>
@@ -89,15 +106,24 @@ class SheetPart extends Part {
               <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
               <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
             </table>
-            ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${head.join("\n")}</div>` : nothing}
+            ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${unwrapped(head).join("\n")}</div>` : nothing}
           </div>
         </div>
-        <p>${checked(this.store)}.${this.reasons().map((why) => ` ${why}.`)}</p>
+        <p>${checked(this.store)}. ${this.hash ? this.t("Hash of the blocks: {hash}.", this.hash) : nothing}${this.reasons().map((why) => ` ${why}.`)}</p>
         ${plan.findings.filter((f) => f.level === "warning").map((f) => html`<p class="warning"><b>${this.t("Warning:")}</b> ${this.message(f)}</p>`)}
-        <p class="hash">${this.t("SHA-256 of the program:")} <code>${this.hash.of === program.text ? this.hash.hex : "…"}</code></p>
         <p class="sign">${this.t("Machine")} <span></span> ${this.t("Date")} <span></span> ${this.t("Name")} <span></span></p>
       </article>
     `;
+  }
+
+  /** The code of a field, for whoever writes a postprocessor. */
+  private code(code: string | null = null): TemplateResult | typeof nothing {
+    return this.store.cam ? html`<td><code>${code ?? ""}</code></td>` : nothing;
+  }
+
+  /** The hash that the program's header says, by which it is known at the machine; empty where it says none. */
+  private get hash(): string {
+    return /Blocks below: (\w+)/i.exec(this.store.plan.program.text)?.[1] ?? "";
   }
 
   /** Why this control cannot hold some of the rules, each reason once. */
@@ -117,55 +143,55 @@ class SheetPart extends Part {
       const choice = field.choices.find((c) => c.value === x)?.label;
       return choice ?? (typeof x === "number" ? this.store.number(String(x)) : String(x));
     };
-    return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map(words).join(" ")}${field.unit === "angle" ? "°" : ""}</td><td><code>${field.code ?? ""}</code></td></tr>`;
+    return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map(words).join(" ")}${field.unit === "angle" ? "°" : ""}</td>${this.code(field.code)}</tr>`;
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.store.removeEventListener("recolour", this.restyle);
-    this.drawing?.free();
-    this.drawing = undefined;
+    this.free();
     this.drawn = { form: "" };
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.store.addEventListener("recolour", this.restyle);
-    // Moved to another place of the page, it has lost its drawing.
+    // Moved to another place of the page, it has lost its drawings.
     this.requestUpdate();
   }
 
-  private show(view: PageView): void {
-    label(view, this.store);
-    view.hideHandles();
-    view.show(this.store.shown);
+  private free(): void {
+    for (const drawing of this.drawings.values()) drawing.free();
+    this.drawings.clear();
   }
 
-  private readonly restyle = () => this.drawing?.restyle();
+  private show(view: PageView, from: (typeof SEEN)[number]): void {
+    label(view, this.store);
+    view.grips(false);
+    view.show(this.store.shown);
+    view.look(from);
+    view.focus(from === "front" ? "*" : undefined);
+  }
+
+  private readonly restyle = () => {
+    for (const drawing of this.drawings.values()) drawing.restyle();
+  };
 
   protected override updated(): void {
     const canvas = this.querySelector("canvas");
     if (!canvas) return;
     const form = `${this.store.revision} ${this.store.lang}`;
-    // With an error in the form the canvas goes, and with it what drew on it.
+    // With an error in the form the canvases go, and with them what drew on them.
     if (this.drawn.canvas !== canvas) {
-      this.drawing?.free();
-      this.drawing = new Drawing(canvas, (view) => this.show(view));
-    } else if (this.drawn.form !== form) this.drawing?.use((view) => this.show(view));
+      this.free();
+      for (const from of SEEN) {
+        const own = this.querySelector<HTMLCanvasElement>(`[data-view=${from}]`) as HTMLCanvasElement;
+        this.drawings.set(from, new Drawing(own, (view) => this.show(view, from)));
+      }
+    } else if (this.drawn.form !== form)
+      for (const [from, drawing] of this.drawings) drawing.use((view) => this.show(view, from));
     this.drawn = { canvas, form };
-    this.drawing?.restyle();
-    const { text } = this.store.plan.program;
-    if (this.hash.of !== text) this.sum(text);
-  }
-
-  /** A page that is not served securely has no hash to give. */
-  private async sum(text: string): Promise<void> {
-    this.hash = { of: text, hex: "…" };
-    const bytes = await crypto.subtle?.digest("SHA-256", new TextEncoder().encode(text));
-    if (this.hash.of !== text) return;
-    const hex = bytes && Array.from(new Uint8Array(bytes), (b) => b.toString(16).padStart(2, "0")).join("");
-    this.hash = { of: text, hex: hex ?? this.t("not available on this page") };
-    this.requestUpdate();
+    this.restyle();
   }
 }
 

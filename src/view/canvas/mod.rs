@@ -19,6 +19,7 @@ use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
 use crate::view::numbers::Number;
+use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, Stroke};
 use crate::view::style::screen::{ARROWS, CENTRE_LINES};
 use crate::view::style::{self, Colour, EDGES};
@@ -44,10 +45,9 @@ pub struct Marks<'a> {
     pub comma: bool,
 }
 
-/// The fonts of a picture: of what dimensions are called, of numbers in a small picture, and of everything else.
-const LABEL: &str = "12px system-ui, sans-serif";
-const SMALL: &str = "600 10px system-ui, sans-serif";
-const BOLD: &str = "600 12px system-ui, sans-serif";
+/// The fonts of a picture: of what dimensions are called, and of everything else.
+const LABEL: &str = "13px system-ui, sans-serif";
+const BOLD: &str = "600 13px system-ui, sans-serif";
 
 /// Pixels between the strokes of a hatching.
 const HATCH: f64 = 9.0;
@@ -127,7 +127,7 @@ pub struct Painter {
     pub theme: Theme,
     /// Whether it is a small picture: no axes, no numbers, no handles.
     pub small: bool,
-    /// Whether there is nothing to be gripped.
+    /// Whether nothing is there to be gripped.
     pub still: bool,
     /// Device pixels in a CSS pixel.
     pub ratio: f64,
@@ -230,8 +230,10 @@ impl Painter {
         self.happens(scene, camera, marks);
         let Some(layout) = layout else { return };
         if !self.still {
-            let held = marks.deviates || marks.field.is_some_and(|field| field.starts_with("part."));
-            self.handles(scene, camera, held);
+            self.handles(scene, camera);
+        }
+        if marks.field == Some("cycle.rotation") {
+            self.turn(scene, camera);
         }
         self.axes(scene, camera, marks.origin, &layout);
         // Over everything that may lie at their contacts.
@@ -242,7 +244,7 @@ impl Painter {
             self.dots(scene, camera);
         }
         if let Some(unit) = scene.unit {
-            self.scale_bar(camera, unit, marks.comma);
+            self.scale_bar(camera, unit, marks.comma, &layout);
         }
         self.sizes(&layout, marks);
     }
@@ -250,6 +252,7 @@ impl Painter {
     /// The material, the walls and top sides, and what lies behind these.
     fn part(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         self.material(scene, camera);
+        self.blocks(scene, camera);
         let solid = scene.material.is_empty();
         for item in scene.display(camera, marks.deviates) {
             match item {
@@ -260,7 +263,7 @@ impl Painter {
                     if !is_long(scene) {
                         self.path(scene, camera, marks, Some(of));
                     }
-                    self.touches(scene, camera, marks.deviates, Some(of));
+                    self.touches(scene, camera, marks, Some(of));
                 }
             }
         }
@@ -276,7 +279,7 @@ impl Painter {
         } else {
             self.path(scene, camera, marks, None);
         }
-        self.touches(scene, camera, marks.deviates, None);
+        self.touches(scene, camera, marks, None);
     }
 
     /// What was measured, what the ball meets, where it is, and the line that the cycle is about.
@@ -311,6 +314,7 @@ impl Painter {
     pub fn draw_arrows(&self, arrows: &[(Arrow, String, Vec2)], camera: &Camera) {
         self.begin(camera, "600 13px system-ui, sans-serif");
         let origin = camera.pixel(Vec2::ZERO);
+        let mut named: Vec<Vec2> = Vec::new();
         for (kind, name, tip) in arrows {
             let pen = &ARROWS[*kind as usize];
             let end = camera.pixel(*tip);
@@ -322,7 +326,13 @@ impl Painter {
             // Names stand beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
             let aside = if *kind == Arrow::Length { 14.0 } else { 0.0 };
             let beyond = if *kind == Arrow::Length { -4.0 } else { 14.0 };
-            self.label(name, end + way * beyond + way.perp() * aside);
+            let mut at = end + way * beyond + way.perp() * aside;
+            // Axes that lie on each other: one name below the other.
+            while named.iter().any(|other| (*other - at).abs().cmplt(Vec2::new(26.0, 14.0)).all()) {
+                at.y += 15.0;
+            }
+            named.push(at);
+            self.label(name, at);
         }
     }
 
@@ -331,12 +341,43 @@ impl Painter {
         if scene.material.is_empty() {
             return;
         }
-        let c = &self.context;
         let most = if self.small { SMALL_BAND } else { BAND };
         let [filled, air] = material::outlines(&scene.material, camera, most);
+        self.hatched(&filled, camera, 0.12);
+        self.outlines(&air);
+        self.fill(Colour::Background);
+    }
+
+    /// Isometric, the material around what lies inside the part, cut open.
+    fn blocks(&self, scene: &Scene, camera: &Camera) {
+        for Block { face, corners } in &scene.blocks {
+            let outline: Vec<Vec2> = corners.iter().map(|corner| camera.pixel(*corner)).collect();
+            match face {
+                Face::Top => self.top(outline),
+                Face::Cut => {
+                    let outline = [outline];
+                    self.outlines(&outline);
+                    self.fill(Colour::Background);
+                    self.hatched(&outline, camera, 0.3);
+                    self.outlines(&outline);
+                    self.alpha(0.8).stroke(Colour::Wall, 1.0);
+                }
+                Face::Away => {
+                    self.outlines(&[outline]);
+                    self.alpha(0.04).fill(Colour::Wall);
+                    self.alpha(0.3).stroke(Colour::Wall, 1.0);
+                }
+            }
+            self.alpha(1.0);
+        }
+    }
+
+    /// Outlines filled so dark, and hatched as in a section.
+    fn hatched(&self, filled: &[Vec<Vec2>], camera: &Camera, dark: f64) {
+        let c = &self.context;
         c.save();
-        self.outlines(&filled);
-        self.alpha(0.12).fill(Colour::Wall);
+        self.outlines(filled);
+        self.alpha(dark).fill(Colour::Wall);
         c.clip();
         // The strokes lie still against the part while the picture is moved.
         let Vec2 { x: width, y: height } = camera.size;
@@ -348,8 +389,6 @@ impl Painter {
         }
         self.alpha(0.4).stroke(Colour::Wall, 0.75);
         c.restore();
-        self.outlines(&air);
-        self.fill(Colour::Background);
     }
 
     /// Walls in one, their faces `solid`: else they let a section's hatching through, and are no darker than it.
@@ -408,7 +447,9 @@ impl Painter {
         // Touches lie on their ways back: drawn last, they are seen.
         for touches in [false, true] {
             for line in lines().filter(|line| (line.stroke == Stroke::Touch) == touches) {
-                self.line(line, camera, marks.highlight == Some(line.index) && lit(line), reached(scene, line));
+                let moves = marks.highlight == Some(line.index) && lit(line);
+                let asked = marks.field == Some("overtravel") && line.stroke == Stroke::Overtravel;
+                self.line(line, camera, moves || asked, reached(scene, line));
             }
         }
         if !self.small {
@@ -417,7 +458,8 @@ impl Painter {
     }
 
     /// The touches behind something, or those behind nothing: ball, contact, and the contact on the virtual part.
-    fn touches(&self, scene: &Scene, camera: &Camera, deviates: bool, behind: Option<usize>) {
+    fn touches(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
+        let asked = marks.field == Some("stylus.diameter");
         let radius = scene.radius * camera.scale;
         // What is hidden is seen faintly through what hides it.
         for touch in scene.touches.iter().filter(|touch| behind.is_none() && touch.behind.is_some()) {
@@ -426,9 +468,10 @@ impl Painter {
         }
         for touch in scene.touches.iter().filter(|touch| touch.behind == behind) {
             let ball = camera.pixel(touch.ball);
-            self.alpha(0.1).disc(ball, radius, Colour::Ball);
-            self.alpha(1.0).circle(ball, radius, Colour::Ball, 1.0);
-            if let Some(trigger) = touch.trigger.filter(|_| deviates) {
+            let (dark, width) = if asked { (0.3, 3.0) } else { (0.1, 1.0) };
+            self.alpha(dark).disc(ball, radius, Colour::Ball);
+            self.alpha(1.0).circle(ball, radius, Colour::Ball, width);
+            if let Some(trigger) = touch.trigger.filter(|_| marks.deviates) {
                 let at = camera.pixel(trigger);
                 self.circle(at, radius, Colour::Actual, 1.0);
                 for arm in [Vec2::X * 4.0, Vec2::Y * 4.0] {
@@ -446,7 +489,7 @@ impl Painter {
         if number.led {
             self.segment(number.contact, number.plate.middle, Colour::Touch, 1.0);
         }
-        self.font(if number.radius() < 8.0 { SMALL } else { BOLD });
+        self.font(BOLD);
         let Vec2 { x: wide, y: high } = number.plate.half;
         let c = &self.context;
         c.begin_path();

@@ -2,15 +2,15 @@
 
 use super::{AXIS_NAME, HANDLE, Painter, axes_corner, spread_handles, turning};
 use crate::geom::Vec2;
-use crate::view::camera::{BAR_CORNER, Camera, DOWNWARDS};
+use crate::view::camera::{BAR_REACH, Camera, DOWNWARDS};
 use crate::view::layout::Layout;
 use crate::view::scene::Scene;
 use crate::view::style::Colour;
 use crate::view::style::screen::{ARM, SPREAD};
 
 impl Painter {
-    /// What can be gripped: the angles of the touches, and the virtual part, faintly while it is not `held` to lie elsewhere.
-    pub(super) fn handles(&self, scene: &Scene, camera: &Camera, held: bool) {
+    /// What can be gripped: the angles of the touches, and the virtual part.
+    pub(super) fn handles(&self, scene: &Scene, camera: &Camera) {
         if let (Some([start, sweep]), Some((center, ..))) = (spread_handles(scene, camera), scene.spread) {
             let center = camera.pixel(center);
             for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
@@ -20,10 +20,22 @@ impl Painter {
             }
         }
         if let Some((origin, direction)) = scene.handle {
-            self.alpha(if held { 1.0 } else { 0.35 });
             self.handle(camera.pixel(origin), direction);
-            self.alpha(1.0);
         }
+    }
+
+    /// How the feature is turned: from the abscissa to its first direction.
+    pub(super) fn turn(&self, scene: &Scene, camera: &Camera) {
+        let Some((origin, direction)) = scene.turn else { return };
+        let at = camera.pixel(origin);
+        let (far, angle) = (72.0, direction.to_angle());
+        self.segment(at, at + Vec2::X * far, Colour::Highlight, 1.0);
+        let end = at + direction * DOWNWARDS * far;
+        self.segment(at, end, Colour::Highlight, 3.0);
+        self.head(end, direction * DOWNWARDS, 12.0, Colour::Highlight);
+        self.context.begin_path();
+        let _ = self.context.arc_with_anticlockwise(at.x, at.y, far * 0.7, 0.0, -angle, angle > 0.0);
+        self.stroke(Colour::Highlight, 2.0);
     }
 
     /// A square to be gripped.
@@ -98,9 +110,11 @@ impl Painter {
     }
 
     /// A bar of a round length in units of so many millimetres, so that sizes can be judged.
-    pub(super) fn scale_bar(&self, camera: &Camera, unit: f64, comma: bool) {
+    pub(super) fn scale_bar(&self, camera: &Camera, unit: f64, comma: bool, layout: &Layout<'_>) {
         let length = camera.bar(unit);
-        let right = camera.size - BAR_CORNER;
+        let half = Vec2::new((length * unit * camera.scale).max(48.0) / 2.0, BAR_REACH / 2.0);
+        let Some(middle) = layout.bar(camera, half) else { return };
+        let right = middle + Vec2::new(length * unit * camera.scale / 2.0, half.y - 4.0);
         let left = right - Vec2::X * (length * unit * camera.scale);
         let up = Vec2::Y * 4.0;
         for (a, b) in [(left, right), (left - up, left + up), (right - up, right + up)] {

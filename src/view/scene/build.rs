@@ -4,8 +4,9 @@ use crate::geom::{Vec2, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
 use crate::view::material::material;
+use crate::view::scene::blocks::blocks;
 use crate::view::scene::top_faces::{Backs, breaks, topped, tops};
-use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles};
+use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles, tilted};
 use crate::view::walls::{WallShape, shape, strips};
 
 /// What the actual part adds.
@@ -39,6 +40,8 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     let backs = if view == Projection::Isometric {
         scene.walls = nearest_last(look.walls(topped));
         scene.tops = tops(path, spot);
+        scene.blocks = blocks(path, look.towards, spot);
+        scene.dimensions = tilted(path, setup.plane, view);
         Backs::of(path, look.towards)
     } else {
         // Walls are seen edge-on, and what lies along the picture in its true length.
@@ -53,6 +56,7 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     if view == Projection::Top {
         let spread = path.feature.two_circles().and_then(|circles| circles.spread);
         scene.spread = spread.map(|s| (spot(s.center), s.radius, s.start, s.sweep));
+        scene.turn = Some((spot(path.frame.origin), spot(path.frame.u)));
         // What is drawn larger than it is cannot be dragged by it.
         let dragged = actual.magnify == 1.0 && !path.touches.is_empty();
         scene.handle = dragged.then(|| (spot(actual.origin), spot(actual.direction)));

@@ -1,5 +1,6 @@
 //! What is seen, as data: lines, walls and discs in mm on the picture plane. No colours, no pixels.
 
+pub mod blocks;
 mod build;
 pub mod program;
 pub mod stylus;
@@ -11,6 +12,7 @@ use crate::geom::{AXIS_NAMES, Plane, Vec2, Vec3};
 use crate::path::Path;
 use crate::view::dimension::{Angle, Dimension, angles, dimensions};
 use crate::view::material::Material;
+use crate::view::scene::blocks::Block;
 use crate::view::scene::top_faces::Top;
 use crate::view::walls::WallShape;
 
@@ -150,6 +152,8 @@ pub struct Scene {
     pub walls: Vec<WallShape>,
     /// Isometric, the top sides of what is seen whole.
     pub tops: Vec<Top>,
+    /// Isometric, the faces of the nominal material around what lies inside the part, in the order in which they are drawn.
+    pub blocks: Vec<Block>,
     /// The nominal material behind the walls that are seen edge-on.
     pub material: Vec<Material>,
     /// The path.
@@ -180,6 +184,8 @@ pub struct Scene {
     pub dimensions: Vec<Drawn>,
     /// The angles that are seen in their true size.
     pub angles: Vec<DrawnAngle>,
+    /// The origin of the nominal feature, and its first direction. Only seen from the top.
+    pub turn: Option<(Vec2, Vec2)>,
     /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
     pub handle: Option<(Vec2, Vec2)>,
 }
@@ -201,6 +207,18 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         Some(Drawn { field: d.field, ends, aside, either, length: long, on_demand: d.on_demand, wide: 0.0 })
     };
     dimensions(path).into_iter().filter_map(seen).collect()
+}
+
+/// The dimensions of a path where the part is seen at an angle: along the part, as an isometric drawing has them. What comes with the focus is left out.
+fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
+    let seen = |d: Dimension| {
+        let ends = [d.from, d.to].map(|p| view.place(plane, p));
+        let (along, side) = ((ends[1] - ends[0]).normalize_or(Vec2::X), view.place(plane, d.aside).normalize_or(Vec2::Y));
+        // A line that stood almost along the dimension would be nowhere.
+        let aside = if along.perp_dot(side).abs() < 0.4 { along.perp() } else { side };
+        Drawn { field: d.field, ends, aside, either: true, length: d.from.distance(d.to), on_demand: false, wide: 0.0 }
+    };
+    dimensions(path).into_iter().filter(|d| !d.on_demand && d.from.distance(d.to) > 1e-6).map(seen).collect()
 }
 
 /// The angles of a path that a view along an axis shows in their true size.
@@ -227,7 +245,7 @@ fn distance(p: Vec2, a: Vec2, b: Vec2) -> f64 {
 /// About how many pixels a name takes with the room around it: the picture is laid out where nothing can be measured, too.
 fn width(name: &str) -> f64 {
     // Signs of Chinese are as wide as they are high.
-    name.chars().map(|c| if c > '\u{1100}' { 12.5 } else { 7.6 }).sum::<f64>() + 18.0
+    name.chars().map(|c| if c > '\u{1100}' { 13.5 } else { 8.2 }).sum::<f64>() + 18.0
 }
 
 impl Scene {
@@ -270,6 +288,7 @@ impl Scene {
         let bounds = balls
             .chain(ends)
             .chain(walls)
+            .chain(self.blocks.iter().flat_map(|block| block.corners.iter().copied()))
             .chain(self.beyond.iter().copied())
             // In this order, since a place that is not known is no number.
             .fold(start, |[low, high], place| [place.min(low), place.max(high)]);

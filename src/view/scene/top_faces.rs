@@ -35,7 +35,7 @@ pub(super) fn topped(path: &Path, k: usize) -> Option<usize> {
     }
 }
 
-fn is_upright(wall: &Wall, up: Vec3) -> bool {
+pub(super) fn is_upright(wall: &Wall, up: Vec3) -> bool {
     wall.normal.dot(up).abs() < 1e-6
 }
 

@@ -89,7 +89,7 @@ impl View {
     /// The handles and their pixels, those above others first.
     fn handles(&self) -> Vec<(&'static str, Vec2)> {
         let mut handles = Vec::new();
-        let Some(Shown { scene, .. }) = &self.shown else { return handles };
+        let Some(Shown { scene, .. }) = self.shown.as_ref().filter(|_| !self.painter.still) else { return handles };
         if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
             handles.extend([("sweep", sweep), ("start", start)]);
         }

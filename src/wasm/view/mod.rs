@@ -14,7 +14,7 @@ use crate::import::toolpath::{Feature, Known, run_program};
 use crate::import::{Toolpath, read_program};
 use crate::job;
 use crate::view::Legend;
-use crate::view::camera::{Camera, DIMENSION_MARGIN, MARGIN, SMALL_MARGIN};
+use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
@@ -140,10 +140,12 @@ impl View {
         self.draw();
     }
 
-    /// Draws no handles: nothing can be gripped on paper.
-    #[wasm_bindgen(js_name = hideHandles)]
-    pub fn hide_handles(&mut self) {
-        self.painter.still = true;
+    /// Whether there are handles: nothing can be gripped on paper, and the virtual part's come with its group of the form.
+    pub fn grips(&mut self, on: bool) {
+        if self.painter.still == on {
+            self.painter.still = !on;
+            self.draw();
+        }
     }
 
     /// From here on changes are drawn by `render`, all at once, and not one by one.
@@ -339,7 +341,7 @@ impl View {
         self.held().map_or_else(Vec::new, |held| job::minutes(&held.last.planned).into_iter().map(|m| m * 60.0).collect())
     }
 
-    /// Lights up the dimension of a field, by its path in the job, or none.
+    /// Lights up the dimension of a field, by its path in the job, or none. `*` draws every dimension, and lights none.
     pub fn focus(&mut self, field: Option<String>) {
         if self.field != field {
             self.field = field;
@@ -396,7 +398,7 @@ impl View {
             MARGIN
         } else {
             // Room for the lines of the dimensions.
-            crate::num::within(self.camera.size.min_element() * 0.2, DIMENSION_MARGIN * 0.7, DIMENSION_MARGIN)
+            self.camera.dimension_margin()
         }
     }
 
@@ -449,7 +451,7 @@ impl View {
         let mut scene = program::scene(&moves, self.projection);
         if let Some(part) = &part {
             let seen = part.picture(self.projection).scene;
-            (scene.walls, scene.tops, scene.material) = (seen.walls, seen.tops, seen.material);
+            (scene.walls, scene.tops, scene.blocks, scene.material) = (seen.walls, seen.tops, seen.blocks, seen.material);
         }
         Shown { scene, content: Content::Program(path, part) }
     }

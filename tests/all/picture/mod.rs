@@ -152,7 +152,10 @@ fn a_view_shows_only_dimensions_in_their_true_length() {
     let upright = |width, clearance| [width, "cycle.depth", clearance, "cycle.topClearance", "cycle.feedDistance"];
     assert_eq!(fields(Projection::Front), upright("cycle.width1", "cycle.sideClearance1"));
     assert_eq!(fields(Projection::Side), upright("cycle.width2", "cycle.sideClearance2"));
-    assert!(fields(Projection::Isometric).is_empty());
+    // As an isometric drawing has them: along the part, with the value that is true.
+    assert_eq!(fields(Projection::Isometric), ["cycle.width1", "cycle.width2", "cycle.depth"]);
+    let isometric = built(&job, Projection::Isometric).0;
+    assert_eq!(isometric.dimensions.iter().map(|d| d.length).collect::<Vec<_>>(), [80.0, 50.0, 10.0]);
     let turned = with(&job, "cycle.rotation", crate::common::number(30.0));
     let front: Vec<_> = built(&turned, Projection::Front).0.dimensions.iter().map(|d| d.field).collect();
     assert_eq!(
