@@ -8,7 +8,7 @@ use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
 
 /// How far the line of a dimension that comes with the focus stands from the part, pixels.
 const ON_DEMAND: f64 = 16.0;
-/// In the place of a field that has the focus: every dimension is drawn.
+/// In the place of a field that has the focus: every height is drawn.
 const EVERY: &str = "*";
 /// How far it stands from whatever else reaches beyond the part.
 const CLEAR: f64 = 18.0;
@@ -161,7 +161,9 @@ impl Camera {
             layout.arcs.push(arc);
         }
         let all = |on_demand: bool| scene.dimensions.iter().filter(move |d| d.on_demand == on_demand);
-        for drawn in all(false).chain(all(true).filter(|d| focus == Some(d.field) || focus == Some(EVERY))) {
+        let upright = |d: &Drawn| (d.ends[1].y - d.ends[0].y).abs() > 0.999 * d.length;
+        let asked = |d: &Drawn| focus == Some(d.field) || (focus == Some(EVERY) && upright(d));
+        for drawn in all(false).chain(all(true).filter(|d| asked(d))) {
             let placed = self.dimension(drawn, crowd);
             crowd.plates.push(placed.name);
             layout.dimensions.push(placed);

@@ -66,6 +66,9 @@ pub fn within_box([from, to]: [Vec2; 2], [low, high]: [Vec2; 2]) -> Option<[f64;
     (enters <= leaves).then_some([enters, leaves])
 }
 
+/// How deep material is seen behind an edge, pixels.
+pub const BAND: f64 = 36.0;
+
 /// Of a program with more lines than these the rest is not looked at: a frame does not wait for it.
 const MOST: usize = 2000;
 
@@ -76,8 +79,9 @@ pub struct Crowd {
     lines: Vec<([Vec2; 2], f64)>,
     /// Balls and other round things.
     discs: Vec<(Vec2, f64)>,
-    /// The outlines of the nominal walls.
+    /// The outlines of the nominal walls, and how far beside them material may be drawn.
     walls: Vec<[Vec2; 4]>,
+    beside: f64,
     /// The work axes and the scale bar.
     corners: Vec<Plate>,
     /// What is written already.
@@ -97,7 +101,8 @@ impl Crowd {
         let axes = AXES_CORNER + AXES_REACH;
         let bar = camera.bar(unit) * unit * camera.scale + 2.0 * BAR_CORNER;
         let corners = vec![corner(0.0, axes, axes), corner(width - bar, bar, BAR_REACH)];
-        let mut crowd = Crowd { size: camera.size, corners, ..Crowd::default() };
+        let beside = if scene.material.is_empty() { 1.0 } else { BAND };
+        let mut crowd = Crowd { size: camera.size, corners, beside, ..Crowd::default() };
         let radius = scene.radius * camera.scale;
         for line in scene.lines.iter().take(MOST).filter(|line| line.stroke != Stroke::Overtravel) {
             let reach = if line.stroke == Stroke::Position { 0.0 } else { radius };
@@ -117,7 +122,7 @@ impl Crowd {
 
     /// Whether nothing but the axes' corner lies under a plate.
     pub fn leaves(&self, plate: &Plate) -> bool {
-        let edges = |wall: &[Vec2; 4]| (0..4).any(|k| plate.crosses([wall[k], wall[(k + 1) % 4]], 1.0));
+        let edges = |wall: &[Vec2; 4]| (0..4).any(|k| plate.crosses([wall[k], wall[(k + 1) % 4]], self.beside));
         !self.plates.iter().any(|other| plate.meets(other))
             && !self.corners.iter().take(1).any(|axes| plate.meets(axes))
             && !self.discs.iter().any(|(at, radius)| plate.covers(*at, *radius))

@@ -98,8 +98,17 @@ export const unfold = (tab = page) =>
     if (program && !program.everything) program.unfold();
   });
 
-/** Chooses in the menu of what is rarely used. */
+/** What the bar has where there is room; else it is in the menu, by a longer name. @type {Record<string, string>} */
+const IN_BAR = { "Setup sheet to print": "Setup sheet", "Open a file": "Open", "Copy a link to this job": "Share" };
+
+/** Chooses in the menu of what is rarely used, or in the bar, where it is one click. */
 export async function more(/** @type {string | RegExp} */ name, tab = page) {
+  const short = typeof name === "string" ? IN_BAR[name] : undefined;
+  const beside = tab.locator("tp-bar").getByRole("button", { name: short ?? "none", exact: true });
+  if (short && (await beside.isVisible())) {
+    await beside.click();
+    return;
+  }
   await tab.getByRole("button", { name: "More" }).click();
   await tab
     .locator("#menu")
@@ -143,7 +152,7 @@ export const openText = (/** @type {string} */ text, name = "job.json", tab = pa
   tab.locator("#file").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
 
 /** The picture, without the canvas over it. */
-export const PICTURE = "canvas:not(.over)";
+export const PICTURE = "canvas:not(.over, .mini)";
 
 /** The ends of the dimensions' lines, in the window. */
 export const dimensionLines = () =>
@@ -193,24 +202,27 @@ export const pixels = async () => {
 /** How many pixels of a part's picture have exactly this colour of the theme, and in how many columns they are. */
 export const painted = async (/** @type {string} */ part, /** @type {string} */ colour) => {
   await framed();
-  return page.locator(`${part} ${PICTURE}`).evaluate((node, colour) => {
-    const canvas = /** @type {HTMLCanvasElement} */ (node);
-    const probe = document.createElement("i");
-    probe.style.color = getComputedStyle(canvas).getPropertyValue(`--c-${colour}`);
-    canvas.after(probe);
-    const wanted = getComputedStyle(probe).color.match(/\d+/g)?.join();
-    probe.remove();
-    const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-    const { data, width } = drawn.getImageData(0, 0, canvas.width, canvas.height);
-    const columns = new Set();
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) {
-      if (`${data[i]},${data[i + 1]},${data[i + 2]}` !== wanted) continue;
-      count++;
-      columns.add((i / 4) % width);
-    }
-    return { count, columns: columns.size };
-  }, colour);
+  return page
+    .locator(`${part} ${PICTURE}`)
+    .first()
+    .evaluate((node, colour) => {
+      const canvas = /** @type {HTMLCanvasElement} */ (node);
+      const probe = document.createElement("i");
+      probe.style.color = getComputedStyle(canvas).getPropertyValue(`--c-${colour}`);
+      canvas.after(probe);
+      const wanted = getComputedStyle(probe).color.match(/\d+/g)?.join();
+      probe.remove();
+      const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+      const { data, width } = drawn.getImageData(0, 0, canvas.width, canvas.height);
+      const columns = new Set();
+      let count = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        if (`${data[i]},${data[i + 1]},${data[i + 2]}` !== wanted) continue;
+        count++;
+        columns.add((i / 4) % width);
+      }
+      return { count, columns: columns.size };
+    }, colour);
 };
 
 /** Where a part of the page stands in the window. */

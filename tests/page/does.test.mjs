@@ -10,14 +10,17 @@ const SENTENCE = "sets the basic rotation and preset X Y";
 test("a job that sets rotation and preset was said to measure only, in the bar and on the sheet", async () => {
   await field("cycle.type").selectOption("probing-two-circles");
   await field("control.post").selectOption("heidenhain");
-  const does = page.locator("tp-bar .does");
-  assert.equal(await textOf(does), "measures only");
+  const does = page.locator("tp-bar #does");
+  const chosen = () => textOf(does.locator("option:checked"));
+  assert.equal(await chosen(), "measures only");
   assert.equal(await field("control.workOffset").count(), 0, "this cycle takes none");
-  // From the bar to the fields that say it.
-  await does.click();
+  // In the bar, where it was looked for first; the fields of the form follow.
+  await does.selectOption({ label: "sets basic rotation and preset X Y, mean of both circles" });
+  assert.equal(await field("cycle.confirmRotation").inputValue(), "1");
+  assert.equal(await field("cycle.transferPosition").inputValue(), "3");
+  await field("cycle.confirmRotation").selectOption("2");
+  assert.match(await chosen(), /preset X Y/, "what is not among the common choices is said all the same");
   await field("cycle.confirmRotation").selectOption("1");
-  await field("cycle.transferPosition").selectOption("3");
-  assert.equal(await textOf(does), SENTENCE);
   assert.equal(await textOf(page.locator("tp-program .does")), `This program ${SENTENCE}`);
   assert.match((await program()).replaceAll(/\n\d+ ; /g, " ").toLowerCase(), new RegExp(SENTENCE.toLowerCase()));
   await page.getByRole("button", { name: "Setup sheet" }).first().click();
@@ -51,10 +54,28 @@ test("25+0.021 became 25.021 without a word", async () => {
   const diameter = field("cycle.diameter");
   for (const typed of ["25+0.021", "25H7"]) {
     await diameter.fill(typed);
-    await page.keyboard.press("Enter");
+    await page.keyboard.press("Tab");
     assert.equal(await diameter.inputValue(), typed, "what was typed stays");
-    await page.locator(".verdict.error", { hasText: `"${typed}" reads as one: enter 25 alone` }).waitFor();
+    await page
+      .locator(".verdict.error", {
+        hasText: `enter 25 alone, or 25.0105 with a size limit of 0.0105 to have "${typed}" judged`,
+      })
+      .waitFor();
   }
+  // One click judges by it, and one undo takes that back.
+  await page.locator("tp-findings").getByRole("button", { name: "Judge by 25H7" }).click();
+  assert.equal(await diameter.inputValue(), "25.0105");
+  assert.equal(await field("limits.size").inputValue(), "0.0105");
+  assert.equal(await textOf(saveButton()), "Save BORE-D25H7.ngc");
+  assert.match(await program(), /diameter is #<diameter>, more than 0.0105 from 25.0105/);
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await field("limits.size").inputValue(), "0.5");
+  // Enter, which works sums out, takes it too, and says what became of it.
+  await diameter.fill("25H7");
+  await page.keyboard.press("Enter");
+  await page.locator("tp-findings .note", { hasText: "25H7 is judged: 25.0105 with a size limit of 0.0105" }).waitFor();
+  assert.equal(await diameter.inputValue(), "25.0105");
+  await page.getByRole("button", { name: "Undo" }).click();
   await diameter.fill("50/2+0.5");
   await page.keyboard.press("Enter");
   assert.equal(await diameter.inputValue(), "25.5");

@@ -159,7 +159,12 @@ test("readonly: nothing changes the job but the page around, and the program can
   // The virtual part's handle stands at the feature's own origin.
   const spot = await page.evaluate(() => {
     const picture = /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture"));
-    return [...picture.drawing.use((/** @type {any} */ view) => view.handleSpot("shift"))];
+    return [
+      ...picture.drawing.use((/** @type {any} */ view) => {
+        view.grips(true);
+        return view.handleSpot("shift");
+      }),
+    ];
   });
   await page.mouse.move(canvas.x + spot[0], canvas.y + spot[1]);
   await page.mouse.down();

@@ -124,13 +124,19 @@ for (const [name, driven] of Object.entries(ENGINES))
         ],
       });
       const { defaultJob, plan } = await import("touchpath");
-      const job = defaultJob("internal-rectangle-protected");
+      // Where people measure in inch, a first job is in inch.
+      const units = (await run(() => navigator.language)) === "en-US" ? "inch" : "mm";
+      const job = defaultJob("internal-rectangle-protected", units);
+      const { width1, width2 } = job.cycle;
       Object.assign(job.cycle, { width1: 64.5 });
-      job.name = "POCKET-64_5X50";
+      job.name = `POCKET-64_5X${width2}`;
       const shown = () =>
-        run(() => {
+        run(async () => {
           const root = document.querySelector("touch-path")?.shadowRoot;
-          return [...(root?.querySelectorAll("tp-program .text") ?? [])].map((line) => line.textContent).join("\n");
+          const program = /** @type {any} */ (root?.querySelector("tp-program"));
+          if (!program.everything) program.unfold();
+          await program.updateComplete;
+          return [...program.querySelectorAll(".text")].map((line) => line.textContent).join("\n");
         });
       assert.equal(`${await shown()}\n`, plan(job).program.text);
       const drawn = async (/** @type {string} */ which) => {
@@ -155,8 +161,8 @@ for (const [name, driven] of Object.entries(ENGINES))
       await press("Next touch");
       assert.ok((await drawn("canvas.over")) > 0, "the ball is at the first touch");
       await press("Undo");
-      Object.assign(job.cycle, { width1: 80 });
-      job.name = "POCKET-80X50";
+      Object.assign(job.cycle, { width1 });
+      job.name = `POCKET-${width1}X${width2}`;
       await run(() => /** @type {any} */ (document.querySelector("touch-path")).app.updateComplete);
       assert.equal(`${await shown()}\n`, plan(job).program.text);
       const png = await ask("GET", "/screenshot");

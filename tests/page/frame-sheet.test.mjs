@@ -9,12 +9,11 @@ setUp({ width: 1440, height: 900 });
 test("the setup sheet: one printed page with what is expected, boxes for what was, and the program's hash", async () => {
   await page.getByRole("button", { name: "Setup sheet" }).click();
   const sheet = page.locator("tp-sheet");
-  await sheet.getByText(/^[0-9a-f]{64}$/).waitFor();
-  const { createHash } = await import("node:crypto");
+  const hash = /Hash of the blocks: (\w{16})\./.exec(await textOf(sheet))?.[1];
   const download = page.waitForEvent("download");
   await saveButton().click();
-  const text = readFileSync(await (await download).path());
-  assert.equal(await textOf(sheet.locator(".hash code")), createHash("sha256").update(text).digest("hex"));
+  const text = readFileSync(await (await download).path(), "utf8");
+  assert.ok(text.includes(`Blocks below: ${hash}`), "the sheet names the program that is at the machine");
   assert.match(await textOf(sheet), /Width 1\s*80/);
   assert.equal(await sheet.locator("td.box").count(), 9, "five results and four touches");
   const onePage = async () => {
@@ -63,7 +62,10 @@ test("the setup sheet says what must be so before the start, and promises no rep
     const end = lines.findIndex((line) => /^[(;] ?made by/i.test(line));
     assert.ok(first > 0 && end > first + 3, post);
     const wanted = lines.slice(first, end).map((line) => (line.startsWith(";") ? line.slice(2) : line.slice(1, -1)));
-    assert.deepEqual(said.split("\n").slice(1), wanted, post);
+    // The columns of the program do not break its sentences on paper.
+    const whole = said.split("\n").slice(1);
+    assert.equal(whole.join(" "), wanted.join(" "), post);
+    assert.equal(whole.length < wanted.length, post === "fanuc", `${post}: ${whole.length} of ${wanted.length}`);
     assert.ok(wanted.some((line) => /probe in the spindle and switched on/i.test(line)));
     assert.equal(/expected to report/.test(await textOf(sheet)), reports, post);
     assert.match(await textOf(sheet), /Work feed\s*150 mm\/min/);
@@ -81,7 +83,7 @@ test("the setup sheet drew the handle of the virtual part as if it were a featur
   const handle = async (/** @type {string} */ part) => (await painted(part, "actual")).count;
   assert.ok((await handle("tp-picture")) > 20);
   await page.getByRole("button", { name: "Setup sheet" }).click();
-  await page.locator("tp-sheet canvas").waitFor();
+  await page.locator("tp-sheet [data-view=top]").waitFor();
   await page.waitForTimeout(300);
   assert.equal(await handle("tp-sheet"), 0);
 });
@@ -125,7 +127,7 @@ test("the setup sheet is of the form as it stands: its picture follows, and with
   await field("cycle.diameter").fill("55");
   await page.getByRole("button", { name: "Setup sheet" }).click();
   const picture = () =>
-    page.locator("tp-sheet canvas").evaluate((c) => /** @type {HTMLCanvasElement} */ (c).toDataURL());
+    page.locator("tp-sheet [data-view=top]").evaluate((c) => /** @type {HTMLCanvasElement} */ (c).toDataURL());
   const hole = await picture();
   await field("cycle.type").selectOption("internal-rectangle");
   await page.waitForTimeout(50);

@@ -253,6 +253,9 @@ test("a text that is pasted by the keyboard, and is short enough, is read", asyn
 test("texts with tolerances stayed as they were when the units changed: ten millimetres became ten inches", async () => {
   await open({ viewport: { width: 1280, height: 800 } });
   await field("cycle.type").selectOption("probing-two-circles");
+  // What nobody has touched begins as in inch: these were given.
+  await put("cycle.point1", [-30, 0, -10]);
+  await put("cycle.point2", [30, 0, -10]);
   await field("cycle.diameter1").fill("10H7");
   await field("cycle.diameter2").fill("20+0.05-0.02");
   const places = async () =>

@@ -6,7 +6,7 @@ import { chooseUnits, field, held, more, openTab, page, program, ready, setUp, t
 
 setUp();
 
-const dialog = () => page.getByRole("dialog", { name: "Presets" });
+const dialog = () => page.getByRole("dialog", { name: "My machines" });
 const close = () => dialog().getByRole("button", { name: "Close" }).click();
 const openFile = (/** @type {string} */ text) =>
   dialog()
@@ -18,8 +18,8 @@ test("a preset brings stylus, feeds and control back, in other units and after a
   await field("stylus.diameter").fill("3");
   await field("feeds.work").fill("80");
   await field("control.post").selectOption("sinumerik");
-  await more("Presets");
-  await dialog().getByLabel("Name of the preset").fill("Mill 2 <b>");
+  await more("My machines");
+  await dialog().getByLabel("Name of the machine").fill("Mill 2 <b>");
   await dialog().getByRole("button", { name: "Keep the present values" }).click();
   assert.match(await told(), /Kept “Mill 2 <b>”/);
   await close();
@@ -31,7 +31,7 @@ test("a preset brings stylus, feeds and control back, in other units and after a
   assert.equal(await held("stylus.diameter"), 6);
   await field("cycle.width1").fill("66");
   await chooseUnits("inch");
-  await more("Presets");
+  await more("My machines");
   await dialog().getByRole("button", { name: "Use Mill 2 <b>" }).click();
   await close();
   assert.deepEqual(
@@ -47,9 +47,9 @@ test("a preset brings stylus, feeds and control back, in other units and after a
 });
 
 test("presets are saved as a file and read again; a file that is none changes nothing, what is none in it is left out", async () => {
-  await more("Presets");
+  await more("My machines");
   for (const name of ["one", "two", "one"]) {
-    await dialog().getByLabel("Name of the preset").fill(name);
+    await dialog().getByLabel("Name of the machine").fill(name);
     await page.keyboard.press("Enter");
   }
   const names = () => dialog().locator("li b").allTextContents();
@@ -92,10 +92,10 @@ test("presets are saved as a file and read again; a file that is none changes no
 test("two tabs overwrote each other's presets, and a file pushed the user's own out", async () => {
   const other = await openTab();
   const keep = async (/** @type {import("playwright-core").Page} */ tab, /** @type {string} */ name) => {
-    await more("Presets", tab);
-    await tab.getByLabel("Name of the preset").fill(name);
+    await more("My machines", tab);
+    await tab.getByLabel("Name of the machine").fill(name);
     await tab.getByRole("button", { name: "Keep the present values" }).click();
-    await tab.getByRole("dialog", { name: "Presets" }).getByRole("button", { name: "Close" }).click();
+    await tab.getByRole("dialog", { name: "My machines" }).getByRole("button", { name: "Close" }).click();
   };
   await keep(page, "Mill A");
   await keep(other, "Mill B");
@@ -103,7 +103,7 @@ test("two tabs overwrote each other's presets, and a file pushed the user's own 
   const names = () => page.locator("tp-presets li b").allTextContents();
   assert.deepEqual(await names(), ["Mill A", "Mill B", "Mill C"]);
   const many = Array.from({ length: 200 }, (_, i) => ({ name: `A${i}`, units: "mm", sections: { stylus: {} } }));
-  await more("Presets");
+  await more("My machines");
   await openFile(JSON.stringify({ format: "touchpath-presets", version: 1, presets: many }));
   await page.locator("tp-presets [role=status]", { hasText: "at most 200" }).waitFor();
   assert.deepEqual(await names(), ["Mill A", "Mill B", "Mill C"]);
@@ -111,7 +111,7 @@ test("two tabs overwrote each other's presets, and a file pushed the user's own 
 
 test("a preset that leaves something out brings the defaults, not holes", async () => {
   await field("stylus.diameter").fill("3");
-  await more("Presets");
+  await more("My machines");
   await openFile('{"format":"touchpath-presets","version":1,"presets":[{"name":"bare","sections":{"stylus":{}}}]}');
   await dialog().getByRole("button", { name: "Use bare" }).click();
   assert.equal(await held("stylus.diameter"), 6);

@@ -89,7 +89,7 @@ async function held() {
   await page.keyboard.press("Control+s");
   await page.getByRole("button", { name: "More" }).click();
   const menu = page.locator("#menu");
-  for (const name of ["Save job", "Save the picture (SVG)", "Copy a link to this job", "Presets", "Reset"])
+  for (const name of ["Save job", "Save the picture (SVG)", "Copy a link to this job", "My machines", "Reset"])
     assert.ok(await menu.getByRole("button", { name, exact: true }).isDisabled(), name);
   return () => saved;
 }

@@ -27,6 +27,7 @@ import type { ProgramPart } from "./program-panel.js";
 import "./program-panel.js";
 import { Refocus } from "./refocus.js";
 import "./results.js";
+import { isShort } from "./shown.js";
 import "./table.js";
 
 export { Store };
@@ -143,7 +144,7 @@ export class App extends LitElement {
         this.viewed = viewed;
         this.use("viewer");
         // The page keeps the editor of long programs for when there is no network.
-        this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
+        if (!isShort(viewed.text)) this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
       },
       beside: (text, signal) => {
         const detail: Unread = { text, signal, reading: null };
@@ -306,8 +307,8 @@ export class App extends LitElement {
         ${panels.includes("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
         ${panels.includes("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${shows("program")}></tp-checks></section>` : nothing}
       </main>
-      ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${() => this.use("cycles")}></tp-gallery>` : nothing}
-      ${this.tool === "manual" ? html`<tp-manual role="main" .store=${store} .topic=${this.topic} @chosen=${() => this.use("cycles")}></tp-manual>` : nothing}
+      ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${this.chosen}></tp-gallery>` : nothing}
+      ${this.tool === "manual" ? html`<tp-manual role="main" .store=${store} .topic=${this.topic} @chosen=${this.chosen}></tp-manual>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
@@ -616,6 +617,15 @@ export class App extends LitElement {
     this.topic = topic;
     await this.use("manual");
   }
+
+  /** A cycle was chosen: its first size is what is typed next. Where fingers point, a focus would bring the keyboard up over the picture. */
+  private readonly chosen = async (): Promise<void> => {
+    await this.use("cycles");
+    const size = this.store.cycle.fields.find((field) => field.size);
+    if (!size || !matchMedia("(pointer: fine)").matches || this.width < WIDE) return;
+    await this.updateComplete;
+    this.querySelector<HTMLElement>(`[id="f-cycle.${size.key}"]`)?.focus({ preventScroll: true });
+  };
 
   /** Chooses a cycle or a control by its path and its name. */
   private async choose(what: string): Promise<void> {

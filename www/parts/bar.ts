@@ -77,7 +77,7 @@ class BarPart extends FieldPart {
     const code = Object.keys(ALWAYS).find((code) => found.has(code));
     const grave = store.findings.some((f) => f.code === code && f.level === "warning");
     const title = this.t("About {control}", store.post?.title ?? "");
-    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${code ? `${title}: ${this.t(ALWAYS[code] as string)}` : title} title=${title} @click=${() => this.about(`control:${store.post?.id}`)}>${code ? this.t(ALWAYS[code] as string) : nothing} <span class="i" aria-hidden="true">i</span></button>`;
+    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${code ? `${title}: ${this.t(ALWAYS[code] as string)}` : title} title=${title} @click=${() => this.about(`control:${store.post?.id}`)}>${code ? html`<span class="words">${this.t(ALWAYS[code] as string)}</span> ` : nothing}<span class="i" aria-hidden="true">i</span></button>`;
   }
 
   private about(topic: string): void {

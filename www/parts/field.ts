@@ -1,7 +1,9 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
-import type { FieldEntry, Finding } from "../core/browser.js";
+import type { FieldEntry, Finding, Said } from "../core/browser.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
+import { toleranced } from "../tolerance.js";
+import { w } from "../words.js";
 import { Part } from "./part.js";
 
 /** A field and where its value stands in the job. */
@@ -90,6 +92,18 @@ export abstract class FieldPart extends Part {
     const value = this.store.get(path);
     if (event.key === "Enter") {
       this.accept(path);
+      const judged = toleranced(this.store, path);
+      if (judged) {
+        judged.take();
+        const [middle, half] = [judged.middle, judged.half].map((x) => this.store.number(x));
+        const detail: Said = [
+          w("{text} is judged: {middle} with a size limit of {half}"),
+          judged.text,
+          middle ?? "",
+          half ?? "",
+        ];
+        this.dispatchEvent(new CustomEvent("say", { bubbles: true, detail }));
+      }
       box.select();
       box.dispatchEvent(new CustomEvent("entered", { bubbles: true, detail: box }));
     } else if (event.key === "Escape" && this.entry !== undefined && this.entry !== box.value) {

@@ -2,6 +2,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Finding, Said } from "../core/browser.js";
 import { runInWords } from "../sentences.js";
 import type { Store } from "../store.js";
+import { toleranced } from "../tolerance.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 import { replaced, saveButton } from "./save.js";
@@ -15,22 +16,10 @@ const MANY = { error: w("{count} errors"), warning: w("{count} warnings"), info:
 export function remedy(store: Store, { code, path }: Finding): TemplateResult | null {
   if (code === "collision" && path === "part") return nominal(store);
   const judged = toleranced(store, path);
-  if (judged) return judged;
+  if (judged)
+    return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${judged.take}>${store.t("Judge by {text}", judged.text)}</button>`;
   if (code !== "unknown-key" || store.get(path) === undefined) return null;
   return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${() => store.drop(path)}>${store.t("Remove it")}</button>`;
-}
-
-/** What is said of a size that was typed with a tolerance. */
-const TOLERANCED = /^\{label\} takes no tolerance: enter \{nominal\} alone/;
-
-/** Takes a size that was typed with a tolerance: its middle, and a size limit that the program judges by. */
-function toleranced(store: Store, path: string): TemplateResult | null {
-  const said = store.at(path).find((f) => TOLERANCED.test(f.said[0]))?.said;
-  if (!said) return null;
-  const [, , , middle, half, text] = said as string[];
-  if (!middle || !half || !text) return null;
-  const take = () => store.judge(path, Number(middle), Number(half), text);
-  return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${take}>${store.t("Judge by {text}", text)}</button>`;
 }
 
 /** Ends a trial of the virtual part. */

@@ -249,7 +249,7 @@ class FormPart extends FieldPart {
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     // What stands as in a new job is not worth the line.
     const said = sorted.filter(({ field, path }) => {
-      const own = this.store.cycle.fields.includes(field);
+      const own = this.store.cycle.fields.includes(field) && !FOLDED.test(name);
       const usual = alike(this.store.get(path) ?? null, this.store.begins(field) ?? null);
       return own || FIRST.has(path) || !usual || faulty(path);
     });

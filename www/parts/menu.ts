@@ -11,7 +11,7 @@ const THEME_NAMES = { auto: w("as the system"), light: w("light"), dark: w("dark
 const KEYS: [string, string][] = [
   [w("Ctrl+Z, Ctrl+Y"), w("undo, redo: fields, choices, drags, files, Reset")],
   [w("Ctrl+K"), w("find anything: cycles, fields, controls, actions")],
-  [w("Ctrl+V"), w("open what was copied: a dump, a program, a job, a log")],
+  [w("Ctrl+V"), w("open what is in the clipboard: a dump, a program, a job, a log")],
   [w("Ctrl+S"), w("save the program")],
   [w("↑ ↓ in a number"), w("one step more or less; with Shift a tenth of it")],
   [w("Enter in a number"), w("work out a sum, and to the next field")],

@@ -24,16 +24,16 @@ class PresetsPart extends Part {
 
   override render(): TemplateResult {
     return html`
-      <p id="presets-help">${this.t("A preset holds stylus, overtravel, feeds, control and tool: what belongs to a machine. The cycle, the part and the work offset stay as they are. Presets are kept in this browser.")}</p>
+      <p id="presets-help">${this.t("A machine is kept with its stylus, overtravel, feeds, control and tool, and stands in the list at the head of the page. The cycle, the part and the work offset stay as they are. Machines are kept in this browser.")}</p>
       <div class="tools">
-        <input class="filter" id="preset-name" type="text" aria-label=${this.t("Name of the preset")} placeholder=${this.t("Name, such as Mill 2, ball 6")} maxlength="80"
+        <input class="filter" id="preset-name" type="text" aria-label=${this.t("Name of the machine")} placeholder=${this.t("Name, such as Mill 2, ball 6")} maxlength="80"
           @keydown=${(e: KeyboardEvent) => e.key === "Enter" && this.keep()} />
         <button type="button" @click=${() => this.keep()}>${this.t("Keep the present values")}</button>
       </div>
       <p class="told"><span role="status">${this.told}</span> ${this.earlier ? html`<button type="button" class="quiet" @click=${this.takeBack}>${this.t("Undo")}</button>` : nothing}</p>
       ${
         this.list.length > 0
-          ? html`<fieldset class="tools" aria-label=${this.t("What is taken of a preset")}>${Object.entries(PARTS).map(
+          ? html`<fieldset class="tools" aria-label=${this.t("What is taken of a machine")}>${Object.entries(PARTS).map(
               ([part, [name]]) =>
                 html`<label class="check"><input type="checkbox" .checked=${this.parts.has(part)} @change=${() => this.choose(part)} /> ${this.t(name)}</label>`,
             )}</fieldset>`
@@ -54,7 +54,7 @@ class PresetsPart extends Part {
   private keep(): void {
     const box = this.querySelector<HTMLInputElement>("#preset-name");
     const name = box?.value.trim() ?? "";
-    if (name === "") this.tell(this.t("A preset needs a name"));
+    if (name === "") this.tell(this.t("A machine needs a name"));
     else {
       const replaced = this.list.some((one) => one.name === name);
       const done = this.put((list) => added(list, this.store.preset(name)), replaced);

@@ -2,17 +2,7 @@
 // that is loaded.
 import { LineList } from "./line-list.js";
 import type { Editor } from "./program-editor.js";
-import { type Found, type Kind, MARGIN, type Shown } from "./shown.js";
-
-/** A text of more lines, or of a longer line, has the editor. */
-const MOST_LINES = 5000;
-const LONGEST_LINE = 5000;
-
-/** Whether a text is shown as lines. */
-function isShort(text: string): boolean {
-  const lines = text.split("\n");
-  return lines.length <= MOST_LINES && lines.every((line) => line.length <= LONGEST_LINE);
-}
+import { type Found, isShort, type Kind, MARGIN, type Shown } from "./shown.js";
 
 const NONE: Found = { matches: new Set(), here: -1 };
 

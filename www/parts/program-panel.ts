@@ -172,7 +172,7 @@ class ProgramPart extends Part {
             ${rows(block.lines)}</div>`;
         })}
       </div>
-      ${stale ? nothing : this.screen()}
+      ${this.screen()}
       <p class="does">${stale ? this.t("no program") : this.t("This program {does}", program.said)}</p>
     `;
   }

@@ -19,9 +19,13 @@ function conditions(text: string): string[] {
 /** Where the pictures are looked at from. */
 const SEEN = ["top", "front"] as const;
 
+/** Programs whose comments are longer than this break none. */
+const WRAPS = 80;
+
 /** Comments as they were before the columns of the program broke them: where the next word would not have fitted, the sentence continues. */
 function unwrapped(lines: string[]): string[] {
   const most = Math.max(...lines.map((line) => line.length));
+  if (most > WRAPS) return lines;
   const whole: string[] = [];
   let before = "";
   for (const line of lines) {
@@ -71,9 +75,9 @@ class SheetPart extends Part {
         <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
         <p>${cycle.source} · ${post?.title ?? program.post}, ${this.store.does} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
         ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
+        <div class=${plan.results.length > MANY_RESULTS ? "views dense" : "views"}><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas><canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas></div>
         <div class=${plan.results.length > MANY_RESULTS ? "columns dense" : "columns"}>
           <div>
-            <div class="views"><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas><canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas></div>
             <table>
               <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to give: this control computes no results")}</caption>
               <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>

@@ -24,3 +24,13 @@ export interface Shown {
 
 /** A line that is brought into sight is this far from the edge, px. */
 export const MARGIN = 40;
+
+/** A text of more lines, or of a longer line, has the editor. */
+const MOST_LINES = 5000;
+const LONGEST_LINE = 5000;
+
+/** Whether a text is shown as lines. */
+export function isShort(text: string): boolean {
+  const lines = text.split("\n");
+  return lines.length <= MOST_LINES && lines.every((line) => line.length <= LONGEST_LINE);
+}

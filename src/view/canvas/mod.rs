@@ -19,6 +19,7 @@ use crate::view::layout::Layout;
 use crate::view::lengths::Arrow;
 use crate::view::material;
 use crate::view::numbers::Number;
+use crate::view::plate::BAND;
 use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, Stroke};
 use crate::view::style::screen::{ARROWS, CENTRE_LINES};
@@ -52,8 +53,7 @@ const BOLD: &str = "600 13px system-ui, sans-serif";
 /// Pixels between the strokes of a hatching.
 const HATCH: f64 = 9.0;
 
-/// How deep material is seen behind an edge, pixels; the same in a small picture.
-const BAND: f64 = 36.0;
+/// How deep material is seen behind an edge of a small picture, pixels.
 const SMALL_BAND: f64 = 8.0;
 
 /// How far behind a contact the disc of its number reaches, pixels.
@@ -431,6 +431,7 @@ impl Painter {
         let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
         self.alpha(match line.stroke {
             _ if !reached => 0.2,
+            _ if line.high && !highlit => 0.4,
             Stroke::Overtravel => 0.9,
             Stroke::Position | Stroke::Link | Stroke::Touch => 1.0,
         });
@@ -460,7 +461,8 @@ impl Painter {
     /// The touches behind something, or those behind nothing: ball, contact, and the contact on the virtual part.
     fn touches(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>, behind: Option<usize>) {
         let asked = marks.field == Some("stylus.diameter");
-        let radius = scene.radius * camera.scale;
+        // A ball beside a part of metres is still there.
+        let radius = (scene.radius * camera.scale).max(2.5);
         // What is hidden is seen faintly through what hides it.
         for touch in scene.touches.iter().filter(|touch| behind.is_none() && touch.behind.is_some()) {
             self.alpha(0.35).circle(camera.pixel(touch.ball), radius, Colour::Ball, 1.0);

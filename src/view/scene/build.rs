@@ -141,18 +141,24 @@ impl Look<'_> {
     fn lines(&self, feeds: &Feeds, backs: &Backs) -> Vec<Line> {
         let mut lines = Vec::new();
         let mut at = self.path.start;
+        let up = self.path.frame.w;
+        let top = self.path.touches.iter().map(|touch| touch.point.dot(up)).fold(f64::NEG_INFINITY, f64::max);
+        // A long way at a clearance height: what crosses the part a little above its top is not meant.
+        let clear = top + 30.0 * self.setup.radius.max(1.0);
+        let high = |ends: [Vec3; 2]| self.view == Projection::Top && ends.iter().all(|end| end.dot(up) > clear);
         for (index, step) in self.path.moves.iter().enumerate() {
             let (rapid, back) = (feeds.is_rapid(step.feed), matches!(step.purpose, Purpose::Back(_)));
             let mut start = at.unwrap_or(step.to);
             for end in step.pieces(start, self.path.frame.w, 3.0) {
                 let (from, to, behind) = (self.spot(start), self.spot(end), backs.before([start, end]));
-                lines.push(Line { from, to, stroke: stroke(step), rapid, back, behind, index });
+                let high = high([start, end]);
+                lines.push(Line { from, to, stroke: stroke(step), rapid, back, behind, high, index });
                 start = end;
             }
             if let Purpose::Touch(k) = step.purpose {
                 let end = step.to - self.path.touches[k].vector * self.path.touches[k].search;
                 let (from, to, behind) = (self.spot(step.to), self.spot(end), backs.before([step.to; 2]));
-                lines.push(Line { from, to, stroke: Stroke::Overtravel, rapid: false, back: false, behind, index });
+                lines.push(Line { from, to, stroke: Stroke::Overtravel, rapid: false, back: false, behind, high: false, index });
             }
             at = Some(step.to);
         }

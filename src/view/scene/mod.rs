@@ -91,6 +91,8 @@ pub struct Line {
     pub back: bool,
     /// What stands before it: that with this top side.
     pub behind: Option<usize>,
+    /// Whether, from the top, it runs so high that nothing of the part is near it.
+    pub high: bool,
     /// Index of the move in the path.
     pub index: usize,
 }

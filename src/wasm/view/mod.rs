@@ -341,7 +341,7 @@ impl View {
         self.held().map_or_else(Vec::new, |held| job::minutes(&held.last.planned).into_iter().map(|m| m * 60.0).collect())
     }
 
-    /// Lights up the dimension of a field, by its path in the job, or none. `*` draws every dimension, and lights none.
+    /// Lights up the dimension of a field, by its path in the job, or none. `*` draws every height, and lights none.
     pub fn focus(&mut self, field: Option<String>) {
         if self.field != field {
             self.field = field;
