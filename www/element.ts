@@ -73,7 +73,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {string} post - The control, by the `id` of a post in the catalog: that of the present job and of every later one that names none. Where a job names another, the finding `other-control` says so.
  * @attr {"mm" | "inch"} units - The units, likewise; the values of the present job are converted. Where a job names others, the finding `other-units` says so.
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
- * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
+ * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hans`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
  * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, the table where it is named or the mode is `cam`.
  * @attr {"setter" | "cam"} mode - Whether what only the author of a postprocessor needs is shown: parameters, codes, picked touches. Without it, as the user says, and from when a parameter dump was opened.

@@ -63,6 +63,7 @@ test("the package had no licence text", () => {
     "dist/schema.json",
     "dist/words/de.json",
     "dist/words/ru.json",
+    "dist/words/zh-Hans.json",
     "dist/words/zh-Hant.json",
     ...wasm,
     "dist/licences.txt",

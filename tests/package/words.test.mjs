@@ -3,13 +3,18 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { languages, texts, wordsOf } from "../../scripts/words.mjs";
+import { languages, simplified, texts, wordsOf } from "../../scripts/words.mjs";
 
 const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 const found = (/** @type {RegExp} */ what, /** @type {string} */ text) => [...new Set(text.match(what) ?? [])].sort();
 const NAMES = /\{[A-Za-z0-9_]+\}/g;
 /** Codes that are typed or read on a control. */
 const CODES = /\b(?:Q[1-9]\d+|G\d+(?:\.\d)?|R\d+|CYCLE\d+|SD\d+|CmdPrm[.\w]*|MEAS|LENTOAX)\b|\$\w+|#\d+/g;
+
+test("simplified Chinese is that of the traditional words, as `node scripts/words.mjs` makes it", () => {
+  assert.deepEqual(wordsOf("zh-Hans"), simplified());
+  assert.ok(languages().includes("zh-Hans"));
+});
 
 for (const language of languages()) {
   test(`${language} has words for every text, and for no other`, () => {

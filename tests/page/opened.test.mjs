@@ -14,6 +14,7 @@ import {
   page,
   problems,
   program,
+  put,
   ready,
   settles,
   setUp,

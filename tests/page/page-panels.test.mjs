@@ -265,7 +265,7 @@ test("the words of a program have colours, those of the program that is shown", 
   assert.equal((await coloured("code")).length, count, "typing leaves none behind");
 });
 
-test("a program is compared with the one saved last and with that for another control", async () => {
+test("a program is compared with the one saved last and with the other form of its control", async () => {
   const choice = page.getByLabel("Compare the program");
   const shown = page.locator("tp-program .differences .line");
   const texts = async (/** @type {string} */ kind) =>
@@ -295,16 +295,21 @@ test("a program is compared with the one saved last and with that for another co
     await textOf(page.locator("tp-program .compared [role=status]")),
     /^\d+ lines only here, \d+ lines only there$/,
   );
-  // Another control: its own words are there.
-  await choice.selectOption("grbl");
-  await settles(async () => (await texts("less")).some((text) => /G38\.2/.test(text)));
-  // The job for that control itself: nothing is left to compare with, and the program is there.
-  await field("control.post").selectOption("grbl");
+  // The control's other form: its own words are there. Another control's program has no line in common: it is not offered.
+  await field("control.post").selectOption("haas");
+  await choice.selectOption("form");
+  await settles(async () => (await texts("less")).some((text) => /G65 P9812/.test(text)));
+  const offered = await choice
+    .locator("option")
+    .evaluateAll((all) => all.map((one) => /** @type {HTMLOptionElement} */ (one).value));
+  assert.deepEqual(offered, ["", "saved", "form"]);
+  // A control with one form: nothing is left to compare with, and the program is there.
+  await field("control.post").selectOption("linuxcnc");
   await page.locator("tp-program .code[role=listbox]").waitFor();
   assert.equal(await shown.count(), 0);
-  await field("control.post").selectOption("linuxcnc");
   assert.equal(await choice.inputValue(), "", "the list says that nothing is compared");
-  await choice.selectOption("grbl");
+  await field("control.post").selectOption("haas");
+  await choice.selectOption("form");
   await shown.first().waitFor();
   // Side by side: each column is its whole program, and lines that replace others stand beside them.
   await page.getByRole("button", { name: "Side by side" }).click();
@@ -317,7 +322,7 @@ test("a program is compared with the one saved last and with that for another co
   );
   const { plan } = await import("touchpath");
   const other = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job);
-  other.control.post = "grbl";
+  other.control.form = "cycle";
   assert.equal(`${await column(2)}\n`, plan(other).program.text);
   assert.ok((await rows.locator("td.less + td + td.more").count()) > 10);
   await page.keyboard.press("Escape");
@@ -328,7 +333,7 @@ test("a program is compared with the one saved last and with that for another co
   await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "grbl" }));
   await settles(async () => (await rows.count()) === 0 && (await choice.inputValue()) === "");
   await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "linuxcnc" }));
-  await choice.selectOption("grbl");
+  await choice.selectOption("saved");
   // Back to the program.
   await choice.selectOption("");
   await page.locator("tp-program .code[role=listbox]").waitFor();

@@ -63,7 +63,7 @@ test("tool lengths: the manual's examples, a frame by steps, what the control is
 
 test("the gallery: small pictures, search by name or number, a cycle chosen", async () => {
   await page.getByRole("button", { name: "Gallery" }).click();
-  const cards = page.locator("tp-gallery li:visible");
+  const cards = page.locator("tp-gallery li:visible:has([data-type])");
   await cards.first().waitFor();
   assert.equal(await cards.count(), 18);
   const drawn = await page.locator("tp-gallery canvas").evaluateAll((all) =>
@@ -86,7 +86,7 @@ test("the gallery: small pictures, search by name or number, a cycle chosen", as
   assert.deepEqual(await cards.locator("b").allTextContents(), ["NC action"]);
   await search.fill("16");
   assert.deepEqual(await cards.locator("b").allTextContents(), ["Triple wall external corner"]);
-  await cards.first().getByRole("button").click();
+  await cards.first().getByRole("button").first().click();
   assert.equal(await field("cycle.type").inputValue(), "triple-wall-external-corner");
   assert.match(await program(), /type 16: Triple wall external corner/);
   assert.deepEqual(problems, []);

@@ -9,6 +9,7 @@ import {
   chooseUnits,
   field,
   focusedId,
+  held,
   more,
   open,
   PICTURE,
@@ -16,6 +17,7 @@ import {
   pixels,
   problems,
   program,
+  put,
   ready,
   reset,
   saveButton,
@@ -82,6 +84,9 @@ test("an error stands beside its field, the last good plan stays and is marked, 
 });
 
 test("units convert what is shown, not the part", async () => {
+  // What nobody has touched begins as in inch: everything of this job was given.
+  await put("cycle", await held("cycle"));
+  for (const section of ["stylus", "feeds", "overtravel"]) await put(section, await held(section));
   await chooseUnits("inch");
   assert.equal(await field("cycle.width1").inputValue(), "3.149606");
   assert.match(await program(), /G20/);

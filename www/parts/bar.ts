@@ -27,6 +27,7 @@ const ALWAYS: Record<string, string> = {
 
 /** The head of the page: what is measured, on which machine, and what the program does with it; and what is handed out. */
 class BarPart extends FieldPart {
+  protected override follows = ["change", "machines"];
   /** Whether links to the job are handed out. */
   links = false;
   /** Whether machines are kept in this browser. */

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { catalog, type FieldEntry } from "../core/browser.js";
-import { found, LENGTHS, textOf } from "../search.js";
+import { found, hasWord, LENGTHS, textOf, wordsIn } from "../search.js";
 import { Part } from "./part.js";
 
 /** Something that can be done or gone to. */
@@ -97,7 +97,11 @@ class CommandsPart extends Part {
 
   private listed(): Command[] {
     const text = ({ name, kind, says = "", also = "" }: Command) => `${name} ${kind} ${says} ${also}`.toLowerCase();
-    return found(this.all(), this.query, text).things.slice(0, MOST);
+    const words = wordsIn(this.query);
+    // What is called so comes before what is only found so.
+    const called = ({ name }: Command) => words.every((word) => hasWord(name.toLowerCase(), word));
+    const all = found(this.all(), this.query, text).things;
+    return [...all.filter(called), ...all.filter((one) => !called(one))].slice(0, MOST);
   }
 
   private all(): Command[] {

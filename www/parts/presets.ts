@@ -115,7 +115,9 @@ class PresetsPart extends Part {
     }
     this.list = list;
     this.earlier = loses ? old : null;
-    if (keepPresets(list)) return true;
+    const kept = keepPresets(list);
+    this.store.dispatchEvent(new Event("machines"));
+    if (kept) return true;
     this.tell(this.t("This browser keeps nothing: the presets are there until the page is left"));
     return false;
   }

@@ -328,7 +328,7 @@ class ProgramPart extends Part {
     if (list) list.value = this.against;
     this.mark();
     this.colours.follow(this.querySelector<HTMLElement>(".code[role=listbox]") as HTMLElement);
-    const shown = `${this.unfolded} ${this.store.plan.program.text}`;
+    const shown = `${this.unfolded} ${this.everything} ${this.opened.size} ${this.store.plan.program.text}`;
     if (shown === this.coloured) return;
     this.coloured = shown;
     this.colours.show(120);

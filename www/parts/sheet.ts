@@ -38,8 +38,9 @@ function unwrapped(lines: string[]): string[] {
   return whole;
 }
 
-/** Of a sheet with more results than these the print is smaller: it is one page. */
+/** Of a sheet with more results or touches than these the print is smaller: it is one page. */
 const MANY_RESULTS = 12;
+const MANY_TOUCHES = 8;
 
 /** One page to print and to take to the machine: picture, dimensions, what will be measured, checks, and boxes for what was. */
 class SheetPart extends Part {
@@ -58,6 +59,7 @@ class SheetPart extends Part {
     const { program } = plan;
     const post = this.store.postOf(program.post);
     const computes = !this.store.bare;
+    const dense = plan.results.length > MANY_RESULTS || plan.touches.length > MANY_TOUCHES;
     const head = conditions(program.text);
     const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
     const number = (x: number | null) =>
@@ -75,8 +77,8 @@ class SheetPart extends Part {
         <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
         <p>${cycle.source} · ${post?.title ?? program.post}, ${this.store.does} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
         ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
-        <div class=${plan.results.length > MANY_RESULTS ? "views dense" : "views"}><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas><canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas></div>
-        <div class=${plan.results.length > MANY_RESULTS ? "columns dense" : "columns"}>
+        <div class=${dense ? "views dense" : "views"}><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas><canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas></div>
+        <div class=${dense ? "columns dense" : "columns"}>
           <div>
             <table>
               <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to give: this control computes no results")}</caption>

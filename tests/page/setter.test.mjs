@@ -1,0 +1,378 @@
+// What a setter meets: three answers, no more than is needed, words of the trade, a tablet. The tasks are those that users were watched at.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { boxOf, field, held, open, page, saveButton, settles, setUp, textOf } from "./common.mjs";
+
+setUp({ width: 1440, height: 900 });
+
+/** The page as a visitor has it: nothing is unfolded, nothing of CAM is shown. */
+const asVisitor = async (/** @type {import("playwright-core").BrowserContextOptions} */ options = {}) => {
+  await open({ viewport: { width: 1440, height: 900 }, ...options });
+  await page.evaluate(() => localStorage.clear());
+  await page.evaluate(() => sessionStorage.clear());
+  // What is left is written when the page goes: it must not find it again.
+  await page.addInitScript(() => {
+    if (sessionStorage.getItem("fresh")) return;
+    localStorage.clear();
+    sessionStorage.clear();
+    sessionStorage.setItem("fresh", "1");
+  });
+  await page.reload();
+  await page.locator("tp-picture canvas").first().waitFor({ state: "attached" });
+  await page.locator("tp-program .line").first().waitFor({ state: "attached" });
+};
+
+const tabs = () => page.getByRole("tab").allTextContents();
+const groups = () => page.locator("tp-form .group h2 b").allTextContents();
+
+test("a setter has seven groups and three tabs; what CAM needs comes with its switch, with a dump, or with a portal that asks", async () => {
+  await asVisitor();
+  assert.deepEqual(await tabs(), ["Program", "Results", "Checks"]);
+  assert.deepEqual(await groups(), [
+    "Place",
+    "Size",
+    "Clearances",
+    "Probe",
+    "Feeds and limits",
+    "Program and machine",
+    "Virtual part",
+  ]);
+  assert.equal(await field("cycle.type").locator("option").count(), 16, "cycles that move nothing are for CAM");
+  const asks = await page.locator("tp-bar .asks > [aria-hidden], tp-bar .asks[aria-hidden]").allTextContents();
+  assert.deepEqual(asks, ["What do you measure?", "On which machine?", "What shall it do?", "Units"]);
+  await page.getByRole("button", { name: "More" }).click();
+  await page.getByLabel("For CAM: parameters, codes, picked touches").check();
+  await page.keyboard.press("Escape");
+  assert.equal((await tabs()).length, 4);
+  assert.ok((await groups()).includes("Picked touches"));
+  assert.equal(await field("cycle.type").locator("option").count(), 18);
+  await asVisitor();
+  assert.equal((await tabs()).length, 3);
+  // A dump in the clipboard: pasted beside every field it is opened.
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.setData(
+      "text/plain",
+      "CmdPrm.Int[-1] = 6\nCmdPrm.Flt[-50] = 20\nCmdPrm.Flt[-53] = 61\nCmdPrm.Flt[-54] = 41\n",
+    );
+    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+  });
+  await settles(async () => (await held("cycle.type")) === "internal-rectangle");
+  assert.equal(await held("cycle.width1"), 61);
+  assert.equal((await tabs()).length, 4, "who opens a dump writes a postprocessor");
+});
+
+test("cycles are found by what setters call what they measure", async () => {
+  await asVisitor();
+  await page.getByRole("button", { name: "Gallery" }).click();
+  const search = page.locator("tp-gallery input");
+  const found = () =>
+    page.locator("tp-gallery [data-type]:visible").evaluateAll((all) => all.map((one) => one.dataset.type ?? ""));
+  for (const [words, type] of /** @type {[string, string][]} */ ([
+    ["pocket with an island", "internal-rectangle-protected"],
+    ["island", "external-rectangle"],
+    ["edge", "double-wall-external-corner"],
+    ["angle", "double-wall-internal-corner"],
+    ["rotation", "probing-two-circles"],
+    ["skew", "probing-two-circles"],
+    ["ring", "hole"],
+    ["rings", "hole"],
+    ["vise", "groove"],
+    ["Z", "surface"],
+    ["G54", "boss"],
+    ["7", "internal-rectangle-protected"],
+  ])) {
+    await search.fill(words);
+    assert.ok((await found()).includes(type), `${words}: ${await found()}`);
+  }
+  // "Z" is a word, and no letter of another one.
+  await search.fill("Z");
+  assert.ok(!(await found()).includes("hole"));
+  // What nothing has whole is found by its parts, and says so.
+  await search.fill("pocket LENTOAX");
+  assert.match(await textOf(page.locator("tp-gallery .told")), /some of them/);
+  for (const words of ["LENTOAX", "tool length", "SINUMERIK length"]) {
+    await search.fill(words);
+    assert.deepEqual(await found(), [], words);
+    await page.locator("tp-gallery").getByText("which tool length acts on which axis").waitFor();
+  }
+  await search.press("Enter");
+  await page.locator("tp-lentoax").waitFor();
+});
+
+test("each cycle and each control has its page, one click away from where it is named", async () => {
+  await asVisitor();
+  const page7 = page.locator("tp-manual");
+  await page.locator("tp-help").getByRole("button", { name: "About this cycle" }).click();
+  await page7.getByRole("heading", { name: "Internal rectangle, protected" }).waitFor();
+  assert.match(await textOf(page7), /the probe goes up and over it between the touches/);
+  await page.keyboard.press("Escape");
+  await page.getByRole("button", { name: "Gallery" }).click();
+  await page.getByRole("button", { name: "About Boss" }).click();
+  await page7.getByRole("button", { name: "Measure this" }).click();
+  assert.equal(await held("cycle.type"), "boss");
+  await field("control.post").selectOption("sinumerik");
+  const mark = page.locator("tp-bar .always");
+  assert.match(await textOf(mark), /not run on a control/);
+  // The foot is about this job: what holds for the control always is not in it.
+  assert.doesNotMatch(await textOf(page.locator("footer")), /recalled|not verified/);
+  await mark.click();
+  await page7.getByRole("heading", { name: /SINUMERIK/ }).waitFor();
+  assert.match(await textOf(page7), /None of it was run on a control/);
+  await page.keyboard.press("Escape");
+  await field("control.post").selectOption("grbl");
+  assert.match(await textOf(mark), /positioning not watched/);
+});
+
+test("of what a control's own cycle does itself it is not said that the control cannot", async () => {
+  await asVisitor();
+  await field("cycle.type").selectOption("hole");
+  await field("control.post").selectOption("heidenhain");
+  await page.getByRole("tab", { name: "Checks" }).click();
+  const checks = await textOf(page.locator("tp-checks"));
+  assert.match(checks, /are the work of the control's own cycles/);
+  assert.doesNotMatch(checks, /cannot hold/);
+  assert.equal(await page.locator("tp-checks [aria-label='this control cannot']").count(), 0);
+});
+
+test("one list finds cycles, fields, controls, tools and actions", async () => {
+  await asVisitor();
+  const search = page.getByRole("combobox", { name: "Find anything" });
+  const type = async (/** @type {string} */ words) => {
+    await page.keyboard.press("Control+k");
+    await search.fill(words);
+    await page.keyboard.press("Enter");
+    await page.locator("dialog.commands[open]").waitFor({ state: "hidden" });
+  };
+  await type("boss");
+  assert.equal(await held("cycle.type"), "boss");
+  await type("haas");
+  assert.equal(await held("control.post"), "haas");
+  await type("latency");
+  const focused = () => page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id);
+  await settles(async () => (await focused()) === "f-machine.latency");
+  await type("LENTOAX");
+  await page.locator("tp-lentoax").waitFor();
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("Control+k");
+  await search.fill("reset");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("ArrowUp");
+  assert.match(await textOf(page.locator(".commands [aria-selected=true]")), /Reset/);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator("dialog[open]").count(), 0);
+});
+
+test("a machine is kept once, stands in the bar, and is one click", async () => {
+  await asVisitor();
+  await field("control.post").selectOption("haas");
+  await page.keyboard.press("Control+k");
+  await page.getByRole("combobox", { name: "Find anything" }).fill("ball diameter");
+  await page.keyboard.press("Enter");
+  await field("stylus.diameter").fill("4");
+  await field("control.post").selectOption({ label: "Keep this machine …" });
+  const dialog = page.getByRole("dialog", { name: "My machines" });
+  await dialog.getByLabel("Name of the machine").fill("Mill 2, ball 4");
+  await dialog.getByRole("button", { name: "Keep the present values" }).click();
+  await page.keyboard.press("Escape");
+  const chosen = () => textOf(field("control.post").locator("option:checked"));
+  assert.equal(await chosen(), "Mill 2, ball 4");
+  await field("control.post").selectOption("linuxcnc");
+  await field("stylus.diameter").fill("6");
+  assert.equal(await chosen(), "LinuxCNC");
+  await field("control.post").selectOption({ label: "Mill 2, ball 4" });
+  assert.deepEqual([await held("control.post"), await held("stylus.diameter")], ["haas", 4]);
+  // In other units it is the same machine.
+  await page.getByRole("radio", { name: "inch", exact: true }).check();
+  assert.equal(await chosen(), "Mill 2, ball 4");
+});
+
+test("93 work offsets of one word are a number, not 93 entries", async () => {
+  await asVisitor();
+  await field("control.post").selectOption("haas");
+  const offsets = await field("control.workOffset").locator("option").allTextContents();
+  assert.deepEqual(offsets.slice(0, 3), ["measures only", "writes G54", "writes G55"]);
+  assert.ok(offsets.length < 12, `${offsets.length}`);
+  await field("control.workOffset").selectOption({ label: "writes G154 P…" });
+  const number = page.getByLabel("Number after G154 P");
+  await number.fill("12");
+  await number.press("Enter");
+  assert.match(await textOf(page.locator("tp-program .does")), /writes G154 P12 X Y/);
+  await number.fill("120");
+  await number.press("Enter");
+  await page.locator(".note", { hasText: "Enter a whole number from 1 to 99" }).waitFor();
+  assert.equal(await number.inputValue(), "12", "what is no such number changes nothing");
+});
+
+test("the program shows its moves and four touches; what checks and computes stands under one mark a run", async () => {
+  await asVisitor();
+  for (const post of ["haas", "sinumerik", "linuxcnc", "grbl"]) {
+    await field("control.post").selectOption(post);
+    const code = page.locator("tp-program .code[role=listbox]");
+    const discs = code.locator(".line.touch .disc");
+    assert.deepEqual(await discs.allTextContents(), ["1", "2", "3", "4"], post);
+    const shown = (await code.locator("[role=group]:not([hidden]) .line .text").allTextContents()).join("\n");
+    assert.doesNotMatch(shown, /GOTO|STOPRE|endif/, post);
+    // Nothing is lost: a run opens by a click, all of them by the button.
+    const all = await page.evaluate(
+      () => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text.trim().split("\n").length,
+    );
+    const folds = code.locator(".folded");
+    if (post === "grbl") continue;
+    const before = await folds.count();
+    assert.ok(before > 8, `${post}: ${before}`);
+    await folds.first().click();
+    assert.equal(await folds.count(), before - 1);
+    await page.getByRole("button", { name: "All lines" }).click();
+    assert.equal(await code.locator(".line").count(), all, post);
+    await page.getByRole("button", { name: "All lines" }).click();
+    assert.equal(await folds.count(), before);
+  }
+});
+
+test("the operator's screen is shown as it will stand there", async () => {
+  await asVisitor();
+  await page.evaluate(() =>
+    /** @type {any} */ (document.querySelector("touch-path")).store.put("part.offset[0]", 0.25),
+  );
+  const screen = page.locator("tp-program .screen");
+  await screen.locator("summary").click();
+  // As LinuxCNC's interpreter prints a value in DEBUG: six decimals.
+  assert.match(await textOf(screen.locator("pre")), /^center\.x=0\.250000\ncenter\.y=0\.000000\nwidth1=80\.000000/);
+  await field("control.post").selectOption("sinumerik");
+  assert.match(await textOf(screen.locator("pre")), /center\.x=0\.250 center\.y=0\.000/);
+});
+
+test("inch is designed: en-US begins with it, and no field that nobody has touched has a conversion in it", async () => {
+  await asVisitor({ locale: "en-US" });
+  assert.equal(await held("units"), "inch");
+  const values = () =>
+    page.evaluate(() => {
+      const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+      const { stylus, feeds, cycle, overtravel } = store.draft;
+      return [stylus.diameter, stylus.repeatability, feeds.longLink, cycle.feedDistance, cycle.width1, overtravel];
+    });
+  assert.deepEqual(await values(), [0.236, 0.00005, 40, 0.8, 3, 0.2]);
+  await page.getByRole("radio", { name: "mm", exact: true }).check();
+  assert.deepEqual(await values(), [6, 0.001, 1000, 20, 80, 5], "back exactly");
+  // What was typed is converted.
+  await field("cycle.width1").fill("60");
+  await page.getByRole("radio", { name: "inch", exact: true }).check();
+  assert.deepEqual(await values(), [0.236, 0.00005, 40, 0.8, 2.362205, 0.2]);
+});
+
+test("zh-CN has simplified Chinese, and Taiwan the traditional one", async () => {
+  await asVisitor({ locale: "zh-CN" });
+  const first = () => page.getByRole("tab").first().textContent();
+  assert.equal(await first(), "程序");
+  await asVisitor({ locale: "zh-TW" });
+  assert.equal(await first(), "程式");
+});
+
+/** Counts clicks and keys as a user makes them. */
+function counted() {
+  let [clicks, keys] = [0, 0];
+  return {
+    click: async (/** @type {import("playwright-core").Locator} */ where) => {
+      clicks++;
+      await where.click();
+    },
+    // A list opens by one click, and its entry is a second one.
+    choose: async (/** @type {import("playwright-core").Locator} */ list, /** @type {string} */ label) => {
+      clicks += 2;
+      await list.selectOption({ label });
+    },
+    type: async (/** @type {string} */ text) => {
+      for (const key of text
+        .split(/(?=[A-Z][a-z]+$)/)
+        .flatMap((part) => (/^[A-Z][a-z]+$/.test(part) ? [part] : [...part]))) {
+        keys++;
+        await page.keyboard.press(key);
+      }
+    },
+    said: () => [clicks, keys],
+  };
+}
+
+test("pocket 60 × 40 with an island on a Haas, G55: at most 6 clicks and 12 keys, and no stop", async () => {
+  await asVisitor();
+  const user = counted();
+  await user.choose(field("control.post"), "Haas NGC");
+  await user.choose(field("control.workOffset"), "writes G55");
+  await user.click(field("cycle.width1"));
+  await user.type("60Enter");
+  await user.type("40");
+  const download = page.waitForEvent("download");
+  await user.click(saveButton());
+  assert.equal((await download).suggestedFilename(), "POCKET-60X40.nc");
+  const [clicks, keys] = user.said();
+  assert.ok((clicks ?? 9) <= 6 && (keys ?? 99) <= 12, `${clicks} clicks, ${keys} keys`);
+  assert.match(await textOf(page.locator("tp-program .does")), /writes G55 X Y/);
+  assert.equal(await held("cycle.type"), "internal-rectangle-protected");
+});
+
+test("bore D25 H7 on a Fanuc, G54: at most 6 clicks and 12 keys, and no stop", async () => {
+  await asVisitor();
+  const user = counted();
+  await user.choose(field("control.post"), "Fanuc 30i / 0i-F");
+  await user.choose(field("control.workOffset"), "writes G54");
+  await user.click(page.getByRole("button", { name: "Gallery" }));
+  await page.locator("tp-gallery input").waitFor();
+  await user.type("boreEnter");
+  // The first size has the focus: it is typed, and Enter takes the tolerance.
+  await settles(
+    async () =>
+      (await page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id)) ===
+      "f-cycle.diameter",
+  );
+  await user.type("25H7");
+  await page.keyboard.press("Enter");
+  const download = page.waitForEvent("download");
+  await user.click(saveButton());
+  assert.equal((await download).suggestedFilename(), "BORE-D25H7.nc");
+  const [clicks, keys] = user.said();
+  assert.ok((clicks ?? 9) <= 6 && (keys ?? 99) + 1 <= 12, `${clicks} clicks, ${keys} keys and Enter`);
+  const program = await page.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text,
+  );
+  assert.match(program, /IF \[ABS\[#\d+-25\.0105\] GT 0\.0105\]/, "the program judges by the class");
+});
+
+for (const [width, height] of /** @type {[number, number][]} */ ([
+  [768, 1024],
+  [1024, 768],
+  [1180, 820],
+  [844, 390],
+  [640, 400],
+  [390, 844],
+]))
+  test(`the drawing has 55 % of its canvas, and no text is under 13 px: ${width} × ${height}`, async () => {
+    await asVisitor({ viewport: { width, height }, hasTouch: true, isMobile: width < 800 });
+    const share = await page.evaluate(() => {
+      const root = document.querySelector("touch-path")?.shadowRoot;
+      const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
+      const canvas = /** @type {HTMLCanvasElement} */ (picture.querySelector("canvas"));
+      const lines = picture.drawing.use((/** @type {any} */ view) => view.dimensionLines());
+      const [, x1, , x2] = lines.find((/** @type {any[]} */ line) => line[0] === "cycle.width1");
+      return Math.abs(x2 - x1) / canvas.clientWidth;
+    });
+    assert.ok(share >= 0.5, `${share}`);
+    const small = await page.evaluate(() => {
+      const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+      return [...root.querySelectorAll("*")]
+        .filter(
+          (one) => one.checkVisibility() && [...one.childNodes].some((n) => n.nodeType === 3 && n.nodeValue?.trim()),
+        )
+        .filter((one) => !one.closest(".unseen, style, option"))
+        .filter((one) => Number.parseFloat(getComputedStyle(one).fontSize) < 13)
+        .map((one) => `${one.tagName}.${one.className} ${one.textContent?.trim().slice(0, 20)}`);
+    });
+    assert.deepEqual(small, []);
+    if (height > width && width >= 600) {
+      const [picture, form] = [await boxOf(page.locator("tp-picture")), await boxOf(page.locator("tp-form"))];
+      assert.ok(
+        picture.y + picture.height <= form.y && picture.width > 0.95 * width,
+        "the picture is above, and whole",
+      );
+    }
+  });
