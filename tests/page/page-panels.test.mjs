@@ -244,8 +244,10 @@ test("the words of a program have colours, those of the program that is shown", 
   await settles(async () => (await coloured("code")).includes("G38.3"));
   assert.ok((await coloured("variable")).includes("#5070"));
   // Of the lines in sight only: those of the folded header and of the end come when they are seen.
-  const all = await coloured("comment");
-  assert.ok(!all.some((text) => text === "(Job: POCKET-80X50)") && !(await coloured("code")).includes("M2"));
+  await settles(async () => {
+    const all = [...(await coloured("comment")), ...(await coloured("code"))];
+    return !all.includes("(Job: POCKET-80X50)") && !all.includes("M2");
+  });
   await page.locator("tp-program .line").last().scrollIntoViewIfNeeded();
   await settles(async () => (await coloured("code")).includes("M2"));
   await page.getByRole("button", { name: /header/ }).click();

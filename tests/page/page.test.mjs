@@ -317,9 +317,20 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       }
       await page.getByRole("button", { name: "More" }).click();
       assert.deepEqual(await violations(), []);
-      await page.locator("#menu").getByRole("button", { name: "Setup sheet" }).click();
+      await page.keyboard.press("Escape");
+      await more("Setup sheet to print");
+      await page.locator("tp-sheet").waitFor();
       assert.deepEqual(await violations(), []);
       await page.getByRole("button", { name: "Back to the job" }).click();
+      await page.keyboard.press("Control+k");
+      await page.getByRole("combobox", { name: "Find anything" }).fill("ball");
+      assert.deepEqual(await violations(), []);
+      await page.keyboard.press("Escape");
+      for (const topic of ["cycle:hole", "control:sinumerik"]) {
+        await page.evaluate((topic) => /** @type {any} */ (document.querySelector("touch-path")).app.about(topic), topic);
+        await page.locator("tp-manual h2").waitFor();
+        assert.deepEqual(await violations(), []);
+      }
       await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.ask("gallery"));
       assert.deepEqual(await violations(), []);
       const over = await page.evaluate(

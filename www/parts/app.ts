@@ -308,7 +308,7 @@ export class App extends LitElement {
         ${panels.includes("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${shows("program")}></tp-checks></section>` : nothing}
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${this.chosen}></tp-gallery>` : nothing}
-      ${this.tool === "manual" ? html`<tp-manual role="main" .store=${store} .topic=${this.topic} @chosen=${this.chosen}></tp-manual>` : nothing}
+      ${this.tool === "manual" ? html`<tp-manual role="main" tabindex="0" .store=${store} .topic=${this.topic} @chosen=${this.chosen}></tp-manual>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
