@@ -9,7 +9,8 @@ const browser = await chromium.launch({
   executablePath: ensureChromium().browser,
   args: ["--no-sandbox", "--disable-gpu"],
 });
-const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+// In millimetres, as the values below are.
+const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, locale: "en-GB" });
 // What the page does in its frames, milliseconds.
 await page.addInitScript(() => {
   const own = /** @type {any} */ (globalThis);

@@ -242,7 +242,7 @@ test("the words of a program have colours, those of the program that is shown", 
       return ranges.map((range) => (range.startContainer.nodeValue ?? "").slice(range.startOffset, range.endOffset));
     }, kind);
   await settles(async () => (await coloured("code")).includes("G38.3"));
-  assert.ok((await coloured("variable")).includes("#5070"));
+  await settles(async () => (await coloured("variable")).includes("#5070"));
   // Of the lines in sight only: those of the folded header and of the end come when they are seen.
   await settles(async () => {
     const all = [...(await coloured("comment")), ...(await coloured("code"))];

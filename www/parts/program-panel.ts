@@ -131,7 +131,7 @@ class ProgramPart extends Part {
       return runs.map((run) => {
         const [first] = run as [Line];
         if (!plain(first) || this.everything || this.opened.has(first.line)) return run.map(row);
-        return html`<button type="button" class="folded" tabindex="-1" data-run=${first.line} @click=${() => this.open(first.line)}><span class="no" aria-hidden="true">   ⋯  </span>${this.runInWords(run)}</button>`;
+        return html`<div role="option" aria-selected="false" class="folded" data-run=${first.line}><span class="no">   ⋯  </span>${this.runInWords(run)}</div>`;
       });
     };
     const numbered = lines.map((text, line) => ({ text, line }));
@@ -162,7 +162,7 @@ class ProgramPart extends Part {
       ${this.comparing ? this.differences() : nothing}
       <div class=${stale ? "code stale" : "code"} ?hidden=${this.comparing} role="listbox" lang="en" translate="no" tabindex="0" aria-label=${this.t("Program")} @keydown=${this.key}
         @mouseover=${(e: MouseEvent) => this.onLine(e, (move) => this.store.point(move))} @mouseleave=${() => this.store.point(null)}
-        @click=${(e: MouseEvent) => this.onLine(e, (move) => this.store.pin(move))}>
+        @click=${this.clicked}>
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block) => {
           const text = steps[block.step - 1];
@@ -193,6 +193,13 @@ class ProgramPart extends Part {
     ];
     return run.length === 1 ? this.t(one) : this.t(many, run.length);
   }
+
+  /** A click opens a run of lines, or pins the move of a line. */
+  private readonly clicked = (event: MouseEvent): void => {
+    const run = (event.target as Element).closest<HTMLElement>("[data-run]")?.dataset.run;
+    if (run !== undefined) this.open(Number(run));
+    else this.onLine(event, (move) => this.store.pin(move));
+  };
 
   /** Shows a run of lines. */
   private open(line: number): void {
