@@ -101,7 +101,10 @@ pub fn toleranced(text: &str) -> Option<f64> {
         let signs = |c: char| "+-±/() ".contains(c);
         let mut terms = rest.split(signs).filter(|term| !term.is_empty()).peekable();
         // `1/0` is a fraction.
-        rest.contains(signs) && !rest.starts_with('/') && terms.peek().is_some() && terms.all(|term| number(term).is_some_and(|x| x < 1.0))
+        rest.contains(signs)
+            && !rest.starts_with('/')
+            && terms.peek().is_some()
+            && terms.all(|term| number(term).is_some_and(|x| x < 1.0))
     };
     (is_class(rest) || deviations()).then_some(nominal)
 }

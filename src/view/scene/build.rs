@@ -158,7 +158,16 @@ impl Look<'_> {
             if let Purpose::Touch(k) = step.purpose {
                 let end = step.to - self.path.touches[k].vector * self.path.touches[k].search;
                 let (from, to, behind) = (self.spot(step.to), self.spot(end), backs.before([step.to; 2]));
-                lines.push(Line { from, to, stroke: Stroke::Overtravel, rapid: false, back: false, behind, high: false, index });
+                lines.push(Line {
+                    from,
+                    to,
+                    stroke: Stroke::Overtravel,
+                    rapid: false,
+                    back: false,
+                    behind,
+                    high: false,
+                    index,
+                });
             }
             at = Some(step.to);
         }
