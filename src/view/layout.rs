@@ -186,9 +186,9 @@ impl Camera {
         let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
         let beside_it = [[beyond, 0.0, 0.0, off], [-beyond, 0.0, off, 0.0], [0.0, beside, 0.0, 0.0], [0.0, -beside, 0.0, 0.0]];
         // Between its arrow heads, with a little of the line seen: in the middle, or aside of what stands there.
-        let quarter = long / 4.0;
-        let on_it = [[0.0; 4], [quarter, 0.0, 0.0, 0.0], [-quarter, 0.0, 0.0, 0.0]];
-        let most = if drawn.wide + 24.0 <= long / 2.0 { 3 } else { 1 };
+        let off_middle = ((long - drawn.wide) / 2.0 - 12.0).min(long / 4.0);
+        let on_it = [[0.0; 4], [off_middle, 0.0, 0.0, 0.0], [-off_middle, 0.0, 0.0, 0.0]];
+        let most = if off_middle > HIGH { 3 } else { 1 };
         let places = if drawn.wide + 24.0 <= long { &on_it[..most] } else { &beside_it[..] };
         let placed = |side: Vec2, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
             let line = ends.map(|end| end + side * far);
