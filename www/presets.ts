@@ -36,16 +36,21 @@ export function presets(): Preset[] | null {
 /** Presets in other units, as they were converted. */
 const converted = new WeakMap<Preset, Preset>();
 
-/** A preset in these units. */
+/** A preset in these units; one that cannot be converted is no machine of any job, and stays as it is. */
 export function convertedPreset(preset: Preset, units: Preset["units"]): Preset {
   if (preset.units === units) return preset;
   const known = converted.get(preset);
   if (known) return known;
-  const { overtravel, ...sections } = convertUnits(
-    { format: 1, units: preset.units, overtravel: preset.overtravel, ...preset.sections },
-    units,
-  ) as unknown as Record<string, unknown>;
-  const made = { ...preset, units, overtravel, sections };
+  let made = preset;
+  try {
+    const { overtravel, ...sections } = convertUnits(
+      { format: 1, units: preset.units, overtravel: preset.overtravel, ...preset.sections },
+      units,
+    ) as unknown as Record<string, unknown>;
+    made = { ...preset, units, overtravel, sections };
+  } catch {
+    // What a browser keeps may be anything.
+  }
   converted.set(preset, made);
   return made;
 }

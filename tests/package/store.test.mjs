@@ -95,10 +95,29 @@ test("the repeatability of a good probe was 20 % larger after inch and back", ()
   store.setUnits("mm");
   assert.equal(store.get("stylus.repeatability"), 0.00025);
   const other = new Store();
+  other.set("stylus.repeatability", 0.001);
   other.setUnits("inch");
   const shown = other.get("stylus.repeatability");
   assert.equal(shown, 0.00003937);
   assert.equal(other.standIn(other.fieldAt("stylus.repeatability")), shown);
+});
+
+test("what nobody has touched begins with numbers of its units; what was typed, or came with a job, is converted", () => {
+  const store = new Store();
+  store.set("cycle.width1", 80);
+  store.setUnits("inch");
+  // 80 mm were typed, though they are the default; 50 mm were not.
+  assert.deepEqual([store.get("cycle.width1"), store.get("cycle.width2")], [3.149606, 2]);
+  assert.deepEqual([store.get("stylus.diameter"), store.get("stylus.repeatability")], [0.236, 0.00005]);
+  store.undo();
+  assert.deepEqual([store.get("cycle.width1"), store.get("cycle.width2"), store.units], [80, 50, "mm"]);
+  store.redo();
+  store.setUnits("mm");
+  assert.deepEqual([store.get("cycle.width1"), store.get("cycle.width2")], [80, 50]);
+  const opened = new Store();
+  opened.load(structuredClone(opened.draft));
+  opened.setUnits("inch");
+  assert.deepEqual([opened.get("cycle.width2"), opened.get("stylus.diameter")], [1.968504, 0.23622]);
 });
 
 test("the form follows the control, and the control stays where it takes the cycle", () => {

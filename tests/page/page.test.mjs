@@ -327,7 +327,10 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       assert.deepEqual(await violations(), []);
       await page.keyboard.press("Escape");
       for (const topic of ["cycle:hole", "control:sinumerik"]) {
-        await page.evaluate((topic) => /** @type {any} */ (document.querySelector("touch-path")).app.about(topic), topic);
+        await page.evaluate(
+          (topic) => /** @type {any} */ (document.querySelector("touch-path")).app.about(topic),
+          topic,
+        );
         await page.locator("tp-manual h2").waitFor();
         assert.deepEqual(await violations(), []);
       }

@@ -187,6 +187,25 @@ test("a machine is kept once, stands in the bar, and is one click", async () => 
   assert.equal(await chosen(), "Mill 2, ball 4");
 });
 
+test("what a browser keeps for a machine may be anything: the page stands", async () => {
+  await asVisitor();
+  await page.evaluate(() => {
+    let deep = /** @type {unknown} */ (1);
+    for (let i = 0; i < 500; i++) deep = { deep };
+    const sections = { control: { post: deep, number: [null, "x"] }, stylus: { diameter: {} } };
+    const one = { name: "<b>x", units: "inch", overtravel: "y", sections };
+    const file = { format: "touchpath-presets", version: 1, presets: [one, { ...one, name: "two", units: "mm" }] };
+    localStorage.setItem("touchpath.presets.1", JSON.stringify(file));
+  });
+  await page.reload();
+  await page.locator("tp-program .line").first().waitFor({ state: "attached" });
+  const named = await field("control.post").locator("option").allTextContents();
+  assert.deepEqual(named.slice(0, 2), ["<b>x", "two"]);
+  await field("control.post").selectOption({ label: "<b>x" });
+  await page.locator("tp-findings .note").waitFor();
+  assert.equal(await held("control.post"), "linuxcnc");
+});
+
 test("93 work offsets of one word are a number, not 93 entries", async () => {
   await asVisitor();
   await field("control.post").selectOption("haas");

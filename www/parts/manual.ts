@@ -1,15 +1,14 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type CycleEntry, defaultJob, type FieldEntry, type PostEntry, plan } from "../core/browser.js";
 import { resultInWords } from "../sentences.js";
+import { CanvasPart } from "./canvas-part.js";
 import { Drawing } from "./drawing.js";
-import { Part } from "./part.js";
 
 /** A page of the manual, from the catalog and in the language of the page: of a cycle, or of a control. */
-class ManualPart extends Part {
+class ManualPart extends CanvasPart {
   protected override follows = ["change"];
   /** What it is about: `cycle:hole`, `control:haas`. */
   declare topic: string;
-  private drawing?: Drawing;
   private drawn = "";
 
   static override properties = { topic: { attribute: false } };
@@ -105,19 +104,8 @@ class ManualPart extends Part {
     this.drawing.restyle();
   }
 
-  private readonly restyle = () => this.drawing?.restyle();
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.store.addEventListener("recolour", this.restyle);
-    this.requestUpdate();
-  }
-
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.store.removeEventListener("recolour", this.restyle);
-    this.drawing?.free();
-    this.drawing = undefined;
     this.drawn = "";
   }
 }
