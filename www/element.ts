@@ -455,7 +455,7 @@ export class TouchPath extends Base {
     if (!app || !store) return;
     store.readonly = this.readonly || this.matches(":disabled");
     const words = this.panels.split(/\s+/);
-    if (this.words.has("mode")) store.cam = this.mode === "cam";
+    store.askCam(this.words.has("mode") ? this.mode === "cam" : null);
     app.applyOptions(
       this.theme,
       PANEL_NAMES.filter((name) => words.includes(name)),

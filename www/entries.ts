@@ -1,6 +1,6 @@
 // What the catalog knows of the job in the form: its cycle, its control, its fields.
 import { type CycleEntry, type FieldEntry, type PostEntry, say, type Words } from "./core/browser.js";
-import type { Draft } from "./job.js";
+import { alike, type Draft } from "./job.js";
 import { tidy } from "./number.js";
 import { Phrases } from "./phrases.js";
 import { w } from "./words.js";
@@ -110,6 +110,19 @@ export abstract class Entries extends Phrases {
   /** What a field of a new job begins with, in the job's units: in inch a number that people type. */
   begins(field: FieldEntry, units = this.units): unknown {
     return units === "inch" ? field.defaultInch : field.default;
+  }
+
+  /** Whether a field holds what a job has without it, be it a new one or one whose units were converted. */
+  isUsual(path: string, field: FieldEntry): boolean {
+    const value = this.get(path) ?? null;
+    return alike(value, this.begins(field) ?? null) || alike(value, this.standIn(field) ?? null);
+  }
+
+  /** Why the job's cycle has no program on a control; null where it has one. */
+  whyNot(post: unknown): string | null {
+    const forms = this.postOf(post)?.cycles.filter((c) => c.type === this.cycle.type) ?? [];
+    if (forms.some((c) => c.supported)) return null;
+    return forms.find((c) => !c.supported)?.reason ?? this.t("It has no program for this cycle");
   }
 
   /** Every field of the job's form that is converted with its units, by its path. */

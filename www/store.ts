@@ -160,13 +160,30 @@ export class Store extends Entries {
 
   /** Whether what only the author of a postprocessor needs is shown. */
   get cam(): boolean {
-    return this.cams;
+    return this.camAsked ?? this.cams;
   }
 
+  /** The user's choice, also by a dump that was opened. What the page around asks for goes before it. */
   set cam(on: boolean) {
-    if (on === this.cams) return;
+    if (this.camAsked !== null || on === this.cams) return;
     this.cams = on;
     if (this.local) keepCam(on);
+    this.showCam();
+  }
+
+  /** What the page around asks for; null leaves it to the user. */
+  askCam(on: boolean | null): void {
+    const before = this.cam;
+    this.camAsked = on;
+    if (this.cam !== before) this.showCam();
+  }
+
+  /** Whether the page around asks for it, or for its absence. */
+  get camIsAsked(): boolean {
+    return this.camAsked !== null;
+  }
+
+  private showCam(): void {
     this.dispatchEvent(new Event("cam"));
     this.byUser = false;
     this.dispatchEvent(new Event("change"));
@@ -174,6 +191,7 @@ export class Store extends Entries {
   }
 
   private cams = false;
+  private camAsked: boolean | null = null;
 
   /** Whether the virtual part's group of the form is open. */
   get partOpen(): boolean {
@@ -338,29 +356,42 @@ export class Store extends Entries {
     this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
   }
 
-  /** Takes a size with the limit that it is judged by, in one step; the name says it as it was typed. */
+  /**
+   * Takes a size with the limit that it is judged by, in one step, and says so. There is one limit for all sizes: of several that were judged the
+   * narrowest holds.
+   */
   judge(path: string, size: number, limit: number, text: string): void {
+    if (this.refuses) return;
     this.settle();
     this.mark(null);
-    this.typed.delete(path);
-    const limits = { ...(this.draft.limits as Draft), size: limit };
+    const { type } = this.cycle;
+    const others = [...this.judged].filter(
+      ([at, one]) => at !== path && one.type === type && this.get(at) === one.size,
+    );
+    const narrowest = Math.min(limit, ...others.map(([, one]) => one.limit));
+    // A class of holes in the name, as a drawing has it; a name has no small letters that would tell a shaft's from it.
+    const [, nominal, fit] = /^[Øø⌀]?\s*(\d+(?:[.,]\d+)?)\s*([A-Z]{1,2}\d{1,2})$/.exec(text.trim()) ?? [];
+    const stem = /^([A-Z]+-D)\d+(?:_\d+)?$/.exec(jobName(this.draft))?.[1];
+    const named = this.draft.name === this.ownName && stem && nominal && fit;
+    const name = named ? `${stem}${nominal.replace(/[.,]/, "_")}${fit}` : null;
     for (const [at, value] of [
       [path, size],
-      ["limits", limits],
+      ["limits.size", narrowest],
     ] as const) {
+      this.typed.delete(at);
       this.given?.add(at);
       this.place(at, value);
     }
-    this.typed.delete("limits.size");
-    if (this.draft.name === this.ownName) {
-      const [stem] = jobName(this.draft).split("-");
-      const told = text.replaceAll(/[^\w.+-]/g, "");
-      this.ownName = null;
-      this.draft.name = /diameter/i.test(path) ? `${stem}-D${told}` : `${stem}-${told}`;
-    }
+    if (name) this.draft.name = name;
+    this.judged.set(path, { type, size, limit, name });
     this.settle();
     this.changed();
+    const shown = [size, narrowest].map((x) => this.number(String(x)));
+    this.tell([w("{text} is judged: {middle} with a size limit of {half}"), text, shown[0] ?? "", shown[1] ?? ""]);
   }
+
+  /** The sizes that were judged by a tolerance, by their paths. */
+  private readonly judged = new Map<string, { type: string; size: number; limit: number; name: string | null }>();
 
   /** Sets a value by one act of the user, such as a choice: a step of its own. */
   put(path: string, value: unknown): void {
@@ -554,7 +585,12 @@ export class Store extends Entries {
     const old = draft.control as Draft;
     const all: Draft = { ...preset.sections, overtravel: preset.overtravel };
     const taken = Object.fromEntries(Object.entries(all).filter(([key, x]) => parts.includes(key) && x !== undefined));
-    if (isObject(taken.control)) taken.control = { ...taken.control, workOffset: this.offsetOn(taken.control.post) };
+    if (isObject(taken.control)) {
+      const { post } = taken.control;
+      const forms = this.formsOf(post, this.cycle.type);
+      const form = forms.includes(taken.control.form as Form) ? taken.control.form : (forms[0] ?? taken.control.form);
+      taken.control = { ...taken.control, form, workOffset: this.offsetOn(post) };
+    }
     const job = { ...structuredClone(draft), ...structuredClone(taken), units: preset.units };
     const problem = this.unusable(job);
     if (problem) throw this.refusal([w("Nothing was changed: this preset cannot be used: {problem}"), problem]);
@@ -679,7 +715,11 @@ export class Store extends Entries {
   /** A name that was not typed follows what is measured. */
   private nameAnew(): void {
     const name = jobName(this.draft);
-    if (this.ownName !== null && this.draft.name === this.ownName) this.draft.name = name;
+    const judged = [...this.judged].find(([, one]) => one.name !== null && one.name === this.draft.name);
+    // One that says a class holds as long as the size that was judged.
+    const holds = judged && judged[1].type === this.cycle.type && this.get(judged[0]) === judged[1].size;
+    const own = judged || (this.ownName !== null && this.draft.name === this.ownName);
+    if (own && !holds) this.draft.name = name;
     this.ownName = name;
   }
 

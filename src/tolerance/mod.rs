@@ -117,8 +117,10 @@ pub fn zone(text: &str, to_mm: f64) -> Option<[f64; 2]> {
         Some((size, off)) => format!("{size}+{off}-{off}"),
         None => plain.trim_end_matches("/0").to_owned(),
     };
-    let [low, high] = parse(&plain, to_mm).ok()?.limits.map(<[f64; 2]>::from)?;
-    Some([low, high])
+    let value = parse(&plain, to_mm).ok()?;
+    // `25 0 -0.02` without its spaces is another size.
+    let same = value.nominal == toleranced(text);
+    value.limits.filter(|_| same).map(<[f64; 2]>::from)
 }
 
 /// Whether a text is one or two letters and one or two digits, such as `H7`, alone or before a slash as in `H7/g6`.
@@ -450,7 +452,9 @@ mod tests {
         near("25+0.021", 1.0, [25.0, 25.021]);
         near("25 +0,021/0", 1.0, [25.0, 25.021]);
         near("1H7", 25.4, [1.0, 1.0 + 0.021 / 25.4]);
-        assert_eq!(zone("25", 1.0), None);
+        for other in ["25", "25 0 -0.02", "25 0.02 -0.01"] {
+            assert_eq!(zone(other, 1.0), None, "{other}");
+        }
         assert_eq!(zone("25Q99", 1.0), None);
     }
 

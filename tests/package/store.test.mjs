@@ -120,6 +120,32 @@ test("what nobody has touched begins with numbers of its units; what was typed, 
   assert.deepEqual([opened.get("cycle.width2"), opened.get("stylus.diameter")], [1.968504, 0.23622]);
 });
 
+test("of several sizes that were judged the narrowest limit holds, and a job that can only be looked at is not judged", () => {
+  const store = new Store();
+  store.judge("cycle.width1", 80.015, 0.015, "80H7");
+  store.judge("cycle.width2", 50.031, 0.031, "50H9");
+  assert.equal(store.get("limits.size"), 0.015);
+  assert.equal(store.draft.name, "POCKET-80_015X50_031", "a pocket has two sizes in its name");
+  store.set("cycle.width1", 70);
+  store.judge("cycle.width2", 50.031, 0.031, "50H9");
+  assert.equal(store.get("limits.size"), 0.031, "what was judged before is another size now");
+  const shut = new Store();
+  shut.readonly = true;
+  shut.judge("cycle.width1", 80.015, 0.015, "80H7");
+  assert.equal(shut.get("cycle.width1"), 80);
+});
+
+test("what the page around asks for goes before the user's choice", () => {
+  const store = new Store();
+  store.askCam(false);
+  store.cam = true;
+  assert.equal(store.cam, false, "a dump changes nothing of it");
+  store.askCam(true);
+  assert.equal(store.cam, true);
+  store.askCam(null);
+  assert.equal(store.cam, false);
+});
+
 test("the form follows the control, and the control stays where it takes the cycle", () => {
   const store = new Store();
   store.chooseControl("sinumerik");

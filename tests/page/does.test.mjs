@@ -70,11 +70,21 @@ test("25+0.021 became 25.021 without a word", async () => {
   assert.match(await program(), /diameter is #<diameter>, more than 0.0105 from 25.0105/);
   await page.getByRole("button", { name: "Undo" }).click();
   assert.equal(await field("limits.size").inputValue(), "0.5");
+  // A difference that may be meant is not taken by the key that works sums out.
+  await diameter.fill("25-0.02");
+  await page.keyboard.press("Enter");
+  assert.equal(await diameter.inputValue(), "25-0.02");
+  await page.locator("tp-findings").getByRole("button", { name: "Judge by 25-0.02" }).waitFor();
   // Enter, which works sums out, takes it too, and says what became of it.
   await diameter.fill("25H7");
   await page.keyboard.press("Enter");
   await page.locator("tp-findings .note", { hasText: "25H7 is judged: 25.0105 with a size limit of 0.0105" }).waitFor();
   assert.equal(await diameter.inputValue(), "25.0105");
+  // The name says the class as long as the size is the one that was judged.
+  await diameter.fill("30");
+  assert.equal(await textOf(saveButton()), "Save BORE-D30.ngc");
+  await page.getByRole("button", { name: "Undo" }).click();
+  assert.equal(await textOf(saveButton()), "Save BORE-D25H7.ngc");
   await page.getByRole("button", { name: "Undo" }).click();
   await diameter.fill("50/2+0.5");
   await page.keyboard.press("Enter");

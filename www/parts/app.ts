@@ -274,7 +274,7 @@ export class App extends LitElement {
       </header>
       <div class="notes">
       ${this.newer ? html`<p class="note" role="status">${this.t("A newer version of this page is here.")} <button type="button" @click=${this.newer}>${this.t("Load it")}</button> ${this.t("The job is kept.")}</p>` : nothing}
-      ${said && !said.foot ? html`<p class="note" role="status"><button type="button" class="ok" @click=${() => this.tell(null)}>OK</button><span>${store.say(said.text)}</span></p>` : nothing}
+      ${said && !said.foot ? html`<p class="note" role="status"><span>${store.say(said.text)}</span> <button type="button" class="ok" @click=${() => this.tell(null)}>OK</button></p>` : nothing}
       ${
         this.tool === "cycles"
           ? nothing
@@ -633,12 +633,22 @@ export class App extends LitElement {
     await this.use("cycles");
     const { store } = this;
     if (path === "cycle.type") store.choose(name as Job["cycle"]["type"]);
-    else if (store.formsOf(name, store.cycle.type).length > 0) store.chooseControl(name);
-    else this.tell([w("{control} has no program for this cycle"), store.postOf(name)?.title ?? name], true);
+    else if (!this.refused(name)) store.chooseControl(name);
+  }
+
+  /** Says why a control has no program for the job's cycle; false where it has one. */
+  private refused(post: unknown): boolean {
+    const { store } = this;
+    const why = store.whyNot(post);
+    const title = store.postOf(post)?.title ?? String(post);
+    if (why) this.tell([w("{control} has no program for this cycle: {why}"), title, why], true);
+    return why !== null;
   }
 
   /** The job for a machine that was kept. */
   private machine(preset: Preset): void {
+    const { post } = (preset.sections.control ?? {}) as { post?: unknown };
+    if (this.store.postOf(post) && this.refused(post)) return;
     try {
       this.store.usePreset(preset);
       this.tell([w("The job is now for {machine}"), preset.name], true);

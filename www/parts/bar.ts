@@ -78,7 +78,7 @@ class BarPart extends FieldPart {
     const code = Object.keys(ALWAYS).find((code) => found.has(code));
     const grave = store.findings.some((f) => f.code === code && f.level === "warning");
     const title = this.t("About {control}", store.post?.title ?? "");
-    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${code ? `${title}: ${this.t(ALWAYS[code] as string)}` : title} title=${title} @click=${() => this.about(`control:${store.post?.id}`)}>${code ? html`<span class="words">${this.t(ALWAYS[code] as string)}</span> ` : nothing}<span class="i" aria-hidden="true">i</span></button>`;
+    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${code ? `${title}: ${this.t(ALWAYS[code] as string)}` : title} title=${title} ?disabled=${!store.post} @click=${() => this.about(`control:${store.post?.id}`)}>${code ? html`<span class="words">${this.t(ALWAYS[code] as string)}</span> ` : nothing}<span class="i" aria-hidden="true">i</span></button>`;
   }
 
   private about(topic: string): void {
@@ -124,16 +124,10 @@ class BarPart extends FieldPart {
   private chooseMachine(chosen: string, kept: Preset[]): void {
     const { store } = this;
     const preset = kept.find(({ name }) => chosen === `machine:${name}`);
-    const why = this.posts().find(({ value }) => value === chosen)?.not;
+    const why = preset || chosen === "keep:" ? null : store.whyNot(chosen);
     if (chosen === "keep:") this.ask("presets");
     else if (preset) this.dispatchEvent(new CustomEvent("machine", { bubbles: true, detail: preset }));
-    else if (why)
-      this.dispatchEvent(
-        new CustomEvent("say", {
-          bubbles: true,
-          detail: [w("{control} has no program for this cycle: {why}"), store.postOf(chosen)?.title ?? chosen, why],
-        }),
-      );
+    else if (why) this.dispatchEvent(new CustomEvent("choose", { bubbles: true, detail: `control.post:${chosen}` }));
     else store.chooseControl(chosen);
     // What could not be taken does not stay in the list.
     this.requestUpdate();
@@ -155,12 +149,10 @@ class BarPart extends FieldPart {
 
   /** Controls that do not take this cycle are shown, with the reason. */
   private posts() {
-    const { type } = this.store.cycle;
-    return this.store.catalog.posts.map((post) => {
-      const forms = post.cycles.filter((c) => c.type === type);
-      const takes = forms.some((c) => c.supported);
-      const reason = forms.find((c) => !c.supported)?.reason ?? this.t("It has no program for this cycle");
-      return { value: post.id, label: takes ? post.title : `${post.title} –`, ...(takes ? {} : { not: reason }) };
+    const { store } = this;
+    return store.catalog.posts.map((post) => {
+      const not = store.whyNot(post.id);
+      return { value: post.id, label: not ? `${post.title} –` : post.title, ...(not ? { not } : {}) };
     });
   }
 

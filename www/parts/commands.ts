@@ -79,6 +79,7 @@ class CommandsPart extends Part {
   };
 
   private key(event: KeyboardEvent, list: Command[]): void {
+    if (event.isComposing) return;
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     const one = list[Math.min(this.at, list.length - 1)];
     if (step && list.length > 0) {
@@ -154,7 +155,9 @@ class CommandsPart extends Part {
         event: ["ask", what],
       }),
     );
-    return [...cycles, ...actions, ...fields, ...controls, ...about];
+    const all = [...cycles, ...actions, ...fields, ...controls, ...about];
+    // Nothing is offered that a job which can only be looked at does not do.
+    return store.readonly ? all.filter(({ event: [name] }) => name !== "choose") : all;
   }
 }
 

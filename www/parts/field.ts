@@ -1,9 +1,8 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
-import type { FieldEntry, Finding, Said } from "../core/browser.js";
+import type { FieldEntry, Finding } from "../core/browser.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
 import { toleranced } from "../tolerance.js";
-import { w } from "../words.js";
 import { Part } from "./part.js";
 
 /** A field and where its value stands in the job. */
@@ -20,6 +19,9 @@ interface Choice {
   /** The heading that it stands under; choices under the same one follow each other. */
   under?: string;
 }
+
+/** A tolerance that is no sum: a class, `±`, or two deviations. */
+const PLAIN = /[A-Za-z]{1,2}\d{1,2}$|±|\d[^+\u2212-]*[+\u2212-].*[+\u2212-]/;
 
 /** Choices by their headings, in order. */
 function headed(choices: Choice[]): [string, Choice[]][] {
@@ -87,23 +89,15 @@ export abstract class FieldPart extends Part {
   }
 
   private key(event: KeyboardEvent, field: FieldEntry, path: string): void {
+    if (event.isComposing) return;
     const box = event.target as HTMLInputElement;
     const step = { ArrowUp: 1, ArrowDown: -1 }[event.key];
     const value = this.store.get(path);
     if (event.key === "Enter") {
       this.accept(path);
+      // What may be a difference is not taken by a key that works sums out.
       const judged = toleranced(this.store, path);
-      if (judged) {
-        judged.take();
-        const [middle, half] = [judged.middle, judged.half].map((x) => this.store.number(x));
-        const detail: Said = [
-          w("{text} is judged: {middle} with a size limit of {half}"),
-          judged.text,
-          middle ?? "",
-          half ?? "",
-        ];
-        this.dispatchEvent(new CustomEvent("say", { bubbles: true, detail }));
-      }
+      if (judged && PLAIN.test(judged.text)) judged.take();
       box.select();
       box.dispatchEvent(new CustomEvent("entered", { bubbles: true, detail: box }));
     } else if (event.key === "Escape" && this.entry !== undefined && this.entry !== box.value) {

@@ -81,7 +81,7 @@ class BadgePart extends Part {
   protected override follows = ["change"];
 
   override render(): TemplateResult | typeof nothing {
-    const count = (level: Finding["level"]) => this.store.findings.filter((f) => f.level === level).length;
+    const count = (level: Finding["level"]) => this.store.ofJob.filter((f) => f.level === level).length;
     const level = (["error", "warning"] as const).find((level) => count(level) > 0);
     return level ? html`<span class=${`badge ${level}`}>${count(level)}</span>` : nothing;
   }

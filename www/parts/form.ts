@@ -1,6 +1,5 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import type { FieldEntry, Finding } from "../core/browser.js";
-import { alike } from "../job.js";
 import { deviations } from "../sentences.js";
 import { sizeField } from "../store.js";
 import { w } from "../words.js";
@@ -107,7 +106,7 @@ class FormPart extends FieldPart {
       const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
       const idle = (maxTouches === 0 && OF_TOUCHES.test(path)) || !this.store.counts(path, field);
       if (idle && !mended) return;
-      const asked = this.store.cam || !FOR_CAM.test(group) || !alike(this.store.get(path), this.store.begins(field));
+      const asked = this.store.cam || !FOR_CAM.test(group) || !this.store.isUsual(path, field);
       if (!asked && !mended) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
@@ -250,8 +249,7 @@ class FormPart extends FieldPart {
     // What stands as in a new job is not worth the line.
     const said = sorted.filter(({ field, path }) => {
       const own = this.store.cycle.fields.includes(field) && !FOLDED.test(name);
-      const usual = alike(this.store.get(path) ?? null, this.store.begins(field) ?? null);
-      return own || FIRST.has(path) || !usual || faulty(path);
+      return own || FIRST.has(path) || !this.store.isUsual(path, field) || faulty(path);
     });
     const words = said.flatMap(({ field, path }) => {
       const value =

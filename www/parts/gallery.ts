@@ -121,7 +121,7 @@ class GalleryPart extends Part {
 
   /** Enter takes the first that is found. The key is used up: it must not press the button that gets the focus. */
   private key(event: KeyboardEvent, first: CycleEntry | undefined, tool: boolean): void {
-    if (event.key !== "Enter" || this.query.trim() === "") return;
+    if (event.key !== "Enter" || event.isComposing || this.query.trim() === "") return;
     if (first) this.choose(first);
     else if (tool) this.toLengths();
     else return;

@@ -23,7 +23,12 @@ class HelpPart extends Part {
     const choice = entry.choices.find((c) => c.value === standing)?.label;
     const flag = standing === true ? this.t("on") : this.t("off");
     const shown = choice ?? (typeof standing === "boolean" ? flag : this.store.number(String(standing)));
-    const other = standing !== null && standing !== undefined && value !== standing && entry.kind !== "text";
+    const other =
+      standing !== null &&
+      standing !== undefined &&
+      value !== standing &&
+      !this.store.isUsual(focused, entry) &&
+      entry.kind !== "text";
     const span = (ends: unknown, digits: number) =>
       Array.isArray(ends)
         ? this.t("{min} to {max}", this.scaled(entry.unit, ends[0], digits), this.scaled(entry.unit, ends[1], digits))

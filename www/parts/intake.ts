@@ -117,7 +117,7 @@ export class Intake {
     if (!file && text.trim().length < SHORTEST) return;
     event.preventDefault();
     if (file) await this.file(file);
-    else if (text.length > this.store.longestProgram) this.page.tell(this.store.say(this.store.tooLong(text.length)));
+    else if (text.length > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(text.length, "paste")));
     else await this.text(text);
   };
 

@@ -35,19 +35,9 @@ export class LineList {
     this.colours.follow(list);
   }
 
-  focus(): void {
-    this.list.focus();
-  }
-
   free(): void {
     this.colours.leave();
     this.list.remove();
-  }
-
-  /** Scrolls until this line is the first that is seen. */
-  begin(line: number): void {
-    const at = this.lines[line];
-    if (at) this.list.scrollTop = at.offsetTop - this.list.offsetTop;
   }
 
   show({ text, kind, notes, lit, found, sight }: Shown): void {

@@ -49,7 +49,7 @@ class ManualPart extends CanvasPart {
 
   private control(post: PostEntry): TemplateResult {
     const { store } = this;
-    const now = store.post?.id === post.id;
+    const now = !store.stale && store.post?.id === post.id;
     const always = now ? store.findings.filter((f) => store.stands(f)) : [];
     const unable = now && !store.ownCycle ? store.plan.safety.filter((row) => row.holds === null) : [];
     const rule = (name: string) => store.catalog.rules.find((one) => one.name === name)?.says ?? name;

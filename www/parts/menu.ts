@@ -60,7 +60,11 @@ export function actions({ store, links, local, away }: Frame): [what: string, na
     ["redo", t("Redo"), store.canRedo],
     ["reset", t("Reset"), !readonly],
     ["keys", t("Keys"), true],
-    ["cam", store.cam ? t("For setters: hide parameters and codes") : t("For CAM: show parameters and codes"), true],
+    [
+      "cam",
+      store.cam ? t("For setters: hide parameters and codes") : t("For CAM: show parameters and codes"),
+      !store.camIsAsked,
+    ],
   ];
   return all.filter(([what, , is]) => is && !(away && OF_THE_JOB.has(what))).map(([what, name]) => [what, name]);
 }
@@ -104,7 +108,9 @@ export function menu(frame: Frame): TemplateResult {
       ${item("open", t("Open a file"), !readonly, "not-wide")} ${item("paste", t("Paste"), !readonly)} ${item("share", t("Copy a link to this job"), links, "not-wide")} ${of("sheet", t("Setup sheet to print"), "not-wide")}
       ${item("save-job", t("Save job"))} ${of("save-picture", t("Save the picture (SVG)"))} ${item("presets", t("My machines"), local && !readonly)}
       ${item("lengths", t("Tool lengths (SINUMERIK)"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}
-      <label class="check"><input type="checkbox" id="cam" .checked=${store.cam} @change=${(e: Event) => {
+      <label class="check"><input type="checkbox" id="cam" ?disabled=${store.camIsAsked} .checked=${store.cam} @change=${(
+        e: Event,
+      ) => {
         store.cam = (e.target as HTMLInputElement).checked;
       }} /> ${t("For CAM: parameters, codes, picked touches")}</label>
       <label>${t("Language")} <select id="lang" @change=${(e: Event) => frame.chooseLanguage(chosen(e))}>${Object.entries(LANGUAGES).map(([lang, name]) => html`<option value=${lang} lang=${lang} ?selected=${lang === store.lang}>${name}</option>`)}</select></label>

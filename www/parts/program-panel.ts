@@ -26,7 +26,7 @@ interface Block {
 
 /** What a folded run of lines is, by its lines: the first that fits one of them counts. */
 const RUNS: [RegExp, string, string][] = [
-  [/^(?:N\d+ ?)*$|^TP_\w+:$|^#3000=/, w("1 line for a stop"), w("{count} lines for a stop")],
+  [/^(?:N\d+ ?)+$|^TP_\w+:$|^#3000=/, w("1 line for a stop"), w("{count} lines for a stop")],
   [/\b(?:IF|if|GOTOF?|STOPRE|endif)\b|^o\d/, w("1 line of checks"), w("{count} lines of checks")],
   [/=/, w("1 line of arithmetic"), w("{count} lines of arithmetic")],
 ];
