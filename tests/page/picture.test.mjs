@@ -258,10 +258,11 @@ test("each change is planned once, and the picture is drawn once a frame", async
     }),
   );
   assert.deepEqual(given, [1, 3], "three jobs of a host in a frame, each rendered");
-  assert.deepEqual(await count(() => page.emulateMedia({ colorScheme: "dark" })), [1, 0], "other colours");
+  // The small drawing of the cycle in the bar takes its colours and its size at once, one by one.
+  assert.deepEqual(await count(() => page.emulateMedia({ colorScheme: "dark" })), [1 + 2, 0], "other colours");
 });
 
-test("on a phone the axis X lay on the name of 1411's first diameter: no name stands on the axes or the scale bar", async () => {
+test("on a phone the axis X lay on the name of 1411's first diameter: no name stands on the axes", async () => {
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });
     for (const { type } of catalog().cycles) {
@@ -271,16 +272,15 @@ test("on a phone the axis X lay on the name of 1411's first diameter: no name st
         const picture = /** @type {any} */ (
           document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture")
         );
-        const { clientWidth, clientHeight } = picture.querySelector("canvas");
+        const { clientHeight } = picture.querySelector("canvas");
         const { view } = picture.drawing;
         const axes = [
           [62, clientHeight - 34],
           [34, clientHeight - 62],
         ];
-        const bar = [20, 40, 60].map((x) => [clientWidth - 16 - x / 2, clientHeight - 26]);
-        return [...axes, ...bar].map(([x, y]) => view.dimensionAt(x, y) ?? null);
+        return axes.map(([x, y]) => view.dimensionAt(x, y) ?? null);
       });
-      assert.deepEqual(found, [null, null, null, null, null], `${type} at ${width}`);
+      assert.deepEqual(found, [null, null], `${type} at ${width}`);
     }
   }
 });

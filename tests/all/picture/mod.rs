@@ -480,3 +480,32 @@ fn turns(outlines: &[Vec<Vec2>], Vec2 { x, y }: Vec2) -> i32 {
     }
     sum
 }
+
+/// The scale lies on nothing: no ball, contact, corner of a wall, end of a move or name within its box; where every corner has something it is left out.
+#[test]
+fn the_scale_bar_lies_on_nothing() {
+    let (mut placed, mut left_out) = (0, 0);
+    for cycle in touchpath::cycle::CYCLES.iter().filter(|cycle| !cycle.steps.is_empty()) {
+        for size in [Vec2::new(740.0, 640.0), Vec2::new(390.0, 300.0), Vec2::new(290.0, 160.0)] {
+            let (scene, _) = built(&of(cycle.key), Projection::Top);
+            let camera = Camera::fit(size, scene.bounds(), Camera { scale: 1.0, middle: Vec2::ZERO, size }.dimension_margin());
+            let layout = camera.layout(&scene, None);
+            let half = Vec2::new(40.0, 17.0);
+            let Some(middle) = layout.bar(&camera, half) else {
+                left_out += 1;
+                continue;
+            };
+            placed += 1;
+            let walls = scene.walls.iter().flat_map(|wall| wall.corners);
+            let spots =
+                scene.touches.iter().flat_map(|touch| [touch.ball, touch.contact]).chain(walls).chain(scene.ends.clone());
+            let names =
+                layout.dimensions.iter().map(|placed| placed.name.middle).chain(layout.numbers.iter().map(|n| n.plate.middle));
+            for at in spots.map(|spot| camera.pixel(spot)).chain(names) {
+                let off = (at - middle).abs();
+                assert!(off.x > half.x || off.y > half.y, "{} at {size}: {at} in the bar at {middle}", cycle.key);
+            }
+        }
+    }
+    assert!(placed > 20 && left_out > 0, "{placed} placed, {left_out} left out");
+}
