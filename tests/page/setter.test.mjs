@@ -375,7 +375,7 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
       const [, x1, , x2] = lines.find((/** @type {any[]} */ line) => line[0] === "cycle.width1");
       return Math.abs(x2 - x1) / canvas.clientWidth;
     });
-    assert.ok(share >= 0.5, `${share}`);
+    assert.ok(share >= 0.55, `${share}`);
     const small = await page.evaluate(() => {
       const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
       return [...root.querySelectorAll("*")]

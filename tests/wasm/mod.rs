@@ -75,7 +75,7 @@ fn codes_of(findings: &JsValue) -> Vec<String> {
 }
 
 pub fn pocket() -> JsValue {
-    wasm::default_job(&"internal-rectangle-protected".into()).expect("a default job")
+    wasm::default_job(&"internal-rectangle-protected".into(), &JsValue::UNDEFINED).expect("a default job")
 }
 
 #[wasm_bindgen_test]
@@ -118,7 +118,7 @@ fn check_lists_and_plan_throws_the_same() {
     let error = plan(&job).expect_err("a refused job");
     assert_eq!(get(&error, "name").as_string().unwrap(), "JobError");
     assert_eq!(text(&get(&error, "findings")), text(&listed));
-    assert!(wasm::default_job(&JsValue::from_f64(7.0)).is_err());
+    assert!(wasm::default_job(&JsValue::from_f64(7.0), &JsValue::UNDEFINED).is_err());
 }
 
 #[wasm_bindgen_test]
