@@ -6,14 +6,14 @@ use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, SECTIONS, Units};
 use crate::job::units::default_in;
 
-/// How a default that is given in mm stands in a job in inch.
+/// How defaults, which are given in mm, are brought to a job in inch.
 #[derive(Clone, Copy, PartialEq)]
 enum Inch {
     /// In full.
     Exact,
     /// With as many decimals as a conversion has.
     Converted,
-    /// As a number that people type.
+    /// As numbers that people type.
     Typed,
 }
 
@@ -22,22 +22,19 @@ pub fn default_job(key: &str) -> Option<Value> {
     default_job_in(key, Units::Mm)
 }
 
-/// A new job of a type in `units`, as people begin one: in inch with numbers that they type, and not with millimetres converted.
+/// A new job of a type: in inch with numbers that people type, not with converted millimetres.
 pub fn new_job(key: &str, units: Units) -> Option<Value> {
-    named(key, units, Inch::Typed).map(|mut job| {
-        put(&mut job, "units", Value::Text(units.word().to_owned()));
-        let name = Value::Text(job_name(&job));
-        put(&mut job, "name", name);
-        job
-    })
+    let mut job = complete_job(cycle::find(key)?, units, Inch::Typed);
+    put(&mut job, "units", Value::Text(units.word().to_owned()));
+    Some(named(job))
 }
 
-/// The default job with lengths and feeds converted to `units`; the job's own units stay to be set.
+/// The default job with lengths and feeds converted to `units`; its own `units` are still to be set.
 pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
-    named(key, units, Inch::Converted)
+    Some(named(complete_job(cycle::find(key)?, units, Inch::Converted)))
 }
 
-/// What a new job in inch begins with, in inch: given with the field, or its default with one digit, two where it begins with 1.
+/// The default of a field in a new job in inch, in inch: what the field gives, or its default with one digit, two where the first is 1.
 pub fn typed_in_inch(field: &Field) -> Default {
     let metric = field.kind.is_metric();
     match (field.default, field.inch) {
@@ -48,7 +45,7 @@ pub fn typed_in_inch(field: &Field) -> Default {
     }
 }
 
-/// Millimetres as an inch user would type them: one digit, two where the first is 1.
+/// Millimetres in inch, with one digit, two where the first is 1.
 fn typed(mm: f64) -> f64 {
     let inch = mm / Units::Inch.scale();
     if inch == 0.0 {
@@ -73,11 +70,11 @@ fn put(job: &mut Value, key: &str, value: Value) {
     }
 }
 
-fn named(key: &str, units: Units, inch: Inch) -> Option<Value> {
-    let mut job = cycle::find(key).map(|def| complete_job(def, units, inch))?;
+/// A job with the name of what it measures.
+fn named(mut job: Value) -> Value {
     let name = Value::Text(job_name(&job));
     put(&mut job, "name", name);
-    Some(job)
+    job
 }
 
 /// The defaults of the fields of a form inside a cycle's form, likewise.
@@ -152,20 +149,23 @@ fn overlay(under: &mut Value, over: &Value) {
 
 /// Default values in `units`.
 fn default_values(fields: &[Field], units: Units, inch: Inch) -> Vec<(String, Value)> {
-    let scaled = |x: f64| match inch {
-        Inch::Exact => x / units.scale(),
-        Inch::Converted | Inch::Typed => default_in(x, units),
-    };
-    let value = |field: &Field| {
-        let typed = inch == Inch::Typed && units == Units::Inch;
-        let scaled = |x: f64| if field.kind.is_metric() && !typed { scaled(x) } else { x };
-        match if typed { typed_in_inch(field) } else { field.default } {
-            Default::Number(x) => Value::Number(scaled(x)),
-            Default::Flag(b) => Value::Flag(b),
-            Default::Text(text) => Value::Text(text.to_owned()),
-            Default::Point(p) => Value::List(p.map(|x| Value::Number(scaled(x))).to_vec()),
-            Default::Null => Value::Null,
-        }
+    let value = |field: &Field| match default_of(field, units, inch) {
+        Default::Number(x) => Value::Number(x),
+        Default::Flag(b) => Value::Flag(b),
+        Default::Text(text) => Value::Text(text.to_owned()),
+        Default::Point(p) => Value::List(p.map(Value::Number).to_vec()),
+        Default::Null => Value::Null,
     };
     fields.iter().map(|field| (field.key.to_owned(), value(field))).collect()
+}
+
+/// The default of a field in `units`.
+fn default_of(field: &Field, units: Units, inch: Inch) -> Default {
+    let converted = |x: f64| if inch == Inch::Exact { x / units.scale() } else { default_in(x, units) };
+    match field.default {
+        _ if inch == Inch::Typed && units == Units::Inch => typed_in_inch(field),
+        Default::Number(x) if field.kind.is_metric() => Default::Number(converted(x)),
+        Default::Point(p) if field.kind.is_metric() => Default::Point(p.map(converted)),
+        default => default,
+    }
 }

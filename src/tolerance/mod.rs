@@ -438,7 +438,6 @@ mod tests {
         assert_eq!(limits("10+0,2"), (0.0, 200.0));
     }
 
-    /// The middles that the reference prints.
     #[test]
     fn a_tolerance_as_drawings_write_it_is_a_zone() {
         // ISO 286-2: H7 of 18 to 30 mm is +0.021/0, h6 of the same 0/-0.013, H7 of 0.9842 inch that of 25 mm.
@@ -458,6 +457,7 @@ mod tests {
         assert_eq!(zone("25Q99", 1.0), None);
     }
 
+    /// The middles that the reference prints.
     #[test]
     fn deviations_count_from_the_middle_of_the_zone() {
         for (text, middle) in [("10H7", 10.0075), ("10m", 10.0), ("10+0.01-0.015", 9.9975), ("+8-2-1", 6.5), ("10", 10.0)] {
