@@ -58,6 +58,8 @@ pub(crate) use plan::{Planned, plan_with_path, planned};
 pub(crate) use sections::{Job, SECTIONS, size_reach};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
+#[cfg(target_arch = "wasm32")]
+pub(crate) use units::known_units;
 
 /// What `npm run bench` times. Nothing of it is promised.
 #[doc(hidden)]

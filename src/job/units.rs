@@ -49,13 +49,22 @@ pub(super) fn default_in(mm: f64, units: Units) -> f64 {
     }
 }
 
+/// The units with this word.
+///
+/// # Errors
+///
+/// `unknown-value` at `units` for any other word than `mm` and `inch`.
+pub(crate) fn known_units(word: &str) -> Result<Units, JobError> {
+    Units::named(word).ok_or_else(|| {
+        let message = text!("Units are \"mm\" or \"inch\"");
+        JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "units", message)] }
+    })
+}
+
 /// The same job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch (three more below 0.001), angles as they are. The job
 /// may have errors: what is no number, and no text with a tolerance, stays as it is. A user's own codes are not converted: their meaning is not known.
 pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
-    let Some(units) = Units::named(units) else {
-        let message = text!("Units are \"mm\" or \"inch\"");
-        return Err(JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "units", message)] });
-    };
+    let units = known_units(units)?;
     let mut job = job.clone();
     if !matches!(job, Value::Map(_)) || Units::of(&job) == units {
         return Ok(job);

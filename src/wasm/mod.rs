@@ -36,11 +36,12 @@ pub fn catalog() -> Result<JsValue, JsValue> {
     to_js(&describe::catalog())
 }
 
-/// A complete, valid job of a type, in mm or in inch.
+/// A complete, valid job of a type, in mm or in inch; in mm where nothing is said.
 #[wasm_bindgen(js_name = defaultJob)]
 pub fn default_job(kind: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> {
     let key = text_of(kind, 100).unwrap_or_default();
-    let units = text_of(units, 10).and_then(|word| job::Units::named(&word)).unwrap_or(job::Units::Mm);
+    let word = if units.is_undefined() { Some("mm".to_owned()) } else { text_of(units, 100) };
+    let units = job::known_units(&word.unwrap_or_default()).map_err(refused)?;
     job::new_job(&key, units).map(|value| value_to_js(&value)).ok_or_else(|| {
         let message = text!("There is no cycle of this type; catalog() lists them");
         thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)])

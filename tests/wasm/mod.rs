@@ -119,6 +119,10 @@ fn check_lists_and_plan_throws_the_same() {
     assert_eq!(get(&error, "name").as_string().unwrap(), "JobError");
     assert_eq!(text(&get(&error, "findings")), text(&listed));
     assert!(wasm::default_job(&JsValue::from_f64(7.0), &JsValue::UNDEFINED).is_err());
+    for units in [JsValue::from("cm"), JsValue::NULL, JsValue::from_f64(25.4)] {
+        let error = wasm::default_job(&"hole".into(), &units).expect_err("no such units");
+        assert_eq!(codes_of(&get(&error, "findings")), ["unknown-value units"]);
+    }
 }
 
 #[wasm_bindgen_test]

@@ -36,8 +36,8 @@ export function catalog(): Catalog {
 }
 
 /**
- * A complete, valid job of a type, in mm or in inch: there with numbers that people type (0.6), not with millimetres converted. Throws `JobError` for an
- * unknown type.
+ * A complete, valid job of a type, in mm or in inch: in inch with numbers that people type (0.6), not with converted millimetres. Throws `JobError` for an
+ * unknown type, and for units that are neither.
  */
 export function defaultJob<T extends Cycle["type"]>(
   type: T,
