@@ -20,6 +20,7 @@ import { Entries, type Form, steps, type Units } from "./entries.js";
 import { History } from "./history.js";
 import { Outside } from "./host-inputs.js";
 import { alike, complete, type Draft, formIn, isObject } from "./job.js";
+import { Judged, withClass } from "./judged.js";
 import { keepCam, keepFiles, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./read-text.js";
@@ -126,6 +127,7 @@ export class Store extends Entries {
   private points = noPoints();
   /** The paths that somebody has given a value; the others still hold what a new job begins with. Null where a whole job was given. */
   private given: Set<string> | null = new Set();
+  private readonly judged = new Judged(this);
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
   private left = new Map<string, Left>();
   private readonly history = new History<Moment>();
@@ -356,24 +358,13 @@ export class Store extends Entries {
     this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
   }
 
-  /**
-   * Takes a size with the limit that it is judged by, in one step, and says so. There is one limit for all sizes: of several that were judged the
-   * narrowest holds.
-   */
+  /** Takes a size with the limit that it is judged by, in one step, and says so. */
   judge(path: string, size: number, limit: number, text: string): void {
     if (this.refuses) return;
     this.settle();
     this.mark(null);
-    const { type } = this.cycle;
-    const others = [...this.judged].filter(
-      ([at, one]) => at !== path && one.type === type && this.get(at) === one.size,
-    );
-    const narrowest = Math.min(limit, ...others.map(([, one]) => one.limit));
-    // A class of holes in the name, as a drawing has it; a name has no small letters that would tell a shaft's from it.
-    const [, nominal, fit] = /^[Øø⌀]?\s*(\d+(?:[.,]\d+)?)\s*([A-Z]{1,2}\d{1,2})$/.exec(text.trim()) ?? [];
-    const stem = /^([A-Z]+-D)\d+(?:_\d+)?$/.exec(jobName(this.draft))?.[1];
-    const named = this.draft.name === this.ownName && stem && nominal && fit;
-    const name = named ? `${stem}${nominal.replace(/[.,]/, "_")}${fit}` : null;
+    const narrowest = this.judged.narrowest(path, limit);
+    const name = this.draft.name === this.ownName ? withClass(jobName(this.draft), text) : null;
     for (const [at, value] of [
       [path, size],
       ["limits.size", narrowest],
@@ -383,15 +374,12 @@ export class Store extends Entries {
       this.place(at, value);
     }
     if (name) this.draft.name = name;
-    this.judged.set(path, { type, size, limit, name });
+    this.judged.add(path, size, limit, name);
     this.settle();
     this.changed();
-    const shown = [size, narrowest].map((x) => this.number(String(x)));
-    this.tell([w("{text} is judged: {middle} with a size limit of {half}"), text, shown[0] ?? "", shown[1] ?? ""]);
+    const [middle = "", half = ""] = [size, narrowest].map((x) => this.number(String(x)));
+    this.tell([w("{text} is judged: {middle} with a size limit of {half}"), text, middle, half]);
   }
-
-  /** The sizes that were judged by a tolerance, by their paths. */
-  private readonly judged = new Map<string, { type: string; size: number; limit: number; name: string | null }>();
 
   /** Sets a value by one act of the user, such as a choice: a step of its own. */
   put(path: string, value: unknown): void {
@@ -503,15 +491,16 @@ export class Store extends Entries {
     return [...this.metric()].filter(([path, field]) => !isGiven(path) && alike(this.get(path), this.begins(field)));
   }
 
-  /** Takes a whole job, one that fits the form. */
-  load(job: Draft, measured = ""): void {
+  /** Takes a whole job, one that fits the form. `given`: what of it somebody gave a value. */
+  load(job: Draft, measured = "", given: Set<string> | null = null): void {
     if (this.refuses) return;
     this.mark(null);
     this.document = ++this.documents;
     this.beforeControl = null;
     this.lost = null;
     this.ownName = null;
-    this.given = null;
+    this.given = given;
+    this.judged.clear();
     this.draft = complete(this.outside.filled(job) as Draft, this.catalog);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
@@ -564,8 +553,7 @@ export class Store extends Entries {
 
   /** Back to the defaults of the present cycle. */
   reset(): void {
-    this.load(this.outside.fresh(this.cycle.type));
-    this.given = new Set();
+    this.load(this.outside.fresh(this.cycle.type), "", new Set());
   }
 
   /** What belongs to the machine, as a preset. Which work offset is written belongs to the job. */
@@ -593,7 +581,7 @@ export class Store extends Entries {
     }
     const job = { ...structuredClone(draft), ...structuredClone(taken), units: preset.units };
     const problem = this.unusable(job);
-    if (problem) throw this.refusal([w("Nothing was changed: this preset cannot be used: {problem}"), problem]);
+    if (problem) throw this.refusal([w("Nothing was changed: this machine cannot be used: {problem}"), problem]);
     const whole = complete(this.outside.filled(job) as Draft, this.catalog);
     const fitted = (preset.units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
@@ -715,11 +703,9 @@ export class Store extends Entries {
   /** A name that was not typed follows what is measured. */
   private nameAnew(): void {
     const name = jobName(this.draft);
-    const judged = [...this.judged].find(([, one]) => one.name !== null && one.name === this.draft.name);
-    // One that says a class holds as long as the size that was judged.
-    const holds = judged && judged[1].type === this.cycle.type && this.get(judged[0]) === judged[1].size;
-    const own = judged || (this.ownName !== null && this.draft.name === this.ownName);
-    if (own && !holds) this.draft.name = name;
+    const judged = this.judged.names(this.draft.name);
+    const followed = this.ownName !== null && this.draft.name === this.ownName;
+    if (judged === "outdated" || (followed && judged === null)) this.draft.name = name;
     this.ownName = name;
   }
 

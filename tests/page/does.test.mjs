@@ -92,6 +92,23 @@ test("25+0.021 became 25.021 without a word", async () => {
   assert.equal(await textOf(saveButton()), "Save BORE-D25_5.ngc");
 });
 
+test("the one limit is that of the narrowest size that was judged, also in other units, and of another job it is another", async () => {
+  const judged = async (/** @type {string} */ path, /** @type {string} */ text) => {
+    await field(path).fill(text);
+    await page.keyboard.press("Enter");
+    await page.locator("tp-findings .note", { hasText: `${text} is judged` }).waitFor();
+    return Number(await field("limits.size").inputValue());
+  };
+  await field("cycle.type").selectOption("internal-rectangle");
+  // ISO 286-2: of 50 to 80 mm H7 is 0.030 and H9 0.074.
+  assert.equal(await judged("cycle.width1", "80H7"), 0.015);
+  assert.equal(await judged("cycle.width2", "60H9"), 0.015);
+  await page.getByRole("radio", { name: "inch" }).check();
+  assert.ok(Math.abs((await judged("cycle.width2", "2H9")) - 0.015 / 25.4) < 1e-6);
+  await more("Reset");
+  assert.ok(Math.abs((await judged("cycle.width2", "2H9")) - 0.037 / 25.4) < 1e-6);
+});
+
 test("another program of the same name took the place of the first without a word", async () => {
   const save = async () => {
     const download = page.waitForEvent("download");
