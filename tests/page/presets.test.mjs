@@ -85,7 +85,7 @@ test("presets are saved as a file and read again; a file that is none changes no
   );
   assert.deepEqual(await names(), ["one", "two", "wrong"]);
   await dialog().getByRole("button", { name: "Use wrong" }).click();
-  assert.match(await told(), /Nothing was changed: this preset cannot be used: feeds\.work/);
+  assert.match(await told(), /Nothing was changed: this machine cannot be used: feeds\.work/);
   assert.deepEqual(await held("feeds"), before);
 });
 

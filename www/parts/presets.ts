@@ -24,7 +24,7 @@ class PresetsPart extends Part {
 
   override render(): TemplateResult {
     return html`
-      <p id="presets-help">${this.t("A machine is kept with its stylus, overtravel, feeds, control and tool, and stands in the list at the head of the page. The cycle, the part and the work offset stay as they are. Machines are kept in this browser.")}</p>
+      <p id="presets-help">${this.t("A machine is kept with its stylus, overtravel, feeds, control and tool, and is in the list at the head of the page. The cycle, the part and the work offset stay as they are. Machines are kept in this browser.")}</p>
       <div class="tools">
         <input class="filter" id="preset-name" type="text" aria-label=${this.t("Name of the machine")} placeholder=${this.t("Name, such as Mill 2, ball 6")} maxlength="80"
           @keydown=${(e: KeyboardEvent) => e.key === "Enter" && this.keep()} />
@@ -46,7 +46,7 @@ class PresetsPart extends Part {
       )}</ul>
       <div class="tools">
         <button type="button" ?disabled=${this.list.length === 0} @click=${() => download(written(this.list), "touchpath-presets.json", "application/json")}>${this.t("Save all as a file")}</button>
-        <label class="button">${this.t("Open a file of presets")}<input type="file" accept=".json,application/json" @change=${this.open} /></label>
+        <label class="button">${this.t("Open a file of machines")}<input type="file" accept=".json,application/json" @change=${this.open} /></label>
       </div>
     `;
   }
@@ -81,7 +81,7 @@ class PresetsPart extends Part {
       this.earlier = null;
       this.tell(this.t("“{name}” is used. Undo brings back what was there.", preset.name));
     } catch (thrown) {
-      this.tell(thrown instanceof JobError ? this.store.why(thrown) : this.t("This preset cannot be used"));
+      this.tell(thrown instanceof JobError ? this.store.why(thrown) : this.t("This machine cannot be used"));
     }
   }
 
@@ -98,9 +98,9 @@ class PresetsPart extends Part {
     if (!file) return;
     const text = file.size > this.store.longest ? "" : await file.text().catch(() => "");
     const found = read(text);
-    if (!found) this.tell(this.t("Nothing was changed: this file holds no presets that can be read here"));
+    if (!found) this.tell(this.t("Nothing was changed: this file has no machines that can be read here"));
     else if (this.put((list) => found.reduce(added, list), true))
-      this.tell(this.t("{count} presets were read", found.length));
+      this.tell(this.t("{count} machines were read", found.length));
   };
 
   /** Changes the list as it is kept now: another tab may have changed it. `loses`: what was there goes, and can be taken back. */
@@ -109,7 +109,7 @@ class PresetsPart extends Part {
     const list = change(old);
     if (list.length > MOST) {
       this.tell(
-        this.t("Nothing was changed: at most {most} presets are kept, and these would be {count}", MOST, list.length),
+        this.t("Nothing was changed: at most {most} machines are kept, and these would be {count}", MOST, list.length),
       );
       return false;
     }
@@ -118,7 +118,7 @@ class PresetsPart extends Part {
     const kept = keepPresets(list);
     this.store.dispatchEvent(new Event("machines"));
     if (kept) return true;
-    this.tell(this.t("This browser keeps nothing: the presets are there until the page is left"));
+    this.tell(this.t("This browser keeps nothing: the machines are there until the page is left"));
     return false;
   }
 
