@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type CycleEntry, defaultJob, type Finding } from "../core/browser.js";
-import { alike, type Draft } from "../job.js";
+import { alike, type Draft, isObject } from "../job.js";
 import { convertedPreset, type Preset, presets, SECTIONS } from "../presets.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
@@ -74,11 +74,12 @@ class BarPart extends FieldPart {
   /** What holds for this control always: one mark at its name, and its page behind it. */
   private always(): TemplateResult {
     const { store } = this;
-    const found = new Set(store.findings.filter((f: Finding) => store.stands(f)).map((f) => f.code as string));
-    const code = Object.keys(ALWAYS).find((code) => found.has(code));
-    const grave = store.findings.some((f) => f.code === code && f.level === "warning");
-    const title = this.t("About {control}", store.post?.title ?? "");
-    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${code ? `${title}: ${this.t(ALWAYS[code] as string)}` : title} title=${title} ?disabled=${!store.post} @click=${() => this.about(`control:${store.post?.id}`)}>${code ? html`<span class="words">${this.t(ALWAYS[code] as string)}</span> ` : nothing}<span class="i" aria-hidden="true">i</span></button>`;
+    const { title = "", id = "" } = store.post ?? {};
+    const standing = store.findings.filter((f: Finding) => store.stands(f));
+    const [code, says] = Object.entries(ALWAYS).find(([code]) => standing.some((f) => f.code === code)) ?? [];
+    const grave = standing.some((f) => f.code === code && f.level === "warning");
+    const about = this.t("About {control}", title);
+    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${says ? `${about}: ${this.t(says)}` : about} title=${about} ?disabled=${!store.post} @click=${() => this.about(`control:${id}`)}>${says ? html`<span class="words">${this.t(says)}</span> ` : nothing}<span class="i" aria-hidden="true">i</span></button>`;
   }
 
   private about(topic: string): void {
@@ -104,31 +105,22 @@ class BarPart extends FieldPart {
     const { store } = this;
     const kept = this.local ? (presets() ?? []) : [];
     const used = kept.find((one) => this.isUsed(one));
+    const own = kept.length > 0 ? this.t("My machines") : " ";
+    const machines = kept.map(({ name }) => ({ value: `machine:${name}`, label: name, under: own }));
+    const posts = this.posts().map((post) => ({ ...post, under: kept.length > 0 ? this.t("Controls") : "" }));
+    const keep = this.local ? [{ value: "keep:", label: this.t("Keep this machine …"), under: own }] : [];
+    const choices = kept.length > 0 ? [...machines, ...keep, ...posts] : [...posts, ...keep];
     const path = "control.post";
     const value = used ? `machine:${used.name}` : store.get(path);
-    const machines = kept.map(({ name }) => ({ value: `machine:${name}`, label: name, under: this.t("My machines") }));
-    const posts = this.posts().map((post) => ({ ...post, under: kept.length ? this.t("Controls") : "" }));
-    const keep = {
-      value: "keep:",
-      label: this.t("Keep this machine …"),
-      under: kept.length ? this.t("My machines") : " ",
-    };
-    const choices = this.local ? (kept.length ? [...machines, keep, ...posts] : [...posts, keep]) : posts;
-    const name = this.t("On which machine?");
-    return this.select(path, choices, (chosen) => this.chooseMachine(chosen, kept), name, {
-      title: store.post?.title,
-      value,
-    });
+    const choose = (chosen: string) => this.chooseMachine(chosen, kept);
+    return this.select(path, choices, choose, this.t("On which machine?"), { title: store.post?.title, value });
   }
 
   private chooseMachine(chosen: string, kept: Preset[]): void {
-    const { store } = this;
     const preset = kept.find(({ name }) => chosen === `machine:${name}`);
-    const why = preset || chosen === "keep:" ? null : store.whyNot(chosen);
     if (chosen === "keep:") this.ask("presets");
     else if (preset) this.dispatchEvent(new CustomEvent("machine", { bubbles: true, detail: preset }));
-    else if (why) this.dispatchEvent(new CustomEvent("choose", { bubbles: true, detail: `control.post:${chosen}` }));
-    else store.chooseControl(chosen);
+    else this.dispatchEvent(new CustomEvent("choose", { bubbles: true, detail: `control.post:${chosen}` }));
     // What could not be taken does not stay in the list.
     this.requestUpdate();
   }
@@ -136,14 +128,9 @@ class BarPart extends FieldPart {
   /** Whether the job is for this machine as it was kept. */
   private isUsed(preset: Preset): boolean {
     const { draft, units } = this.store;
-    const held = convertedPreset(preset, units);
-    const { workOffset: _, ...control } = draft.control as Draft;
-    const now: Draft = { ...draft, control };
-    const { control: kept, ...rest } = held.sections as { control?: Draft };
-    const { workOffset: __, ...keptControl } = kept ?? {};
-    const sections: Draft = kept ? { ...rest, control: keptControl } : rest;
+    const { overtravel, sections } = convertedPreset(preset, units);
     return (
-      isSame(held.overtravel, draft.overtravel) && SECTIONS.every((key) => isSame(sections[key] as unknown, now[key]))
+      isSame(overtravel, draft.overtravel) && SECTIONS.every((key) => isSame(unwritten(sections[key]), draft[key]))
     );
   }
 
@@ -270,6 +257,13 @@ class BarPart extends FieldPart {
   private ask(what: string): void {
     this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: what }));
   }
+}
+
+/** A section of a kept machine without the work offset that is written: that belongs to the job. */
+function unwritten(section: unknown): unknown {
+  if (!isObject(section)) return section;
+  const { workOffset: _, ...rest } = section;
+  return rest;
 }
 
 /** Whether a machine that was kept says the same: what it does not say is not asked. */

@@ -164,9 +164,9 @@ class ResultsPart extends Part {
         : nothing;
     if (r.unit === "") {
       return measured
-        ? html`<tr role="row">${name}<td></td><td class="n"><b>${r.value}</b>${verdict(r)}</td><td></td>
-        <td class="n own"><b>${own?.value ?? "–"}</b>${verdict(own)}</td></tr>`
-        : html`<tr role="row">${name}<td></td><td class="n"><b>${r.value}</b></td><td colspan="3">${verdict(r)}</td></tr>`;
+        ? html`<tr role="row">${name}<td role="cell"></td><td role="cell" data-label=${this.t("Value")} class="n"><b>${r.value}</b>${verdict(r)}</td><td role="cell"></td>
+        <td role="cell" data-label=${this.t("Measured")} class="n own"><b>${own?.value ?? "–"}</b>${verdict(own)}</td></tr>`
+        : html`<tr role="row">${name}<td role="cell"></td><td role="cell" data-label=${this.t("Value")} class="n"><b>${r.value}</b></td><td role="cell" colspan="3">${verdict(r)}</td></tr>`;
     }
     // Two sigma: 95 of 100 measurements lie within.
     const spread = r.uncertainty === null ? null : 2 * r.uncertainty;
