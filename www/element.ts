@@ -75,13 +75,13 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
  * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hans`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
- * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, the table where it is named or the mode is `cam`.
- * @attr {"setter" | "cam"} mode - Whether what only the author of a postprocessor needs is shown: parameters, codes, picked touches. Without it, as the user says, and from when a parameter dump was opened.
+ * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, but the table only if it is named here or the mode is `cam`.
+ * @attr {"setter" | "cam"} mode - `cam` also shows what only the author of a postprocessor needs: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
  * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
  * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
  * @attr {string} name - The name under which a form gets the job's JSON.
  * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
- * @fires {CustomEvent<{ plan: Plan }>} plan-change - There is another plan, whoever changed the job. While the job has errors there is none.
+ * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the page around. A job with errors gives no event.
  * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the page around it does.
  * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used, and nothing was changed.
  * @slot - Shown until the element is loaded.

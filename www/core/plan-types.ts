@@ -484,7 +484,7 @@ export interface Measurement {
   results: ResultRow[];
   /** The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches. */
   points: (Vec3 | null)[];
-  /** On grbl, which cannot write a work offset from a program: the block to type before anything moves. Null where there is none; a finding says why. */
+  /** On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if there is none; a finding gives the reason. */
   block: string | null;
   /** How the values were read, and what is missing: warnings and notes. */
   findings: Finding[];
