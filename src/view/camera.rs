@@ -13,16 +13,16 @@ pub struct Camera {
     pub size: Vec2,
 }
 
-/// Room around a fitted scene, pixels: for axes and numbers, and in a small picture without them.
+/// Room around a fitted scene, pixels: for axes and numbers.
 pub const MARGIN: f64 = 36.0;
-/// The same where dimensions stand around the scene; less where the picture is small.
-pub const DIMENSION_MARGIN: f64 = 84.0;
-/// So much of the picture's lesser size is that margin at most.
-const SHARE: f64 = 0.14;
-/// How far a dimension stands from the part, pixels; less where the picture is small.
-const STANDS_OFF: f64 = 46.0;
-/// The same in a small picture.
+/// The same in a small drawing without them.
 pub const SMALL_MARGIN: f64 = 8.0;
+/// The same where there are dimensions around the scene; less in a small picture.
+pub const DIMENSION_MARGIN: f64 = 84.0;
+/// The most of the picture's lesser size that this margin takes.
+const SHARE: f64 = 0.14;
+/// How far the line of a dimension is from the part, pixels; less in a small picture.
+const STANDS_OFF: f64 = 46.0;
 
 /// Where the work axes are drawn, pixels from the lower left corner.
 pub const AXES_CORNER: f64 = 34.0;
@@ -43,12 +43,12 @@ impl Camera {
         Camera { scale: room.min_element(), middle: (low + high) / 2.0, size }
     }
 
-    /// Room around a scene whose dimensions stand around it, pixels.
+    /// Room around a scene for its dimensions, pixels.
     pub fn dimension_margin(&self) -> f64 {
         crate::num::within(self.size.min_element() * SHARE, 30.0, DIMENSION_MARGIN)
     }
 
-    /// How far the line of a dimension stands from the part, pixels.
+    /// How far the line of a dimension is from the part, pixels.
     pub fn stands_off(&self) -> f64 {
         STANDS_OFF * self.dimension_margin() / DIMENSION_MARGIN
     }

@@ -115,8 +115,21 @@ impl Layout<'_> {
 }
 
 impl Camera {
+    /// A window of this size that shows a whole scene with its dimensions, as every picture begins.
+    pub fn whole(size: Vec2, scene: &Scene) -> Self {
+        let empty = Camera { scale: 1.0, middle: Vec2::ZERO, size };
+        let mut camera = Camera::fit(size, scene.bounds(), empty.margin(scene));
+        camera.clear_corners(scene);
+        camera
+    }
+
+    /// Room around a fitted scene, pixels.
+    pub fn margin(&self, scene: &Scene) -> f64 {
+        if scene.dimensions.is_empty() { MARGIN } else { self.dimension_margin() }
+    }
+
     /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, as far as there is room above it.
-    pub fn clear_corners(&mut self, scene: &Scene) {
+    fn clear_corners(&mut self, scene: &Scene) {
         let Vec2 { x: width, y: height } = self.size;
         let axes = [AXES_CORNER + AXES_REACH, height - AXES_CORNER - AXES_REACH];
         let unit = scene.unit.unwrap_or(1.0);
@@ -188,8 +201,17 @@ impl Camera {
         // Between its arrow heads, with a little of the line seen: in the middle, or aside of what stands there.
         let off_middle = ((long - drawn.wide) / 2.0 - 12.0).min(long / 4.0);
         let on_it = [[0.0; 4], [off_middle, 0.0, 0.0, 0.0], [-off_middle, 0.0, 0.0, 0.0]];
-        let most = if off_middle > HIGH { 3 } else { 1 };
-        let places = if drawn.wide + 24.0 <= long { &on_it[..most] } else { &beside_it[..] };
+        let on_line = match drawn.wide + 24.0 <= long {
+            true if off_middle > HIGH => 3,
+            true => 1,
+            false => 0,
+        };
+        // Off the line only where everything on it covers more than a few moves.
+        let off_line = if on_line > 0 { 100.0 } else { 0.0 };
+        let ranked = |k: usize| 4.0 * k as f64;
+        let places: Vec<([f64; 4], f64)> = (on_it.into_iter().take(on_line).enumerate().map(|(k, place)| (place, ranked(k))))
+            .chain(beside_it.into_iter().enumerate().map(|(k, place)| (place, off_line + ranked(k))))
+            .collect();
         let placed = |side: Vec2, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
             let line = ends.map(|end| end + side * far);
             let middle = line[0] + way * (long / 2.0 + over) + way.perp() * across;
@@ -205,26 +227,35 @@ impl Camera {
         let own = drawn.aside * DOWNWARDS;
         let stands_off = self.stands_off();
         let clear = CLEAR * self.dimension_margin() / DIMENSION_MARGIN;
-        let mut best = placed(own, 0.0, stands_off, places[0]);
+        let mut best = placed(own, 0.0, stands_off, places[0].0);
         let mut least = f64::INFINITY;
-        for k in 0..=usize::from(drawn.either) {
-            let side = if k == 0 { own } else { -own };
+        // What comes with the focus changes sides only where there is no room on its own.
+        let other = if drawn.either { 0.1 } else { 100.0 };
+        for (side, rank_of_side) in
+            [(own, 0.0), (-own, other)].into_iter().take(if drawn.either || drawn.on_demand { 2 } else { 1 })
+        {
             let [begins, walls, all] = crowd.beside(ends, side);
             // Extension lines begin where the part ends.
-            let (begin, near) =
-                if drawn.on_demand { (0.0, ON_DEMAND) } else { (begins, (walls + stands_off).max(all + clear + HIGH)) };
-            for step in 0..6 * places.len() {
-                let place = step % places.len();
-                let far = near + (step / places.len()) as f64 * (2.0 * HIGH + 4.0);
-                let one = placed(side, begin, far, places[place]);
-                // A name on the line, and a line that is not seen.
-                let line = one.line;
-                let struck = crowd.plates.iter().filter(|other| other.crosses(line, 2.0)).count()
-                    + 2 * line.iter().filter(|end| !crowd.sees(end)).count();
-                let cost =
-                    crowd.cost(&one.name) + 300.0 * struck as f64 + (4 * place) as f64 + (far - begin) / 20.0 + 0.1 * k as f64;
-                if cost < least {
-                    (least, best) = (cost, one);
+            let (begin, near) = if drawn.on_demand {
+                (0.0, ON_DEMAND)
+            } else {
+                let (close, clear) = (walls + stands_off, all + clear + HIGH);
+                // Clear of all that reaches beyond the part, where that is still in the picture.
+                let seen = placed(side, begins, clear, places[0].0).name.bounds().iter().all(|at| crowd.sees(at));
+                (begins, if seen { close.max(clear) } else { close })
+            };
+            for step in 0..6 {
+                let far = near + f64::from(step) * (2.0 * HIGH + 4.0);
+                for (place, rank) in &places {
+                    let one = placed(side, begin, far, *place);
+                    // A name on the line, and a line that is not seen.
+                    let line = one.line;
+                    let struck = crowd.plates.iter().filter(|other| other.crosses(line, 2.0)).count()
+                        + 2 * line.iter().filter(|end| !crowd.sees(end)).count();
+                    let cost = crowd.cost(&one.name) + 300.0 * struck as f64 + rank + rank_of_side + (far - begin) / 20.0;
+                    if cost < least {
+                        (least, best) = (cost, one);
+                    }
                 }
             }
         }

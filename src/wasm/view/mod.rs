@@ -14,7 +14,7 @@ use crate::import::toolpath::{Feature, Known, run_program};
 use crate::import::{Toolpath, read_program};
 use crate::job;
 use crate::view::Legend;
-use crate::view::camera::{Camera, MARGIN, SMALL_MARGIN};
+use crate::view::camera::{Camera, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
 use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
@@ -278,10 +278,9 @@ impl View {
 
     fn place(&mut self) {
         if let Some(shown) = &self.shown {
-            self.camera = Camera::fit(self.camera.size, shown.scene.bounds(), self.margin(&shown.scene));
-            if !self.painter.small {
-                self.camera.clear_corners(&shown.scene);
-            }
+            let (size, scene) = (self.camera.size, &shown.scene);
+            self.camera =
+                if self.painter.small { Camera::fit(size, scene.bounds(), SMALL_MARGIN) } else { Camera::whole(size, scene) };
         }
         self.moved = false;
     }
@@ -390,23 +389,11 @@ impl View {
         }
     }
 
-    /// Room around a fitted scene, pixels.
-    fn margin(&self, scene: &Scene) -> f64 {
-        if self.painter.small {
-            SMALL_MARGIN
-        } else if scene.dimensions.is_empty() {
-            MARGIN
-        } else {
-            // Room for the lines of the dimensions.
-            self.camera.dimension_margin()
-        }
-    }
-
     /// Whether what is shown still suits the picture as it lies: whole, with room around, near its middle, and not small in it. What is edited then
     /// keeps its scale.
     fn suits(&self) -> bool {
         let Some(shown) = &self.shown else { return false };
-        let margin = self.margin(&shown.scene);
+        let margin = if self.painter.small { SMALL_MARGIN } else { self.camera.margin(&shown.scene) };
         let [low, high] = shown.scene.bounds();
         let fitted = Camera::fit(self.camera.size, [low, high], margin);
         let (low, high, size) = (self.camera.pixel(low), self.camera.pixel(high), self.camera.size);

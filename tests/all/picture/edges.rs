@@ -64,23 +64,27 @@ fn the_scale_has_the_units_of_the_job() {
     }
 }
 
-/// On the setup sheet the second step stood below the picture, since the name of the first one was near.
+/// On the setup sheet the second step was below the picture, since the name of the first one was near; on a phone of 360 pixels the first width.
 #[test]
-fn the_line_of_a_dimension_stood_outside_a_small_picture() {
-    let job =
+fn the_line_of_a_dimension_was_outside_a_small_picture() {
+    let steps =
         crate::common::job(r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "count1": 8, "count2": 8 } }"#);
-    let (scene, _) = built(&job, Projection::Top);
-    for size in [[440.0, 268.0], [390.0, 240.0], [700.0, 700.0]] {
-        // As a small canvas is fitted.
-        let mut camera = Camera::fit(size.into(), scene.bounds(), 0.7 * touchpath::view::camera::DIMENSION_MARGIN);
-        camera.clear_corners(&scene);
-        let drawn = camera.layout(&scene, None).dimensions;
-        assert!(["cycle.step1", "cycle.step2"].iter().all(|field| drawn.iter().any(|p| p.drawn.field == *field)), "{size:?}");
-        for placed in drawn {
-            let inside = |at: &Vec2| (0..2).all(|i| (0.0..=size[i]).contains(&at[i]));
-            assert!(placed.line.iter().all(inside), "{} in {size:?}: {:?}", placed.drawn.field, placed.line);
+    let jobs = touchpath::cycle::CYCLES.iter().map(|cycle| of(cycle.key)).chain([steps]);
+    let mut seen = 0;
+    for (k, job) in jobs.enumerate() {
+        let (scene, _) = built(&job, Projection::Top);
+        for size in [[360.0, 168.0], [360.0, 206.0], [390.0, 240.0], [440.0, 268.0], [700.0, 700.0]] {
+            let drawn = Camera::whole(size.into(), &scene).layout(&scene, None).dimensions;
+            let named = |field: &str| drawn.iter().any(|placed| placed.drawn.field == field);
+            assert!(k < touchpath::cycle::CYCLES.len() || named("cycle.step1") && named("cycle.step2"), "{size:?}");
+            for placed in drawn {
+                let inside = |at: &Vec2| (0..2).all(|i| (0.0..=size[i]).contains(&at[i]));
+                assert!(placed.line.iter().all(inside), "{k}: {} in {size:?}: {:?}", placed.drawn.field, placed.line);
+                seen += 1;
+            }
         }
     }
+    assert!(seen > 100, "{seen}");
 }
 
 /// In a section there is material behind every contact and air where the ball comes from; nothing cancels out where outlines share an area.

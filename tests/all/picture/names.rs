@@ -1,13 +1,6 @@
 //! Where names and numbers stand: on no ball, on no other name, along their lines.
 
 use super::*;
-/// A scene as the page fits it into a canvas.
-fn fitted(scene: &Scene, size: [f64; 2]) -> Camera {
-    let margin = (0.2 * size[0].min(size[1])).clamp(0.7, 1.0) * touchpath::view::camera::DIMENSION_MARGIN;
-    let mut camera = Camera::fit(size.into(), scene.bounds(), margin);
-    camera.clear_corners(scene);
-    camera
-}
 
 /// "Depth 10" lay on the ball that it measures, "Width 30" on the one that touches the top, "Elevation 90°" on its own arc.
 #[test]
@@ -17,7 +10,7 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
         for view in [Projection::Top, Projection::Front, Projection::Side] {
             let (scene, _) = built(&of(cycle.key), view);
             for (size, large) in [([758.0, 710.0], true), ([390.0, 206.0], false)] {
-                let camera = fitted(&scene, size);
+                let camera = Camera::whole(size.into(), &scene);
                 let demanded = scene.dimensions.iter().filter(|d| d.on_demand).map(|d| Some(d.field));
                 for focus in demanded.chain([None]) {
                     let said = || format!("{} {view:?} {size:?} {focus:?}", cycle.key);
@@ -55,7 +48,7 @@ fn seen_everywhere(mut look: impl FnMut(&str, &Scene, &Camera)) {
         for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
             let (scene, _) = built(&of(cycle.key), view);
             for size in [[758.0, 710.0], [390.0, 206.0]] {
-                look(&format!("{} {view:?} {size:?}", cycle.key), &scene, &fitted(&scene, size));
+                look(&format!("{} {view:?} {size:?}", cycle.key), &scene, &Camera::whole(size.into(), &scene));
             }
         }
     }
@@ -146,7 +139,7 @@ fn a_name_is_read_along_its_line_from_below_or_from_the_right() {
     for turn in 0..36 {
         let turned = with(&of("internal-rectangle-protected"), "cycle.rotation", crate::common::number(10.0 * f64::from(turn)));
         let (scene, _) = built(&turned, Projection::Top);
-        let layout = fitted(&scene, [758.0, 710.0]).layout(&scene, None).dimensions;
+        let layout = Camera::whole([758.0, 710.0].into(), &scene).layout(&scene, None).dimensions;
         assert_eq!(layout.len(), 2);
         for placed in layout {
             let ([[ax, ay], [bx, by]], [x, y]) = (placed.line.map(|end| end.to_array()), placed.name.middle.to_array());
