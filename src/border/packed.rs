@@ -163,7 +163,7 @@ macro_rules! rows {
 }
 
 rows! {
-    touch(TouchPoint) { point: triple, vector: triple, group: count }
+    touch(TouchPoint) { point: triple, vector: triple, group: count, cycle: count }
     program(ProgramText) {
         post: text,
         extension: text,
@@ -188,6 +188,7 @@ rows! {
         truth: optional,
         said.note: said_or_none,
         stored: text_or_none,
+        cycle: count,
     }
     finding(Finding) { level: level, code: text, path: text, said: said }
     safety(SafetyRow) { rule: text, holds: flag, said: said, lines: counts, about: counts }
@@ -200,6 +201,7 @@ pub fn plan(plan: &Plan) -> Packed {
     out.text.reserve(plan.program.text.len() + 2048);
     out.number(plan.length);
     out.number(plan.time);
+    out.list(&plan.cycles, |out, name| out.text(name));
     out.begin(Section::Touches);
     out.list(&plan.touches, touch);
     out.begin(Section::Moves);
@@ -221,7 +223,7 @@ pub fn plan(plan: &Plan) -> Packed {
     out
 }
 
-/// Column by column: where the moves end, then feed, kind, step and touch of each, then the arcs, with the move of each.
+/// Column by column: where the moves end, then feed, kind, step, touch and cycle of each, then the arcs, with the move of each.
 fn moves(out: &mut Packed, moves: &[Move]) {
     out.count(&moves.len());
     moves.iter().for_each(|step| out.triple(&step.to));
@@ -229,6 +231,7 @@ fn moves(out: &mut Packed, moves: &[Move]) {
     moves.iter().for_each(|step| out.word(step.kind, &KINDS));
     moves.iter().for_each(|step| out.number(f64::from(step.step)));
     moves.iter().for_each(|step| out.index(&step.touch));
+    moves.iter().for_each(|step| out.count(&step.cycle));
     for (i, arc) in moves.iter().enumerate().filter_map(|(i, step)| Some((i, step.arc.as_ref()?))) {
         out.count(&i);
         out.triple(&arc.center);
@@ -271,6 +274,7 @@ pub fn table(rows: &[ParameterRow]) -> Packed {
         out.text(&row.meaning.english());
         out.text_or_none(&row.field);
         out.index(&row.touch);
+        out.count(&row.cycle);
     });
     out
 }

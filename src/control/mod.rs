@@ -308,7 +308,12 @@ impl Request<'_> {
 
     /// Which numbered variable holds what, on controls that have no named ones: checking and printing ask the same.
     pub fn registers(&self) -> &Registers {
-        self.numbered.get_or_init(|| Registers::allocate(self.path, self.post.when))
+        self.numbered.get_or_init(|| Registers::allocate(self.path, self.when()))
+    }
+
+    /// When the program computes: in a set-up as soon as it can, so that no variable is kept through all of its cycles.
+    pub fn when(&self) -> When {
+        if self.path.members.is_empty() { self.post.when } else { When::AtOnce }
     }
 
     /// What a program that computes asks of its results.

@@ -94,11 +94,14 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let mut stored = StoredCoordinate::default();
     hooks.begin(&mut w);
     let own = hooks.own_cycles();
-    let needed = if request.post.when == When::AtOnce { needed_touches(path) } else { Vec::new() };
+    let needed = if request.when() == When::AtOnce { needed_touches(path) } else { Vec::new() };
     let (mut made, mut computed) = (0, 0);
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
+        if let Some(member) = path.begins_member(index) {
+            w.comment(&format!("{}: {}", member.name, member.title));
+        }
         match step.purpose {
             _ if own.iter().any(|own| own.contains(&index)) => {
                 if let Some(which) = own.iter().position(|own| own.start == index) {

@@ -378,7 +378,7 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     }
     let (samples, directions) = sampled(request, &followed.triggers);
     let values = path.formula.evaluate(&samples, &directions);
-    let wanted = path.formula.results.iter().filter_map(|result| Some((result, values[result.variable?.index()])));
+    let wanted = path.formula.results.iter().filter_map(|result| Some((result, &values[result.variable?.index()])));
     let mut given = trace.outputs.iter();
     for (result, value) in wanted {
         let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
@@ -390,11 +390,11 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
             _ => equal(x, value, unit, expected.size),
         };
         match given.next() {
-            Some((code, x)) if code.eq_ignore_ascii_case(result.code) && same(*x) => {}
-            Some((code, _)) if code.eq_ignore_ascii_case(result.code) => {
+            Some((code, x)) if code.eq_ignore_ascii_case(&path.formula.code(result)) && same(*x) => {}
+            Some((code, _)) if code.eq_ignore_ascii_case(&path.formula.code(result)) => {
                 return Err(Fault::of(text!("the program's {code} differs from the formula's", code.clone())));
             }
-            _ => return Err(Fault::of(text!("the program does not give {code}", result.code.to_owned()))),
+            _ => return Err(Fault::of(text!("the program does not give {code}", path.formula.code(result).into_owned()))),
         }
     }
     if let Some((code, _)) = given.next() {
@@ -417,8 +417,8 @@ fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<
 }
 
 /// Equal but for the rounding of constants; what multiplies the errors of the triggers multiplies those of rounding.
-fn equal(given: f64, value: Dual, unit: f64, size: f64) -> bool {
-    let reach = 1.0 + value.by_touch.iter().map(|d| d.abs()).sum::<f64>();
+fn equal(given: f64, value: &Dual, unit: f64, size: f64) -> bool {
+    let reach = 1.0 + value.reach();
     let off = (given - value.value / unit).abs();
     off <= size * reach || (given.is_nan() && value.value.is_nan())
 }
@@ -437,9 +437,9 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
     if let Some(other) = trace.writes.iter().find(|w| Some(w.number) != request.work_offset) {
         return Err(Fault::at(other.line, text!("this writes another work offset")));
     }
-    let value = |variable: Variable| values[variable.index()];
+    let value = |variable: Variable| values[variable.index()].clone();
     let turn = datum.rotation.map_or(Dual::constant(0.0), value);
-    if !equal(written.turn, turn, 1.0, expected.size) {
+    if !equal(written.turn, &turn, 1.0, expected.size) {
         return Err(Fault::of(text!("the work offset is turned by another angle than was measured")));
     }
     // A place p reads n + R(-turn)(p - m) afterwards: m is what was measured, n the nominal place.
@@ -457,8 +457,9 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
             1 => away(0) * sin + away(1) * cos,
             _ => away(2),
         };
-        let wanted = Dual { value: nominal + way, ..measured };
-        if !equal(written.reading[axis], wanted, expected.scale, expected.size) {
+        let mut wanted = measured;
+        wanted.value = nominal + way;
+        if !equal(written.reading[axis], &wanted, expected.scale, expected.size) {
             let axis = crate::geom::AXIS_NAMES[axis];
             return Err(Fault::of(text!("the work offset that is written does not bring {axis} to its nominal place", axis)));
         }

@@ -538,12 +538,14 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
     let Some(write) = trace.writes.first() else { return Vec::new() };
     let mut asked = Vec::new();
     for question in case.request.questions() {
-        let slot = script.outputs().find(|(code, _)| code.eq_ignore_ascii_case(question.code)).map(|(_, slot)| slot);
+        let formula = &case.request.path.formula;
+        let named = formula.code(&formula.results[question.result]);
+        let slot = script.outputs().find(|(code, _)| code.eq_ignore_ascii_case(&named)).map(|(_, slot)| slot);
         let Some(slot) = slot else {
-            return vec![(Some(write.line), text!("This writes, and {code} is no result of the program", question.code))];
+            return vec![(Some(write.line), text!("This writes, and {code} is no result of the program", named.into_owned()))];
         };
         let unit = if question.angle { 1.0 } else { case.request.scale };
-        asked.push((question, slot, [question.wanted, question.limit].map(|x| x / unit)));
+        asked.push((named, slot, [question.wanted, question.limit].map(|x| x / unit)));
     }
     // Each result by itself is beyond its limit, the others are what they should be; then all are beyond, and all a little within. A program that was
     // edited is tried far beyond, too.
@@ -559,12 +561,12 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
         tail.outcome(script, *begin, asked.iter().map(value))
     };
     let mut breaks: Vec<Break> = Vec::new();
-    for (question, slot, _) in &asked {
+    for (named, slot, _) in &asked {
         if beyond.iter().any(|share| {
             let outcome = outcome(Some(*slot), *share);
             !outcome.stops || outcome.writes
         }) {
-            let message = text!("This writes though {code} is off by more than its limit", question.code);
+            let message = text!("This writes though {code} is off by more than its limit", named.clone().into_owned());
             breaks.push((Some(write.line), message));
         }
     }

@@ -32,6 +32,9 @@ pub static CYCLES: &[&CycleDef] = &[
     &ency::types::nc_action::DEF,
 ];
 
+/// What is known of no cycle: what stands for several of them begins with it.
+pub const NONE: CycleDef = ency::BASE;
+
 /// What is known of a cycle before its form is filled in.
 #[derive(Debug)]
 pub struct CycleDef {

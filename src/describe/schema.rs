@@ -5,13 +5,16 @@
 
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
 use crate::form::{Field, Kind, Range, Value};
-use crate::job::{FORMAT, MOST_STEPS, SECTIONS, STEP_ANGLE, size_reach};
+use crate::job::{
+    CLEAR, DATUM, FORMAT, LONGEST_NAME, MOST_CYCLES, MOST_STEPS, SECTIONS, SET_UP_FORMAT, STEP_ANGLE, size_reach,
+};
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
 
 /// JSON Schema (2020-12) of a job.
 pub fn job_schema() -> Value {
-    let mut properties = vec![("format".to_owned(), map([("const", Value::Number(FORMAT))]))];
+    let formats = [FORMAT, SET_UP_FORMAT].map(Value::Number).to_vec();
+    let mut properties = vec![("format".to_owned(), map([("enum", Value::List(formats))]))];
     for (path, fields) in SECTIONS {
         let own = fields.iter().map(|f| (f.key.to_owned(), field(f)));
         match *path {
@@ -24,9 +27,10 @@ pub fn job_schema() -> Value {
             _ => properties.push(((*path).to_owned(), object(own, &[]))),
         }
     }
-    let cycles = CYCLES.iter().map(|def| cycle(def)).collect();
+    let cycles = CYCLES.iter().map(|def| cycle(def, Vec::new())).collect();
     properties.push(("cycle".to_owned(), map([("oneOf", Value::List(cycles))])));
-    let Value::Map(job) = object(properties, &["format", "cycle"]) else { unreachable!("an object is a map") };
+    properties.extend(set_up());
+    let Value::Map(job) = object(properties, &["format"]) else { unreachable!("an object is a map") };
     let head = [
         ("$schema".to_owned(), text("https://json-schema.org/draft/2020-12/schema")),
         ("$id".to_owned(), text(&format!("urn:touchpath:job:{}", decimal(FORMAT, 0)))),
@@ -34,7 +38,41 @@ pub fn job_schema() -> Value {
     ];
     let inch = object_of([("units", map([("const", text("inch"))]))], &["units"]);
     let ends = [("if".to_owned(), inch), ("then".to_owned(), ranges(25.4)), ("else".to_owned(), ranges(1.0))];
-    Value::Map(head.into_iter().chain(job).chain(ends).collect())
+    let either = [
+        object_of([("format", map([("const", Value::Number(FORMAT))])), ("cycles", Value::Flag(false))], &["cycle"]),
+        object_of([("format", map([("const", Value::Number(SET_UP_FORMAT))])), ("cycle", Value::Flag(false))], &["cycles"]),
+    ];
+    let either = [("oneOf".to_owned(), Value::List(either.to_vec()))];
+    Value::Map(head.into_iter().chain(job).chain(either).chain(ends).collect())
+}
+
+/// What a job of several cycles has.
+fn set_up() -> [(String, Value); 3] {
+    let pattern = format!("^[A-Za-z][A-Za-z0-9]{{0,{}}}$", LONGEST_NAME - 1);
+    let name = map([
+        ("type", text("string")),
+        ("pattern", text(&pattern)),
+        ("description", text("Its name, which programs print in front of its results. Left out: what it measures.")),
+    ]);
+    let measures = CYCLES.iter().filter(|def| def.most_touches > 0);
+    let cycles = measures.map(|def| cycle(def, vec![("name".to_owned(), name.clone())])).collect();
+    let list = map([
+        ("type", text("array")),
+        ("items", map([("oneOf", Value::List(cycles))])),
+        ("minItems", Value::Number(1.0)),
+        ("maxItems", Value::Number(MOST_CYCLES as f64)),
+        ("description", text("The cycles of one program, in their order. Format 2 has them in place of `cycle`.")),
+    ]);
+    let result = || nullable(map([("type", text("string"))]));
+    let datum = object(DATUM.map(|key| (key.to_owned(), result())), &[]);
+    let Value::Map(mut datum) = datum else { unreachable!("an object is a map") };
+    datum.push((
+        "description".to_owned(),
+        text(
+            "Which result is written into which axis of the work offset, as `BORE.center.x`; x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle that measures it. Null: not written. A rotation is written where one is named.",
+        ),
+    ));
+    [("cycles".to_owned(), list), ("clear".to_owned(), field(&CLEAR)), ("datum".to_owned(), Value::Map(datum))]
 }
 
 /// The ranges of lengths and feeds of a whole job whose units are so many mm.
@@ -58,8 +96,10 @@ fn ranges(scale: f64) -> Value {
         let kind = object_of([("type", map([("const", text(def.key))]))], &["type"]);
         (!own.is_empty()).then(|| map([("if", kind), ("then", map([("properties", Value::Map(own))]))]))
     };
-    let cycles = CYCLES.iter().filter_map(cycle).collect();
-    properties.push(("cycle".to_owned(), map([("allOf", Value::List(cycles))])));
+    let cycles: Vec<Value> = CYCLES.iter().filter_map(cycle).collect();
+    properties.push(("cycle".to_owned(), map([("allOf", Value::List(cycles.clone()))])));
+    properties.push(("cycles".to_owned(), map([("items", map([("allOf", Value::List(cycles))]))])));
+    properties.extend(ends(&[CLEAR], scale));
     let sizes = CYCLES.iter().map(|def| sizes(def, scale)).collect();
     map([("properties", Value::Map(properties)), ("allOf", Value::List(sizes))])
 }
@@ -102,8 +142,10 @@ fn object_of<const N: usize>(properties: [(&str, Value); N], required: &[&str]) 
     map([("properties", map(properties)), ("required", Value::List(required.iter().map(|key| text(key)).collect()))])
 }
 
-fn cycle(def: &CycleDef) -> Value {
+/// The form of a cycle, with what it has beside it.
+fn cycle(def: &CycleDef, more: Vec<(String, Value)>) -> Value {
     let mut properties = vec![("type".to_owned(), map([("const", text(def.key))]))];
+    properties.extend(more);
     properties.extend(def.fields.iter().map(|f| (f.key.to_owned(), field(f))));
     for section in def.sections {
         let inner = object(section.fields.iter().map(|f| (f.key.to_owned(), field(f))), &[]);

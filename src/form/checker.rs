@@ -56,6 +56,11 @@ impl Checker {
         self.found.push(Finding::new(level, code, path, message));
     }
 
+    /// Takes in what was found elsewhere.
+    pub fn adopt(&mut self, finding: Finding) {
+        self.found.push(finding);
+    }
+
     pub fn count(&self) -> usize {
         self.found.len()
     }

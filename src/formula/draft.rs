@@ -53,13 +53,13 @@ impl Draft {
     /// Coordinate `axis` of the trigger of a sample.
     pub fn trigger(&self, sample: usize, axis: usize) -> Expr<'_> {
         debug_assert!(sample < MOST_SAMPLES && axis < 3, "sample {sample}, axis {axis}");
-        self.push(Node::Trigger { sample: sample as u8, axis: axis as u8 })
+        self.push(Node::Trigger { sample: sample as u16, axis: axis as u8 })
     }
 
     /// A part of the circle fitted to `count` samples from `first` on, in the plane of these axes.
     pub fn circle(&self, (first, count): (usize, usize), axes: (usize, usize), part: CirclePart) -> Expr<'_> {
         debug_assert!(first + count <= MOST_SAMPLES, "samples {first} and {count} more");
-        let samples = Samples { first: first as u8, count: count as u8, axes: (axes.0 as u8, axes.1 as u8) };
+        let samples = Samples { first: first as u16, count: count as u8, axes: (axes.0 as u8, axes.1 as u8) };
         self.push(Node::Circle(samples, part))
     }
 
@@ -84,14 +84,14 @@ impl Draft {
 
     pub(super) fn assign(&self, name: Name, node: NodeId) -> Value<'_> {
         let assignments = &mut self.0.borrow_mut().assignments;
-        assignments.push(Assignment { name, node });
+        assignments.push(Assignment { name, cycle: 0, node });
         Value { draft: self, variable: Variable(assignments.len() as u32 - 1) }
     }
 
     /// States a result; none where these touches cannot give it.
     pub fn result(&self, code: &'static str, role: Role, meaning: &'static str, nominal: f64, value: Option<Value<'_>>) {
         let (variable, nominal) = (value.map(|value| value.variable), tidy(nominal));
-        self.0.borrow_mut().results.push(ResultDef { code, meaning, role, nominal, reference: nominal, variable });
+        self.0.borrow_mut().results.push(ResultDef { code, cycle: 0, meaning, role, nominal, reference: nominal, variable });
     }
 
     /// The deviation of the last result is measured from here.

@@ -5,41 +5,97 @@ use crate::formula::{CirclePart, Formula, Function, MOST_SAMPLES, Node, NodeId, 
 use crate::geom::{Vec2, Vec3};
 
 /// A number and its derivative by each touch.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Dual {
     pub value: f64,
+    /// The cycle of a set-up whose touches `by_touch` is of.
+    cycle: u16,
     /// Its change for a unit shift of each trigger along its probing direction.
-    pub by_touch: [f64; MOST_SAMPLES],
+    by_touch: [f64; MOST_SAMPLES],
+    /// The same by the touches of further cycles.
+    others: Vec<(u16, [f64; MOST_SAMPLES])>,
 }
 
 impl Dual {
     /// A number that depends on no touch.
     pub const fn constant(value: f64) -> Self {
-        Dual { value, by_touch: [0.0; MOST_SAMPLES] }
+        Dual { value, cycle: 0, by_touch: [0.0; MOST_SAMPLES], others: Vec::new() }
+    }
+
+    /// Its derivatives, cycle by cycle: the cycle of a set-up, 0 elsewhere, and those by its touches.
+    pub fn by_cycle(&self) -> impl Iterator<Item = (usize, &[f64; MOST_SAMPLES])> {
+        let others = self.others.iter().map(|(cycle, by_touch)| (usize::from(*cycle), by_touch));
+        std::iter::once((usize::from(self.cycle), &self.by_touch)).chain(others)
+    }
+
+    /// Every derivative.
+    fn slopes(&self) -> impl Iterator<Item = f64> {
+        self.by_cycle().flat_map(|(_, by_touch)| by_touch.iter().copied())
+    }
+
+    /// The sum of the sizes of its derivatives: by so much it changes at most where each touch does by 1.
+    pub fn reach(&self) -> f64 {
+        self.slopes().map(f64::abs).sum()
+    }
+
+    /// Whether it depends on no touch.
+    fn is_constant(&self) -> bool {
+        self.others.is_empty() && self.by_touch.iter().all(|slope| *slope == 0.0)
     }
 
     /// The standard deviation of this number if every touch scatters independently by `sigma`: linear propagation.
     pub fn uncertainty(&self, sigma: f64) -> f64 {
-        sigma * self.by_touch.iter().map(|d| d * d).sum::<f64>().sqrt()
+        sigma * self.slopes().map(|d| d * d).sum::<f64>().sqrt()
     }
 
     /// Becomes f of itself, by the chain rule.
     fn map(&mut self, value: f64, slope: f64) {
         self.value = value;
-        self.by_touch.iter_mut().for_each(|d| *d *= slope);
+        self.by_touch.iter_mut().chain(self.others.iter_mut().flat_map(|(_, slopes)| slopes)).for_each(|d| *d *= slope);
     }
 
     /// Becomes f of itself and another number, by the chain rule.
     fn join(&mut self, other: &Dual, (value, slope, other_slope): Joined) {
-        self.value = value;
-        for (d, o) in self.by_touch.iter_mut().zip(&other.by_touch) {
-            *d = *d * slope + o * other_slope;
+        if self.cycle == other.cycle && self.others.is_empty() && other.others.is_empty() {
+            self.value = value;
+            for (d, o) in self.by_touch.iter_mut().zip(&other.by_touch) {
+                *d = *d * slope + o * other_slope;
+            }
+            return;
+        }
+        // What depends on no touch is of any cycle.
+        if self.is_constant() {
+            *self = other.clone();
+            return self.map(value, other_slope);
+        }
+        self.map(value, slope);
+        if other.is_constant() {
+            return;
+        }
+        for (cycle, slopes) in other.by_cycle() {
+            let own = if usize::from(self.cycle) == cycle {
+                &mut self.by_touch
+            } else {
+                let at = self.others.iter().position(|(known, _)| usize::from(*known) == cycle).unwrap_or_else(|| {
+                    self.others.push((cycle as u16, [0.0; MOST_SAMPLES]));
+                    self.others.len() - 1
+                });
+                &mut self.others[at].1
+            };
+            own.iter_mut().zip(slopes).for_each(|(d, o)| *d += o * other_slope);
         }
     }
 
     /// The same of two others.
-    fn of(a: &Dual, b: &Dual, (value, by_a, by_b): Joined) -> Dual {
-        Dual { value, by_touch: std::array::from_fn(|k| a.by_touch[k] * by_a + b.by_touch[k] * by_b) }
+    fn of(a: &Dual, b: &Dual, joined: Joined) -> Dual {
+        let (value, by_a, by_b) = joined;
+        if a.cycle == b.cycle && a.others.is_empty() && b.others.is_empty() {
+            let by_touch = std::array::from_fn(|k| a.by_touch[k] * by_a + b.by_touch[k] * by_b);
+            return Dual { value, cycle: a.cycle, by_touch, others: Vec::new() };
+        }
+        let mut both = a.clone();
+        both.join(b, joined);
+        both
     }
 }
 
@@ -95,8 +151,11 @@ impl Formula {
     /// Evaluates every assignment for ball centres at these triggers. A missing trigger makes everything that needs it NaN.
     /// `directions` are the probing directions: the derivative of touch k is by a shift of its trigger along direction k.
     pub fn evaluate(&self, triggers: &[Option<Vec3>], directions: &[Vec3]) -> Vec<Dual> {
-        let mut run = Run { nodes: &self.nodes, values: Vec::with_capacity(self.assignments.len()), triggers, directions };
+        let values = Vec::with_capacity(self.assignments.len());
+        let mut run = Run { nodes: &self.nodes, values, triggers, directions, cycle: 0, first: 0 };
         for assignment in &self.assignments {
+            run.cycle = assignment.cycle;
+            run.first = self.cycles.get(usize::from(assignment.cycle)).map_or(0, |cycle| cycle.first_sample);
             let mut value = Dual::constant(0.0);
             run.put(assignment.node, &mut value);
             run.values.push(value);
@@ -111,6 +170,9 @@ struct Run<'a> {
     values: Vec<Dual>,
     triggers: &'a [Option<Vec3>],
     directions: &'a [Vec3],
+    /// The cycle of a set-up that is evaluated, and its first sample.
+    cycle: u16,
+    first: usize,
 }
 
 impl Run<'_> {
@@ -118,11 +180,12 @@ impl Run<'_> {
     fn put(&self, node: NodeId, out: &mut Dual) {
         match self.nodes[node.0 as usize] {
             Node::Number(x) | Node::Length(x) => *out = Dual::constant(x),
-            Node::Variable(variable) => *out = self.values[variable.index()],
+            Node::Variable(variable) => *out = self.values[variable.index()].clone(),
             Node::Trigger { sample, axis } => {
                 let (sample, axis) = (usize::from(sample), usize::from(axis));
                 *out = Dual::constant(self.triggers[sample].map_or(f64::NAN, |t| t[axis]));
-                out.by_touch[sample] = self.directions[sample][axis];
+                out.cycle = self.cycle;
+                out.by_touch[sample - self.first] = self.directions[sample][axis];
             }
             Node::Binary(op, left, right) => self.two(left, right, out, |a, b| op.joined(a, b)),
             Node::Call(function, a) => {
@@ -173,11 +236,11 @@ impl Run<'_> {
             CirclePart::Radius => 2,
             CirclePart::Residual => return Dual::constant(fit.residual),
         };
-        let mut dual = Dual::constant(fit.center.extend(fit.radius)[row]);
+        let mut dual = Dual { cycle: self.cycle, ..Dual::constant(fit.center.extend(fit.radius)[row]) };
         for (i, k) in samples.range().enumerate() {
             let d = flat(&self.directions[k]);
             let [by_first, by_second] = fit.by_point[i];
-            dual.by_touch[k] = by_first[row] * d.x + by_second[row] * d.y;
+            dual.by_touch[k - self.first] = by_first[row] * d.x + by_second[row] * d.y;
         }
         dual
     }

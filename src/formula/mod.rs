@@ -11,6 +11,7 @@
 mod circle;
 mod draft;
 mod dual;
+mod join;
 mod name;
 mod node;
 mod plain;
@@ -23,7 +24,7 @@ pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
 
 use crate::text::Text;
 
-/// The most samples that a formula computes with: a derivative is kept for each.
+/// The most samples that the formula of one cycle computes with: a derivative is kept for each.
 pub const MOST_SAMPLES: usize = 16;
 
 /// How far a result may be off its nominal value before a program stops without writing; none is no limit.
@@ -42,8 +43,8 @@ pub struct Limits {
 /// What a program asks of a result before it writes: whether it is plausible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
-    /// Of the result, `center.x`.
-    pub code: &'static str,
+    /// Of the result, by its place in the formula's list.
+    pub result: usize,
     /// The assignment that holds it.
     pub variable: Variable,
     /// What it is on a good part: mm or degrees.
@@ -64,6 +65,8 @@ impl Question {
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
     pub name: Name,
+    /// The cycle of a set-up that it is of.
+    pub cycle: u16,
     pub node: NodeId,
 }
 
@@ -110,6 +113,8 @@ impl Role {
 pub struct ResultDef {
     /// Its code, `center.x`.
     pub code: &'static str,
+    /// The cycle of a set-up that it is of.
+    pub cycle: u16,
     pub meaning: &'static str,
     /// How it behaves, and its unit.
     pub role: Role,
@@ -132,6 +137,17 @@ pub struct Formula {
     pub results: Vec<ResultDef>,
     /// What a work offset is corrected by.
     pub datum: Option<Datum>,
+    /// The cycles of a set-up; empty where there is one.
+    pub cycles: Vec<CycleSamples>,
+}
+
+/// A cycle of a set-up, in the formula of all.
+#[derive(Clone, Debug)]
+pub struct CycleSamples {
+    /// Its name, in front of the codes of its results: letters and digits.
+    pub name: String,
+    /// Index of its first sample.
+    pub first_sample: usize,
 }
 
 /// What a program corrects a work offset by.
@@ -243,6 +259,7 @@ impl Formula {
         if !self.nodes.iter().any(|node| matches!(node, Node::Circle(..))) {
             return self;
         }
+        debug_assert!(self.cycles.is_empty(), "the cycles of a set-up are made plain before they are joined");
         let draft = Draft::with_room_for(MOST_SAMPLES);
         let variables = plain::write(&self, &draft);
         let moved = |variable: Variable| variables[variable.index()];
@@ -259,7 +276,7 @@ impl Formula {
     pub fn questions(&self, limits: &Limits) -> Vec<Question> {
         let mut questions: Vec<Question> = Vec::new();
         let measured = self.measured();
-        for result in &self.results {
+        for (index, result) in self.results.iter().enumerate() {
             let limit = match result.role {
                 Role::Abscissa | Role::Ordinate | Role::Level | Role::Reading => limits.position,
                 Role::Size => limits.size,
@@ -271,10 +288,10 @@ impl Formula {
             let (Some(limit), Some(variable)) = (limit, result.variable) else { continue };
             let asked = questions.iter().any(|question| question.variable == variable);
             if !asked && result.reference.is_finite() && measured[variable.index()] {
-                let (code, wanted, angle) = (result.code, result.reference, result.role.is_angle());
+                let (wanted, angle) = (result.reference, result.role.is_angle());
                 // The middle of a tolerance zone may be off the nominal value by more than the limit.
                 let limit = limit + (result.reference - result.nominal).abs();
-                questions.push(Question { code, variable, wanted, limit, angle });
+                questions.push(Question { result: index, variable, wanted, limit, angle });
             }
         }
         questions
@@ -300,12 +317,16 @@ impl Formula {
     /// Which coordinates of the triggers are used at all.
     pub fn used(&self) -> Used {
         let mut used = Used::default();
+        let mut mark = |samples: std::ops::Range<usize>, axes: u8| {
+            if used.0.len() < samples.end {
+                used.0.resize(samples.end, 0);
+            }
+            used.0[samples].iter_mut().for_each(|own| *own |= axes);
+        };
         for assignment in &self.assignments {
             self.each(assignment.node, &mut |node| match node {
-                Node::Trigger { sample, axis } => used.0[usize::from(sample)] |= 1 << axis,
-                Node::Circle(samples, _) => {
-                    used.0[samples.range()].iter_mut().for_each(|own| *own |= 1 << samples.axes.0 | 1 << samples.axes.1);
-                }
+                Node::Trigger { sample, axis } => mark(usize::from(sample)..usize::from(sample) + 1, 1 << axis),
+                Node::Circle(samples, _) => mark(samples.range(), 1 << samples.axes.0 | 1 << samples.axes.1),
                 _ => {}
             });
         }
@@ -314,8 +335,8 @@ impl Formula {
 }
 
 /// The coordinates of the triggers that a formula reads: a bit an axis.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Used([u8; MOST_SAMPLES]);
+#[derive(Clone, Debug, Default)]
+pub struct Used(Vec<u8>);
 
 impl Used {
     /// Whether coordinate `axis` of a sample is read.

@@ -15,7 +15,7 @@ pub enum Node {
     Variable(Variable),
     /// Coordinate `axis` (0 = X) of the ball centre at the trigger of a sample: a touch, or the mean of repeated ones.
     Trigger {
-        sample: u8,
+        sample: u16,
         /// 0, 1, 2 for X, Y, Z.
         axis: u8,
     },
@@ -61,7 +61,7 @@ pub enum Function {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Samples {
     /// Index of the first sample.
-    pub(super) first: u8,
+    pub(super) first: u16,
     pub(super) count: u8,
     /// Axes of abscissa and ordinate.
     pub(super) axes: (u8, u8),

@@ -111,7 +111,7 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         let codes = codes::json_entries(json);
         let dump = codes.iter().any(|e| e.code == -1);
         // What says it is a job is taken as it is: nothing of a user's work is dropped, the check says what is wrong.
-        if matches!(json, Value::Map(_)) && (json.get("cycle").is_some() || !dump) {
+        if matches!(json, Value::Map(_)) && (json.get("cycle").is_some() || json.get("cycles").is_some() || !dump) {
             return Ok(Imported::Job { job: json.clone(), findings: crate::job::check(json) });
         }
         if dump {

@@ -15,7 +15,7 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::signs::{self, Sign};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
-use crate::job::{FORMAT, JobError, Plan, SECTIONS, SafetyRow};
+use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, SECTIONS, SafetyRow};
 use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
@@ -47,7 +47,10 @@ pub struct TraceMove {
 
 /// Whether the header of a text says a job.
 pub fn says_job(text: &str) -> bool {
-    header::read(text).values.iter().any(|(path, _)| path.eq_ignore_ascii_case("cycle.type"))
+    header::read(text)
+        .values
+        .iter()
+        .any(|(path, _)| path.eq_ignore_ascii_case("cycle.type") || path.eq_ignore_ascii_case("cycles[0].type"))
 }
 
 /// Refuses a text with what no control takes for a blank, whatever reads the rest of it.
@@ -176,11 +179,41 @@ fn written_for_another(job: &Value, text: &str) -> bool {
 /// The job that a header says: `job path=value path=value`.
 fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     let find = |path: &str| said.values.iter().find(|(p, _)| p.eq_ignore_ascii_case(path)).map(|(_, v)| *v);
-    let def = cycle::find(&find("cycle.type")?.to_ascii_lowercase())?;
+    let type_at = |path: &str| cycle::find(&find(path)?.to_ascii_lowercase());
+    // Of a set-up its cycles, each by its place in the list.
+    let defs: Vec<&CycleDef> = (0..MOST_CYCLES).map_while(|i| type_at(&format!("cycles[{i}].type"))).collect();
+    let def = match defs.first() {
+        Some(def) => *def,
+        None => type_at("cycle.type")?,
+    };
     let format = find("format").and_then(crate::num::read).unwrap_or(FORMAT);
     let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
     let mut unknown = 0;
     for (path, text) in said.values.iter().filter(|(path, _)| !path.eq_ignore_ascii_case("format")) {
+        if let Some((index, rest)) = in_cycle(path) {
+            let alone = format!("cycle.{rest}");
+            let Some(def) = defs.get(index) else {
+                unknown += 1;
+                continue;
+            };
+            if rest.eq_ignore_ascii_case("name") {
+                set(&mut job, &format!("cycles[{index}].name"), Value::Text(small_letters(text)));
+                continue;
+            }
+            let alone = if has_place(def, &alone) { alone } else { spelled(def, &alone) };
+            match alone.strip_prefix("cycle.").filter(|_| has_place(def, &alone)) {
+                Some(own) => set(&mut job, &format!("cycles[{index}].{own}"), value(&word(def, &alone, text))),
+                None => unknown += 1,
+            }
+            continue;
+        }
+        if !defs.is_empty()
+            && let Some(key) = of_set_up(path)
+        {
+            let text = small_letters(text);
+            set(&mut job, &key, value(if text.eq_ignore_ascii_case("null") { "null" } else { &text }));
+            continue;
+        }
         // On controls that know no small letters all is in capitals.
         let path = if has_place(def, path) { (*path).to_owned() } else { spelled(def, path) };
         if has_place(def, &path) {
@@ -195,6 +228,19 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
         checker.warning("header-unknown", "", message);
     }
     Some(job)
+}
+
+/// The cycle that a path of a set-up is in, by its place in the list, and the path inside.
+fn in_cycle(path: &str) -> Option<(usize, &str)> {
+    let inner = path.get(..7).filter(|word| word.eq_ignore_ascii_case("cycles[")).and(path.get(7..))?;
+    let (index, rest) = inner.split_once("].")?;
+    Some((index.parse().ok()?, rest))
+}
+
+/// What a set-up has beside its cycles, as it is spelled.
+fn of_set_up(path: &str) -> Option<String> {
+    let datum = DATUM.iter().map(|key| format!("datum.{key}"));
+    std::iter::once("clear".to_owned()).chain(["datum".to_owned()]).chain(datum).find(|known| known.eq_ignore_ascii_case(path))
 }
 
 /// A path as the fields spell it.
@@ -236,6 +282,11 @@ fn word(def: &CycleDef, path: &str, text: &str) -> String {
     if matches!(text, "TRUE" | "FALSE" | "NULL") {
         return text.to_ascii_lowercase();
     }
+    small_letters(text)
+}
+
+/// A text in which a small letter stands as a capital after a plus.
+fn small_letters(text: &str) -> String {
     let mut small = String::new();
     let mut signs = text.chars().peekable();
     while let Some(c) = signs.next() {

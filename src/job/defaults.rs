@@ -4,6 +4,7 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{Default, Field, Value};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, SECTIONS, Units};
+use crate::job::set_up::{self, is_set_up};
 use crate::job::units::default_in;
 
 /// How defaults, which are given in mm, are brought to a job in inch.
@@ -118,6 +119,9 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
 
 /// A job with every value: what it does not say has the value that stands in. None where it has no known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
+    if is_set_up(job) {
+        return resolved_set_up(job);
+    }
     let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { return None };
     let units = Units::of(job);
     let def = cycle::find(key)?;
@@ -131,6 +135,33 @@ pub fn resolved(job: &Value) -> Option<Value> {
     }
     overlay(&mut whole, job);
     Some(whole)
+}
+
+/// The same of a job with several cycles: each with its name and every value.
+fn resolved_set_up(job: &Value) -> Option<Value> {
+    let Some(Value::List(cycles)) = job.get("cycles") else { return None };
+    let mut whole = None;
+    let mut all = Vec::with_capacity(cycles.len());
+    for index in 0..cycles.len() {
+        let Value::Map(single) = resolved(&set_up::alone(job, index)?)? else { return None };
+        let Some((_, Value::Map(mut cycle))) = single.iter().find(|(key, _)| key == "cycle").cloned() else { return None };
+        cycle.insert(0, ("name".to_owned(), Value::Text(set_up::name_of(cycles, index))));
+        all.push(Value::Map(cycle));
+        whole.get_or_insert(single);
+    }
+    let mut entries = whole?;
+    for (key, value) in &mut entries {
+        match key.as_str() {
+            "format" => *value = Value::Number(set_up::SET_UP_FORMAT),
+            "part" => value.clone_from(job.get("part").unwrap_or(&Value::Null)),
+            _ => {}
+        }
+    }
+    entries.retain(|(key, _)| key != "cycle");
+    entries.push(("clear".to_owned(), job.get("clear").cloned().unwrap_or(Value::Null)));
+    entries.push(("datum".to_owned(), job.get("datum").cloned().unwrap_or_else(|| Value::Map(Vec::new()))));
+    entries.push(("cycles".to_owned(), Value::List(all)));
+    Some(Value::Map(entries))
 }
 
 /// Puts what `over` says over what is there; lists are taken whole.

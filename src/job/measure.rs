@@ -7,7 +7,7 @@ use crate::formula::Role;
 use crate::geom::Vec3;
 use crate::job::plan::{Planned, judge_plausible, request};
 use crate::job::rows::{ResultRow, Triple, result_rows, triple};
-use crate::job::{Job, JobError};
+use crate::job::{Job, JobError, set_up};
 use crate::part::{self, Expected, Stand};
 use crate::path::Path;
 use crate::text::{Text, text};
@@ -39,13 +39,7 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
         Some(_) => vec![None; path.touches.len()],
         None => measured.points.clone(),
     };
-    let mut rows = match &measured.results {
-        Some(results) => part::stated(path, job.setup.radius, job.scatter(), results),
-        None => part::evaluate(path, &points, job.scatter()),
-    };
-    job.cycle.judge(&job.setup, path, &points, &mut rows);
-    let plausible = judge_plausible(job, path, &mut rows).is_empty();
-    let results = result_rows(job, path, rows);
+    let (results, plausible) = evaluated(planned, &points, measured.results.as_deref());
     let block = measured.stand.as_ref().and_then(|stand| block(planned, &points, stand, plausible, &mut own));
     Ok(Measurement {
         results,
@@ -53,6 +47,29 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
         block,
         findings: own.findings(),
     })
+}
+
+/// The results of the touches, or of what a control computed by itself, and whether all of them are plausible.
+fn evaluated(planned: &Planned, points: &[Option<Vec3>], stated: Option<&[Option<f64>]>) -> (Vec<ResultRow>, bool) {
+    let Planned { job, path, members, .. } = planned;
+    if members.is_empty() {
+        let mut rows = match stated {
+            Some(results) => part::stated(path, job.setup.radius, job.scatter(), results),
+            None => part::evaluate(path, points, job.scatter()),
+        };
+        job.cycle.judge(&job.setup, path, points, &mut rows);
+        let plausible = judge_plausible(job, path, &mut rows).is_empty();
+        return (result_rows(job, path, rows), plausible);
+    }
+    let (mut results, mut plausible) = (Vec::new(), true);
+    for (i, (own, member)) in members.iter().zip(&path.members).enumerate() {
+        let stated = stated.map(|results| &results[member.results.clone()]);
+        let (rows, good) = evaluated(own, &points[member.touches.clone()], stated);
+        plausible &= good;
+        results.extend(rows.into_iter().map(|row| ResultRow { cycle: i, ..row }));
+    }
+    results.extend(set_up::written_rows(planned, &results));
+    (results, plausible)
 }
 
 /// The ball centres of a text, to be drawn: each with its touch, in the job's units. None where it cannot be read, or gives results.

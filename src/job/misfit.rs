@@ -2,7 +2,7 @@
 
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
-use crate::job::SECTIONS;
+use crate::job::{SECTIONS, set_up};
 use crate::text::{Text, text, words};
 
 const POINT: &str = words!("a list of three numbers");
@@ -13,6 +13,13 @@ const OBJECT: &str = words!("an object");
 pub fn misfit(job: &Value) -> Option<Text> {
     if !matches!(job, Value::Map(_)) {
         return Some(text!("The job must be an object"));
+    }
+    if let Some(Value::List(cycles)) = job.get("cycles") {
+        let own = |index: usize| match set_up::alone(job, index) {
+            Some(alone) => misfit(&alone),
+            None => Some(text!("{path} must be {what}", format!("cycles[{index}]"), OBJECT)),
+        };
+        return (0..cycles.len()).find_map(own);
     }
     let Some(cycle @ Value::Map(_)) = job.get("cycle") else { return Some(text!("cycle must be an object")) };
     let def = match cycle.get("type") {

@@ -20,6 +20,7 @@ mod picture;
 mod plan;
 mod rows;
 mod sections;
+mod set_up;
 #[cfg(any(test, target_arch = "wasm32"))]
 mod stretch;
 mod stylus;
@@ -56,6 +57,7 @@ pub(crate) use picture::Picture;
 pub(crate) use plan::minutes;
 pub(crate) use plan::{Planned, plan_with_path, planned};
 pub(crate) use sections::{Job, SECTIONS, size_reach};
+pub(crate) use set_up::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
 #[cfg(target_arch = "wasm32")]
@@ -116,10 +118,10 @@ pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobEr
 /// - or the log of a sender with grbl's `[PRB:…]`, and what says the work offset.
 pub fn measure(value: &Value, measured: &Value) -> Result<Measurement, JobError> {
     let mut checker = Checker::default();
-    let Some(job) = Job::read(&mut checker, value) else {
+    let Some(planned) = Planned::read(&mut checker, value) else {
         return Err(JobError { findings: checker.findings() });
     };
-    measure::of(&Planned::of(job), measured, checker)
+    measure::of(&planned, measured, checker)
 }
 
 /// A loose job from JSON text.

@@ -11,6 +11,9 @@ const DECIMALS: usize = 3;
 /// What a job measures, with its main sizes in its own units: `BORE-D25`, `POCKET-80X50`, `CORNER-90`; without sizes where one of them is no number.
 /// Capitals, digits, `-` and `_` alone: every control takes it as it is. A job of no known cycle is `PROBE`.
 pub fn job_name(job: &Value) -> String {
+    if let Some(Value::List(cycles)) = job.get("cycles") {
+        return format!("SETUP-{}", cycles.len());
+    }
     let cycle = job.get("cycle");
     let Some(Value::Text(key)) = cycle.and_then(|cycle| cycle.get("type")) else { return "PROBE".to_owned() };
     let Some(def) = cycle::find(key) else { return "PROBE".to_owned() };

@@ -22,8 +22,39 @@ pub struct Picture {
 }
 
 impl Planned {
-    /// The job, its path and what happens on the virtual part, looked at from one side. What deviates is drawn `magnify` times as large as it is.
-    pub fn picture(&self, view: Projection, magnify: f64) -> Picture {
+    /// The cycle in hand, by its place in the list: of a job of one cycle, that one.
+    pub fn in_hand(&self, hand: usize) -> &Planned {
+        self.members.get(hand).unwrap_or(self)
+    }
+
+    /// The job, its path and what happens on the virtual part, looked at from one side. What deviates is drawn `magnify` times as large as it is. Of a
+    /// set-up all cycles are drawn, the one in hand with its dimensions, the others pale; all are in hand where `hand` is none.
+    pub fn picture(&self, view: Projection, magnify: f64, hand: Option<usize>) -> Picture {
+        let Planned { job, path, run, members, .. } = self;
+        let mut scene = if members.is_empty() {
+            self.scene(view, magnify)
+        } else {
+            let feeds = path.feeds.unwrap_or(job.feeds);
+            let mut scene = scene::between(path, &job.setup, &feeds, run.collision, view);
+            for (i, (own, member)) in members.iter().zip(&path.members).enumerate() {
+                scene.take(own.scene(view, magnify), member.moves.start, hand.is_some_and(|hand| hand != i));
+            }
+            scene
+        };
+        scene.unit = Some(job.scale);
+        scene.stylus = scene::stylus::outlines(&job.shape, job.setup.radius, job.setup.plane, view);
+        let names = self.in_hand(hand.unwrap_or(usize::MAX)).names(&scene, |_| None);
+        scene.name(&names);
+        Picture {
+            names,
+            offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
+            deviates: !job.placement.nominal || members.iter().any(|own| !own.job.placement.nominal),
+            scene,
+        }
+    }
+
+    /// The scene of one cycle.
+    fn scene(&self, view: Projection, magnify: f64) -> Scene {
         let Planned { job, path, surfaces, run, .. } = self;
         let rigid = &job.placement.rigid;
         let actual = Actual {
@@ -34,17 +65,7 @@ impl Planned {
             line: path.feature.two_circles().and_then(|c| c.line).map(|line| line.map(|p| rigid.point(p))),
             magnify,
         };
-        let mut scene = scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view);
-        scene.unit = Some(job.scale);
-        scene.stylus = scene::stylus::outlines(&job.shape, job.setup.radius, job.setup.plane, view);
-        let names = self.names(&scene, |_| None);
-        scene.name(&names);
-        Picture {
-            names,
-            offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
-            deviates: !job.placement.nominal,
-            scene,
-        }
+        scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view)
     }
 
     /// Whether a view shows a field's dimension or angle in true size, or the place, height or turn that it gives.
@@ -82,7 +103,7 @@ impl Planned {
 /// The picture of a job as an SVG. A job that has no plan has no picture to hand out.
 pub fn svg(value: &Value, view: Projection) -> Result<String, JobError> {
     let (planned, _) = plan_with_path(value)?;
-    let picture = planned.picture(view, 1.0);
+    let picture = planned.picture(view, 1.0, None);
     let (name, cycle) = (&planned.job.name, planned.job.def.title);
     let legend = Legend { title: &format!("{name}: {cycle}"), names: &picture.names, deviates: picture.deviates };
     Ok(view::svg(&picture.scene, &legend))

@@ -8,16 +8,17 @@ use crate::control::release::{Refusal, release};
 use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
 use crate::control::{Form, Header, Request};
-use crate::form::{Checker, Value};
+use crate::form::{Checker, Finding, Value};
 use crate::formula::{self, Datum, Question, Role};
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
 use crate::job::inertia::report_inertia;
 use crate::job::rows::{
-    ParameterRow, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows, triple,
+    Move, ParameterRow, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, parameter_row, result_rows,
+    triple,
 };
 use crate::job::stylus::{report_stylus, report_unknown};
-use crate::job::{Job, JobError, resolved};
+use crate::job::{Job, JobError, resolved, set_up};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{Feature, Feeds, MOST_ASKEW, Own, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, Surface, TouchFault};
@@ -114,6 +115,8 @@ pub struct Planned {
     pub run: part::Run,
     /// Why the control's own cycles do not take it; empty where they do, or are not asked for.
     pub refused: Refused,
+    /// The cycles of a set-up, each as if it were alone; empty where there is one cycle.
+    pub members: Vec<Planned>,
 }
 
 impl Planned {
@@ -125,11 +128,33 @@ impl Planned {
             (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),
             _ => part::run(&path, &surfaces, &job.setup),
         };
-        Planned { job, path, surfaces, run, refused }
+        Planned { job, path, surfaces, run, refused, members: Vec::new() }
+    }
+
+    /// Reads a job and plans its path, or those of its cycles. Reports everything; none where anything is an error.
+    pub fn read(checker: &mut Checker, value: &Value) -> Option<Self> {
+        if set_up::is_set_up(value) { set_up::read(checker, value) } else { Job::read(checker, value).map(Planned::of) }
     }
 
     /// The parameter table, in the job's units.
     pub fn table(&self) -> Vec<ParameterRow> {
+        let of = |(cycle, planned): (usize, &Planned)| {
+            let member = &self.path.members[cycle];
+            let field = |field: String| match field.strip_prefix("cycle.") {
+                Some(rest) => format!("cycles[{cycle}].{rest}"),
+                None => field,
+            };
+            let in_whole = move |row: ParameterRow| ParameterRow {
+                cycle,
+                touch: row.touch.map(|k| k + member.touches.start),
+                field: row.field.map(field),
+                ..row
+            };
+            planned.table().into_iter().map(in_whole).collect::<Vec<_>>()
+        };
+        if !self.members.is_empty() {
+            return self.members.iter().enumerate().flat_map(of).collect();
+        }
         // Of the cycle as it is documented, whoever makes it.
         let documented = self.path.own.as_ref().map(|_| path_of(&self.job));
         let touches = documented.as_ref().map_or(&self.path.touches, |path| &path.touches);
@@ -243,7 +268,8 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
 pub(super) fn judge_plausible(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
     let mut off = path.formula.questions(&job.limits);
     off.retain(|question| {
-        let row = rows.iter_mut().find(|row| row.code == question.code);
+        let code = path.formula.results[question.result].code;
+        let row = rows.iter_mut().find(|row| row.code == code);
         let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value))) else { return false };
         row.verdict = Some(text!("implausible"));
         true
@@ -252,16 +278,23 @@ pub(super) fn judge_plausible(job: &Job, path: &Path, rows: &mut [formula::Resul
 }
 
 /// Results that the program, run on the virtual part, does not take for plausible.
-fn report_implausible(job: &Job, path: &Path, rows: &[formula::ResultRow], off: &[Question], checker: &mut Checker) {
+fn report_implausible(
+    job: &Job,
+    path: &Path,
+    rows: &[formula::ResultRow],
+    off: &[Question],
+    writes: bool,
+    checker: &mut Checker,
+) {
     let Some(question) = off.first() else { return };
-    let Some(row) = rows.iter().find(|row| row.code == question.code) else { return };
+    let code = path.formula.results[question.result].code;
+    let Some(row) = rows.iter().find(|row| row.code == code) else { return };
     let shown = |x: f64| {
         if question.angle { format!("{}°", decimal(x, 3)) } else { checker.length(x) }
     };
     let (value, wanted, limit) = (shown(row.value.unwrap_or(f64::NAN)), shown(question.wanted), shown(question.limit));
     let what = text!("{result} is {value}, more than {limit} from {wanted}", row.meaning.clone(), value, limit, wanted);
     let asks = job.post.computes && job.form == Form::Moves;
-    let writes = job.work_offset.is_some() && path.formula.datum.as_ref().is_some_and(Datum::writes);
     let message = match (asks, writes) {
         (true, true) => text!("On this part the program stops with an alarm and writes nothing: {what}", what),
         (true, false) => text!("On this part the program reports an implausible result: {what}", what),
@@ -337,8 +370,9 @@ fn report_predefined(job: &Job, checker: &mut Checker) {
     }
 }
 
-/// What the control will have stored, for the virtual part. A run that ends in the part ends before the results: nothing is stored.
-fn predicted(planned: &Planned, checker: &mut Checker) -> Vec<ResultRow> {
+/// What the control will have stored, for the virtual part. A run that ends in the part ends before the results: nothing is stored. `writes`: whether an
+/// implausible result keeps the program from writing.
+fn predicted(planned: &Planned, writes: bool, checker: &mut Checker) -> Vec<formula::ResultRow> {
     let Planned { job, path, run, .. } = planned;
     let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
@@ -355,42 +389,114 @@ fn predicted(planned: &Planned, checker: &mut Checker) -> Vec<ResultRow> {
     }
     if run.collision.is_none() {
         let implausible = judge_plausible(job, path, &mut rows);
-        report_implausible(job, path, &rows, &implausible, checker);
+        report_implausible(job, path, &rows, &implausible, writes, checker);
         report_at_start(job, path, &run.triggers, checker);
     } else {
         rows.iter_mut().for_each(unknown);
     }
-    result_rows(job, path, rows)
+    rows
+}
+
+/// What is wrong with the path of one cycle, and with what happens on it.
+fn report_path(planned: &Planned, checker: &mut Checker) {
+    let Planned { job, path, .. } = planned;
+    report_predefined(job, checker);
+    for (code, field, message) in &planned.refused {
+        checker.error(code, field.clone(), message.clone());
+    }
+    let feeds = path.feeds.unwrap_or(job.feeds);
+    check_path(job, path, checker);
+    let runs = !checker.failed();
+    report_inertia(job, &request(planned, &feeds, None), checker);
+    if runs {
+        report_run(planned, checker);
+    }
+}
+
+/// What the results of one cycle say.
+fn report_results(planned: &Planned, results: &[ResultRow], checker: &mut Checker) {
+    report_untrue(&planned.job, results, checker);
+    report_uncertain(&planned.job, results, checker);
+    report_rotation(&planned.job, &planned.path, checker);
+    report_still(&planned.path, checker);
+    report_own(&planned.path, checker);
+}
+
+/// Checks the path of a job, and of each cycle of a set-up, and predicts the results.
+fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>, JobError> {
+    let Planned { job, path, members, .. } = planned;
+    if members.is_empty() {
+        report_path(planned, checker);
+        if checker.failed() {
+            return Err(JobError { findings: std::mem::take(checker).findings() });
+        }
+        let rows = predicted(planned, writes(planned), checker);
+        let results = result_rows(job, path, rows);
+        report_results(planned, &results, checker);
+        return Ok(results);
+    }
+    let names: Vec<String> = path.members.iter().map(|member| member.name.clone()).collect();
+    let mut merged = set_up::Merged::new(&names);
+    let mut own: Vec<Checker> = Vec::with_capacity(members.len());
+    for member in members {
+        let mut checker = Checker::in_units(job.scale, job.unit);
+        report_path(member, &mut checker);
+        own.push(checker);
+    }
+    set_up::check(planned, checker);
+    set_up::report_crossing(planned, checker);
+    let failed = checker.failed() || own.iter().any(Checker::failed);
+    // Nothing of a cycle is stored where the program does not come to its end.
+    let stopped = planned.run.collision.is_some();
+    let mut results = Vec::new();
+    for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
+        if !failed {
+            let mut rows = predicted(member, writes(planned), &mut checker);
+            if stopped {
+                rows.iter_mut().for_each(unknown);
+            }
+            let own = result_rows(&member.job, &member.path, rows);
+            report_results(member, &own, &mut checker);
+            let feeds = member.path.feeds.unwrap_or(member.job.feeds);
+            (job.post.check)(&request(member, &feeds, None), &mut checker);
+            results.extend(own.into_iter().map(|row| ResultRow { cycle: i, ..row }));
+        }
+        merged.take(i, checker.findings());
+    }
+    // What is said of a cycle need not be said of the whole again.
+    let feeds = path.feeds.unwrap_or(job.feeds);
+    let mut whole = Checker::in_units(job.scale, job.unit);
+    if !failed {
+        (job.post.check)(&request(planned, &feeds, None), &mut whole);
+    }
+    let said: Vec<Finding> = whole.findings().into_iter().filter(|finding| !merged.has(&finding.code)).collect();
+    merged.give(checker);
+    said.into_iter().for_each(|finding| checker.adopt(set_up::of_whole(finding)));
+    report_rotation(job, path, checker);
+    if checker.failed() {
+        return Err(JobError { findings: std::mem::take(checker).findings() });
+    }
+    results.extend(set_up::written_rows(planned, &results));
+    Ok(results)
+}
+
+/// Whether the program writes a work offset.
+fn writes(planned: &Planned) -> bool {
+    planned.job.work_offset.is_some() && planned.path.formula.datum.as_ref().is_some_and(Datum::writes)
 }
 
 /// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
 pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Plan, JobError> {
     let Planned { job, path, run, .. } = planned;
-    report_predefined(job, &mut checker);
-    for (code, field, message) in &planned.refused {
-        checker.error(code, field.clone(), message.clone());
-    }
     let feeds = path.feeds.unwrap_or(job.feeds);
-    check_path(job, path, &mut checker);
-    let runs = !checker.failed();
-    report_inertia(job, &request(planned, &feeds, None), &mut checker);
-    if runs {
-        report_run(planned, &mut checker);
-    }
-    if checker.failed() {
-        return Err(JobError { findings: checker.findings() });
-    }
-    let results = predicted(planned, &mut checker);
-    report_untrue(job, &results, &mut checker);
-    report_uncertain(job, &results, &mut checker);
-    report_rotation(job, path, &mut checker);
-    report_still(path, &mut checker);
-    report_own(path, &mut checker);
+    let results = results_of(planned, &mut checker)?;
     let whole = if job.header == Header::Full { resolved(value) } else { None };
     let request = request(planned, &feeds, whole.as_ref());
-    (job.post.check)(&request, &mut checker);
-    if checker.failed() {
-        return Err(JobError { findings: checker.findings() });
+    if planned.members.is_empty() {
+        (job.post.check)(&request, &mut checker);
+        if checker.failed() {
+            return Err(JobError { findings: checker.findings() });
+        }
     }
     let released = release(&request, (job.post.emit)(&request)).map_err(|refusal| {
         report_refusal(refusal, &mut checker);
@@ -404,9 +510,21 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
         touches: path
             .touches
             .iter()
-            .map(|t| TouchPoint { point: triple(t.point, job.scale), vector: triple(t.vector, 1.0), group: t.group })
+            .enumerate()
+            .map(|(k, t)| TouchPoint {
+                point: triple(t.point, job.scale),
+                vector: triple(t.vector, 1.0),
+                group: t.group,
+                cycle: path.member_of_touch(k).unwrap_or(0),
+            })
             .collect(),
-        moves: path.moves.iter().map(|m| move_row(job, &feeds, m)).collect(),
+        moves: path
+            .moves
+            .iter()
+            .enumerate()
+            .map(|(i, m)| Move { cycle: path.member_of_move(i).unwrap_or(0), ..move_row(job, &feeds, m) })
+            .collect(),
+        cycles: path.members.iter().map(|member| member.name.clone()).collect(),
         length,
         time,
         program: ProgramText {
@@ -464,17 +582,16 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
 /// The plan of a job with the path that it is made of, and without the table, which [`Planned::table`] makes where it is read.
 pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
     let mut checker = Checker::default();
-    let Some(job) = Job::read(&mut checker, value) else {
+    let Some(planned) = Planned::read(&mut checker, value) else {
         return Err(JobError { findings: checker.findings() });
     };
-    let planned = Planned::of(job);
     let plan = make(&planned, value, checker)?;
     Ok((planned, plan))
 }
 
 /// The path of a job and what happens on the actual part, in mm; none for a job whose form has errors.
 pub fn planned(value: &Value) -> Option<Planned> {
-    Job::read(&mut Checker::default(), value).map(Planned::of)
+    Planned::read(&mut Checker::default(), value)
 }
 
 /// What a program is to be written for.

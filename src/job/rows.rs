@@ -24,6 +24,8 @@ pub struct Plan {
     pub touches: Vec<TouchPoint>,
     /// The moves, of the ball centre.
     pub moves: Vec<Move>,
+    /// The names of the cycles of a set-up, in their order; empty for a job of one cycle.
+    pub cycles: Vec<String>,
     /// Length of the whole path: from where the job says the ball is, else from where the first move ends.
     pub length: f64,
     /// Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
@@ -85,6 +87,8 @@ pub struct TouchPoint {
     pub vector: Triple,
     /// Which wall or circle it is on, from 0.
     pub group: usize,
+    /// Index of its cycle in a set-up; 0 for a job of one cycle.
+    pub cycle: usize,
 }
 
 /// One move of the ball centre.
@@ -96,12 +100,14 @@ pub struct Move {
     pub feed: &'static str,
     /// `position`, `touch` or `back`.
     pub kind: &'static str,
-    /// Step of the cycle's documented list, from 1. Where cycles of the control's own make it: which line makes it, from that of the first move on.
+    /// Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where cycles of the control's own make it: which line makes it, from that of the first move on.
     pub step: u8,
     /// Index of the touch that it makes or comes back from; null for positioning.
     pub touch: Option<usize>,
     /// The arc it runs along; null is a straight line.
     pub arc: Option<Arc>,
+    /// Index of its cycle in a set-up, or of the one that it leads to; 0 for a job of one cycle.
+    pub cycle: usize,
 }
 
 /// An arc about the tool axis.
@@ -155,6 +161,8 @@ pub struct ParameterRow {
     pub field: Option<String>,
     /// Index of the touch it comes from; null where it is of the whole cycle.
     pub touch: Option<usize>,
+    /// Index of its cycle in a set-up; 0 for a job of one cycle.
+    pub cycle: usize,
 }
 
 fn in_english<S: Serializer>(text: &Text, serializer: S) -> Result<S::Ok, S::Error> {
@@ -206,6 +214,8 @@ pub struct ResultRow {
     pub note: Option<String>,
     /// Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it.
     pub stored: Option<String>,
+    /// Index of its cycle in a set-up; 0 for a job of one cycle.
+    pub cycle: usize,
     /// Its words as templates and their values.
     pub said: ResultWords,
 }
@@ -239,7 +249,7 @@ impl SafetyRow {
 pub const RESULT_CODES: &[&str] = &[
     "center.x", "center.y", "diameter", "residual", "width", "width1", "width2", "rotation", "height",
     "corner.x", "corner.y", "corner.z", "angle", "residual1", "residual2", "point.x", "point.y", "point.z", "deviation",
-    "offset.x", "offset.y", "offset.z",
+    "offset.x", "offset.y", "offset.z", "offset.rotation",
     "Q183", "Q950", "Q951", "Q952", "Q953", "Q954", "Q955", "Q964", "Q965", "Q966", "Q967", "Q970", "Q971", "Q973", "Q974",
     "Q980", "Q981", "Q982", "Q983", "Q984", "Q985", "Q994", "Q995", "Q996", "Q997", "form1", "form2",
     "preset.table", "preset.x", "preset.y", "preset.z", "preset.rotation", "table.turn",
@@ -285,6 +295,7 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
                 truth: convert(row.truth),
                 note: note.as_ref().map(Text::english),
                 stored,
+                cycle: 0,
                 said: ResultWords { meaning: row.meaning, verdict: row.verdict, note },
             }
         })
@@ -307,7 +318,7 @@ pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
         Feed::Return => "return",
     };
     let arc = step.arc.map(|arc| Arc { center: triple(arc.center, job.scale), sweep: tidy(arc.sweep.to_degrees()) });
-    Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc }
+    Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc, cycle: 0 }
 }
 
 pub(super) fn parameter_row(job: &Job, parameter: path::Parameter) -> ParameterRow {
@@ -328,6 +339,7 @@ pub(super) fn parameter_row(job: &Job, parameter: path::Parameter) -> ParameterR
         meaning: parameter.meaning,
         field: parameter.field,
         touch: parameter.touch,
+        cycle: 0,
     }
 }
 

@@ -14,10 +14,13 @@ pub struct NumberField {
 }
 
 impl NumberField {
-    /// By its path, such as `cycle.width1`; none where no field of that path holds a number.
-    pub fn of(job: &Value, path: &str) -> Option<Self> {
+    /// By its path, such as `cycle.width1`, of a set-up in the cycle in hand; none where no field of that path holds a number.
+    pub fn of(job: &Value, path: &str, hand: usize) -> Option<Self> {
         let (section, key) = path.split_once('.')?;
-        let place = job.get(section)?;
+        let place = match job.get("cycles") {
+            Some(Value::List(cycles)) if section == "cycle" => cycles.get(hand)?,
+            _ => job.get(section)?,
+        };
         let fields = match place.get("type") {
             Some(Value::Text(cycle)) if section == "cycle" => cycle::find(cycle)?.fields,
             _ => SECTIONS.iter().find(|(path, _)| *path == section)?.1,
@@ -54,11 +57,17 @@ impl NumberField {
 }
 
 /// The job with another number in a field.
-pub fn with_number(job: &Value, path: &str, number: f64) -> Value {
+pub fn with_number(job: &Value, path: &str, hand: usize, number: f64) -> Value {
     let mut job = job.clone();
-    let entry = path.split('.').try_fold(&mut job, |place, key| match place {
-        Value::Map(entries) => entries.iter_mut().rev().find(|(k, _)| k == key).map(|(_, value)| value),
-        _ => None,
+    let several = job.get("cycles").is_some();
+    let entry = path.split('.').try_fold(&mut job, |place, key| {
+        let key = if several && key == "cycle" { "cycles" } else { key };
+        let Value::Map(entries) = place else { return None };
+        let (_, value) = entries.iter_mut().rev().find(|(k, _)| k == key)?;
+        match value {
+            Value::List(cycles) => cycles.get_mut(hand),
+            value => Some(value),
+        }
     });
     if let Some(entry) = entry {
         *entry = Value::Number(number);
@@ -78,14 +87,14 @@ mod tests {
     #[test]
     fn a_drag_gives_round_values_within_the_range_of_the_field() {
         let web = job("mm", "30");
-        let width = NumberField::of(&web, "cycle.width").unwrap();
+        let width = NumberField::of(&web, "cycle.width", 0).unwrap();
         assert_eq!((width.value, width.little()), (30.0, 0.3));
         assert_eq!(width.changed(1.26, 4.0), 31.3);
         assert_eq!(width.changed(1.264, 40.0), 31.26);
         assert_eq!(width.changed(7.0, 0.4), 37.0);
         assert_eq!(width.changed(-99.0, 40.0), 0.001);
         let inch = job("inch", "0.1");
-        let width = NumberField::of(&inch, "cycle.width").unwrap();
+        let width = NumberField::of(&inch, "cycle.width", 0).unwrap();
         assert_eq!(width.little(), 0.004);
         assert_eq!(width.changed(1e9, 40.0), 393.700787);
     }
@@ -94,8 +103,8 @@ mod tests {
     fn only_a_number_of_a_known_field_is_dragged() {
         let web = job("mm", "\"30H7\"");
         for path in ["cycle.width", "cycle.depths", "cycle", "part.sizes.width", "nowhere.at", ""] {
-            assert!(NumberField::of(&web, path).is_none(), "{path}");
+            assert!(NumberField::of(&web, path, 0).is_none(), "{path}");
         }
-        assert_eq!(with_number(&job("mm", "30"), "cycle.width", 31.0), job("mm", "31"));
+        assert_eq!(with_number(&job("mm", "30"), "cycle.width", 0, 31.0), job("mm", "31"));
     }
 }

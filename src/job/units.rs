@@ -4,6 +4,7 @@ use crate::cycle;
 use crate::form::{Field, Finding, Level, Value};
 use crate::job::JobError;
 use crate::job::sections::{SECTIONS, Units};
+use crate::job::set_up::{self, is_set_up};
 use crate::text::text;
 use crate::tolerance;
 
@@ -74,6 +75,9 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
         let section = if path.is_empty() { Some(&mut job) } else { entry(&mut job, path) };
         convert_fields(section, fields, to);
     }
+    if is_set_up(&job) {
+        return Ok(convert_set_up(&job, units, to));
+    }
     let def = match job.get("cycle").and_then(|c| c.get("type")) {
         Some(Value::Text(key)) => cycle::find(key),
         _ => None,
@@ -92,6 +96,38 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     }
     put(&mut job, "units", Value::Text(units.word().to_owned()));
     Ok(job)
+}
+
+/// The cycles of a set-up, and what it has beside them, likewise: each as if it were alone.
+fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
+    let mut converted = job.clone();
+    if let Some(clear) = entry(&mut converted, "clear") {
+        convert(clear, to);
+    }
+    let count = if let Some(Value::List(cycles)) = job.get("cycles") { cycles.len() } else { 0 };
+    for index in 0..count {
+        let alone = set_up::alone(job, index).and_then(|alone| convert_units(&alone, units.word()).ok());
+        let (Some(alone), Some(Value::List(cycles))) = (alone, entry(&mut converted, "cycles")) else { continue };
+        let (Some(Value::Map(own)), Some(Value::Map(cycle))) = (alone.get("cycle"), cycles.get_mut(index)) else { continue };
+        for (key, value) in own {
+            if let Some((_, place)) = cycle.iter_mut().find(|(known, _)| known == key) {
+                place.clone_from(value);
+            }
+        }
+        let sizes = alone.get("part").and_then(|part| part.get("sizes")).cloned();
+        let (Some(Value::Map(sizes)), Some(Value::List(cycles))) = (sizes, job.get("cycles")) else { continue };
+        let name = set_up::name_of(cycles, index);
+        let Some(Value::Map(all)) = entry(&mut converted, "part").and_then(|part| entry(part, "sizes")) else { continue };
+        for (key, value) in sizes {
+            let named =
+                |known: &str| known.split_once('.').is_some_and(|(of, size)| of.eq_ignore_ascii_case(&name) && size == key);
+            if let Some((_, place)) = all.iter_mut().find(|(known, _)| named(known)) {
+                *place = value;
+            }
+        }
+    }
+    put(&mut converted, "units", Value::Text(units.word().to_owned()));
+    converted
 }
 
 fn entry<'a>(value: &'a mut Value, key: &str) -> Option<&'a mut Value> {

@@ -24,10 +24,10 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
         .results
         .iter()
         .map(|def| {
-            let dual = def.variable.map(|v| values[v.index()]).filter(|d| d.value.is_finite());
+            let dual = def.variable.map(|v| &values[v.index()]).filter(|d| d.value.is_finite());
             // On a good part the residual is nothing, and no derivative says how it grows.
             let spread = dual.filter(|_| def.role != Role::Residual);
-            let runout = spread.zip(scatter.runout).map(|(d, runout)| runout * of_runout(path, &samples, &d));
+            let runout = spread.zip(scatter.runout).map(|(d, runout)| runout * of_runout(path, &samples, d));
             let touches = spread.map(|d| d.uncertainty(scatter.repeatability));
             ResultRow {
                 code: def.code.to_owned(),
@@ -51,8 +51,14 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
 /// shares add up before they are squared: half the sum of the squares along both axes of the plane is the variance.
 fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     // The derivative is by the scatter of a mean; the eccentricity moves all of its touches alike.
-    let whole = |k: usize| result.by_touch[k] * (samples[k].count as f64).sqrt();
-    let along = |axis: Vec3| -> f64 { (0..samples.len()).map(|k| whole(k) * samples[k].direction.dot(axis)).sum() };
+    let cycles = &path.formula.cycles;
+    let slopes = result.by_cycle().flat_map(|(cycle, by_touch)| {
+        let first = cycles.get(cycle).map_or(0, |cycle| cycle.first_sample);
+        samples.iter().skip(first).zip(by_touch)
+    });
+    let slopes: Vec<(&Sample, f64)> =
+        slopes.map(|(sample, by_touch)| (sample, by_touch * (sample.count as f64).sqrt())).collect();
+    let along = |axis: Vec3| -> f64 { slopes.iter().map(|(sample, whole)| whole * sample.direction.dot(axis)).sum() };
     tidy(along(path.frame.u).hypot(along(path.frame.v)) / std::f64::consts::SQRT_2)
 }
 

@@ -13,7 +13,7 @@ pub use measured::{Expected, Stand, check as check_measured, read as read_measur
 pub use stylus::{Above, Shape, Struck, struck};
 
 use crate::geom::{Rigid, Vec3};
-use crate::path::{Path, Purpose, Round, Setup, Surface, Wall};
+use crate::path::{Path, Purpose, Round, Setup, Surface, WAY, Wall};
 
 /// A contact so far past the end of a search still counts, mm: both are rounded.
 const ROUNDING: f64 = 2e-7;
@@ -30,7 +30,7 @@ pub struct PartPlacement {
 }
 
 /// What happened when the path was run on the actual part.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Run {
     /// Ball centre at the trigger of each touch; none where the part was not met in time.
     pub triggers: Vec<Option<Vec3>>,
@@ -92,6 +92,56 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Op
 /// At which fraction of a straight way the ball makes contact with these surfaces; none where it makes none. `up` is the tool axis.
 pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     Obstacles::of(surfaces, up).first_contact(radius, from, to).map(|contact| contact.fraction)
+}
+
+/// The first move of a set-up that meets what stands of the feature of another cycle, and where: a stud, or a body with walls all around. How far the
+/// material around a hole or behind a single wall goes, nobody has said.
+pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {
+    let up = path.frame.w;
+    let standing: Vec<Vec<Surface>> =
+        path.members.iter().map(|member| standing(&surfaces[member.surfaces.clone()], path)).collect();
+    let obstacles: Vec<(usize, Obstacles<'_>)> = standing
+        .iter()
+        .enumerate()
+        .filter(|(_, surfaces)| !surfaces.is_empty())
+        .map(|(member, surfaces)| (member, Obstacles::of(surfaces, up)))
+        .collect();
+    let mut at = path.start;
+    for (index, step) in path.moves.iter().enumerate() {
+        let from = at.replace(step.to).unwrap_or(step.to);
+        let own = path.member_of_move(index).filter(|_| step.step != WAY);
+        for (_, obstacles) in obstacles.iter().filter(|(member, _)| Some(*member) != own) {
+            let mut stand = from;
+            for way_point in step.pieces(from, up, 1.0) {
+                if let Some(contact) = obstacles.first_contact(radius, stand, way_point) {
+                    return Some((index, contact.center));
+                }
+                stand = way_point;
+            }
+        }
+    }
+    None
+}
+
+/// Those surfaces that bound a body all around.
+fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
+    let closed = |body: usize| {
+        let normals = surfaces.iter().filter_map(|surface| match surface {
+            Surface::Flat(wall) if wall.body == body && wall.has_top => Some(wall.normal),
+            _ => None,
+        });
+        let mut angles: Vec<f64> = normals.map(|n| n.dot(path.frame.v).atan2(n.dot(path.frame.u))).collect();
+        angles.sort_unstable_by(f64::total_cmp);
+        let Some(first) = angles.first().copied() else { return false };
+        let next = angles[1..].iter().copied().chain([first + std::f64::consts::TAU]);
+        angles.iter().zip(next).all(|(angle, next)| next - angle < std::f64::consts::PI - 1e-6)
+    };
+    let stands = |surface: &&Surface| match surface {
+        Surface::Round(round) => !round.hole,
+        Surface::Flat(wall) => closed(wall.body),
+        Surface::Unknown => false,
+    };
+    surfaces.iter().filter(stands).copied().collect()
 }
 
 /// Runs the whole path on the actual surfaces. A touch starts where the ball stands and runs along the inverted target vector

@@ -58,6 +58,8 @@ pub enum Feature {
     Corner(Corner),
     /// Two holes or studs.
     TwoCircles(Box<TwoCircles>),
+    /// Those of the cycles of a set-up: [`crate::path::Path::members`] has them.
+    Several,
 }
 
 /// A dimension, and the path of the job's field that says it.

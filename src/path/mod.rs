@@ -6,12 +6,14 @@
 mod feature;
 mod own;
 mod parameter;
+mod set_up;
 mod surface;
 mod tracer;
 
 pub use feature::{Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Subject, Top, Touched, TwoCircles};
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
+pub use set_up::{DatumSource, Member, WAY};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 
@@ -201,6 +203,10 @@ pub struct Path {
     pub lift: Option<&'static str>,
     /// The calls that make this path, where cycles of the control's own do.
     pub own: Option<Box<Own>>,
+    /// The cycles of a set-up; empty where the path is of one cycle.
+    pub members: Vec<Member>,
+    /// What a set-up writes.
+    pub datum_source: DatumSource,
 }
 
 /// What is wrong with a touch of a path.

@@ -46,7 +46,9 @@ pub fn angles(path: &Path) -> Vec<Angle> {
             let Some(touch) = path.touches.first() else { return Vec::new() };
             (point.elevation, touch.point, [frame.u, touch.vector])
         }
-        Feature::Unmoving | Feature::Bore(_) | Feature::Pairs(_) | Feature::TwoCircles(_) => return Vec::new(),
+        Feature::Unmoving | Feature::Bore(_) | Feature::Pairs(_) | Feature::TwoCircles(_) | Feature::Several => {
+            return Vec::new();
+        }
     };
     // A target vector in the plane has no arc.
     if sides[0].distance(sides[1]) < 1e-6 {
@@ -63,7 +65,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
         return Vec::new();
     }
     let mut all = match &path.feature {
-        Feature::Unmoving => Vec::new(),
+        Feature::Unmoving | Feature::Several => Vec::new(),
         Feature::Surface(point) => surface(path, point),
         Feature::Bore(bore) => round(path, bore),
         Feature::Pairs(pairs) => opposite(path, pairs),

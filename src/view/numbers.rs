@@ -47,16 +47,16 @@ impl Camera {
             let contact = self.pixel(if touch.behind.is_some() { touch.ball } else { touch.contact });
             if let Some(own) = numbers.iter_mut().find(|own| own.contact.distance(contact) < ONE) {
                 own.touches.push(k);
-                let number = (k + 1).to_string();
+                let number = touch.number.to_string();
                 if own.touches.len() > MOST_SAID {
-                    own.said = format!("{}…{number}", own.touches[0] + 1);
+                    own.said = format!("{}…{number}", scene.touches[own.touches[0]].number);
                 } else {
                     own.said.push('·');
                     own.said.push_str(&number);
                 }
             } else {
                 let plate = Plate { middle: contact, along: Vec2::X, half: Vec2::ZERO };
-                numbers.push(Number { touches: vec![k], said: (k + 1).to_string(), contact, plate, led: false });
+                numbers.push(Number { touches: vec![k], said: touch.number.to_string(), contact, plate, led: false });
             }
         }
         let contacts: Vec<Vec2> = numbers.iter().map(|number| number.contact).collect();

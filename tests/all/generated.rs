@@ -128,7 +128,7 @@ fn picture(def: &CycleDef) -> Option<String> {
         return None;
     }
     let title = format!("{}: the path of the default job", def.title);
-    let picture = planned.picture(Projection::Isometric, 1.0);
+    let picture = planned.picture(Projection::Isometric, 1.0, None);
     let legend = Legend { title: &title, names: &picture.names, deviates: false };
     Some(svg(&picture.scene, &legend))
 }

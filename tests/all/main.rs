@@ -31,6 +31,7 @@ mod problems;
 mod reread;
 mod runout;
 mod safety;
+mod set_ups;
 mod sinumerik;
 mod stylus;
 mod table;

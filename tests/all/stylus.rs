@@ -245,7 +245,7 @@ fn the_stylus_is_seen_from_the_side() {
     use touchpath::job::Projection;
     let own = pocket(r#""length": 50, "shank": 4, "body": 40"#, "");
     let planned_job = touchpath::job::planned(&own).unwrap();
-    let seen = |view| planned_job.picture(view, 1.0).scene.stylus;
+    let seen = |view| planned_job.picture(view, 1.0, None).scene.stylus;
     assert!(seen(Projection::Top).is_empty());
     let [shank, body] = seen(Projection::Front)[..] else { panic!() };
     // It leaves the ball at √(3² − 2²).
@@ -256,7 +256,7 @@ fn the_stylus_is_seen_from_the_side() {
     assert!(
         touchpath::job::planned(&pocket(r#""length": null"#, ""))
             .unwrap()
-            .picture(Projection::Front, 1.0)
+            .picture(Projection::Front, 1.0, None)
             .scene
             .stylus
             .is_empty()

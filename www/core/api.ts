@@ -23,6 +23,7 @@ import type {
   ProgramText,
   ResultRow,
   Said,
+  SetUp,
 } from "./types.js";
 import type { Packed } from "./unpacked.js";
 
@@ -66,13 +67,13 @@ export function check(job: unknown): Finding[] {
 }
 
 /** The whole plan. Throws `JobError` if any finding is an error. */
-export function plan(job: Job): Plan {
+export function plan(job: Job | SetUp): Plan {
   const own = coded(job);
   return planOf(packed(own), () => tableOf(handed(own, raw.table)));
 }
 
 /** The program alone, exactly that of the plan. Throws `JobError` where a plan would. */
-export function program(job: Job): ProgramText {
+export function program(job: Job | SetUp): ProgramText {
   return programOf(packed(coded(job)));
 }
 
@@ -80,7 +81,7 @@ export function program(job: Job): ProgramText {
  * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the series: its
  * `program` is `null`, and its findings say why.
  */
-export function* programs(jobs: Iterable<Job>): IterableIterator<Programmed> {
+export function* programs(jobs: Iterable<Job | SetUp>): IterableIterator<Programmed> {
   for (const job of jobs) {
     try {
       const plan = packed(coded(job));
@@ -93,7 +94,7 @@ export function* programs(jobs: Iterable<Job>): IterableIterator<Programmed> {
 }
 
 /** The results from what a machine really measured: those of `measure`. Throws `JobError`. */
-export function evaluate(job: Job, measured: Measured): ResultRow[] {
+export function evaluate(job: Job | SetUp, measured: Measured): ResultRow[] {
   return measure(job, measured).results;
 }
 
@@ -101,22 +102,23 @@ export function evaluate(job: Job, measured: Measured): ResultRow[] {
  * What follows from what a machine really measured: results, points in the work coordinate system, how they were read, and for grbl the block to type, which states the work offset.
  * It reads what machines print: points, results (`center.x=1.2345`), and logs of senders with grbl's `[PRB:…]`. Throws `JobError`; the findings say line by line what is missing or unclear.
  */
-export function measure(job: Job, measured: Measured): Measurement {
+export function measure(job: Job | SetUp, measured: Measured): Measurement {
   const values = coded(measured);
   return on(job, (codes, text) => raw.measure(codes, text, values.codes, values.text));
 }
 
 /** The moves of the plan as typed arrays. Throws `JobError`. */
-export function moveColumns(job: Job): MoveColumns {
+export function moveColumns(job: Job | SetUp): MoveColumns {
   const own = coded(job);
   // Who asks for the columns of the plan that was made last needs no second one.
-  const { to, feed, kind, step, touch, arcs } = columns(last && same(last.job, own) ? last.plan : packed(own));
+  const { to, feed, kind, step, touch, cycle, arcs } = columns(last && same(last.job, own) ? last.plan : packed(own));
   return {
     to: to.slice(),
     feed: Uint8Array.from(feed),
     kind: Uint8Array.from(kind),
     step: Uint8Array.from(step),
     touch: Int32Array.from(touch),
+    cycle: Uint8Array.from(cycle),
     arcs: arcs.fives().slice(),
     feeds: [...FEEDS],
     kinds: [...KINDS],
@@ -170,17 +172,17 @@ export function jobSchema(): Record<string, unknown> {
 }
 
 /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. `importJob` reads a table of CmdPrm codes back, and not the Q table of 1411: read its program. Throws `JobError`. */
-export function exportTable(job: Job, format: "csv" | "json" | "text"): string {
+export function exportTable(job: Job | SetUp, format: "csv" | "json" | "text"): string {
   return on(job, (codes, text) => raw.exportTable(codes, text, format));
 }
 
 /** What the rows of the plan's table mean, in their order, for `say`; none for a job whose form has errors. */
-export function meanings(job: Job): Said[] {
+export function meanings(job: Job | SetUp): Said[] {
   return meaningsOf(handed(coded(job), raw.meanings));
 }
 
 /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true size, dimensions and angles. Throws `JobError`. */
-export function svg(job: Job, view: "top" | "front" | "side" | "isometric" = "isometric"): string {
+export function svg(job: Job | SetUp, view: "top" | "front" | "side" | "isometric" = "isometric"): string {
   return on(job, (codes, text) => raw.svg(codes, text, view));
 }
 

@@ -704,5 +704,24 @@ export interface Job {
   cycle: Cycle;
 }
 
+/** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */
+export type NamedCycle = Cycle & { name?: string };
+
+/**
+ * Several cycles in one program: one header, safe ways between them, one write at the end. What is left out takes the catalog's default. Sizes of the virtual
+ * part are named after their cycle: `BORE.diameter`.
+ */
+export interface SetUp extends Omit<Job, "format" | "cycle"> {
+  format: 2;
+  cycles: NamedCycle[];
+  /** Height along the tool axis at which the ball centre goes from one cycle to the next. `null`: as high as the highest cycle begins and ends. */
+  clear?: number | null;
+  /**
+   * Which result is written into which axis of the work offset, as `BORE.center.x`: x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle
+   * that measures the axis. `null`: not written. A rotation is written where one is named.
+   */
+  datum?: { x?: string | null; y?: string | null; z?: string | null; rotation?: string | null };
+}
+
 /** The id of a control. */
 export type PostId = NonNullable<NonNullable<Job["control"]>["post"]>;

@@ -43,7 +43,7 @@ export const UNITS = ["mm", "inch", "deg", ""] as const;
 export const LEVELS = ["error", "warning", "info"] as const;
 
 /** The rows of a plan, field by field. */
-export const touch = (r: Unpacked) => ({ point: r.triple(), vector: r.triple(), group: r.count() });
+export const touch = (r: Unpacked) => ({ point: r.triple(), vector: r.triple(), group: r.count(), cycle: r.count() });
 export const program = (r: Unpacked) => ({
   post: r.text(),
   extension: r.text(),
@@ -68,6 +68,7 @@ export const result = (r: Unpacked) => ({
   truth: r.optional(),
   note: r.saidOrNone(),
   stored: r.textOrNone(),
+  cycle: r.count(),
 });
 export const finding = (r: Unpacked) => ({ level: r.word(LEVELS), code: r.text(), path: r.text(), said: r.said() });
 export const safety = (r: Unpacked) => ({

@@ -14,6 +14,7 @@ export type FindingCode =
   | "block-to-type"
   | "branch-ends"
   | "circle-in-circle"
+  | "clear-too-low"
   | "clearance-height-too-low"
   | "clearance-too-small"
   | "code-twice"
@@ -23,6 +24,7 @@ export type FindingCode =
   | "crossing-too-low"
   | "cycle-chooses-points"
   | "cycle-differs"
+  | "cycle-name"
   | "cycle-no-lift"
   | "cycle-no-zone"
   | "cycle-not-parallel"
@@ -31,10 +33,13 @@ export type FindingCode =
   | "cycle-path-short"
   | "cycle-plane"
   | "cycle-stops"
+  | "datum-apart"
+  | "datum-unknown"
   | "dist-needed"
   | "dist-too-short"
   | "edge-contact"
   | "extrusion-direction"
+  | "feeds-of-set-up"
   | "form-unsupported"
   | "given-incomplete"
   | "given-position"
@@ -102,6 +107,7 @@ export type FindingCode =
   | "offset-measured-again"
   | "offset-one-direction"
   | "offset-optional"
+  | "order-of-cycles"
   | "orient-unsupported"
   | "other-control"
   | "other-units"
@@ -145,6 +151,7 @@ export type FindingCode =
   | "semi-automatic"
   | "semi-automatic-unsupported"
   | "set-up-too-long"
+  | "set-up-unsupported"
   | "several-cycles"
   | "shank-collision"
   | "short-arc"
@@ -254,6 +261,7 @@ export type ResultCode =
   | "offset.x"
   | "offset.y"
   | "offset.z"
+  | "offset.rotation"
   | "Q183"
   | "Q950"
   | "Q951"
@@ -319,6 +327,8 @@ export interface TouchPoint {
   vector: Vec3;
   /** Which wall or circle it is on, from 0. */
   group: number;
+  /** Index of its cycle in a set-up; 0 for a job of one cycle. */
+  cycle: number;
 }
 
 /** An arc about the tool axis. */
@@ -337,12 +347,14 @@ export interface Move {
   feed: "approach" | "longLink" | "work" | "retract" | "return" | "rapid";
   /** `position`, `touch` or `back`. */
   kind: "position" | "touch" | "back";
-  /** Step of the cycle's documented list, from 1. Where cycles of the control's own make it: which line makes it, from that of the first move on. */
+  /** Step of the cycle's documented list, from 1; 0 on the way between two cycles. Where cycles of the control's own make it: which line makes it, from that of the first move on. */
   step: number;
   /** Index of the touch that it makes or comes back from; null for positioning. */
   touch: number | null;
   /** The arc it runs along; null is a straight line. */
   arc: Arc | null;
+  /** Index of its cycle in a set-up, or of the one that it leads to; 0 for a job of one cycle. */
+  cycle: number;
 }
 
 /** The value of a parameter. */
@@ -362,6 +374,8 @@ export interface ParameterRow {
   field: string | null;
   /** Index of the touch it comes from; null where it is of the whole cycle. */
   touch: number | null;
+  /** Index of its cycle in a set-up; 0 for a job of one cycle. */
+  cycle: number;
 }
 
 /** A value that the cycle measures: what the control computes, and what it should be. */
@@ -392,6 +406,8 @@ export interface ResultRow {
   note: string | null;
   /** Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it. */
   stored: string | null;
+  /** Index of its cycle in a set-up; 0 for a job of one cycle. */
+  cycle: number;
   /** Its words as templates and their values. */
   said: ResultWords;
 }
@@ -460,6 +476,8 @@ export interface Plan {
   touches: TouchPoint[];
   /** The moves, of the ball centre. */
   moves: Move[];
+  /** The names of the cycles of a set-up, in their order; empty for a job of one cycle. */
+  cycles: string[];
   /** Length of the whole path: from where the job says the ball is, else from where the first move ends. */
   length: number;
   /** Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them. */

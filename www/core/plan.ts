@@ -28,12 +28,13 @@ export function columns(packed: Packed) {
     kind: r.column(count),
     step: r.column(count),
     touch: r.column(count),
+    cycle: r.column(count),
     arcs: r,
   };
 }
 
 function moves(packed: Packed): Move[] {
-  const { to, feed, kind, step, touch, arcs } = columns(packed);
+  const { to, feed, kind, step, touch, cycle, arcs } = columns(packed);
   const made: Move[] = [];
   for (let i = 0; i < step.length; i++) {
     const own = touch[i] as number;
@@ -44,6 +45,7 @@ function moves(packed: Packed): Move[] {
       step: step[i] as number,
       touch: own < 0 ? null : own,
       arc: null,
+      cycle: cycle[i] as number,
     });
   }
   for (let i = arcs.index(); i !== null; i = arcs.index()) {
@@ -92,7 +94,7 @@ export function tableOf(packed: Packed): ParameterRow[] {
     const [code, type] = [r.text(), r.text()];
     const kind = r.number();
     const value = kind === 0 ? r.number() : kind === 1 ? r.flag() === true : r.text();
-    return { code, type, value, meaning: r.text(), field: r.textOrNone(), touch: r.index() };
+    return { code, type, value, meaning: r.text(), field: r.textOrNone(), touch: r.index(), cycle: r.number() };
   });
 }
 
@@ -158,6 +160,7 @@ export function planOf(packed: Packed, table: () => ParameterRow[]): Plan {
     },
     length: r.number(),
     time: r.number(),
+    cycles: r.list(() => r.text()),
     get program() {
       return text.get();
     },

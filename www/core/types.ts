@@ -1,6 +1,6 @@
 /** Lengths are in the job's units, feeds in units a minute, angles in degrees, counter-clockwise positive. */
 
-import type { FrameStep, Job, Vec3 } from "./job-types.js";
+import type { FrameStep, Job, SetUp, Vec3 } from "./job-types.js";
 import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
 import type { Said } from "./said.js";
 
@@ -15,6 +15,8 @@ export interface MoveColumns {
   kind: Uint8Array;
   step: Uint8Array;
   touch: Int32Array;
+  /** Index of the cycle of a set-up, 0 for a job of one cycle. */
+  cycle: Uint8Array;
   /** Five numbers an arc: index of its move, centre X, Y, Z, and degrees about the tool axis, counter-clockwise positive. */
   arcs: Float64Array;
   feeds: string[];
@@ -120,7 +122,7 @@ export interface Programmed {
 
 /** What was made of a text: a job, or the moves of a program that holds no job. `findings` says what was ignored, and what could not be known. */
 export type Imported =
-  | { kind: "job"; job: Job; findings: Finding[] }
+  | { kind: "job"; job: Job | SetUp; findings: Finding[] }
   | { kind: "moves"; job: null; trace: TraceRow; findings: Finding[] };
 
 /** What is asked of LENTOAX; what is left out is the standard case. */

@@ -203,6 +203,9 @@ impl Skip<'_> {
     }
 }
 
+/// The most characters of the text of an alarm.
+const LONGEST_ALARM: usize = 26;
+
 impl Moves for Skip<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let request = self.request;
@@ -337,7 +340,7 @@ impl Moves for Skip<'_> {
         }
     }
 
-    fn ask(&mut self, w: &mut Writer<'_>, _formula: &Formula, question: &Question) {
+    fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
         let unit = if question.angle { 1.0 } else { self.request.scale };
         let register = self.registers.variables[question.variable.index()];
         let [limit, wanted] = [question.limit, question.wanted].map(|x| constant(x / unit));
@@ -346,8 +349,11 @@ impl Moves for Skip<'_> {
             text if text.starts_with('-') => format!("{}-[{text}]", variable(register)),
             text => format!("{}-{text}", variable(register)),
         };
-        // At most 26 characters.
-        let alarm = format!("{} OFF, SEE {}", question.code.to_ascii_uppercase(), variable(register));
+        let result = &formula.results[question.result];
+        let says = |code: &str| format!("{} OFF, SEE {}", code.to_ascii_uppercase(), variable(register));
+        // The variable says of which cycle it is, where there is no room for both.
+        let whole = says(&formula.code(result));
+        let alarm = if whole.len() <= LONGEST_ALARM { whole } else { says(result.code) };
         if self.request.corrects() {
             let label = RESULTS.0 + self.implausible.len();
             w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {label}"));
@@ -393,7 +399,7 @@ impl Moves for Skip<'_> {
 
     fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
         let results = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
-        let mut results = results.map(|(i, result)| (variable(i + 1), result.code)).peekable();
+        let mut results = results.map(|(i, result)| (variable(i + 1), formula.code(result))).peekable();
         if results.peek().is_none() {
             return;
         }

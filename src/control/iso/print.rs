@@ -44,7 +44,7 @@ impl Notation for Rs274 {
 
     fn variable(&self, formula: &Formula, index: usize, out: &mut String) {
         out.push_str("#<");
-        formula.assignments[index].name.push_to(out);
+        formula.push_name(index, out);
         out.push('>');
     }
 

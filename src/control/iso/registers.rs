@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use crate::formula::{Formula, MOST_SAMPLES, Node};
+use crate::formula::{Formula, Node};
 use crate::path::Path;
 
 /// Which variable holds what, counted from 1: results first, in their order; then the triggers; then what is needed on the way, each
@@ -33,7 +33,7 @@ pub enum When {
 pub fn needed_touches(path: &Path) -> Vec<usize> {
     let formula = &path.formula;
     // Of each sample, how many touches are made when its last one is.
-    let mut made = [0; MOST_SAMPLES];
+    let mut made = vec![0; samples(path)];
     for (n, (k, ..)) in path.searches().enumerate() {
         made[path.touches[k].sample] = n + 1;
     }
@@ -50,6 +50,11 @@ pub fn needed_touches(path: &Path) -> Vec<usize> {
     each.collect()
 }
 
+/// How many points its formula computes with.
+fn samples(path: &Path) -> usize {
+    path.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0)
+}
+
 /// Read to the end, or never again.
 const TO_THE_END: usize = usize::MAX;
 
@@ -58,12 +63,14 @@ struct Reads {
     /// Of each assignment, the assignment that reads it last; itself where nothing does.
     variables: Vec<usize>,
     /// Of each coordinate of each sample, the assignment that reads it last; none where nothing does.
-    triggers: [[Option<usize>; 3]; MOST_SAMPLES],
+    triggers: Vec<[Option<usize>; 3]>,
 }
 
 impl Reads {
-    fn of(formula: &Formula) -> Self {
-        let mut reads = Reads { variables: (0..formula.assignments.len()).collect(), triggers: [[None; 3]; MOST_SAMPLES] };
+    fn of(path: &Path) -> Self {
+        let formula = &path.formula;
+        let triggers = vec![[None; 3]; samples(path)];
+        let mut reads = Reads { variables: (0..formula.assignments.len()).collect(), triggers };
         for (i, assignment) in formula.assignments.iter().enumerate() {
             formula.each(assignment.node, &mut |node| match node {
                 Node::Variable(variable) => reads.variables[variable.index()] = i,
@@ -105,7 +112,7 @@ impl Registers {
     pub fn allocate(path: &Path, when: When) -> Self {
         let formula = &path.formula;
         let mut registers = Registers::of_results(formula);
-        let reads = Reads::of(formula);
+        let reads = Reads::of(path);
         // What each assignment is the last to read is free after it, the lowest first; results stay.
         let mut spent = Spent { first: vec![0; formula.assignments.len()], next: Vec::new() };
         let mut free: BinaryHeap<Reverse<usize>> = BinaryHeap::new();
@@ -177,7 +184,7 @@ impl Registers {
     pub fn lines(&self, formula: &Formula, more: usize, width: usize, name: fn(usize) -> String) -> Vec<String> {
         const HEAD: &str = "Results: ";
         let mut lines: Vec<String> = Vec::new();
-        let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| r.code);
+        let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| formula.code(r));
         for (i, code) in codes.enumerate() {
             let entry = format!("{} = {code}", name(i + 1));
             match lines.last_mut().filter(|line| line.len() + 2 + entry.len() <= width) {

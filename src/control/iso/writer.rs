@@ -175,7 +175,10 @@ impl<'a> Writer<'a> {
         let request = self.request;
         let unit = if request.scale == 1.0 { "mm" } else { "inch" };
         self.comment(&format!("Job: {}", comment_text(request.name)));
-        self.comment(&format!("{}: {}", request.source, request.title));
+        match request.path.members.len() {
+            0 => self.comment(&format!("{}: {}", request.source, request.title)),
+            count => self.comment(&format!("A set-up: {count} cycles, one write at the end")),
+        }
         self.comment(&format!(
             "Units {unit}, plane {}, stylus ball diameter {}, overtravel {}",
             request.plane.word(),
@@ -202,7 +205,17 @@ impl<'a> Writer<'a> {
             let text = stated_start(request, &self.place_words(start));
             self.comment(&format!("{text} Bring it there first"));
         }
-        if let (Some(first), None, None) = (request.path.moves.first(), request.path.start, request.path.top) {
+        for member in request.path.members.iter().filter(|member| member.path.top.is_none()) {
+            let Some(first) = member.path.moves.first() else { continue };
+            let height = self.height_word(first.to);
+            self.comment(&format!(
+                "{} knows no top side: it begins and ends at {height}, which must be above the part",
+                member.name
+            ));
+        }
+        if let (Some(first), None, None, true) =
+            (request.path.moves.first(), request.path.start, request.path.top, request.path.members.is_empty())
+        {
             let height = self.height_word(first.to);
             self.comment(&format!(
                 "This cycle knows no top side: it begins and ends at {height}, which must be above the part"

@@ -164,7 +164,7 @@ impl Moves for LinuxCnc<'_> {
         let assignment = &formula.assignments[index];
         w.build(|text| {
             text.push_str("#<");
-            assignment.name.push_to(text);
+            formula.push_name(index, text);
             text.push_str(">=[");
             print::print_to(text, &print::Rs274, formula, assignment.node, self.request.scale);
             text.push(']');
@@ -188,7 +188,7 @@ impl Moves for LinuxCnc<'_> {
             if let Some(variable) = result.variable {
                 w.build(|text| {
                     text.push_str(word);
-                    text.push_str(result.code);
+                    text.push_str(&formula.code(result));
                     text.push('=');
                     print::Rs274.variable(formula, variable.index(), text);
                     text.push(')');
@@ -207,7 +207,7 @@ impl Moves for LinuxCnc<'_> {
         let (limit, wanted) = (decimal(question.limit / unit, 12), decimal(question.wanted / unit, 12));
         let off = less(&value, &wanted);
         w.parts(&["o", &label, " if [ABS[", &off, "] GT ", &limit, "]"]);
-        let says = format!("{} is {value}, more than {limit} from {wanted}", question.code);
+        let says = format!("{} is {value}, more than {limit} from {wanted}", formula.code(&formula.results[question.result]));
         if self.request.corrects() {
             // As in the exit: the last lift is made first.
             w.line("M66 E0 L0");

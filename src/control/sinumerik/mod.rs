@@ -253,7 +253,7 @@ impl Moves for Sinumerik<'_> {
             text.push('=');
             print::print_to(text, &self.notation(), formula, assignment.node, self.request.scale);
             text.push_str(" ; ");
-            assignment.name.push_to(text);
+            formula.push_name(index, text);
         });
     }
 
@@ -275,7 +275,8 @@ impl Moves for Sinumerik<'_> {
         };
         let label = format!("TP_GOOD_{}", self.asked);
         w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
-        let says = format!("{} is \"<<{value}<<\", more than {limit} from {wanted}", question.code);
+        let says =
+            format!("{} is \"<<{value}<<\", more than {limit} from {wanted}", formula.code(&formula.results[question.result]));
         if self.request.corrects() {
             w.line(&format!("MSG(\"{says}. Nothing is written\")"));
             w.line("GOTOF TP_STOP");
@@ -311,7 +312,7 @@ const VALUE: usize = 12;
 fn report(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
     let shown = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
     // The results have the first registers, in their order.
-    let each = shown.map(|(i, result)| (result.code, i + 1));
+    let each = shown.map(|(i, result)| (formula.code(result), i + 1));
     match request.report {
         Report::None => {}
         Report::Log => {

@@ -28,7 +28,7 @@ use crate::cycle::{Cycle, CycleDef};
 use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 use crate::formula::Formula;
 use crate::geom::{Plane, Vec3};
-use crate::path::{ONE_LEVEL, Parameter, Path, Setup, Subject, Surface, Touch, Tracer};
+use crate::path::{DatumSource, ONE_LEVEL, Parameter, Path, Setup, Subject, Surface, Touch, Tracer};
 use crate::text::text;
 
 /// The form that every cycle of the family may have besides its own.
@@ -236,6 +236,8 @@ impl Cycle for Ency {
             feature: shape.feature(),
             picked: self.picks.is_some(),
             own: None,
+            members: Vec::new(),
+            datum_source: DatumSource::default(),
             lift: Some(FEED_DISTANCE),
             touches: on.touches,
         }

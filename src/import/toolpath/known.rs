@@ -35,7 +35,7 @@ impl Feature {
     /// How it is seen, nominal and as it lies.
     #[cfg(target_arch = "wasm32")]
     pub fn picture(&self, view: Projection) -> Picture {
-        self.0.picture(view, 1.0)
+        self.0.picture(view, 1.0, None)
     }
 
     /// Whether it lies off, or has other sizes than the nominal part.

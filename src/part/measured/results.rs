@@ -1,11 +1,21 @@
 //! Results that a control printed: `center.x=1.2345`, `CENTER X= 1.2345`, or `CENTER X 1.2345` as DPRNT prints it.
 
+use std::borrow::Cow;
+
 use crate::form::Checker;
-use crate::formula::{ResultDef, Unit};
+use crate::formula::{Formula, Unit};
 use crate::part::evaluate::Scatter;
 use crate::part::measured::line;
 use crate::part::measured::{Expected, Measured, Numbered, is_numbers, reach, unclear};
 use crate::text::text;
+
+/// The name of a result as programs print it.
+type Code = Cow<'static, str>;
+
+/// Those of a formula, in the order of its results.
+fn codes(formula: &Formula) -> Vec<Code> {
+    formula.results.iter().map(|result| formula.code(result)).collect()
+}
 
 /// A name and what stands behind its equals sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,54 +51,55 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
 }
 
 /// `CENTER X 1.2345`: the code of a result and its number, and nothing else.
-fn spaced<'a>(line: &'a str, defs: &[ResultDef]) -> Option<Pair<'a>> {
+fn spaced<'a>(line: &'a str, codes: &[Code]) -> Option<Pair<'a>> {
     let line = line.trim();
     let begins = |code: &str| {
         let same = |(a, b): (u8, u8)| a.eq_ignore_ascii_case(&b) || (a == b' ' && b == b'.');
         line.len() > code.len() && line.bytes().zip(code.bytes()).all(same) && line.as_bytes()[code.len()].is_ascii_whitespace()
     };
-    let code = defs.iter().map(|def| def.code).filter(|code| begins(code)).max_by_key(|code| code.len())?;
+    let code = codes.iter().filter(|code| begins(code)).max_by_key(|code| code.len())?;
     let (name, rest) = line.split_at(code.len());
     let (value, after) = line::number(rest.trim_start())?;
     after.trim().is_empty().then_some(Pair { name, value: Some(value) })
 }
 
 /// The results that a line says.
-fn stated<'a>(line: &'a str, defs: &[ResultDef]) -> Vec<Pair<'a>> {
+fn stated<'a>(line: &'a str, codes: &[Code]) -> Vec<Pair<'a>> {
     let pairs = pairs(line);
-    if pairs.is_empty() { spaced(line, defs).into_iter().collect() } else { pairs }
+    if pairs.is_empty() { spaced(line, codes).into_iter().collect() } else { pairs }
 }
 
 /// Whether a line has a result of this job.
 pub fn known(line: &str, expected: &Expected<'_>) -> bool {
-    let defs = &expected.path.formula.results;
-    stated(line, defs).iter().any(|pair| defs.iter().any(|def| ends_with(pair.name, def.code)))
+    let codes = codes(&expected.path.formula);
+    stated(line, &codes).iter().any(|pair| codes.iter().any(|code| ends_with(pair.name, code)))
 }
 
 /// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may stand in the text and are not read.
 pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
-    let defs = &expected.path.formula.results;
+    let (defs, codes) = (&expected.path.formula.results, codes(&expected.path.formula));
     let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];
     for (i, &(number, line)) in lines.iter().enumerate() {
         if i == 0 && expected.names.iter().any(|name| line.eq_ignore_ascii_case(name)) {
             continue;
         }
         let bare = line::without_comments(line);
-        let pairs = stated(&bare, defs);
+        let pairs = stated(&bare, &codes);
         // A single number in the first line is the name of a program.
         let name = i == 0 && !bare.contains(char::is_whitespace);
         if pairs.is_empty() && is_numbers(&bare) && !name {
             unclear(checker, number, line);
         }
         for pair in pairs {
-            take(checker, (number, pair), defs, &mut values);
+            take(checker, (number, pair), &codes, &mut values);
         }
     }
     let missing: Vec<&str> = defs
         .iter()
         .zip(&values)
-        .filter(|(def, value)| def.variable.is_some() && value.is_none())
-        .map(|(def, _)| def.code)
+        .zip(&codes)
+        .filter(|((def, value), _)| def.variable.is_some() && value.is_none())
+        .map(|(_, code)| &**code)
         .collect();
     if !missing.is_empty() {
         let message = text!("The text does not have {codes}: these results are unknown", missing.join(", "));
@@ -104,15 +115,15 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
 }
 
 /// Takes up one pair.
-fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), defs: &[ResultDef], values: &mut [Option<(f64, usize)>]) {
-    let fitting = defs.iter().enumerate().filter(|(_, def)| ends_with(pair.name, def.code));
-    let Some((at, def)) = fitting.max_by_key(|(_, def)| def.code.len()) else {
+fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), codes: &[Code], values: &mut [Option<(f64, usize)>]) {
+    let fitting = codes.iter().enumerate().filter(|(_, code)| ends_with(pair.name, code));
+    let Some((at, code)) = fitting.max_by_key(|(_, code)| code.len()) else {
         if !DERIVED.iter().any(|code| ends_with(pair.name, code)) {
             let message = text!(
                 "Line {line}: \"{name}\" is no result of this job. Its results are {codes}",
                 number,
                 pair.name.chars().take(40).collect::<String>(),
-                defs.iter().map(|def| def.code).collect::<Vec<_>>().join(", ")
+                codes.join(", ")
             );
             checker.error("unknown-result", "measured", message);
         }
@@ -122,7 +133,7 @@ fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), defs: &[Result
         checker.error(
             "not-a-number",
             "measured",
-            text!("Line {line}: {code} is not followed by a finite number", number, def.code.to_owned()),
+            text!("Line {line}: {code} is not followed by a finite number", number, code.clone().into_owned()),
         );
         return;
     };
@@ -132,7 +143,7 @@ fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), defs: &[Result
                 "Lines {one} and {other} say different values of {code}: give the results of one run only",
                 before,
                 number,
-                def.code.to_owned()
+                code.clone().into_owned()
             );
             checker.error("result-twice", "measured", message);
         }
@@ -171,7 +182,7 @@ fn check_reach(checker: &mut Checker, expected: &Expected<'_>, results: &[Option
             let message = text!(
                 "Line {line}: {code} is {away} from its nominal value, out of reach of the touches: is it from this job, in {unit}?",
                 *line,
-                def.code.to_owned(),
+                path.formula.code(def).into_owned(),
                 checker.length(away),
                 checker.unit.to_owned()
             );

@@ -431,7 +431,7 @@ impl Painter {
         let (from, to) = (camera.pixel(line.from), camera.pixel(line.to));
         self.alpha(match line.stroke {
             _ if !reached => 0.2,
-            _ if line.high && !highlit => 0.4,
+            _ if line.pale && !highlit => 0.4,
             Stroke::Overtravel => 0.9,
             Stroke::Position | Stroke::Link | Stroke::Touch => 1.0,
         });
@@ -471,8 +471,9 @@ impl Painter {
         for touch in scene.touches.iter().filter(|touch| touch.behind == behind) {
             let ball = camera.pixel(touch.ball);
             let (dark, width) = if asked { (0.3, 3.0) } else { (0.1, 1.0) };
-            self.alpha(dark).disc(ball, radius, Colour::Ball);
-            self.alpha(1.0).circle(ball, radius, Colour::Ball, width);
+            let seen = if touch.pale { 0.4 } else { 1.0 };
+            self.alpha(dark * seen).disc(ball, radius, Colour::Ball);
+            self.alpha(seen).circle(ball, radius, Colour::Ball, width);
             if let Some(trigger) = touch.trigger.filter(|_| marks.deviates) {
                 let at = camera.pixel(trigger);
                 self.circle(at, radius, Colour::Actual, 1.0);

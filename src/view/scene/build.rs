@@ -64,6 +64,39 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     scene
 }
 
+/// The ways between the cycles of a set-up, and where its moves end: what the scenes of its cycles are put into.
+pub fn between(path: &Path, setup: &Setup, feeds: &Feeds, collision: Option<(usize, Vec3)>, view: Projection) -> Scene {
+    let spot = |p: Vec3| view.place(setup.plane, p);
+    let mut scene = Scene {
+        ends: path.moves.iter().map(|step| spot(step.to)).collect(),
+        unit: Some(1.0),
+        radius: setup.radius,
+        collision: collision.map(|(index, center)| (index, spot(center))),
+        ..Scene::about(setup.plane, view)
+    };
+    for member in path.members.iter().skip(1) {
+        // A cycle that begins where nothing is stated goes to its first place by itself.
+        let own = usize::from(member.path.start.is_none());
+        let first =
+            path.members.iter().map(|other| other.moves.end).filter(|end| *end <= member.moves.start).max().unwrap_or(0);
+        for index in first..member.moves.start + own {
+            let (from, step) = (path.moves[index - 1].to, &path.moves[index]);
+            let line = Line {
+                from: spot(from),
+                to: spot(step.to),
+                stroke: stroke(step),
+                rapid: feeds.is_rapid(step.feed),
+                back: false,
+                behind: None,
+                pale: true,
+                index,
+            };
+            scene.lines.push(line);
+        }
+    }
+    scene
+}
+
 /// What is looked at, and from where.
 struct Look<'a> {
     path: &'a Path,
@@ -151,8 +184,8 @@ impl Look<'_> {
             let mut start = at.unwrap_or(step.to);
             for end in step.pieces(start, self.path.frame.w, 3.0) {
                 let (from, to, behind) = (self.spot(start), self.spot(end), backs.before([start, end]));
-                let high = high([start, end]);
-                lines.push(Line { from, to, stroke: stroke(step), rapid, back, behind, high, index });
+                let pale = high([start, end]);
+                lines.push(Line { from, to, stroke: stroke(step), rapid, back, behind, pale, index });
                 start = end;
             }
             if let Purpose::Touch(k) = step.purpose {
@@ -165,7 +198,7 @@ impl Look<'_> {
                     rapid: false,
                     back: false,
                     behind,
-                    high: false,
+                    pale: false,
                     index,
                 });
             }
@@ -182,6 +215,8 @@ impl Look<'_> {
                 contact: self.spot(touch.point),
                 ball,
                 trigger: self.actual.run.triggers[k].map(|p| self.stretch(ball, self.spot(p))),
+                number: k + 1,
+                pale: false,
                 inward: self.spot(touch.vector),
                 index: self.path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)),
                 behind: backs.before([center; 2]),

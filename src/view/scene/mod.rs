@@ -6,7 +6,7 @@ pub mod program;
 pub mod stylus;
 pub mod top_faces;
 
-pub use build::{Actual, build};
+pub use build::{Actual, between, build};
 
 use crate::geom::{AXIS_NAMES, Plane, Vec2, Vec3};
 use crate::path::Path;
@@ -91,8 +91,8 @@ pub struct Line {
     pub back: bool,
     /// What stands before it: that with this top side.
     pub behind: Option<usize>,
-    /// Whether, from the top, it runs so high that nothing of the part is near it.
-    pub high: bool,
+    /// Whether it is drawn pale: from the top it runs so high that nothing of the part is near it, or it is of a cycle that is not in hand.
+    pub pale: bool,
     /// Index of the move in the path.
     pub index: usize,
 }
@@ -105,6 +105,10 @@ pub struct TouchShape {
     pub ball: Vec2,
     /// The ball centre at the trigger on the actual part.
     pub trigger: Option<Vec2>,
+    /// Its number in its cycle, from 1.
+    pub number: usize,
+    /// Whether it is drawn pale: it is of a cycle that is not in hand.
+    pub pale: bool,
     /// Where its number stands: a direction away from the material.
     pub inward: Vec2,
     /// Index of the move that makes it.
@@ -190,6 +194,8 @@ pub struct Scene {
     pub turn: Option<(Vec2, Vec2)>,
     /// The origin of the actual feature, and its first direction: handles to move the part by. Only seen from the top.
     pub handle: Option<(Vec2, Vec2)>,
+    /// Of how many cycles of a set-up it has the scenes.
+    pub cycles: usize,
 }
 
 /// The dimensions that a view along an axis shows in their true length; one that it shows shorter would mislead.
@@ -256,6 +262,34 @@ impl Scene {
         let spot = |p: Vec3| view.place(plane, p);
         let (basis, names) = (plane.basis(), plane.axes().map(|axis| AXIS_NAMES[axis]));
         Scene { origin: spot(Vec3::ZERO), axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))), ..Scene::default() }
+    }
+
+    /// Takes in the scene of a cycle of a set-up, whose first move has this index; `pale` where it is not the one in hand. Its dimensions, its angles and its
+    /// handles come with the one in hand alone.
+    pub fn take(&mut self, own: Scene, first_move: usize, pale: bool) {
+        // Top sides are known by their surfaces, of which no cycle has so many.
+        const APART: usize = 1000;
+        self.cycles += 1;
+        let apart = |top: Option<usize>| top.map(|top| top + APART * self.cycles);
+        self.walls.extend(own.walls.into_iter().map(|wall| WallShape { top: apart(wall.top), ..wall }));
+        self.tops.extend(own.tops.into_iter().map(|top| Top { of: top.of + APART * self.cycles, ..top }));
+        self.blocks.extend(own.blocks);
+        self.material.extend(own.material);
+        let line =
+            |line: Line| Line { behind: apart(line.behind), index: line.index + first_move, pale: line.pale || pale, ..line };
+        self.lines.extend(own.lines.into_iter().map(line));
+        self.touches.extend(own.touches.into_iter().map(|touch| TouchShape {
+            behind: apart(touch.behind),
+            index: touch.index.map(|index| index + first_move),
+            pale,
+            ..touch
+        }));
+        self.radius = own.radius;
+        if pale {
+            return;
+        }
+        (self.dimensions, self.angles, self.spread) = (own.dimensions, own.angles, own.spread);
+        (self.turn, self.handle, self.centre_lines) = (own.turn, own.handle, own.centre_lines);
     }
 
     /// Makes room for what is said of its dimensions and angles, by their fields' paths.

@@ -56,7 +56,7 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
             let mut from = spot(from);
             for piece in &pieces {
                 let to = spot(*piece);
-                scene.lines.push(Line { from, to, stroke, rapid: *kind == 0, back: false, behind: None, high: false, index });
+                scene.lines.push(Line { from, to, stroke, rapid: *kind == 0, back: false, behind: None, pale: false, index });
                 from = to;
             }
             scene.beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));

@@ -21,7 +21,7 @@ impl View {
     /// nothing for any other field.
     #[wasm_bindgen(js_name = viewOf)]
     pub fn view_of(&self, field: &str) -> Option<String> {
-        let planned = &self.held()?.last.planned;
+        let planned = self.held()?.last.planned.in_hand(self.hand);
         let names = ["top", "front", "side"];
         let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));
         let found =
@@ -77,14 +77,14 @@ impl View {
     /// The end of a line, and how it moves: the job itself knows how its dimensions hang together, so it is planned with a value a little larger,
     /// or smaller where that has errors.
     fn end_of(&self, job: &Value, path: &str, end: usize, at: Vec2) -> Option<End> {
-        let field = NumberField::of(job, path)?;
+        let field = NumberField::of(job, path, self.hand)?;
         let line = |scene: &Scene| {
             let layout = self.camera.layout(scene, self.field.as_deref());
             layout.dimensions.iter().find(|placed| placed.drawn.field == path).map(|placed| placed.line)
         };
         let now = line(&self.shown.as_ref()?.scene)?;
         let moved = |change: f64| {
-            let planned = job::planned(&job::with_number(job, path, field.value + change))?;
+            let planned = job::planned(&job::with_number(job, path, self.hand, field.value + change))?;
             let other = self.build(Rc::new(Last { codes: Vec::new(), text: String::new(), planned }));
             Some((line(&other.scene)?[end] - now[end]) / change)
         };

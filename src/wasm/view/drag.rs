@@ -27,7 +27,7 @@ impl View {
     /// The path of the job's field that a `start` or `sweep` handle sets.
     #[wasm_bindgen(js_name = handleField)]
     pub fn handle_field(&self, handle: &str) -> Option<String> {
-        let spread = self.held()?.last.planned.path.feature.two_circles()?.spread?;
+        let spread = self.held()?.last.planned.in_hand(self.hand).path.feature.two_circles()?.spread?;
         let [start, sweep] = spread.fields;
         match handle {
             "start" => Some(start.to_owned()),
@@ -62,7 +62,7 @@ impl View {
         };
         let spot = self.camera.spot(Vec2::new(x, y));
         let [a, o, _] = held.plane.axes();
-        let Planned { job, path, .. } = &held.last.planned;
+        let Planned { job, path, .. } = held.last.planned.in_hand(self.hand);
         let (mut offset, mut turn) = (job.placement.rigid.point(Vec3::ZERO), job.placement.turn);
         let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(path.frame.origin);
         let now = place(offset, turn);

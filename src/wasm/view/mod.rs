@@ -51,6 +51,8 @@ pub struct View {
     held: bool,
     /// The end of a dimension's line that is dragged.
     end: Option<dimensions::End>,
+    /// Which cycle of a set-up is in hand, by its place in the list.
+    hand: usize,
     /// What `render` draws; none where every change is drawn at once.
     due: Option<Cell<Due>>,
 }
@@ -124,6 +126,7 @@ impl View {
             moved: false,
             held: false,
             end: None,
+            hand: 0,
             due: None,
         })
     }
@@ -188,6 +191,12 @@ impl View {
         if std::mem::replace(&mut self.comma, comma) != comma {
             self.draw();
         }
+    }
+
+    /// Which cycle of the next set-up is in hand, by its place in the list: its dimensions are drawn, and the others are pale.
+    #[wasm_bindgen(js_name = setHand)]
+    pub fn set_hand(&mut self, index: usize) {
+        self.hand = index;
     }
 
     /// Shows a coded job. One that has errors leaves the picture as it is and gives `false`.
@@ -369,7 +378,7 @@ impl View {
     /// are. None where no job is shown.
     pub fn svg(&self, title: &str) -> Option<String> {
         let held = self.held()?;
-        let picture = held.last.planned.picture(self.projection, 1.0);
+        let picture = held.last.planned.picture(self.projection, 1.0, Some(self.hand));
         Some(crate::view::svg(&picture.scene, &Legend { title, names: &held.names, deviates: picture.deviates }))
     }
 }
@@ -411,10 +420,11 @@ impl View {
     }
 
     fn build(&self, last: Rc<Last>) -> Shown {
-        let job::Picture { mut scene, mut names, offset, deviates } = last.planned.picture(self.projection, self.magnified);
+        let job::Picture { mut scene, mut names, offset, deviates } =
+            last.planned.picture(self.projection, self.magnified, Some(self.hand));
         if !self.labels.is_empty() {
             let label = |field: &str| self.labels.iter().find(|(known, _)| known == field).map(|(_, label)| label.as_str());
-            names = last.planned.names(&scene, label);
+            names = last.planned.in_hand(self.hand).names(&scene, label);
         }
         if self.comma {
             names.iter_mut().for_each(|(_, name)| *name = name.replace('.', ","));

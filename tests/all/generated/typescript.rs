@@ -36,6 +36,28 @@ export interface CustomCode {
 export type FrameStep = { rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" };
 "#;
 
+/// A job of several cycles.
+const SET_UP: &str = r#"
+/** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */
+export type NamedCycle = Cycle & { name?: string };
+
+/**
+ * Several cycles in one program: one header, safe ways between them, one write at the end. What is left out takes the catalog's default. Sizes of the virtual
+ * part are named after their cycle: `BORE.diameter`.
+ */
+export interface SetUp extends Omit<Job, "format" | "cycle"> {
+  format: 2;
+  cycles: NamedCycle[];
+  /** Height along the tool axis at which the ball centre goes from one cycle to the next. `null`: as high as the highest cycle begins and ends. */
+  clear?: number | null;
+  /**
+   * Which result is written into which axis of the work offset, as `BORE.center.x`: x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle
+   * that measures the axis. `null`: not written. A rotation is written where one is named.
+   */
+  datum?: { x?: string | null; y?: string | null; z?: string | null; rotation?: string | null };
+}
+"#;
+
 /// `internal-rectangle` as the name of a type.
 fn type_name(key: &str) -> String {
     let capital = |word: &str| word[..1].to_uppercase() + &word[1..];
@@ -140,6 +162,7 @@ pub fn job_types() -> String {
         text.push_str("  };\n");
     }
     text.push_str("  cycle: Cycle;\n}\n");
+    text.push_str(SET_UP);
     text.push_str(
         "\n/** The id of a control. */\nexport type PostId = NonNullable<NonNullable<Job[\"control\"]>[\"post\"]>;\n",
     );

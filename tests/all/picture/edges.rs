@@ -51,7 +51,7 @@ fn the_scale_has_the_units_of_the_job() {
     let mut seen = 0;
     for (name, job) in jobs() {
         let Some(planned) = job::planned(&job) else { continue };
-        let scene = planned.picture(Projection::Top, 1.0).scene;
+        let scene = planned.picture(Projection::Top, 1.0, None).scene;
         let inch = job.get("units") == Some(&Value::Text("inch".to_owned()));
         assert_eq!(scene.unit, Some(if inch { 25.4 } else { 1.0 }), "{name}");
         seen += usize::from(inch);
@@ -94,7 +94,7 @@ fn material_is_drawn_behind_every_contact_and_air_before_it() {
     for (name, job) in metric() {
         for (k, view) in [Projection::Top, Projection::Front, Projection::Side].into_iter().enumerate() {
             let planned = job::planned(&job).expect("the job is sound");
-            let scene = planned.picture(view, 1.0).scene;
+            let scene = planned.picture(view, 1.0, None).scene;
             for scale in [0.7, 4.0, 30.0] {
                 let camera = Camera { scale, middle: Vec2::ZERO, size: Vec2::new(800.0, 600.0) };
                 let [filled, air] = outlines(&scene.material, &camera, 36.0);

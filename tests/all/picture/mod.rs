@@ -18,7 +18,7 @@ use touchpath::form::Value;
 
 fn built(job: &Value, view: Projection) -> (Scene, Path) {
     let planned = job::planned(job).expect("the job is sound");
-    (planned.picture(view, 1.0).scene, planned.path)
+    (planned.picture(view, 1.0, None).scene, planned.path)
 }
 
 /// A cycle at its defaults.
@@ -64,7 +64,7 @@ fn a_dimension_is_as_long_as_its_field_says_and_its_line_stands_square_to_it() {
     let mut seen = 0;
     for (name, job) in metric() {
         let planned = job::planned(&job).expect("the job is sound");
-        for d in planned.picture(Projection::Front, 1.0).scene.dimensions {
+        for d in planned.picture(Projection::Front, 1.0, None).scene.dimensions {
             let has = |key: &str| planned.job.def.fields.iter().any(|field| field.key == key);
             assert!(d.field.strip_prefix("cycle.").is_some_and(has), "{name}: there is no field {}", d.field);
         }
@@ -439,7 +439,7 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
     for (name, job) in jobs() {
         let planned = job::planned(&job).expect("the job is sound");
         for view in [Projection::Top, Projection::Isometric] {
-            let [plain, large] = [1.0, 10.0].map(|times| planned.picture(view, times).scene);
+            let [plain, large] = [1.0, 10.0].map(|times| planned.picture(view, times, None).scene);
             assert_eq!(plain.lines, large.lines, "{name}");
             let nominal = |scene: &Scene| scene.walls.iter().filter(|w| !w.actual).map(|w| w.corners).collect::<Vec<_>>();
             assert_eq!(nominal(&plain), nominal(&large), "{name}");
@@ -457,7 +457,7 @@ fn a_magnified_part_deviates_so_many_times_as_much() {
     let job = with(&of("internal-rectangle-protected"), "part.offset", offset);
     let planned = job::planned(&job).expect("the job is sound");
     let left = |times| {
-        let scene = planned.picture(Projection::Top, times).scene;
+        let scene = planned.picture(Projection::Top, times, None).scene;
         scene.walls.iter().filter(|w| w.actual).flat_map(|w| w.corners).map(|c| c[0]).fold(f64::MAX, f64::min)
     };
     let apart = left(10.0) - left(1.0);

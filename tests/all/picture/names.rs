@@ -163,7 +163,7 @@ fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
     for (name, job) in metric().chain([("close".to_owned(), close)]) {
         for view in [Projection::Front, Projection::Side] {
             let planned = job::planned(&job).expect("the job is sound");
-            let scene = planned.picture(view, 1.0).scene;
+            let scene = planned.picture(view, 1.0, None).scene;
             let holes: Vec<_> =
                 planned.path.surfaces.iter().filter_map(|s| if let Surface::Round(r) = s { Some(*r) } else { None }).collect();
             if planned.job.setup.plane != touchpath::geom::Plane::G17 || holes.is_empty() || holes.iter().any(|r| !r.hole) {

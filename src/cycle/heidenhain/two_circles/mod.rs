@@ -18,8 +18,8 @@ use crate::form::Checker;
 use crate::formula::{Formula, ResultRow};
 use crate::geom::{Frame, Vec3};
 use crate::path::{
-    self, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setting, Setup, Spread, Subject, Surface,
-    Touch,
+    self, DatumSource, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setting, Setup, Spread, Subject,
+    Surface, Touch,
 };
 use crate::text::words;
 use crate::tolerance::Nominal;
@@ -307,6 +307,8 @@ impl Cycle for TwoCircles {
             feature: Feature::TwoCircles(Box::new(self.feature(setup))),
             picked: false,
             own: None,
+            members: Vec::new(),
+            datum_source: DatumSource::default(),
             lift: None,
             frame: Self::frame(setup),
             formula: self.computed(setup),

@@ -1,0 +1,95 @@
+//! The formulas of the cycles of a set-up, as one.
+
+use std::borrow::Cow;
+
+use crate::formula::node::{Samples, Variable};
+use crate::formula::{Assignment, CycleSamples, Datum, Formula, Function, Node, NodeId, Op, ResultDef};
+
+impl Formula {
+    /// Adds the formula of the next cycle, with its name, and says how its variables are found in the whole: by so much later.
+    pub fn join(&mut self, name: &str, own: &Formula, first_sample: usize) -> u32 {
+        let cycle = self.cycles.len() as u16;
+        let (node, variable) = (self.nodes.len() as u32, self.assignments.len() as u32);
+        let moved = |id: NodeId| NodeId(id.0 + node);
+        self.nodes.extend(own.nodes.iter().map(|one| match *one {
+            Node::Variable(earlier) => Node::Variable(earlier.later_by(variable)),
+            Node::Trigger { sample, axis } => Node::Trigger { sample: sample + first_sample as u16, axis },
+            Node::Circle(samples, part) => {
+                Node::Circle(Samples { first: samples.first + first_sample as u16, ..samples }, part)
+            }
+            Node::Binary(op, a, b) => Node::Binary(op, moved(a), moved(b)),
+            Node::Call(function, a) => Node::Call(function, moved(a)),
+            Node::Atan2(y, x) => Node::Atan2(moved(y), moved(x)),
+            constant @ (Node::Number(_) | Node::Length(_)) => constant,
+        }));
+        let assignments = own.assignments.iter();
+        self.assignments.extend(assignments.map(|one| Assignment { cycle, node: moved(one.node), ..*one }));
+        let later = |known: Option<Variable>| known.map(|known| known.later_by(variable));
+        let results = own.results.iter().map(|one| ResultDef { cycle, variable: later(one.variable), ..one.clone() });
+        self.results.extend(results);
+        self.cycles.push(CycleSamples { name: name.to_owned(), first_sample });
+        variable
+    }
+
+    /// Adds how far a measured direction is from its nominal value, degrees, as a value that a work offset can be turned by.
+    pub fn turn(&mut self, direction: Variable, nominal: f64) -> Variable {
+        let cycle = self.assignments[direction.index()].cycle;
+        let [measured, wanted] = [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
+        let off = if nominal == 0.0 { measured } else { self.push(Node::Binary(Op::Subtract, measured, wanted)) };
+        if nominal.abs() <= 90.0 {
+            return self.assign("turn", cycle, off);
+        }
+        // Near half a turn a control may give the angle a whole turn away.
+        let away = self.assign("turned", cycle, off);
+        let angle = self.push(Node::Variable(away));
+        let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| self.push(Node::Call(function, angle)));
+        let turn = self.push(Node::Atan2(sine, cosine));
+        self.assign("turn", cycle, turn)
+    }
+
+    fn push(&mut self, node: Node) -> NodeId {
+        self.nodes.push(node);
+        NodeId(self.nodes.len() as u32 - 1)
+    }
+
+    fn assign(&mut self, name: &'static str, cycle: u16, node: NodeId) -> Variable {
+        self.assignments.push(Assignment { name: name.into(), cycle, node });
+        Variable(self.assignments.len() as u32 - 1)
+    }
+
+    /// The name of a result in a text: `center.x`, of a set-up `BORE.center.x`.
+    pub fn code(&self, result: &ResultDef) -> Cow<'static, str> {
+        match self.cycles.get(usize::from(result.cycle)) {
+            Some(cycle) if self.cycles.len() > 1 => Cow::Owned(format!("{}.{}", cycle.name, result.code)),
+            _ => Cow::Borrowed(result.code),
+        }
+    }
+
+    /// Writes the name of the value of an assignment, by its index, at the end of a text: `center_x`, of a set-up `bore_center_x`.
+    pub fn push_name(&self, index: usize, text: &mut String) {
+        let assignment = &self.assignments[index];
+        if let Some(cycle) = self.cycles.get(usize::from(assignment.cycle)).filter(|_| self.cycles.len() > 1) {
+            text.extend(cycle.name.chars().map(|c| c.to_ascii_lowercase()));
+            text.push('_');
+        }
+        assignment.name.push_to(text);
+    }
+}
+
+impl Variable {
+    fn later_by(self, count: u32) -> Variable {
+        Variable(self.0 + count)
+    }
+}
+
+impl Datum {
+    /// The same in the formula of a set-up, in which the variables of its cycle are found so much later.
+    pub fn later_by(mut self, count: u32) -> Datum {
+        let later = |known: Option<Variable>| known.map(|known| known.later_by(count));
+        for place in self.place.iter_mut().flatten() {
+            place.measured = later(place.measured);
+        }
+        self.rotation = later(self.rotation);
+        self
+    }
+}

@@ -1,0 +1,593 @@
+//! A job of several cycles in one program: read, joined to one path, planned. Format 2 of a job.
+//!
+//! A set-up is read cycle by cycle, each as the job that it would be alone, and its paths are joined: what holds for one cycle is checked by the very
+//! code that checks one.
+
+use crate::cycle::CycleDef;
+use crate::form::{Checker, Field, Finding, Value};
+use crate::formula::Role;
+use crate::geom::{AXIS_NAMES, Vec3};
+use crate::job::Job;
+use crate::job::plan::Planned;
+use crate::job::rows::{ResultRow, ResultWords};
+use crate::num::tidy;
+use crate::part::{self, Run};
+use crate::path::{DatumSource, Feature, Feeds, Path, Purpose, WAY};
+use crate::text::{Text, text};
+
+/// The format of a job with several cycles.
+pub const SET_UP_FORMAT: f64 = 2.0;
+
+/// The most cycles of a set-up.
+pub const MOST_CYCLES: usize = 100;
+
+/// The most characters of the name of a cycle.
+pub const LONGEST_NAME: usize = 12;
+
+/// Names that programs use for something else.
+const RESERVED: [&str; 2] = ["away", "tp"];
+
+/// The height between cycles.
+pub const CLEAR: Field = Field::length("clear", "Height between cycles", 50.0)
+    .range(-1e6, 1e6)
+    .null_by_default()
+    .null_means("as high as the highest cycle begins and ends")
+    .help("Height along the tool axis at which the ball centre goes from one cycle to the next.");
+
+/// The keys of `datum`: what is written into abscissa, ordinate and tool axis of the work offset, and into its rotation.
+pub const DATUM: [&str; 4] = ["x", "y", "z", "rotation"];
+
+/// Whether a job has several cycles.
+pub fn is_set_up(job: &Value) -> bool {
+    matches!(job.get("format"), Some(Value::Number(n)) if *n == SET_UP_FORMAT) || job.get("cycles").is_some()
+}
+
+/// What a set-up is called in a program.
+static WHOLE: CycleDef = CycleDef { title: "Set-up", source: "Touchpath", ..crate::cycle::NONE };
+
+/// The job that a cycle of a set-up would be alone; what is wrong with the set-up itself is not in it.
+pub fn alone(job: &Value, index: usize) -> Option<Value> {
+    let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else { return None };
+    let Value::Map(cycle) = cycles.get(index)? else { return None };
+    let name = name_of(cycles, index);
+    let own = |(key, value): &(String, Value)| match key.as_str() {
+        "format" | "cycle" | "cycles" | "clear" | "datum" => None,
+        "part" => Some((key.clone(), part_of(value, &name))),
+        _ => Some((key.clone(), value.clone())),
+    };
+    let mut alone = vec![("format".to_owned(), Value::Number(crate::job::FORMAT))];
+    alone.extend(entries.iter().filter_map(own));
+    let cycle = cycle.iter().filter(|(key, _)| key != "name").cloned().collect();
+    alone.push(("cycle".to_owned(), Value::Map(cycle)));
+    Some(Value::Map(alone))
+}
+
+/// The virtual part with the sizes of one cycle: `BORE.diameter` is its `diameter`.
+fn part_of(part: &Value, name: &str) -> Value {
+    let Value::Map(entries) = part else { return part.clone() };
+    let of = |(key, value): &(String, Value)| match (key.as_str(), value) {
+        ("sizes", Value::Map(sizes)) => {
+            let own = sizes.iter().filter_map(|(size, value)| {
+                let (of, size) = size.split_once('.')?;
+                of.eq_ignore_ascii_case(name).then(|| (size.to_owned(), value.clone()))
+            });
+            (key.clone(), Value::Map(own.collect()))
+        }
+        _ => (key.clone(), value.clone()),
+    };
+    Value::Map(entries.iter().map(of).collect())
+}
+
+/// The name of a cycle: its own, or what its type is called, with a number where that is taken.
+pub fn name_of(cycles: &[Value], index: usize) -> String {
+    let given = |cycle: &Value| match cycle.get("name") {
+        Some(Value::Text(name)) => Some(name.clone()),
+        _ => None,
+    };
+    if let Some(name) = cycles.get(index).and_then(given) {
+        return name;
+    }
+    let stem = |cycle: &Value| match cycle.get("type") {
+        Some(Value::Text(key)) => crate::cycle::find(key).map_or("CYCLE", |def| def.name),
+        _ => "CYCLE",
+    };
+    let own: String = cycles.get(index).map_or("CYCLE", stem).chars().filter(char::is_ascii_alphanumeric).collect();
+    let earlier = cycles[..index.min(cycles.len())]
+        .iter()
+        .filter(|cycle| given(cycle).is_none() && stem(cycle) == cycles.get(index).map_or("CYCLE", stem));
+    let mut number = earlier.count() + 1;
+    loop {
+        let name = if number == 1 { own.clone() } else { format!("{own}{number}") };
+        if !cycles.iter().filter_map(given).any(|taken| taken.eq_ignore_ascii_case(&name)) {
+            return name;
+        }
+        number += 1;
+    }
+}
+
+/// Plans the paths of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; none where anything is an error.
+pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
+    let cycles = read_list(checker, value)?;
+    let names: Vec<String> = (0..cycles.len()).map(|i| name_of(cycles, i)).collect();
+    check_names(checker, cycles, &names);
+    let mut merged = Merged::new(&names);
+    let mut jobs = Vec::new();
+    let mut whole = None;
+    for (i, name) in names.iter().enumerate() {
+        let Some(single) = alone(value, i) else {
+            let message = text!("cycles[{index}] must be an object, not {given}", i, cycles[i].noun());
+            checker.error("wrong-type", format!("cycles[{i}]"), message);
+            continue;
+        };
+        let mut own = Checker::default();
+        let job = Job::read(&mut own, &single);
+        if i == 0 {
+            (checker.scale, checker.unit) = (own.scale, own.unit);
+            whole = Job::read(&mut Checker::default(), &single);
+        }
+        if let Some(job) = &job
+            && job.def.most_touches == 0
+        {
+            let message = text!("{cycle} measures nothing: only cycles that touch the part stand in a set-up", name.clone());
+            own.error("set-up-unsupported", "cycle.type", message);
+        }
+        merged.take(i, own.findings());
+        jobs.extend(job);
+    }
+    merged.give(checker);
+    check_sizes(checker, value, &names);
+    let clear = read_clear(checker, value);
+    if checker.failed() || jobs.len() != names.len() {
+        return None;
+    }
+    let offset = jobs[0].work_offset;
+    let members: Vec<Planned> = jobs
+        .into_iter()
+        // One write, at the end of all.
+        .map(|job| Planned::of(Job { work_offset: None, ..job }))
+        .collect();
+    let written = read_datum(checker, value, &members, &names, offset.is_some())?;
+    Some(join(Job { def: &WHOLE, ..whole? }, members, names, clear, &written))
+}
+
+fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]> {
+    match value.get("format") {
+        Some(Value::Number(n)) if *n == SET_UP_FORMAT => {}
+        _ => checker.error("unknown-value", "format", text!("A job with a list of cycles has the format 2")),
+    }
+    if value.get("cycle").is_some() {
+        let message = text!("A job has either a cycle or a list of cycles, not both");
+        checker.error("unknown-key", "cycle", message);
+    }
+    match value.get("cycles") {
+        Some(Value::List(cycles)) if (1..=MOST_CYCLES).contains(&cycles.len()) => Some(cycles),
+        Some(Value::List(cycles)) => {
+            let message = text!("A set-up has 1 to {most} cycles, not {count}", MOST_CYCLES, cycles.len());
+            checker.error("wrong-count", "cycles", message);
+            None
+        }
+        Some(other) => {
+            checker.error("wrong-type", "cycles", text!("cycles must be a list, not {given}", other.noun()));
+            None
+        }
+        None => {
+            checker.error("missing", "cycles", text!("A job of format 2 must have a list of cycles"));
+            None
+        }
+    }
+}
+
+fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
+    for (i, name) in names.iter().enumerate() {
+        let path = || format!("cycles[{i}].name");
+        if let Some(other) = cycles[i].get("name").filter(|given| !matches!(given, Value::Text(_) | Value::Null)) {
+            checker.error("wrong-type", path(), text!("The name of a cycle must be text, not {given}", other.noun()));
+        }
+        let plain = name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric());
+        if !plain || name.len() > LONGEST_NAME || RESERVED.iter().any(|word| name.eq_ignore_ascii_case(word)) {
+            let shown: String = name.chars().take(40).collect();
+            let message = text!(
+                "A cycle cannot be called \"{name}\": a letter first, then letters and digits, {most} characters at most, since programs print it",
+                shown,
+                LONGEST_NAME
+            );
+            checker.error("cycle-name", path(), message);
+        } else if let Some(first) = names[..i].iter().position(|other| other.eq_ignore_ascii_case(name)) {
+            let message = text!("Cycles {one} and {other} are both called {name}", first + 1, i + 1, name.clone());
+            checker.error("cycle-name", path(), message);
+        }
+    }
+}
+
+/// Sizes of the virtual part of cycles that are not there.
+fn check_sizes(checker: &mut Checker, value: &Value, names: &[String]) {
+    let Some(Value::Map(sizes)) = value.get("part").and_then(|part| part.get("sizes")) else { return };
+    for (key, _) in sizes {
+        let of = key.split_once('.').map_or("", |(of, _)| of);
+        if !names.iter().any(|name| name.eq_ignore_ascii_case(of)) {
+            let shown = crate::form::printable(key);
+            let message = text!(
+                "\"{key}\" is a size of no cycle here: a size is named after its cycle, as in {example}",
+                shown.clone(),
+                format!("{}.depth", names[0])
+            );
+            checker.error("unknown-key", format!("part.sizes.{shown}"), message);
+        }
+    }
+}
+
+fn read_clear(checker: &mut Checker, value: &Value) -> Option<f64> {
+    let mut section = crate::form::Section::new(checker, Some(value), "");
+    match value.get("clear") {
+        None | Some(Value::Null) => None,
+        Some(given) => section.number(given, &CLEAR, "clear"),
+    }
+}
+
+/// A result of a cycle that may be written: its cycle and its code.
+fn named<'n>(names: &'n [String], text: &'n str) -> Option<(usize, &'n str)> {
+    let (name, code) = text.split_once('.')?;
+    Some((names.iter().position(|known| known.eq_ignore_ascii_case(name))?, code))
+}
+
+/// What is written into which axis: as the job says; what it leaves out is the first cycle that measures the axis, for abscissa and ordinate one that
+/// measures both. A rotation is written on request only.
+fn read_datum(
+    checker: &mut Checker,
+    value: &Value,
+    members: &[Planned],
+    names: &[String],
+    writes: bool,
+) -> Option<DatumSource> {
+    let given = match value.get("datum") {
+        None | Some(Value::Null) => None,
+        Some(datum @ Value::Map(entries)) => {
+            for (key, _) in entries.iter().filter(|(key, _)| !DATUM.contains(&key.as_str())) {
+                let shown = crate::form::printable(key);
+                let message = text!("datum has no \"{key}\"; it knows {keys}", shown.clone(), DATUM.join(", "));
+                checker.error("unknown-key", format!("datum.{shown}"), message);
+            }
+            Some(datum)
+        }
+        Some(other) => {
+            checker.error("wrong-type", "datum", text!("datum must be an object, not {given}", other.noun()));
+            return None;
+        }
+    };
+    let mut written = DatumSource::default();
+    for (axis, key) in DATUM.into_iter().enumerate() {
+        let places = candidates(members, axis);
+        let path = format!("datum.{key}");
+        let found = match given.and_then(|datum| datum.get(key)) {
+            None if axis < 3 => proposed(members, axis),
+            None | Some(Value::Null) => continue,
+            Some(Value::Text(text)) => {
+                let at = named(names, text).and_then(|(member, code)| {
+                    let known = places.iter().find(|(known, own, _)| *known == member && own.eq_ignore_ascii_case(code))?;
+                    Some((known.0, known.2))
+                });
+                if at.is_none() {
+                    checker.error("datum-unknown", path, unknown_datum(text, axis, names, &places));
+                }
+                at
+            }
+            Some(other) => {
+                checker.error(
+                    "wrong-type",
+                    path,
+                    text!("{path} must be text, not {given}", format!("datum.{key}"), other.noun()),
+                );
+                None
+            }
+        };
+        match axis {
+            3 => written.rotation = found,
+            _ => written.place[axis] = found.map(|(member, _)| member),
+        }
+    }
+    if written.rotation.is_some() && written.place[0].is_some() && written.place[0] != written.place[1] {
+        let message = text!(
+            "With a rotation, X and Y are those of one point: take both from the same cycle, and not from {one} and {other}",
+            names[written.place[0].unwrap_or(0)].clone(),
+            written.place[1].map_or_else(|| "-".to_owned(), |member| names[member].clone())
+        );
+        checker.error("datum-apart", "datum", message);
+    }
+    if !writes {
+        written = DatumSource::default();
+    }
+    (!checker.failed()).then_some(written)
+}
+
+fn unknown_datum(text: &str, axis: usize, names: &[String], places: &[(usize, &'static str, usize)]) -> Text {
+    let shown: String = text.chars().take(40).collect();
+    let known: Vec<String> = places.iter().map(|(member, code, _)| format!("{}.{code}", names[*member])).collect();
+    let what = ["X", "Y", "Z", "the rotation"][axis];
+    match known.is_empty() {
+        true => text!(
+            "No cycle of this set-up measures what could be written into {axis}: \"{name}\" is no such result",
+            what,
+            shown
+        ),
+        false => text!("\"{name}\" cannot be written into {axis}: that takes {known}", shown, what, known.join(", ")),
+    }
+}
+
+/// The results that an axis of the work offset, or its rotation, can be written from: member, code, and place in its list.
+fn candidates(members: &[Planned], axis: usize) -> Vec<(usize, &'static str, usize)> {
+    let of = |(member, planned): (usize, &Planned)| {
+        let formula = &planned.path.formula;
+        let measured = formula.datum.as_ref().and_then(|datum| datum.place.get(axis).copied().flatten()?.measured);
+        let results = formula.results.iter().enumerate().filter(move |(_, result)| match axis {
+            3 => result.role == Role::Direction && result.variable.is_some(),
+            _ => measured.is_some() && result.variable == measured,
+        });
+        results.map(|(at, result)| (member, result.code, at)).collect::<Vec<_>>()
+    };
+    members.iter().enumerate().flat_map(of).collect()
+}
+
+/// The cycle that an axis is written from where the job does not say: the first that measures both of the plane, else the first that measures it.
+fn proposed(members: &[Planned], axis: usize) -> Option<(usize, usize)> {
+    let measures =
+        |planned: &Planned, axis: usize| planned.path.formula.datum.as_ref().is_some_and(|datum| datum.measured()[axis]);
+    let both = || members.iter().position(|planned| measures(planned, 0) && measures(planned, 1));
+    let first = || members.iter().position(|planned| measures(planned, axis));
+    let member = if axis < 2 { both().or_else(first) } else { first() };
+    member.filter(|member| measures(&members[*member], axis)).map(|member| (member, 0))
+}
+
+/// The heights at which a cycle begins and ends, along the tool axis.
+fn ends(path: &Path) -> impl Iterator<Item = f64> {
+    let w = path.frame.w;
+    let ends =
+        path.start.into_iter().chain(path.moves.first().map(|step| step.to)).chain(path.moves.last().map(|step| step.to));
+    ends.map(move |place| place.dot(w))
+}
+
+fn join(job: Job, members: Vec<Planned>, names: Vec<String>, clear: Option<f64>, written: &DatumSource) -> Planned {
+    let highest = members.iter().flat_map(|planned| ends(&planned.path)).fold(f64::NEG_INFINITY, f64::max);
+    let single = |(planned, name): (&Planned, String)| {
+        let title = format!("{}: {}", planned.job.def.source, planned.job.def.title);
+        (name, title, planned.path.clone())
+    };
+    let cycles = members.iter().zip(names).map(single).collect();
+    // A cycle with feeds of its own takes those of the job in a set-up, but for its rapid.
+    let rapid = members.iter().find_map(|planned| planned.path.feeds).and_then(|feeds: Feeds| feeds.rapid);
+    let feeds = Feeds { rapid, ..job.feeds };
+    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, written);
+    let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
+    let mut whole = Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members };
+    whole.run = run(&whole, On::Actual);
+    whole
+}
+
+/// Which part a path is run on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum On {
+    /// That of the drawing.
+    Nominal,
+    /// The virtual one.
+    Actual,
+}
+
+impl Planned {
+    /// What happens to a cycle of a set-up on a part.
+    fn run_on(&self, on: On) -> Run {
+        match on {
+            On::Nominal if !self.job.placement.nominal => part::run(&self.path, &self.path.surfaces, &self.job.setup),
+            On::Nominal | On::Actual => self.run.clone(),
+        }
+    }
+}
+
+/// The run of the whole path: each cycle on its own, and every move past what stands of the other features.
+fn run(whole: &Planned, on: On) -> Run {
+    let path = &whole.path;
+    let mut all = Run::default();
+    for (member, planned) in path.members.iter().zip(&whole.members) {
+        let own = planned.run_on(on);
+        all.triggers.extend(own.triggers);
+        let (touch, surface) = (member.touches.start, member.surfaces.start);
+        all.strays.extend(own.strays.iter().map(|(k, other)| (k + touch, other + surface)));
+        all.edges.extend(own.edges.iter().map(|k| k + touch));
+        all.collision = all.collision.or(own.collision.map(|(index, center)| (index + member.moves.start, center)));
+    }
+    let crossing = crossing(whole, on);
+    all.collision = match (all.collision, crossing) {
+        (Some(own), Some(other)) => Some(if other.0 < own.0 { other } else { own }),
+        (own, other) => own.or(other),
+    };
+    if let Some((index, _)) = all.collision {
+        // Nothing after it is run.
+        for step in &path.moves[index..] {
+            if let Purpose::Touch(k) = step.purpose {
+                all.triggers[k] = None;
+            }
+        }
+    }
+    all
+}
+
+/// The first move that meets the feature of another cycle.
+fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
+    let surfaces = if on == On::Nominal { &whole.path.surfaces } else { &whole.surfaces };
+    part::crossing(&whole.path, surfaces, whole.job.setup.radius)
+}
+
+/// What the whole set-up must hold beside its cycles.
+pub fn check(whole: &Planned, checker: &mut Checker) {
+    let Planned { job, path, members, .. } = whole;
+    let (w, radius) = (path.frame.w, job.setup.radius);
+    let least = members.iter().flat_map(|planned| ends(&planned.path).chain(planned.path.top.map(|top| top + radius)));
+    let least = least.fold(f64::NEG_INFINITY, f64::max);
+    let ways = path.moves.iter().filter(|step| step.step == WAY).map(|step| step.to.dot(w));
+    let clear = ways.fold(f64::NEG_INFINITY, f64::max);
+    if clear.is_finite() && clear < least - 1e-6 {
+        let message = text!(
+            "Between the cycles the ball centre goes across at {clear}: it must be no lower than {least}, where the highest of them begins and ends",
+            checker.length(clear),
+            checker.length(least)
+        );
+        checker.error("clear-too-low", "clear", message);
+    }
+    if path.members.len() > 1
+        && members.iter().any(|planned| planned.path.feeds.is_some())
+        && job.form == crate::control::Form::Moves
+    {
+        let message = text!("In a set-up cycle 1411 takes the feeds of the job: its own feed of touches is not used");
+        checker.info("feeds-of-set-up", "feeds", message);
+    }
+    report_order(whole, checker);
+}
+
+/// A feature whose height hangs on a top side that is measured later.
+fn report_order(whole: &Planned, checker: &mut Checker) {
+    let path = &whole.path;
+    let w = path.frame.w;
+    let top = path.members.iter().position(|member| {
+        let touch = member.path.touches.first();
+        matches!(member.path.feature, Feature::Surface(_)) && touch.is_some_and(|touch| touch.vector.dot(w) > 0.999)
+    });
+    let Some(top) = top.filter(|top| *top > 0) else { return };
+    let earlier: Vec<&str> = path.members[..top].iter().map(|member| member.name.as_str()).collect();
+    let message = text!(
+        "{top} measures the height of the part after {others}: on a part that lies higher or lower they touch at another depth. Probe the top first",
+        path.members[top].name.clone(),
+        earlier.join(", ")
+    );
+    checker.info("order-of-cycles", format!("cycles[{top}]"), message);
+}
+
+/// Reports the first move that hits the feature of another cycle: an error on the part of the drawing, a warning on the virtual one.
+pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
+    let (on, found) = match crossing(whole, On::Nominal) {
+        None if !whole.job.placement.nominal => (On::Actual, crossing(whole, On::Actual)),
+        found => (On::Nominal, found),
+    };
+    let Some((index, center)) = found else { return };
+    let path = &whole.path;
+    let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
+    let name = path.members[path.member_of_move(index).unwrap_or(0)].name.clone();
+    let message = if path.moves[index].step == WAY {
+        text!(
+            "Move {move}, on the way to {cycle}, hits the feature of another cycle with the ball centre at {place}",
+            index + 1,
+            name,
+            place.join(", ")
+        )
+    } else {
+        text!(
+            "Move {move}, of {cycle}, hits the feature of another cycle with the ball centre at {place}",
+            index + 1,
+            name,
+            place.join(", ")
+        )
+    };
+    match on {
+        On::Nominal => checker.error("collision", "cycles", message),
+        On::Actual => checker.warning("collision", "part", message),
+    }
+}
+
+/// Findings of single cycles while they become those of a set-up.
+#[derive(Debug)]
+pub struct Merged<'n> {
+    names: &'n [String],
+    /// Of each finding, the cycles that have it.
+    found: Vec<(Finding, Vec<usize>)>,
+}
+
+impl<'n> Merged<'n> {
+    pub fn new(names: &'n [String]) -> Self {
+        Merged { names, found: Vec::new() }
+    }
+
+    /// Takes in what was found of a cycle.
+    pub fn take(&mut self, cycle: usize, findings: Vec<Finding>) {
+        for finding in findings {
+            match self.found.iter_mut().find(|(known, _)| *known == finding) {
+                Some((_, of)) => of.push(cycle),
+                None => self.found.push((finding, vec![cycle])),
+            }
+        }
+    }
+
+    /// Whether a cycle has a finding with this code.
+    pub fn has(&self, code: &str) -> bool {
+        self.found.iter().any(|(finding, _)| finding.code == code)
+    }
+
+    /// Gives all of them: what every cycle has and is of none of their fields is said once, the rest at its cycle and with its name.
+    pub fn give(self, checker: &mut Checker) {
+        for (finding, of) in self.found {
+            let own = finding.path == "cycle" || finding.path.starts_with("cycle.");
+            if !own && of.len() == self.names.len() {
+                checker.adopt(finding);
+                continue;
+            }
+            for cycle in of {
+                let said = text!("{cycle}: {finding}", self.names[cycle].clone(), finding.said.clone());
+                let path = match finding.path.strip_prefix("cycle") {
+                    Some(rest) if own => format!("cycles[{cycle}]{rest}"),
+                    _ => match finding.path.strip_prefix("part.sizes.") {
+                        Some(size) => format!("part.sizes.{}.{size}", self.names[cycle]),
+                        None => finding.path.clone(),
+                    },
+                };
+                checker.adopt(Finding::new(finding.level, &finding.code, path, said));
+            }
+        }
+    }
+}
+
+/// A finding of the whole program, at its place in a job of several cycles.
+pub fn of_whole(finding: Finding) -> Finding {
+    let path = match finding.path.as_str() {
+        // 1411 asks for its rotation by a field of its own.
+        "cycle.confirmRotation" => "datum.rotation".to_owned(),
+        path => path.strip_prefix("cycle").map_or_else(|| path.to_owned(), |_| "cycles".to_owned()),
+    };
+    Finding { path, ..finding }
+}
+
+/// Rows for what the program writes: how far the measured place and the rotation are off their nominal ones.
+pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
+    let (job, path) = (&whole.job, &whole.path);
+    let (Some(number), Some(datum)) = (job.work_offset, &path.formula.datum) else { return Vec::new() };
+    let offset = (job.post.work_offset_word)(number);
+    let row = |result: usize| {
+        let def = &path.formula.results[result];
+        results.iter().find(|row| row.cycle == usize::from(def.cycle) && row.code == def.code)
+    };
+    let mut rows = Vec::new();
+    for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
+        let Some(measured) = datum.place[i].and_then(|place| place.measured) else { continue };
+        let source = path.formula.results.iter().position(|result| result.variable == Some(measured));
+        let Some(source) = source.and_then(row) else { continue };
+        let axis = AXIS_NAMES[job.setup.plane.axes()[i]];
+        rows.push(shift(source, code, text!("Shift of {offset} in {axis} that the program writes", offset.clone(), axis)));
+    }
+    if datum.rotation.is_some()
+        && let Some(source) = path.turned_by().and_then(row)
+    {
+        rows.push(shift(source, "offset.rotation", text!("Rotation of {offset} that the program writes", offset)));
+    }
+    rows
+}
+
+/// How far a result is off its nominal value, as a row of its own.
+fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
+    let truth = source.truth.zip(source.nominal).map(|(truth, nominal)| tidy(truth - nominal));
+    ResultRow {
+        code: code.to_owned(),
+        meaning: meaning.english(),
+        nominal: Some(0.0),
+        value: source.deviation,
+        truth,
+        note: None,
+        stored: None,
+        said: ResultWords { meaning, verdict: source.said.verdict.clone(), note: None },
+        ..source.clone()
+    }
+}

@@ -1,0 +1,180 @@
+//! The paths of several cycles as one: a set-up.
+
+use std::ops::Range;
+
+use crate::formula::{Coordinate, Datum, Formula};
+use crate::geom::Vec3;
+use crate::path::{Feature, Feed, Feeds, Move, Path, Purpose, Surface, Touch, ZERO_LENGTH};
+
+/// The number of the step of a way between two cycles: it is in no list of theirs.
+pub const WAY: u8 = 0;
+
+/// A cycle of a set-up, as a part of the whole path.
+#[derive(Clone, Debug)]
+pub struct Member {
+    /// Its name: letters and digits.
+    pub name: String,
+    /// What it is, for the header of a program: `ENCY/SprutCAM type 4: Hole`.
+    pub title: String,
+    /// Its path as if it were alone.
+    pub path: Path,
+    /// Its moves in the whole, behind the way to it.
+    pub moves: Range<usize>,
+    /// Its touches in the whole.
+    pub touches: Range<usize>,
+    /// Its surfaces in the whole.
+    pub surfaces: Range<usize>,
+    /// Its results in the whole.
+    pub results: Range<usize>,
+    /// How much later than alone its variables are found in the whole.
+    later: u32,
+}
+
+impl Member {
+    /// The index of a variable of its own formula in that of the whole.
+    pub fn datum(&self) -> Option<Datum> {
+        self.path.formula.datum.map(|datum| datum.later_by(self.later))
+    }
+}
+
+/// What a set-up writes: for abscissa, ordinate and tool axis the member that measures it, and the result by which the system is turned.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DatumSource {
+    /// Indexes of members.
+    pub place: [Option<usize>; 3],
+    /// Index of a member, and of the result in its own list.
+    pub rotation: Option<(usize, usize)>,
+}
+
+/// A cycle that becomes a member: name, title and path.
+type Single = (String, String, Path);
+
+impl Path {
+    /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
+    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, source: &DatumSource) -> Path {
+        let (_, _, first) = cycles.first().expect("a set-up has a cycle");
+        let (start, frame) = (first.start, first.frame);
+        let tops: Option<Vec<f64>> = cycles.iter().map(|(_, _, path)| path.top).collect();
+        let mut whole = Path {
+            touches: Vec::new(),
+            moves: Vec::new(),
+            start,
+            top: tops.and_then(|tops| tops.into_iter().reduce(f64::max)),
+            surfaces: Vec::new(),
+            feeds: Some(feeds),
+            frame,
+            formula: Formula::default(),
+            feature: Feature::Several,
+            picked: false,
+            lift: None,
+            own: None,
+            members: Vec::new(),
+            datum_source: *source,
+        };
+        let mut sample = 0;
+        for (name, title, path) in cycles {
+            whole.leads_to(&path, clear);
+            let begin = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
+            whole.take_moves(&path);
+            whole.take_touches(&path, sample);
+            whole.take_surfaces(&path);
+            let later = whole.formula.join(&name, &path.formula, sample);
+            sample += path.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
+            let end = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
+            let [moves, touches, surfaces, results] = [0, 1, 2, 3].map(|i| begin[i]..end[i]);
+            whole.members.push(Member { name, title, path, moves, touches, surfaces, results, later });
+        }
+        whole.formula.datum = whole.datum_of(source);
+        whole
+    }
+
+    /// The way to the next cycle; to the first one the stylus comes from anywhere.
+    fn leads_to(&mut self, next: &Path, clear: f64) {
+        let (Some(last), Some(to)) =
+            (self.moves.last().map(|step| step.to), next.start.or(next.moves.first().map(|step| step.to)))
+        else {
+            return;
+        };
+        let w = self.frame.w;
+        let at = |place: Vec3| place + w * (clear - place.dot(w));
+        // A cycle that does not say where it begins goes to its first place by itself: down, or across where that is as high.
+        let across = Some(at(to)).filter(|over| next.start.is_some() || over.distance(to) > ZERO_LENGTH);
+        for to in [Some(at(last)), across, next.start].into_iter().flatten() {
+            let from = self.moves.last().map_or(to, |step| step.to);
+            if from.distance(to) > ZERO_LENGTH {
+                self.moves.push(Move { to, feed: Feed::Approach, purpose: Purpose::Position, step: WAY, arc: None });
+            }
+        }
+    }
+
+    fn take_moves(&mut self, path: &Path) {
+        let touches = self.touches.len();
+        self.moves.extend(path.moves.iter().map(|step| {
+            let purpose = match step.purpose {
+                Purpose::Position => Purpose::Position,
+                Purpose::Touch(k) => Purpose::Touch(k + touches),
+                Purpose::Search(k) => Purpose::Search(k + touches),
+                Purpose::Back(k) => Purpose::Back(k + touches),
+            };
+            Move { purpose, ..*step }
+        }));
+    }
+
+    fn take_touches(&mut self, path: &Path, sample: usize) {
+        let surfaces = self.surfaces.len();
+        let later = |touch: &Touch| Touch { group: touch.group + surfaces, sample: touch.sample + sample, ..*touch };
+        self.touches.extend(path.touches.iter().map(later));
+    }
+
+    fn take_surfaces(&mut self, path: &Path) {
+        let body = |surface: &Surface| match surface {
+            Surface::Flat(wall) => wall.body + 1,
+            Surface::Round(_) | Surface::Unknown => 0,
+        };
+        let bodies = self.surfaces.iter().map(body).max().unwrap_or(0);
+        self.surfaces.extend(path.surfaces.iter().map(|surface| match surface {
+            Surface::Flat(wall) => Surface::Flat(crate::path::Wall { body: wall.body + bodies, ..*wall }),
+            other => *other,
+        }));
+    }
+
+    /// Index of the result by which the work offset is turned.
+    pub fn turned_by(&self) -> Option<usize> {
+        self.datum_source.rotation.map(|(member, result)| self.members[member].results.start + result)
+    }
+
+    fn datum_of(&mut self, source: &DatumSource) -> Option<Datum> {
+        let place = |axis: usize| -> Option<Coordinate> { self.members[source.place[axis]?].datum()?.place[axis] };
+        let mut place = [0, 1, 2].map(place);
+        // Abscissa and ordinate come together: what is not measured is taken to be nominal.
+        for (one, other) in [(0, 1), (1, 0)] {
+            if let (Some(measures), None) = (source.place[one], place[other]) {
+                let nominal = self.members[measures].datum().and_then(|datum| datum.place[other]);
+                place[other] = place[one].and(nominal).map(|nominal| Coordinate { measured: None, ..nominal });
+            }
+        }
+        let rotation = source.rotation.and_then(|(member, result)| {
+            let member = &self.members[member];
+            let result = &self.formula.results[member.results.start + result];
+            Some((result.variable?, result.nominal))
+        });
+        let rotation = rotation.map(|(variable, nominal)| self.formula.turn(variable, nominal));
+        (place.iter().any(Option::is_some) || rotation.is_some()).then(|| Datum { rotation, ..Datum::of(place) })
+    }
+
+    /// The member to which the way begins with this move.
+    pub fn begins_member(&self, index: usize) -> Option<&Member> {
+        let begin = |m: usize| m.checked_sub(1).map_or(0, |before| self.members[before].moves.end);
+        (0..self.members.len()).find(|m| begin(*m) == index).map(|m| &self.members[m])
+    }
+
+    /// The member that a move is of, or that it leads to; none where the path is of one cycle.
+    pub fn member_of_move(&self, index: usize) -> Option<usize> {
+        (!self.members.is_empty()).then(|| self.members.partition_point(|member| member.moves.end <= index))
+    }
+
+    /// The member that a touch is of; likewise.
+    pub fn member_of_touch(&self, k: usize) -> Option<usize> {
+        (!self.members.is_empty()).then(|| self.members.partition_point(|member| member.touches.end <= k))
+    }
+}

@@ -1,0 +1,317 @@
+//! Jobs of several cycles: one program, safe ways between, one write at the end.
+
+mod refused;
+
+use crate::common::{import, interpret, job, number_at, planned, with};
+use touchpath::cycle::CYCLES;
+use touchpath::form::Value;
+use touchpath::job::{Plan, default_job, evaluate};
+
+/// A vise: its top, a bore, and a corner whose direction turns the work offset.
+pub const VISE: &str = r#"{ "format": 2, "name": "VISE", "control": { "post": "linuxcnc", "workOffset": 1 },
+  "cycles": [
+    { "name": "TOP", "type": "surface", "origin": [-30, 0, 0] },
+    { "name": "BORE", "type": "hole", "diameter": 25 },
+    { "name": "WALL", "type": "double-wall-internal-corner", "origin": [80, 10, -5], "count1": 2, "count2": 2 }
+  ],
+  "datum": { "rotation": "WALL.rotation" },
+  "part": { "offset": [0.3, -0.2, 0.15], "rotation": 0.4 } }"#;
+
+/// The controls with programs of moves.
+const MOVES: [&str; 7] = ["linuxcnc", "grbl", "grblhal", "fluidnc", "sinumerik", "fanuc", "haas"];
+
+/// The keys of the cycles that touch.
+fn measuring() -> Vec<&'static str> {
+    CYCLES.iter().filter(|def| def.most_touches > 0).map(|def| def.key).collect()
+}
+
+/// The cycle of a default job, moved along X.
+fn cycle(key: &str, along: f64) -> Value {
+    let job = default_job(key).unwrap();
+    let cycle = job.get("cycle").unwrap().clone();
+    let moved = |cycle: Value, point: &str| {
+        let Some(Value::List(at)) = cycle.get(point) else { return cycle };
+        let Value::Number(x) = at[0] else { return cycle };
+        let at = vec![Value::Number(x + along), at[1].clone(), at[2].clone()];
+        with(&cycle, point, Value::List(at))
+    };
+    ["origin", "point1", "point2", "start"].into_iter().fold(cycle, moved)
+}
+
+/// A set-up of these cycles, 300 mm apart.
+fn set_up(post: &str, keys: &[&str]) -> Value {
+    let cycles = keys.iter().enumerate().map(|(i, key)| cycle(key, 300.0 * i as f64)).collect();
+    let offset = if ["grbl", "grblhal", "fluidnc"].contains(&post) { Value::Null } else { Value::Number(2.0) };
+    let job = job(&format!(r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "cycles": [] }}"#));
+    with(&with(&job, "cycles", Value::List(cycles)), "control.workOffset", offset)
+}
+
+/// One of its cycles as a job of its own.
+fn alone(post: &str, key: &str, along: f64) -> Value {
+    let job = job(&format!(r#"{{ "format": 1, "control": {{ "post": "{post}" }} }}"#));
+    let rapid = with(&job, "cycle", cycle(key, along));
+    if key == "probing-two-circles" { with(&rapid, "control.form", Value::Text("moves".to_owned())) } else { rapid }
+}
+
+/// Each cycle stands next to another, on every control: its moves, its touches and its results are those that it has alone.
+#[test]
+fn a_cycle_in_a_set_up_is_the_cycle_alone() {
+    let keys = measuring();
+    let mut seen = 0;
+    for post in MOVES {
+        for (i, first) in keys.iter().enumerate() {
+            let pair = [*first, keys[(i + 1) % keys.len()]];
+            let plan = planned(&set_up(post, &pair));
+            assert_eq!(plan.cycles.len(), 2);
+            for (cycle, key) in pair.into_iter().enumerate() {
+                let own = planned(&alone(post, key, 300.0 * cycle as f64));
+                let moves: Vec<_> = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0).collect();
+                // The second cycle of a pair is come to from above: its first move is the way down.
+                assert_eq!(moves.len(), own.moves.len(), "{post} {pair:?} {cycle}");
+                for (a, b) in moves.iter().zip(&own.moves) {
+                    assert_eq!((a.to, a.kind, a.step, &a.arc), (b.to, b.kind, b.step, &b.arc), "{post} {pair:?}");
+                }
+                let touches: Vec<_> = plan.touches.iter().filter(|t| t.cycle == cycle).map(|t| (t.point, t.vector)).collect();
+                assert_eq!(touches, own.touches.iter().map(|t| (t.point, t.vector)).collect::<Vec<_>>());
+                let said = |plan: &Plan, cycle: usize| -> Vec<_> {
+                    let rows = plan.results.iter().filter(|row| row.cycle == cycle && !row.code.starts_with("offset."));
+                    rows.map(|row| (row.code.clone(), row.value, row.truth, row.uncertainty, row.verdict.clone())).collect()
+                };
+                assert_eq!(said(&plan, cycle), said(&own, 0), "{post} {pair:?}");
+                let table = |plan: &Plan, cycle: usize| -> Vec<_> {
+                    plan.table
+                        .iter()
+                        .filter(|row| row.cycle == cycle)
+                        .map(|row| (row.code.clone(), row.value.clone()))
+                        .collect()
+                };
+                assert_eq!(table(&plan, cycle), table(&own, 0));
+                // What no program of it can hold, and what it asks for, is the same.
+                for (a, b) in plan.safety.iter().zip(&own.safety) {
+                    assert_eq!((a.rule, a.holds), (b.rule, b.holds), "{post} {pair:?}: {}", a.message);
+                }
+                seen += 1;
+            }
+            assert!(plan.program.proof.as_ref().is_some_and(|proof| proof.touches == plan.touches.len()));
+            the_ways_between_are_clear(&plan, &format!("{post} {pair:?}"));
+        }
+    }
+    assert_eq!(seen, 2 * MOVES.len() * keys.len());
+}
+
+/// Between two cycles the ball goes up, across and down, and across no lower than any cycle begins or ends.
+fn the_ways_between_are_clear(plan: &Plan, said: &str) {
+    let ends = |cycle: usize| {
+        let own: Vec<_> = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0).collect();
+        [own[0].to[2], own[own.len() - 1].to[2]]
+    };
+    let highest = (0..plan.cycles.len()).flat_map(ends).fold(f64::NEG_INFINITY, f64::max);
+    let mut from = plan.moves[0].to;
+    for step in &plan.moves[1..] {
+        let across = (0..2).any(|axis| (step.to[axis] - from[axis]).abs() > 1e-9);
+        let way = step.step == 0;
+        assert!(!way || step.kind == "position", "{said}");
+        assert!(!way || !across || (step.to[2] - from[2]).abs() < 1e-9, "{said}: neither up nor across: {step:?}");
+        assert!(!way || !across || step.to[2] >= highest - 1e-9, "{said}: across at {}", step.to[2]);
+        from = step.to;
+    }
+}
+
+/// The program with its touches ending where the virtual part triggers them, as LinuxCNC's interpreter needs it.
+fn on_the_part(plan: &Plan) -> String {
+    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
+    for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
+        let trigger = plan.triggers[step.touch.unwrap()].expect("this part is met");
+        let [x, y, z] = trigger.map(|v| format!("{v:.9}"));
+        let line = &mut lines[plan.program.move_lines[index] as usize];
+        assert!(line.starts_with("G38.2"), "{line}");
+        let feed = line.split(' ').next_back().unwrap().to_owned();
+        *line = format!("G38.2 X{x} Y{y} Z{z} {feed}");
+    }
+    lines.join("\n") + "\n"
+}
+
+/// LinuxCNC's interpreter on a part that is displaced and turned: it prints what the plan shows, and in the work offset that it writes every feature of
+/// the part is at its nominal place.
+fn probing_again_reads_nominal(job: &Value, said: &str) {
+    let plan = planned(job);
+    let ran = interpret(&on_the_part(&plan)).unwrap_or_else(|e| panic!("{said}: {e}"));
+    let shown: Vec<_> = plan.results.iter().filter(|r| r.value.is_some() && !r.code.starts_with("offset.")).collect();
+    assert_eq!(ran.prints.len(), shown.len(), "{said}");
+    for ((code, printed), row) in ran.prints.iter().zip(shown) {
+        assert_eq!(*code, format!("{}.{}", plan.cycles[row.cycle], row.code), "{said}");
+        assert!((row.value.unwrap() - printed).abs() < 3e-6, "{said}: {code} printed {printed}, shown {:?}", row.value);
+    }
+    let written = |code: &str| plan.results.iter().any(|row| row.code == code);
+    // A rotation is written first, and with it the offset as it was.
+    let (number, _) = ran.written.expect("it writes");
+    let origin = ran.offsets_after_moves[usize::from(written("offset.rotation"))];
+    assert_eq!(number as f64, number_at(job, "control.workOffset", 0.0), "{said}");
+    let turn = if written("offset.rotation") { ran.rotations_after_moves[0] } else { 0.0 };
+    let (sin, cos) = turn.to_radians().sin_cos();
+    assert_eq!(turn != 0.0, written("offset.rotation"), "{said}");
+    // A place of the machine in the new system: G54 was 0 before.
+    let reads = |p: [f64; 2]| {
+        let [x, y] = [p[0] - origin[0], p[1] - origin[1]];
+        [x * cos + y * sin, y * cos - x * sin]
+    };
+    for cycle in 0..plan.cycles.len() {
+        let row = |code: &str| plan.results.iter().find(|r| r.cycle == cycle && r.code == code);
+        for (x, y) in [("center.x", "center.y"), ("corner.x", "corner.y")] {
+            let (Some(x), Some(y)) = (row(x), row(y)) else { continue };
+            let (Some(tx), Some(ty), Some(nx), Some(ny)) = (x.truth, y.truth, x.nominal, y.nominal) else { continue };
+            let [ax, ay] = reads([tx, ty]);
+            // The interpreter says the rotation with four decimals.
+            let near = 2e-4 + 1e-6 * nx.hypot(ny);
+            assert!(
+                (ax - nx).abs() < near && (ay - ny).abs() < near,
+                "{said}: {} reads {ax} {ay}, not {nx} {ny}",
+                plan.cycles[cycle]
+            );
+        }
+    }
+    if written("offset.z") {
+        let top = plan.results.iter().find(|row| row.code == "point.z").and_then(|row| row.value).unwrap();
+        let nominal = plan.results.iter().find(|row| row.code == "point.z").and_then(|row| row.nominal).unwrap();
+        assert!((top - origin[2] - nominal).abs() < 1e-6, "{said}");
+    }
+}
+
+#[test]
+fn after_the_write_the_vise_is_where_the_drawing_says() {
+    let vise = job(VISE);
+    let plan = planned(&vise);
+    assert_eq!(plan.program.writes, ["X", "Y", "Z", "rotation"]);
+    probing_again_reads_nominal(&vise, "vise");
+    // By hand: the bore of the drawing is at the origin, so that the part's shift is where it is found.
+    let offset = |code: &str| plan.results.iter().find(|row| row.code == code).and_then(|row| row.value).unwrap();
+    for (code, wanted) in [("offset.x", 0.3), ("offset.y", -0.2), ("offset.z", 0.15), ("offset.rotation", 0.4)] {
+        assert!((offset(code) - wanted).abs() < 1e-5, "{code}: {}", offset(code));
+    }
+}
+
+/// A sequence of numbers from 0 to 1 that is the same in every run.
+struct Draws(u64);
+
+impl Draws {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / (1u64 << 31) as f64
+    }
+
+    fn of(&mut self, low: f64, high: f64) -> f64 {
+        (low + (high - low) * self.next()) * 1.0
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.next() * count as f64) as usize % count
+    }
+}
+
+/// Two to six cycles in any order, on a part that lies anywhere a little off.
+#[test]
+fn random_set_ups_are_written_where_their_part_is() {
+    let found = ["hole", "hole-protected", "boss", "double-wall-internal-corner", "double-wall-external-corner", "surface"];
+    let mut draws = Draws(2026);
+    let (mut turned, mut together) = (0, 0);
+    for round in 0..24 {
+        let count = 2 + draws.below(5);
+        let cycles: Vec<Value> = (0..count)
+            .map(|i| {
+                // A point in the plane to write from, and a direction to turn by.
+                let key = match i {
+                    0 => found[draws.below(3)],
+                    1 => found[3 + draws.below(2)],
+                    _ => found[draws.below(found.len())],
+                };
+                let one = cycle(key, 0.0);
+                let at = [250.0 * i as f64 + draws.of(-10.0, 10.0), draws.of(-40.0, 40.0), draws.of(-3.0, 3.0)];
+                let at = at.map(|x| Value::Number((x * 1000.0).round() / 1000.0)).to_vec();
+                let one = with(&one, "origin", Value::List(at));
+                let counted = with(&with(&one, "count1", Value::Number(2.0)), "count2", Value::Number(2.0));
+                if key.starts_with("double") { counted } else { one }
+            })
+            .collect();
+        let turns = draws.next() < 0.5;
+        let rotation = if turns { r#"{ "rotation": "CORNER.rotation" }"# } else { "{}" };
+        let part = if turns { draws.of(-0.15, 0.15) } else { 0.0 };
+        let names: Vec<&str> = (0..count).map(|i| ["FIRST", "CORNER", "C", "D", "E", "F"][i]).collect();
+        let cycles = cycles.into_iter().zip(&names).map(|(one, name)| with(&one, "name", Value::Text((*name).to_owned())));
+        let text = format!(
+            r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "workOffset": {} }}, "datum": {rotation}, "limits": {{ "size": null, "residual": null }},
+            "part": {{ "offset": [{:.4}, {:.4}, {:.4}], "rotation": {part:.5} }}, "cycles": [] }}"#,
+            1 + draws.below(9),
+            draws.of(-0.4, 0.4),
+            draws.of(-0.4, 0.4),
+            draws.of(-0.3, 0.3)
+        );
+        let whole = with(&job(&text), "cycles", Value::List(cycles.collect()));
+        probing_again_reads_nominal(&whole, &format!("round {round}"));
+        turned += usize::from(turns);
+        together += count;
+    }
+    assert!(turned > 5 && together > 60, "{turned} {together}");
+}
+
+/// The header says the whole set-up: a program comes back as its job, on every control.
+#[test]
+fn a_program_is_its_set_up_again() {
+    let keys = ["surface", "hole-protected", "web", "double-wall-external-corner"];
+    for post in MOVES {
+        let whole = set_up(post, &keys);
+        let whole = with(&with(&whole, "clear", Value::Number(60.5)), "name", Value::Text("FOUR".to_owned()));
+        let plan = planned(&whole);
+        let read = import(&plan.program.text).unwrap_or_else(|e| panic!("{post}: {:#?}", e.findings));
+        let differs = read.findings.iter().find(|f| f.code != "part-not-in-program");
+        assert!(differs.is_none(), "{post}: {differs:?}");
+        let again = planned(&read.job);
+        assert_eq!(again.program.text, plan.program.text, "{post}");
+        assert_eq!(read.job.get("cycles").map(|c| matches!(c, Value::List(l) if l.len() == 4)), Some(true));
+        // A changed digit is found in whatever cycle it is.
+        let changed = plan.program.text.replacen("60.5", "59.5", 2);
+        assert_ne!(changed, plan.program.text, "{post}");
+        let read = import(&changed).unwrap_or_else(|e| panic!("{post}: {:#?}", e.findings));
+        assert!(read.findings.iter().any(|f| f.code == "program-differs" || f.code == "unsafe-program"), "{post}");
+    }
+}
+
+/// What a machine prints of a set-up gives its results, and so do its points.
+#[test]
+fn a_set_up_is_evaluated_from_points_and_from_what_it_prints() {
+    let vise = job(VISE);
+    let plan = planned(&vise);
+    let points = plan.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
+    let rows = evaluate(&vise, &Value::List(points)).unwrap();
+    assert_eq!(rows.len(), plan.results.len());
+    for (a, b) in rows.iter().zip(&plan.results) {
+        assert_eq!((a.cycle, &a.code, a.uncertainty), (b.cycle, &b.code, b.uncertainty));
+        assert!(a.value.unwrap_or(0.0) - b.value.unwrap_or(0.0) < 1e-9);
+    }
+    let printed: String = plan
+        .results
+        .iter()
+        .filter(|row| !row.code.starts_with("offset."))
+        .map(|row| format!("{}.{}={:.6}\n", plan.cycles[row.cycle], row.code, row.value.unwrap()))
+        .collect();
+    let rows = evaluate(&vise, &Value::Text(printed)).unwrap();
+    let turn = rows.iter().find(|row| row.code == "offset.rotation").and_then(|row| row.value).unwrap();
+    assert!((turn - 0.4).abs() < 1e-5, "{turn}");
+}
+
+/// Converted to inch and back, a set-up is the same, and its sizes and its height with it.
+#[test]
+fn a_set_up_in_inch_is_the_same() {
+    let vise = with(&job(VISE), "clear", Value::Number(50.8));
+    let vise = with(&vise, "part.sizes", job(r#"{ "BORE.diameter": 0.254 }"#));
+    let inch = touchpath::job::convert_units(&vise, "inch").unwrap();
+    assert_eq!(inch.get("clear"), Some(&Value::Number(2.0)));
+    assert_eq!(inch.get("part").and_then(|p| p.get("sizes")), Some(&job(r#"{ "BORE.diameter": 0.01 }"#)));
+    let [mm, other] = [&vise, &inch].map(planned);
+    for (a, b) in mm.results.iter().zip(&other.results) {
+        let scale = if a.unit == "deg" { 1.0 } else { 25.4 };
+        let (a, b) = (a.value.unwrap(), b.value.unwrap() * scale);
+        assert!((a - b).abs() < 2e-4, "{a} {b}");
+    }
+    let diameter = mm.results.iter().find(|row| row.code == "diameter").unwrap();
+    assert!((diameter.value.unwrap() - 25.254).abs() < 1e-5);
+}
