@@ -4,7 +4,7 @@
 use crate::form::{Checker, Value};
 use crate::job::Job;
 use crate::job::defaults::resolved;
-use crate::job::plan::Planned;
+use crate::job::planned::Planned;
 use crate::path::{Feature, OwnBlock, Parameter, ParameterValue, Path};
 
 /// By how much a value is moved, in units of the job.

@@ -2,9 +2,9 @@
 
 use crate::cycle::{self, CycleDef};
 use crate::form::{Default, Field, Value};
+use crate::job::cycles::{SET_UP_FORMAT, alone, is_set_up, name_of};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, SECTIONS, Units};
-use crate::job::set_up::{self, is_set_up};
 use crate::job::units::default_in;
 
 /// How defaults, which are given in mm, are brought to a job in inch.
@@ -143,16 +143,16 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
     let mut whole = None;
     let mut all = Vec::with_capacity(cycles.len());
     for index in 0..cycles.len() {
-        let Value::Map(single) = resolved(&set_up::alone(job, index)?)? else { return None };
+        let Value::Map(single) = resolved(&alone(job, index)?)? else { return None };
         let Some((_, Value::Map(mut cycle))) = single.iter().find(|(key, _)| key == "cycle").cloned() else { return None };
-        cycle.insert(0, ("name".to_owned(), Value::Text(set_up::name_of(cycles, index))));
+        cycle.insert(0, ("name".to_owned(), Value::Text(name_of(cycles, index))));
         all.push(Value::Map(cycle));
         whole.get_or_insert(single);
     }
     let mut entries = whole?;
     for (key, value) in &mut entries {
         match key.as_str() {
-            "format" => *value = Value::Number(set_up::SET_UP_FORMAT),
+            "format" => *value = Value::Number(SET_UP_FORMAT),
             "part" => value.clone_from(job.get("part").unwrap_or(&Value::Null)),
             _ => {}
         }

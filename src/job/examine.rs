@@ -6,11 +6,13 @@ use crate::control::safety::{self, Restarts};
 use crate::form::{Checker, Value};
 use crate::job::SafetyRow;
 use crate::job::defaults::resolved;
-use crate::job::plan::{Planned, request};
+use crate::job::plan::{read, request};
+#[cfg(test)]
+use crate::job::planned::Planned;
 
 /// Asks something about the program that a job is to have; none where the job has errors.
 fn about<T>(value: &Value, header: bool, ask: impl FnOnce(&Request<'_>) -> T) -> Option<T> {
-    let planned = Planned::read(&mut Checker::default(), value)?;
+    let planned = read(&mut Checker::default(), value)?;
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     let whole = if header { resolved(value) } else { None };
     Some(ask(&request(&planned, &feeds, whole.as_ref())))

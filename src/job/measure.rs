@@ -5,7 +5,8 @@ use serde::Serialize;
 use crate::form::{Checker, Finding, Value};
 use crate::formula::Role;
 use crate::geom::Vec3;
-use crate::job::plan::{Planned, judge_plausible, request};
+use crate::job::plan::{judge_plausible, request};
+use crate::job::planned::Planned;
 use crate::job::rows::{ResultRow, Triple, result_rows, triple};
 use crate::job::{Job, JobError, set_up};
 use crate::part::{self, Expected, Stand};
@@ -66,7 +67,7 @@ fn evaluated(planned: &Planned, points: &[Option<Vec3>], stated: Option<&[Option
         let stated = stated.map(|results| &results[member.results.clone()]);
         let (rows, good) = evaluated(own, &points[member.touches.clone()], stated);
         plausible &= good;
-        results.extend(rows.into_iter().map(|row| ResultRow { cycle: i, ..row }));
+        results.extend(set_up::rows_of(i, rows));
     }
     results.extend(set_up::written_rows(planned, &results));
     (results, plausible)

@@ -2,7 +2,8 @@
 
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
-use crate::job::{SECTIONS, set_up};
+use crate::job::SECTIONS;
+use crate::job::cycles::alone;
 use crate::text::{Text, text, words};
 
 const POINT: &str = words!("a list of three numbers");
@@ -15,7 +16,7 @@ pub fn misfit(job: &Value) -> Option<Text> {
         return Some(text!("The job must be an object"));
     }
     if let Some(Value::List(cycles)) = job.get("cycles") {
-        let own = |index: usize| match set_up::alone(job, index) {
+        let own = |index: usize| match alone(job, index) {
             Some(alone) => misfit(&alone),
             None => Some(text!("{path} must be {what}", format!("cycles[{index}]"), OBJECT)),
         };

@@ -8,6 +8,7 @@
 //! ```
 
 mod calls;
+mod cycles;
 mod defaults;
 mod examine;
 mod inertia;
@@ -18,6 +19,7 @@ mod misfit;
 mod naming;
 mod picture;
 mod plan;
+mod planned;
 mod rows;
 mod sections;
 mod set_up;
@@ -42,6 +44,7 @@ pub use units::convert_units;
 /// Where a picture is looked at from.
 pub use crate::view::scene::Projection;
 
+pub(crate) use cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT};
 pub(crate) use defaults::{default_job_in, resolved, section_defaults_in, typed_in_inch};
 pub(crate) use examine::examine;
 #[cfg(test)]
@@ -55,9 +58,9 @@ pub(crate) use misfit::misfit;
 pub(crate) use picture::Picture;
 #[cfg(any(test, target_arch = "wasm32"))]
 pub(crate) use plan::minutes;
-pub(crate) use plan::{Planned, plan_with_path, planned};
+pub(crate) use plan::{plan_with_path, planned};
+pub(crate) use planned::Planned;
 pub(crate) use sections::{Job, SECTIONS, size_reach};
-pub(crate) use set_up::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
 #[cfg(target_arch = "wasm32")]
@@ -118,7 +121,7 @@ pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobEr
 /// - or the log of a sender with grbl's `[PRB:…]`, and what says the work offset.
 pub fn measure(value: &Value, measured: &Value) -> Result<Measurement, JobError> {
     let mut checker = Checker::default();
-    let Some(planned) = Planned::read(&mut checker, value) else {
+    let Some(planned) = plan::read(&mut checker, value) else {
         return Err(JobError { findings: checker.findings() });
     };
     measure::of(&planned, measured, checker)

@@ -3,107 +3,23 @@
 //! A set-up is read cycle by cycle, each as the job that it would be alone, and its paths are joined: what holds for one cycle is checked by the very
 //! code that checks one.
 
+use crate::control::Form;
+use crate::control::own::Several;
 use crate::cycle::CycleDef;
-use crate::form::{Checker, Field, Finding, Value};
+use crate::form::{Checker, Finding, Value};
 use crate::formula::Role;
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::Job;
-use crate::job::plan::Planned;
+use crate::job::cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RESERVED, SET_UP_FORMAT, alone, name_of};
+use crate::job::planned::Planned;
 use crate::job::rows::{ResultRow, ResultWords};
 use crate::num::tidy;
 use crate::part::{self, Run};
-use crate::path::{DatumSource, Feature, Feeds, Path, Purpose, WAY};
-use crate::text::{Text, text};
-
-/// The format of a job with several cycles.
-pub const SET_UP_FORMAT: f64 = 2.0;
-
-/// The most cycles of a set-up.
-pub const MOST_CYCLES: usize = 100;
-
-/// The most characters of the name of a cycle.
-pub const LONGEST_NAME: usize = 12;
-
-/// Names that programs use for something else.
-const RESERVED: [&str; 2] = ["away", "tp"];
-
-/// The height between cycles.
-pub const CLEAR: Field = Field::length("clear", "Height between cycles", 50.0)
-    .range(-1e6, 1e6)
-    .null_by_default()
-    .null_means("as high as the highest cycle begins and ends")
-    .help("Height along the tool axis at which the ball centre goes from one cycle to the next.");
-
-/// The keys of `datum`: what is written into abscissa, ordinate and tool axis of the work offset, and into its rotation.
-pub const DATUM: [&str; 4] = ["x", "y", "z", "rotation"];
-
-/// Whether a job has several cycles.
-pub fn is_set_up(job: &Value) -> bool {
-    matches!(job.get("format"), Some(Value::Number(n)) if *n == SET_UP_FORMAT) || job.get("cycles").is_some()
-}
+use crate::path::{DatumSource, Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, WAY, WayBlock};
+use crate::text::{Text, text, words};
 
 /// What a set-up is called in a program.
 static WHOLE: CycleDef = CycleDef { title: "Set-up", source: "Touchpath", ..crate::cycle::NONE };
-
-/// The job that a cycle of a set-up would be alone; what is wrong with the set-up itself is not in it.
-pub fn alone(job: &Value, index: usize) -> Option<Value> {
-    let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else { return None };
-    let Value::Map(cycle) = cycles.get(index)? else { return None };
-    let name = name_of(cycles, index);
-    let own = |(key, value): &(String, Value)| match key.as_str() {
-        "format" | "cycle" | "cycles" | "clear" | "datum" => None,
-        "part" => Some((key.clone(), part_of(value, &name))),
-        _ => Some((key.clone(), value.clone())),
-    };
-    let mut alone = vec![("format".to_owned(), Value::Number(crate::job::FORMAT))];
-    alone.extend(entries.iter().filter_map(own));
-    let cycle = cycle.iter().filter(|(key, _)| key != "name").cloned().collect();
-    alone.push(("cycle".to_owned(), Value::Map(cycle)));
-    Some(Value::Map(alone))
-}
-
-/// The virtual part with the sizes of one cycle: `BORE.diameter` is its `diameter`.
-fn part_of(part: &Value, name: &str) -> Value {
-    let Value::Map(entries) = part else { return part.clone() };
-    let of = |(key, value): &(String, Value)| match (key.as_str(), value) {
-        ("sizes", Value::Map(sizes)) => {
-            let own = sizes.iter().filter_map(|(size, value)| {
-                let (of, size) = size.split_once('.')?;
-                of.eq_ignore_ascii_case(name).then(|| (size.to_owned(), value.clone()))
-            });
-            (key.clone(), Value::Map(own.collect()))
-        }
-        _ => (key.clone(), value.clone()),
-    };
-    Value::Map(entries.iter().map(of).collect())
-}
-
-/// The name of a cycle: its own, or what its type is called, with a number where that is taken.
-pub fn name_of(cycles: &[Value], index: usize) -> String {
-    let given = |cycle: &Value| match cycle.get("name") {
-        Some(Value::Text(name)) => Some(name.clone()),
-        _ => None,
-    };
-    if let Some(name) = cycles.get(index).and_then(given) {
-        return name;
-    }
-    let stem = |cycle: &Value| match cycle.get("type") {
-        Some(Value::Text(key)) => crate::cycle::find(key).map_or("CYCLE", |def| def.name),
-        _ => "CYCLE",
-    };
-    let own: String = cycles.get(index).map_or("CYCLE", stem).chars().filter(char::is_ascii_alphanumeric).collect();
-    let earlier = cycles[..index.min(cycles.len())]
-        .iter()
-        .filter(|cycle| given(cycle).is_none() && stem(cycle) == cycles.get(index).map_or("CYCLE", stem));
-    let mut number = earlier.count() + 1;
-    loop {
-        let name = if number == 1 { own.clone() } else { format!("{own}{number}") };
-        if !cycles.iter().filter_map(given).any(|taken| taken.eq_ignore_ascii_case(&name)) {
-            return name;
-        }
-        number += 1;
-    }
-}
 
 /// Plans the paths of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; none where anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
@@ -140,19 +56,41 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     if checker.failed() || jobs.len() != names.len() {
         return None;
     }
-    let offset = jobs[0].work_offset;
-    let members: Vec<Planned> = jobs
-        .into_iter()
-        // One write, at the end of all.
-        .map(|job| Planned::of(Job { work_offset: None, ..job }))
-        .collect();
-    let written = read_datum(checker, value, &members, &names, offset.is_some())?;
-    Some(join(Job { def: &WHOLE, ..whole? }, members, names, clear, &written))
+    let several = several(&jobs[0]);
+    if let Some(Err(why)) = several {
+        let message = text!("A set-up of the control's own cycles: {why}", jobs[0].post.says(why));
+        checker.error("set-up-unsupported", "cycles", message);
+        return None;
+    }
+    let (offset, count) = (jobs[0].work_offset, jobs.len());
+    // One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
+    let work_offset = |i: usize| offset.filter(|_| several.is_some() && i + 1 == count);
+    let members = jobs.into_iter().enumerate().map(|(i, job)| Planned::of(Job { work_offset: work_offset(i), ..job }));
+    let members: Vec<Planned> = members.collect();
+    let source = read_datum(checker, value, &members, &names, offset.is_some())?;
+    let whole = join(Job { def: &WHOLE, ..whole? }, members, names, clear, &source);
+    if let Some(Ok(Several { kept: (first, last), .. })) = several {
+        let kept = whole.path.own.iter().flat_map(|own| &own.blocks).filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
+        let (kept, room) = (kept.count(), last + 1 - first);
+        if kept > room {
+            let message = text!(
+                "The results of these cycles need {count} variables, and the control has {room} for them: use fewer cycles",
+                kept,
+                room
+            );
+            checker.error("too-many-registers", "cycles", message);
+            return None;
+        }
+    }
+    Some(whole)
 }
 
 fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]> {
     match value.get("format") {
         Some(Value::Number(n)) if *n == SET_UP_FORMAT => {}
+        Some(Value::Number(n)) if *n > SET_UP_FORMAT => {
+            checker.error("newer-format", "format", text!("This job is of a newer format than 2: a newer Touchpath is needed"));
+        }
         _ => checker.error("unknown-value", "format", text!("A job with a list of cycles has the format 2")),
     }
     if value.get("cycle").is_some() {
@@ -255,10 +193,13 @@ fn read_datum(
         }
     };
     let mut written = DatumSource::default();
+    let own = several(&members[0].job).is_some();
+    let last = &members[members.len() - 1..];
     for (axis, key) in DATUM.into_iter().enumerate() {
         let places = candidates(members, axis);
         let path = format!("datum.{key}");
         let found = match given.and_then(|datum| datum.get(key)) {
+            None if axis < 3 && own => proposed(last, axis).map(|(_, result)| (members.len() - 1, result)),
             None if axis < 3 => proposed(members, axis),
             None | Some(Value::Null) => continue,
             Some(Value::Text(text)) => {
@@ -295,6 +236,19 @@ fn read_datum(
     }
     if !writes {
         written = DatumSource::default();
+    }
+    let early = written.place.iter().flatten().find(|member| **member + 1 < members.len());
+    if let Some(early) = early.filter(|_| own) {
+        let message = text!(
+            "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
+            names[*early].clone()
+        );
+        checker.error("set-up-unsupported", "datum", message);
+    }
+    if written.rotation.is_some() && own {
+        let message =
+            text!("The control's own cycles write no rotation that another cycle has measured: use the form \"moves\"");
+        checker.error("set-up-unsupported", "datum.rotation", message);
     }
     (!checker.failed()).then_some(written)
 }
@@ -345,21 +299,42 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
     ends.map(move |place| place.dot(w))
 }
 
-fn join(job: Job, members: Vec<Planned>, names: Vec<String>, clear: Option<f64>, written: &DatumSource) -> Planned {
+fn join(job: Job, mut members: Vec<Planned>, names: Vec<String>, clear: Option<f64>, source: &DatumSource) -> Planned {
     let highest = members.iter().flat_map(|planned| ends(&planned.path)).fold(f64::NEG_INFINITY, f64::max);
+    let several = several(&job).and_then(Result::ok).filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
+    if let Some(Several { kept: (first, _), .. }) = several {
+        let (mut kept, count) = (0, members.len());
+        for (i, planned) in members.iter_mut().enumerate() {
+            if let Some(own) = &mut planned.path.own {
+                kept = own.keep(i + 1 == count, (first, kept));
+            }
+        }
+    }
     let single = |(planned, name): (&Planned, String)| {
         let title = format!("{}: {}", planned.job.def.source, planned.job.def.title);
         (name, title, planned.path.clone())
     };
     let cycles = members.iter().zip(names).map(single).collect();
-    // A cycle with feeds of its own takes those of the job in a set-up, but for its rapid.
-    let rapid = members.iter().find_map(|planned| planned.path.feeds).and_then(|feeds: Feeds| feeds.rapid);
-    let feeds = Feeds { rapid, ..job.feeds };
-    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, written);
+    let own = members.iter().find_map(|planned| planned.path.feeds);
+    let feeds = match (several, own) {
+        (Some(_), Some(own)) => own,
+        // A cycle with feeds of its own takes those of the job in a set-up, but for its rapid.
+        (_, own) => Feeds { rapid: own.and_then(|feeds| feeds.rapid), ..job.feeds },
+    };
+    let rate = feeds.rate(Feed::Approach).unwrap_or(STATED_RAPID);
+    let radius = job.setup.radius;
+    let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
+    let way = way.as_ref().map(|way| way as WayBlock<'_>);
+    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, source, way);
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
     let mut whole = Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members };
     whole.run = run(&whole, On::Actual);
     whole
+}
+
+/// How a program of several cycles of the control's own is made, or why it is not; none of programs of moves.
+fn several(job: &Job) -> Option<Result<Several, &'static str>> {
+    (job.form == Form::Cycle).then(|| job.post.own.map_or(Err(words!("{control} has no cycles of its own")), |own| own.several))
 }
 
 /// Which part a path is run on.
@@ -549,6 +524,11 @@ pub fn of_whole(finding: Finding) -> Finding {
         path => path.strip_prefix("cycle").map_or_else(|| path.to_owned(), |_| "cycles".to_owned()),
     };
     Finding { path, ..finding }
+}
+
+/// The results of a cycle in those of the whole, which says by itself what is written.
+pub fn rows_of(cycle: usize, rows: Vec<ResultRow>) -> impl Iterator<Item = ResultRow> {
+    rows.into_iter().filter(|row| !row.code.starts_with("offset.")).map(move |row| ResultRow { cycle, ..row })
 }
 
 /// Rows for what the program writes: how far the measured place and the rotation are off their nominal ones.

@@ -3,8 +3,8 @@
 use crate::cycle;
 use crate::form::{Field, Finding, Level, Value};
 use crate::job::JobError;
+use crate::job::cycles::{alone, is_set_up, name_of};
 use crate::job::sections::{SECTIONS, Units};
-use crate::job::set_up::{self, is_set_up};
 use crate::text::text;
 use crate::tolerance;
 
@@ -106,17 +106,17 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
     }
     let count = if let Some(Value::List(cycles)) = job.get("cycles") { cycles.len() } else { 0 };
     for index in 0..count {
-        let alone = set_up::alone(job, index).and_then(|alone| convert_units(&alone, units.word()).ok());
-        let (Some(alone), Some(Value::List(cycles))) = (alone, entry(&mut converted, "cycles")) else { continue };
-        let (Some(Value::Map(own)), Some(Value::Map(cycle))) = (alone.get("cycle"), cycles.get_mut(index)) else { continue };
+        let single = alone(job, index).and_then(|alone| convert_units(&alone, units.word()).ok());
+        let (Some(single), Some(Value::List(cycles))) = (single, entry(&mut converted, "cycles")) else { continue };
+        let (Some(Value::Map(own)), Some(Value::Map(cycle))) = (single.get("cycle"), cycles.get_mut(index)) else { continue };
         for (key, value) in own {
             if let Some((_, place)) = cycle.iter_mut().find(|(known, _)| known == key) {
                 place.clone_from(value);
             }
         }
-        let sizes = alone.get("part").and_then(|part| part.get("sizes")).cloned();
+        let sizes = single.get("part").and_then(|part| part.get("sizes")).cloned();
         let (Some(Value::Map(sizes)), Some(Value::List(cycles))) = (sizes, job.get("cycles")) else { continue };
-        let name = set_up::name_of(cycles, index);
+        let name = name_of(cycles, index);
         let Some(Value::Map(all)) = entry(&mut converted, "part").and_then(|part| entry(part, "sizes")) else { continue };
         for (key, value) in sizes {
             let named =

@@ -13,7 +13,7 @@ mod tracer;
 pub use feature::{Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Subject, Top, Touched, TwoCircles};
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Member, WAY};
+pub use set_up::{DatumSource, Member, WAY, WayBlock};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 

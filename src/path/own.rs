@@ -78,6 +78,33 @@ pub struct Reach {
     pub behind: f64,
 }
 
+impl Own {
+    /// Keeps what the next cycle would empty, and counts what is kept from `kept` on, where other cycles have kept so much. How much is kept then.
+    pub fn keep(&mut self, last: bool, (first, kept): (usize, usize)) -> usize {
+        let shift = |variable: usize| variable + kept;
+        let mut count = 0;
+        for (block, _) in &mut self.blocks {
+            if let OwnBlock::Keep(variable, _) = block {
+                *variable = shift(*variable);
+                count += 1;
+            }
+        }
+        for (_, stored) in &mut self.stored {
+            *stored = match *stored {
+                Stored::Kept(variable) => Stored::Kept(shift(variable)),
+                Stored::Output(output) if !last => {
+                    let variable = first + kept + count;
+                    count += 1;
+                    self.blocks.push((OwnBlock::Keep(variable, output), 0));
+                    Stored::Kept(variable)
+                }
+                output => output,
+            };
+        }
+        kept + count
+    }
+}
+
 /// A program of calls, and how many moves of the path each of them makes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Own {
@@ -86,7 +113,7 @@ pub struct Own {
     pub blocks: Vec<(OwnBlock, usize)>,
     /// Which of the moves that the calls ask for each move behind the first is: on another part some have no length.
     pub counts: Vec<usize>,
-    /// Where each result is found, by its code.
+    /// Where each result is found, by its code; of a set-up [`Path::stored`](crate::path::Path::stored) says it.
     pub stored: Vec<(&'static str, Stored)>,
     /// How far its touches reach, where the calls do not say it.
     pub reach: Reach,

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::formula::{Coordinate, Datum, Formula};
 use crate::geom::Vec3;
-use crate::path::{Feature, Feed, Feeds, Move, Path, Purpose, Surface, Touch, ZERO_LENGTH};
+use crate::path::{Feature, Feed, Feeds, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
 
 /// The number of the step of a way between two cycles: it is in no list of theirs.
 pub const WAY: u8 = 0;
@@ -49,9 +49,13 @@ pub struct DatumSource {
 /// A cycle that becomes a member: name, title and path.
 type Single = (String, String, Path);
 
+/// Makes the block of a way to a place, along these axes.
+pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
+
 impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
-    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, source: &DatumSource) -> Path {
+    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own.
+    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, source: &DatumSource, way: Option<WayBlock<'_>>) -> Path {
         let (_, _, first) = cycles.first().expect("a set-up has a cycle");
         let (start, frame) = (first.start, first.frame);
         let tops: Option<Vec<f64>> = cycles.iter().map(|(_, _, path)| path.top).collect();
@@ -73,7 +77,11 @@ impl Path {
         };
         let mut sample = 0;
         for (name, title, path) in cycles {
+            let before = whole.moves.len();
             whole.leads_to(&path, clear);
+            if let Some(way) = way {
+                whole.take_calls(&path, before, way);
+            }
             let begin = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
             whole.take_moves(&path);
             whole.take_touches(&path, sample);
@@ -105,6 +113,23 @@ impl Path {
                 self.moves.push(Move { to, feed: Feed::Approach, purpose: Purpose::Position, step: WAY, arc: None });
             }
         }
+    }
+
+    /// The calls of the next cycle, behind those of the way to it: its moves from this index on, and its own first one.
+    fn take_calls(&mut self, path: &Path, before: usize, way: WayBlock<'_>) {
+        let Some(own) = &path.own else { return };
+        let Some(whole) = &mut self.own else {
+            self.own = Some(own.clone());
+            return;
+        };
+        let mut from = self.moves[before - 1].to;
+        let first = path.moves.first().map(|step| step.to);
+        for to in self.moves[before..].iter().map(|step| step.to).chain(first) {
+            let axes = [0, 1, 2].map(|axis| (to[axis] - from[axis]).abs() > ZERO_LENGTH);
+            whole.blocks.push((way(to, axes), 1));
+            from = to;
+        }
+        whole.blocks.extend(own.blocks.iter().cloned());
     }
 
     fn take_moves(&mut self, path: &Path) {
@@ -171,6 +196,19 @@ impl Path {
     /// The member that a move is of, or that it leads to; none where the path is of one cycle.
     pub fn member_of_move(&self, index: usize) -> Option<usize> {
         (!self.members.is_empty()).then(|| self.members.partition_point(|member| member.moves.end <= index))
+    }
+
+    /// Where each result is found after cycles of the control's own, by its name: of a set-up with that of its cycle.
+    pub fn stored(&self) -> Vec<(String, Stored)> {
+        let of = |path: &Path, cycle: &str| -> Vec<(String, Stored)> {
+            let own = path.own.iter().flat_map(|own| &own.stored);
+            own.map(|(code, stored)| (format!("{cycle}{code}"), *stored)).collect()
+        };
+        match self.members.as_slice() {
+            [] => of(self, ""),
+            [only] => of(&only.path, ""),
+            members => members.iter().flat_map(|member| of(&member.path, &format!("{}.", member.name))).collect(),
+        }
     }
 
     /// The member that a touch is of; likewise.

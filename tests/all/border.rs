@@ -54,8 +54,8 @@ fn the_sections_of_a_plan_are_where_its_head_says() {
     ] {
         assert_eq!(packed.numbers[at(section)], rows as f64, "{section:?}");
     }
-    // Four touches of seven numbers; then the moves.
-    assert_eq!(at(Section::Moves), at(Section::Touches) + 1 + 7 * 4);
+    // Four touches of eight numbers; then the moves.
+    assert_eq!(at(Section::Moves), at(Section::Touches) + 1 + 8 * 4);
     assert_eq!(packed.numbers[at(Section::Touches) + 1..][..3], plan.touches[0].point);
     // Four triggers of three numbers; then the findings.
     assert_eq!(at(Section::Findings), at(Section::Triggers) + 1 + 3 * 4);

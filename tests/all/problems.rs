@@ -84,7 +84,7 @@ fn each_problem_is_found_where_it_is() {
         // The job itself.
         (number(3.0), "wrong-type "),
         (Value::Null, "wrong-type "),
-        (with(&pocket(), "format", number(2.0)), "newer-format format"),
+        (with(&pocket(), "format", number(3.0)), "newer-format format"),
         (with(&pocket(), "format", number(0.0)), "unknown-value format"),
         (with(&pocket(), "format", text("1")), "unknown-value format"),
         (job(r#"{ "cycle": { "type": "internal-rectangle-protected" } }"#), "missing format"),

@@ -10,7 +10,7 @@ use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{Bore, Entry, Feature, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
-use crate::text::{Text, text};
+use crate::text::{Text, text, words};
 
 /// How nearly directions and places must agree.
 const NEAR: f64 = 1e-6;
@@ -24,6 +24,9 @@ pub static CYCLES: OwnCycles = OwnCycles {
     name: |stored| match stored {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
+    several: Err(words!(
+        "each cycle of {control} overwrites the results of the one before it, and no source at hand shows a program that keeps them: make a program of each cycle"
+    )),
 };
 
 /// The path that the cycles make of a job's feature, with the calls. 1411 is the documented path itself.

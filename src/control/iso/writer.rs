@@ -177,7 +177,7 @@ impl<'a> Writer<'a> {
         self.comment(&format!("Job: {}", comment_text(request.name)));
         match request.path.members.len() {
             0 => self.comment(&format!("{}: {}", request.source, request.title)),
-            count => self.comment(&format!("A set-up: {count} cycles, one write at the end")),
+            count => self.comment(&format!("A set-up of {count} cycles")),
         }
         self.comment(&format!(
             "Units {unit}, plane {}, stylus ball diameter {}, overtravel {}",

@@ -8,7 +8,7 @@ use crate::control::Report;
 use crate::formula::Limits;
 use crate::geom::Vec3;
 use crate::num::{decimal, tidy};
-use crate::path::{Feeds, Own, Path, Setup, Stored};
+use crate::path::{Feed, Feeds, Own, OwnBlock, Path, Setup, Stored};
 use crate::text::Text;
 
 /// What such a path is to be planned for.
@@ -56,6 +56,17 @@ pub struct OwnCycles {
     pub word: fn(u32, &str) -> String,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
+    /// How several of them stand in one program, or why they do not.
+    pub several: Result<Several, &'static str>,
+}
+
+/// What a program of several cycles has between two of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Several {
+    /// The block of a way between two cycles: to a place, along these axes, for a ball of this radius, at a feed of this rate (mm/min).
+    pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> OwnBlock,
+    /// The first and the last of the variables that keep what the next cycle empties.
+    pub kept: (usize, usize),
 }
 
 impl OwnRequest<'_> {

@@ -129,10 +129,21 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     let Some(own) = &request.path.own else { return w.finish() };
     begin(request, own, calls, &mut w);
     let probes = !request.path.moves.is_empty();
+    let names = |w: &mut Writer<'_>, index: usize| {
+        if let Some(member) = request.path.begins_member(index) {
+            w.comment(&format!("{}: {}", member.name, member.title));
+        }
+    };
     if probes {
+        names(&mut w, 0);
         approach(request, own, calls, &mut w);
     }
+    let mut made = 1;
     for (block, moves) in &own.blocks {
+        if *moves > 0 {
+            names(&mut w, made);
+            made += moves;
+        }
         match block {
             OwnBlock::Call(number, letters) => {
                 for _ in 0..*moves {
@@ -230,11 +241,8 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
         calls.length
     ));
     w.comment(&orientation_line(request));
-    let names: Vec<String> = own
-        .stored
-        .iter()
-        .filter_map(|(code, stored)| Some(format!("{} {}", (request.post.own?.name)(*stored), code)))
-        .collect();
+    let named = |(code, stored): &(String, Stored)| Some(format!("{} {}", (request.post.own?.name)(*stored), code));
+    let names: Vec<String> = request.path.stored().iter().filter_map(named).collect();
     if !names.is_empty() {
         w.comment(&format!("Results: {}", names.join(", ")));
     }

@@ -4,7 +4,7 @@ use super::macros::{self, FAST, MEASURE, SEARCH};
 use crate::control::Report;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, moves_of};
-use crate::control::own::{Meets, Outcome, OwnRequest, Refused, degrees_of, refused};
+use crate::control::own::{Meets, Outcome, OwnRequest, Refused, Several, degrees_of, refused};
 use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
 use crate::path::{
@@ -15,6 +15,9 @@ use crate::text::{Text, text, words};
 
 /// The first variable that keeps a result: the macros use none below #116.
 const FIRST_KEPT: usize = 101;
+
+/// The last one.
+const LAST_KEPT: usize = 115;
 
 /// A touch begins at least so far from its contact, mm: nearer the macro takes it for a contact at the start.
 const LEAST_CLEARANCE: f64 = 0.2;
@@ -48,6 +51,16 @@ fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(
     let OwnBlock::Call(number, letters) = block else { return None };
     let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
     macros::run(*number, &letters, machine)
+}
+
+/// Between two cycles by protected moves; what the next macro empties is kept.
+pub const SEVERAL: Several = Several { way: protected, kept: (FIRST_KEPT, LAST_KEPT) };
+
+/// A protected move to a place along these axes. A height is of the stylus tip.
+fn protected(to: Vec3, axes: [bool; 3], radius: f64, (_, rate): (Feed, f64)) -> OwnBlock {
+    let place = [to.x, to.y, to.z - radius];
+    let letters = (0..3).filter(|axis| axes[*axis]).map(|axis| (['X', 'Y', 'Z'][axis], Quantity::Length(place[axis])));
+    OwnBlock::Call(9810, letters.chain([('F', Quantity::Feed(rate))]).collect())
 }
 
 /// A program while it is put together.
@@ -108,15 +121,10 @@ impl<'a> Program<'a> {
             return;
         }
         let rate = self.request.feeds.rate(feed).unwrap_or(STATED_RAPID);
-        let mut letters: Vec<(char, Quantity)> = Vec::new();
         for axis in axes {
-            // A height is of the stylus tip.
-            let off = if *axis == 2 { self.radius } else { 0.0 };
             self.at[*axis] = to[*axis];
-            letters.push((['X', 'Y', 'Z'][*axis], Quantity::Length(to[*axis] - off)));
         }
-        letters.push(('F', Quantity::Feed(rate)));
-        self.blocks.push(OwnBlock::Call(9810, letters));
+        self.blocks.push(protected(to, [0, 1, 2].map(|axis| axes.contains(&axis)), self.radius, (feed, rate)));
         self.feeds.push(feed);
     }
 

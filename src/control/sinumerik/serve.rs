@@ -10,7 +10,8 @@ use super::cycles;
 use crate::control::iso::writer::Writer;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
-use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, degrees_of, refused};
+use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of, refused};
+use crate::control::sinumerik::LAST_REGISTER;
 use crate::control::{Request, check_write};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
@@ -38,6 +39,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Output(entry) => format!("_OVR[{entry}]"),
         Stored::Kept(register) => format!("R{register}"),
     },
+    several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), kept: (1, LAST_REGISTER) }),
 };
 
 /// The path that the cycles make of a job's feature, with the calls.
@@ -425,10 +427,11 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
 pub fn notes(request: &Request<'_>) -> Vec<String> {
     let mut notes = Vec::new();
     let Some(own) = &request.path.own else { return notes };
-    let names: Vec<String> = own.stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();
+    let stored = request.path.stored();
+    let names: Vec<String> = stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();
     let results = if names.is_empty() { "_OVR of the measuring cycle".to_owned() } else { names.join(", ") };
     notes.push(format!("Results: {results}; probe data set 1, the control's own measuring feed"));
-    if own.stored.iter().any(|(_, stored)| matches!(stored, Stored::Output(4)))
+    if stored.iter().any(|(_, stored)| matches!(stored, Stored::Output(4)))
         || own.blocks.iter().any(|(block, _)| matches!(block, OwnBlock::Keep(_, 4)))
     {
         notes.push("NOT VERIFIED: that _OVR[4] is the size".to_owned());

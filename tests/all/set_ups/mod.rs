@@ -315,3 +315,70 @@ fn a_set_up_in_inch_is_the_same() {
     let diameter = mm.results.iter().find(|row| row.code == "diameter").unwrap();
     assert!((diameter.value.unwrap() - 25.254).abs() < 1e-5);
 }
+
+/// The controls with cycles of their own that stand in one program.
+const OWN: [&str; 7] = ["fanuc", "haas", "mazak", "brother", "hurco", "okuma", "sinumerik"];
+
+/// The same of the control's own cycles: the path of each is that which it has alone, and what the next one empties is kept.
+#[test]
+fn cycles_of_the_controls_own_stand_in_one_program() {
+    let own =
+        |job: &Value| with(&with(job, "control.form", Value::Text("cycle".to_owned())), "control.workOffset", Value::Null);
+    let mut seen = 0;
+    for post in OWN {
+        let taken = |key: &&str| touchpath::job::plan(&own(&alone(post, key, 0.0))).is_ok();
+        let keys: Vec<&str> = measuring().into_iter().filter(|key| *key != "probing-two-circles").filter(taken).collect();
+        for (i, first) in keys.iter().enumerate() {
+            let pair = [*first, keys[(i + 1) % keys.len()]];
+            let plan = planned(&own(&set_up(post, &pair)));
+            assert!(plan.program.own, "{post} {pair:?}");
+            // The judges of the others are of their programs of moves.
+            if ["mazak", "brother", "hurco", "okuma"].contains(&post) {
+                crate::common::owed::judge(post).unwrap()(&plan).unwrap_or_else(|why| panic!("{post} {pair:?}: {why}"));
+            }
+            let mut places: Vec<&str> = Vec::new();
+            for (cycle, key) in pair.into_iter().enumerate() {
+                let single = planned(&own(&alone(post, key, 300.0 * cycle as f64)));
+                let moves = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0);
+                let same = moves.zip(&single.moves).filter(|(a, b)| (a.to, a.kind, &a.arc) == (b.to, b.kind, &b.arc)).count();
+                assert_eq!(same, single.moves.len(), "{post} {pair:?} {cycle}");
+                let rows = |plan: &Plan, cycle: usize| -> Vec<_> {
+                    let rows = plan.results.iter().filter(|row| row.cycle == cycle);
+                    rows.map(|row| (row.code.clone(), row.value, row.truth, row.uncertainty, row.stored.is_some())).collect()
+                };
+                assert_eq!(rows(&plan, cycle), rows(&single, 0), "{post} {pair:?}");
+                places.extend(plan.results.iter().filter(|row| row.cycle == cycle).filter_map(|row| row.stored.as_deref()));
+                seen += 1;
+            }
+            // No result lies where another one does.
+            let mut apart = places.clone();
+            apart.sort_unstable();
+            apart.dedup();
+            assert_eq!(apart.len(), places.len(), "{post} {pair:?}: {places:?}");
+            the_ways_between_are_clear(&plan, &format!("{post} {pair:?}"));
+        }
+    }
+    assert!(seen > 120, "{seen}");
+}
+
+/// They write as soon as they have measured: the last one may, an earlier one is refused with the reason.
+#[test]
+fn of_the_controls_own_cycles_the_last_one_writes() {
+    let text = |datum: &str| {
+        format!(
+            r#"{{ "format": 2, "control": {{ "post": "haas", "form": "cycle", "workOffset": 1 }}, "datum": {datum}, "part": {{ "offset": [0.1, 0.2, 0.3] }},
+            "cycles": [{{ "name": "TOP", "type": "surface", "origin": [-60, 0, 0] }}, {{ "name": "BORE", "type": "hole" }}] }}"#
+        )
+    };
+    let plan = planned(&job(&text("{}")));
+    assert_eq!(plan.program.writes, ["X", "Y"]);
+    let calls: Vec<&str> = plan.program.text.lines().filter(|line| line.starts_with("G65") && line.contains(" S")).collect();
+    assert_eq!(calls, ["G65 P9814 D40. Q2. H0.5 S1."]);
+    let kept: Vec<&str> = plan.program.text.lines().filter(|line| line.starts_with("#10")).collect();
+    assert_eq!(kept, ["#101=#185", "#102=#186", "#103=#187"]);
+    let refused = touchpath::job::plan(&job(&text(r#"{ "z": "TOP.point.z" }"#))).unwrap_err();
+    assert_eq!((refused.findings[0].code.as_str(), refused.findings[0].path.as_str()), ("set-up-unsupported", "datum"));
+    let klartext = text("{}").replace("haas", "heidenhain");
+    let refused = touchpath::job::plan(&job(&klartext)).unwrap_err();
+    assert_eq!((refused.findings[0].code.as_str(), refused.findings[0].path.as_str()), ("set-up-unsupported", "cycles"));
+}

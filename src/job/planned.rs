@@ -1,0 +1,144 @@
+//! A checked job with its path, and what happens on the actual part.
+
+use crate::control::Form;
+use crate::control::own::machine::{Alarm, Met};
+use crate::control::own::{OwnCycles, OwnRequest, Refused};
+use crate::geom::Vec3;
+use crate::job::Job;
+use crate::job::rows::{ParameterRow, parameter_row};
+use crate::part;
+use crate::path::{Own, Path, Purpose, Surface};
+
+/// The surfaces of the actual part where it really lies.
+pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
+    match job.actual.as_deref() {
+        Some(cycle) => part::place(&cycle.surfaces(&job.setup), &job.placement),
+        None => part::place(&path.surfaces, &job.placement),
+    }
+}
+
+/// The path, with the formula as the control computes it.
+fn path_of(job: &Job) -> Path {
+    let mut path = job.cycle.plan(&job.setup);
+    if job.post.computes {
+        path.formula = std::mem::take(&mut path.formula).plain();
+    }
+    path
+}
+
+/// What a ball meets of these surfaces, as the control's own cycles ask.
+fn meets<'s>(surfaces: &'s [Surface], up: Vec3, radius: f64) -> impl Fn(Vec3, Vec3) -> Option<Met> + 's {
+    let obstacles = part::Obstacles::of(surfaces, up);
+    move |from, to| {
+        let contact = obstacles.first_contact(radius, from, to)?;
+        Some(Met { center: contact.center, surface: contact.surface, edge: contact.edge })
+    }
+}
+
+/// The path that the control's own cycles make of a documented one, where a job asks for them; else that one, and why.
+fn own_path(job: &Job, path: Path) -> (Path, Refused) {
+    let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else { return (path, Vec::new()) };
+    let request = OwnRequest {
+        path: &path,
+        setup: &job.setup,
+        feeds: &job.feeds,
+        scale: job.scale,
+        work_offset: job.work_offset,
+        offset: cycles.offset,
+        limits: job.limits,
+        switches_on: job
+            .cycle
+            .parameters(&job.setup, &[])
+            .iter()
+            .any(|row| row.value == crate::path::ParameterValue::Flag(true)),
+        report: job.report,
+        set_up: job.set_up,
+    };
+    let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
+    match own {
+        Ok(own) => (own, Vec::new()),
+        Err(refused) => (path, refused),
+    }
+}
+
+/// Runs the calls of a path on the actual part.
+fn own_run(path: &Path, own: &Own, cycles: &OwnCycles, surfaces: &[Surface], radius: f64) -> part::Run {
+    let (made, alarm) = (cycles.rerun)(own, radius, &meets(surfaces, path.frame.w, radius));
+    let mut run =
+        part::Run { triggers: vec![None; path.touches.len()], strays: Vec::new(), edges: Vec::new(), collision: None };
+    // A move that the nominal part does not ask for is none of the path.
+    let index = |count: usize| own.counts.partition_point(|known| *known < count) + 1;
+    for made in &made {
+        let step = path.moves.get(index(made.count)).filter(|_| own.counts.binary_search(&made.count).is_ok());
+        if let (Some(Purpose::Touch(k)), Some(met)) = (step.map(|step| step.purpose), made.met) {
+            run.triggers[k] = Some(met.center);
+            if met.surface != path.touches[k].group {
+                run.strays.push((k, met.surface));
+            }
+            if met.edge {
+                run.edges.push(k);
+            }
+        }
+    }
+    // A touch that meets nothing ends the macro likewise, and is said by itself.
+    if let (Some(alarm), Some(last)) = (alarm, made.last())
+        && alarm != Alarm::NotFound
+    {
+        run.collision = last.met.map(|met| (index(last.count).min(path.moves.len() - 1), met.center));
+    }
+    run
+}
+
+/// Where a job's path runs, and what happens on the actual part. Lengths in mm.
+#[derive(Debug)]
+pub struct Planned {
+    pub job: Job,
+    pub path: Path,
+    /// The surfaces of the actual part.
+    pub surfaces: Vec<Surface>,
+    /// The path run on those surfaces.
+    pub run: part::Run,
+    /// Why the control's own cycles do not take it; empty where they do, or are not asked for.
+    pub refused: Refused,
+    /// The cycles of a set-up, each as if it were alone; empty where there is one cycle.
+    pub members: Vec<Planned>,
+}
+
+impl Planned {
+    /// Plans the path of a checked job and runs it.
+    pub fn of(job: Job) -> Self {
+        let (path, refused) = own_path(&job, path_of(&job));
+        let surfaces = actual_surfaces(&job, &path);
+        let run = match (&path.own, job.post.own) {
+            (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),
+            _ => part::run(&path, &surfaces, &job.setup),
+        };
+        Planned { job, path, surfaces, run, refused, members: Vec::new() }
+    }
+
+    /// The parameter table, in the job's units.
+    pub fn table(&self) -> Vec<ParameterRow> {
+        let of = |(cycle, planned): (usize, &Planned)| {
+            let member = &self.path.members[cycle];
+            let field = |field: String| match field.strip_prefix("cycle.") {
+                Some(rest) => format!("cycles[{cycle}].{rest}"),
+                None => field,
+            };
+            let in_whole = move |row: ParameterRow| ParameterRow {
+                cycle,
+                touch: row.touch.map(|k| k + member.touches.start),
+                field: row.field.map(field),
+                ..row
+            };
+            planned.table().into_iter().map(in_whole).collect::<Vec<_>>()
+        };
+        if !self.members.is_empty() {
+            return self.members.iter().enumerate().flat_map(of).collect();
+        }
+        // Of the cycle as it is documented, whoever makes it.
+        let documented = self.path.own.as_ref().map(|_| path_of(&self.job));
+        let touches = documented.as_ref().map_or(&self.path.touches, |path| &path.touches);
+        let parameters = self.job.cycle.parameters(&self.job.setup, touches);
+        parameters.into_iter().map(|parameter| parameter_row(&self.job, parameter)).collect()
+    }
+}
