@@ -180,7 +180,7 @@ export class TouchPath extends Base {
 
   /** The job as it stands in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
   get job(): Job | undefined {
-    return this.store && (structuredClone(this.store.draft) as unknown as Job);
+    return this.store && (structuredClone(this.store.job) as unknown as Job);
   }
 
   set job(value: Job | string | null | undefined) {
@@ -357,7 +357,7 @@ export class TouchPath extends Base {
       this.take(this.waiting);
       this.take(this.later);
       for (const name of Object.keys(WORDS)) this.word(name as Wordy, this.getAttribute(name));
-      this.first = structuredClone(store.draft);
+      this.first = structuredClone(store.job);
       if (this.restored !== undefined) this.use("job", this.restored);
       store.clear();
       this.shadow.adoptedStyleSheets = [styles];

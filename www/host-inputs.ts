@@ -36,6 +36,7 @@ function unnamed(job: Draft): Draft {
 interface Jobs extends Entries {
   byUser: boolean;
   readonly revision: number;
+  readonly job: Draft;
   readonly longest: number;
   choose(type: Cycle["type"]): void;
   setUnits(units: Units): void;
@@ -70,7 +71,7 @@ export class Outside {
 
   /** A job with what the page around asks for in the place of what it does not name. What is no object stays what it is. */
   filled(job: unknown, { cycle, post, units }: Asked = this.asked): unknown {
-    if (!isObject(job)) return job;
+    if (!isObject(job) || Array.isArray(job.cycles)) return job;
     const whole: Draft = { ...job };
     if (units && job.units === undefined) whole.units = units;
     if (cycle && isOut(job.cycle)) whole.cycle = { type: cycle };
@@ -217,11 +218,11 @@ export class Outside {
     const { store } = this;
     const { job, refusal } = this.read(value);
     if (!job) return refusal ?? null;
-    const whole = complete(job, store.catalog);
+    const whole = Array.isArray(job.cycles) ? job : complete(job, store.catalog);
     // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
     const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
     const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
-    if (late || alike(whole, store.draft)) return null;
+    if (late || alike(whole, store.job)) return null;
     store.replace(whole);
     this.forget();
     return null;

@@ -14,14 +14,20 @@ const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
 };
 
 /** What a move is, as the legend of the picture names its line, and where it ends. */
-function parts(store: Store, { kind, touch, to, feed }: Plan["moves"][number]): { what: Said; place: string } {
+function parts(
+  store: Store,
+  { kind, touch, to, feed, cycle, step }: Plan["moves"][number],
+): { what: Said; place: string } {
   const what: Said = {
     position: [feed === "longLink" ? w("link") : w("positioning")] as Said,
-    touch: [w("touch {touch}"), String((touch ?? 0) + 1)] as Said,
+    touch: [w("touch {touch}"), String(store.touchNumber(touch ?? 0))] as Said,
     back: [w("back")] as Said,
   }[kind];
   const place = ["X", "Y", "Z"].map((axis, i) => axis + store.number(String(Number((to[i] as number).toFixed(4)))));
-  return { what, place: place.join(" ") };
+  const name = store.plan.cycles.length > 1 ? store.plan.cycles[cycle] : undefined;
+  if (name === undefined) return { what, place: place.join(" ") };
+  const said: Said = step === 0 ? [w("on the way to {cycle}"), name] : [w("{cycle}: {what}"), name, what];
+  return { what: said, place: place.join(" ") };
 }
 
 /** A move of the plan. */

@@ -17,6 +17,7 @@ import {
 } from "./core/browser.js";
 import { programStem, stem } from "./core/names.js";
 import { Entries, type Form, steps, type Units } from "./entries.js";
+import { Features, type SetUpState } from "./features.js";
 import { History } from "./history.js";
 import { Outside } from "./host-inputs.js";
 import { alike, complete, type Draft, formIn, isObject } from "./job.js";
@@ -46,6 +47,8 @@ const noPoints = (): Points => ({ mm: "", inch: "" });
 const NO_PLAN: Plan = {
   touches: [],
   moves: [],
+  cycles: [],
+  datum: [],
   length: 0,
   time: 0,
   program: {
@@ -74,6 +77,7 @@ interface Moment {
   left: [string, Left][];
   given: string[] | null;
   document: number;
+  features: SetUpState;
 }
 
 const LOOK_ONLY: Said = [w("Nothing was changed: this job is read-only")];
@@ -91,12 +95,15 @@ interface State {
   points?: Points;
   left?: [string, Left][];
   given?: string[];
+  features?: SetUpState;
 }
 
 export class Store extends Entries {
   /** What the page around puts in. */
   readonly outside = new Outside(this);
   draft: Draft;
+  /** The cycles of a set-up, of which one is in the form. */
+  readonly features = new Features();
   /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
   typed = new Map<string, string>();
   findings: Finding[] = [];
@@ -158,6 +165,97 @@ export class Store extends Entries {
     }
     this.cams = local && keptCam();
     this.ownName = jobName(this.draft);
+  }
+
+  /** The whole job: of one cycle the form itself, of a set-up all of its cycles. */
+  get job(): Draft {
+    return this.features.compose(this.draft);
+  }
+
+  /** Adds a cycle of a type behind the one in hand, and brings it into the form. */
+  addFeature(type: Cycle["type"]): void {
+    const cycle = structuredClone(defaultJob(type, this.units).cycle) as unknown as Draft;
+    this.arrange(() => {
+      this.features.add(this.draft, cycle);
+      this.features.bring(this.draft, this.features.hand + 1);
+    });
+  }
+
+  /** The same as the one at a place, behind it, and in the form. */
+  duplicateFeature(index: number): void {
+    this.arrange(() => {
+      this.features.bring(this.draft, index);
+      this.features.add(
+        this.draft,
+        structuredClone(this.draft.cycle) as Draft,
+        structuredClone((this.draft.part as Draft).sizes) as Draft,
+      );
+      this.features.bring(this.draft, index + 1);
+    });
+  }
+
+  removeFeature(index: number): void {
+    this.arrange(() => this.features.remove(this.draft, index));
+  }
+
+  moveFeature(from: number, to: number): void {
+    this.arrange(() => this.features.move(this.draft, from, to));
+  }
+
+  renameFeature(index: number, name: string): void {
+    this.arrange(() => this.features.rename(index, name, true));
+  }
+
+  /** Leaves one out of the program, or takes it in again. One stays in. */
+  switchFeature(index: number): void {
+    const { all } = this.features;
+    const one = all[index];
+    if (!one || (!one.off && all.filter(({ off }) => !off).length === 1)) return;
+    this.arrange(() => {
+      this.features.stow(this.draft);
+      this.features.all[index] = { ...(this.features.all[index] as typeof one), off: !one.off };
+    });
+  }
+
+  /** What is written into an axis: a result, none, or what is proposed. */
+  writeFrom(axis: string, from: string | null | undefined): void {
+    this.arrange(() => {
+      const { [axis]: _, ...rest } = this.features.datum;
+      this.features.datum = from === undefined ? rest : { ...rest, [axis]: from };
+    });
+  }
+
+  /** The height between the cycles. */
+  clearAt(height: number | null): void {
+    this.arrange(() => {
+      this.features.clear = height;
+    });
+  }
+
+  /** Brings the cycle at a place into the form. Nothing of the job is changed. */
+  bringFeature(index: number): void {
+    if (!this.features.several || index === this.features.hand) return;
+    this.features.bring(this.draft, index);
+    this.typed.clear();
+    this.focus(null);
+    this.changed();
+  }
+
+  /** Changes the list of cycles, in one step. */
+  private arrange(change: () => void): void {
+    if (this.refuses) return;
+    this.settle();
+    this.mark(null);
+    const before = this.draft.cycle;
+    change();
+    if (this.draft.cycle !== before) {
+      this.typed.clear();
+      this.pinned = null;
+      this.highlight = null;
+    }
+    this.given?.add("cycle");
+    this.settle();
+    this.changed();
   }
 
   /** Whether what only the author of a postprocessor needs is shown. */
@@ -424,6 +522,7 @@ export class Store extends Entries {
     for (const path of [...(this.given ?? [])]) if (path.startsWith("cycle")) this.given?.delete(path);
     if (back) this.given?.add("cycle");
     this.draft.cycle = cycle;
+    this.features.called(cycle);
     part.sizes = sizes;
     this.points = back?.points ?? noPoints();
     this.forget("cycle");
@@ -478,6 +577,7 @@ export class Store extends Entries {
     const old = this.draft;
     const untouched = known ? this.untouched() : [];
     this.draft = known ? (convertUnits(old, units) as unknown as Draft) : { ...old, units };
+    if (known) this.features.convert(old.units as Units, units);
     for (const [path, field] of untouched) this.place(path, structuredClone(this.begins(field, units)));
     this.typed.clear();
     this.changed();
@@ -501,7 +601,7 @@ export class Store extends Entries {
     this.ownName = null;
     this.given = given;
     this.judged.clear();
-    this.draft = complete(this.outside.filled(job) as Draft, this.catalog);
+    this.draft = this.formOf(job);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
     this.typed.clear();
@@ -510,10 +610,17 @@ export class Store extends Entries {
     this.changed();
   }
 
+  /** The form of a job: of a set-up that of its first cycle, and the others wait. */
+  private formOf(job: Draft): Draft {
+    const single = Array.isArray(job.cycles) ? this.features.take(job, this.catalog) : job;
+    if (single === job) this.features.alone();
+    return complete(this.outside.filled(single) as Draft, this.catalog);
+  }
+
   /** Takes another document: nothing of the one before can be taken back, or comes back with a cycle. */
   replace(whole: Draft): void {
     if (this.refuses) return;
-    const same = alike((whole.cycle as Draft).type, this.cycle.type) && whole.units === this.draft.units;
+    const same = alike((whole.cycle as Draft | undefined)?.type, this.cycle.type) && whole.units === this.draft.units;
     this.load(whole, same ? this.measured : "");
     this.left = new Map();
     this.clear();
@@ -626,6 +733,8 @@ export class Store extends Entries {
 
   /** Keeps a move lit, or none. */
   pin(index: number | null): void {
+    const cycle = index === null ? undefined : this.plan.moves[index]?.cycle;
+    if (cycle !== undefined && !this.stale) this.bringFeature(this.features.placeOf(cycle));
     this.pinned = index;
     this.point(index);
   }
@@ -646,6 +755,25 @@ export class Store extends Entries {
   get bare(): boolean {
     const { post, form } = this.shown.control as { post: string; form: string };
     return form !== "cycle" && this.postOf(post)?.computes === false;
+  }
+
+  /** What is said of something of a cycle, with the name of that cycle in front of it; of a job of one cycle as it is. */
+  ofCycle(cycle: number, what: string): string {
+    const { cycles } = this.plan;
+    return cycles.length > 1 ? `${cycles[cycle]}.${what}` : what;
+  }
+
+  /** The number of a touch in its cycle, from 1. */
+  touchNumber(touch: number): number {
+    const { touches } = this.plan;
+    const cycle = touches[touch]?.cycle ?? 0;
+    return touch - touches.findIndex((one) => one.cycle === cycle) + 1;
+  }
+
+  /** The documented steps of a cycle of the plan, by its place in the job. */
+  stepsOf(cycle: number): string[] {
+    const own = (this.shown.cycles as Draft[] | undefined)?.[cycle];
+    return own ? (this.catalog.cycles.find((c) => c.type === own.type)?.steps ?? []) : this.cycle.steps;
   }
 
   /** What the program of the plan does with offsets and presets, in a sentence. */
@@ -680,7 +808,9 @@ export class Store extends Entries {
 
   /** The name of any other file of this job: the cycle is in it. */
   otherName(what: string): string {
-    return `${stem(this.draft.name)}-${this.cycle.type}${what}`;
+    return this.features.several
+      ? `${stem(this.draft.name)}${what}`
+      : `${stem(this.draft.name)}-${this.cycle.type}${what}`;
   }
 
   /** Findings at a path. */
@@ -702,7 +832,7 @@ export class Store extends Entries {
 
   /** A name that was not typed follows what is measured. */
   private nameAnew(): void {
-    const name = jobName(this.draft);
+    const name = jobName(this.job);
     const judged = this.judged.names(this.draft.name);
     const followed = this.ownName !== null && this.draft.name === this.ownName;
     if (judged === "outdated" || (followed && judged === null)) this.draft.name = name;
@@ -718,6 +848,7 @@ export class Store extends Entries {
         points: this.points,
         left: [...this.left],
         ...(this.given ? { given: [...this.given] } : {}),
+        ...(this.features.several ? { features: this.features.state() } : {}),
       }),
       () => this.tell([w("This browser keeps nothing: save the job as a file, or it is lost with this page")]),
     );
@@ -726,25 +857,32 @@ export class Store extends Entries {
   private compute(): void {
     this.revision++;
     try {
-      this.plan = plan(this.draft as unknown as Job);
-      this.findings = [...this.plan.findings, ...this.outside.differences()];
-      this.shown = structuredClone(this.draft);
+      const { job } = this;
+      this.plan = plan(job as unknown as Job);
+      this.findings = [...this.inForm(this.plan.findings), ...this.outside.differences()];
+      this.shown = structuredClone(job);
       this.stale = false;
       this.planned = this.document;
       const count = this.plan.moves.length;
       if (this.pinned !== null && this.pinned >= count) this.pinned = null;
       if (this.highlight !== null && this.highlight >= count) this.highlight = this.pinned;
     } catch (thrown) {
-      const findings = thrown instanceof JobError ? thrown.findings : check(this.draft);
-      this.findings = [...findings, ...this.outside.differences()];
+      const findings = thrown instanceof JobError ? thrown.findings : check(this.job);
+      this.findings = [...this.inForm(findings), ...this.outside.differences()];
       this.stale = true;
       if (this.planned !== this.document) {
         // The plan of another document says nothing of this one, not even of how it was.
         this.planned = -1;
         this.plan = NO_PLAN;
-        this.shown = structuredClone(this.draft);
+        this.shown = structuredClone(this.job);
       }
     }
+  }
+
+  /** Findings of a set-up with the paths that its form has. */
+  private inForm(findings: Finding[]): Finding[] {
+    const { features } = this;
+    return features.several ? findings.map((f) => ({ ...f, path: features.inForm(f.path) })) : findings;
   }
 
   /** Why a job cannot be shown; null where it can. */
@@ -756,8 +894,11 @@ export class Store extends Entries {
   /** Takes up what was kept. What cannot be used is left alone, and the page says so. */
   private restore(): boolean {
     for (const state of kept()) {
-      const { draft, typed, points, left, given } = (isObject(state) ? state : {}) as Partial<State>;
-      const problem = this.unusable(draft);
+      const { draft, typed, points, left, given, features } = (isObject(state) ? state : {}) as Partial<State>;
+      const several = Features.fits(features) ? features : null;
+      if (several) this.features.become(several);
+      const problem = this.unusable(several && isObject(draft) ? this.features.compose(draft) : draft);
+      if (problem) this.features.alone();
       if (problem) {
         this.notice = [w("What was kept in this browser cannot be used: {problem}"), problem];
         continue;
@@ -795,6 +936,7 @@ export class Store extends Entries {
       left: [...left],
       given: given && [...given],
       document,
+      features: this.features.state(),
     };
   }
 
@@ -807,6 +949,7 @@ export class Store extends Entries {
   private become(moment: Moment | undefined): void {
     if (!moment) return;
     this.draft = moment.draft;
+    this.features.become(moment.features);
     this.typed = new Map(moment.typed);
     this.points = moment.points;
     this.left = new Map(moment.left);

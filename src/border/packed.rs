@@ -1,7 +1,7 @@
 //! A plan as JavaScript takes it: sections that are read one by one. `www/core/plan.ts` is the other half.
 
 use crate::form::{Finding, Level};
-use crate::job::{Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
+use crate::job::{DatumRow, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
 use crate::text::{Part, Text};
 
 /// Words that go out as their places in these lists.
@@ -129,8 +129,8 @@ impl Packed {
         self.list(numbers, |out, n| out.number(f64::from(*n)));
     }
 
-    fn texts(&mut self, texts: &[&str]) {
-        self.list(texts, |out, text| out.text(text));
+    fn texts<T: AsRef<str>>(&mut self, texts: &[T]) {
+        self.list(texts, |out, text| out.text(text.as_ref()));
     }
 
     fn list<T>(&mut self, items: &[T], each: impl Fn(&mut Self, &T)) {
@@ -174,6 +174,7 @@ rows! {
         own: yes,
     }
     proof(ProofRow) { moves: count, touches: count, arithmetic: yes }
+    datum(DatumRow) { axis: text, from: text_or_none, choices: texts }
     result(ResultRow) {
         code: text,
         said.meaning: said,
@@ -201,7 +202,8 @@ pub fn plan(plan: &Plan) -> Packed {
     out.text.reserve(plan.program.text.len() + 2048);
     out.number(plan.length);
     out.number(plan.time);
-    out.list(&plan.cycles, |out, name| out.text(name));
+    out.texts(&plan.cycles);
+    out.list(&plan.datum, datum);
     out.begin(Section::Touches);
     out.list(&plan.touches, touch);
     out.begin(Section::Moves);

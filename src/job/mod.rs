@@ -35,8 +35,8 @@ pub use measure::Measurement;
 pub use naming::job_name;
 pub use picture::svg;
 pub use rows::{
-    Arc, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, RESULT_CODES, ResultRow, ResultWords, SafetyRow,
-    TouchPoint, Triple,
+    Arc, DatumRow, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, RESULT_CODES, ResultRow, ResultWords,
+    SafetyRow, TouchPoint, Triple,
 };
 pub use sections::{FORMAT, Units};
 pub use units::convert_units;

@@ -388,6 +388,7 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             .map(|(i, m)| Move { cycle: path.member_of_move(i).unwrap_or(0), ..move_row(job, &feeds, m) })
             .collect(),
         cycles: path.members.iter().map(|member| member.name.clone()).collect(),
+        datum: set_up::datum_rows(planned),
         length,
         time,
         program: ProgramText {

@@ -26,6 +26,8 @@ pub struct Plan {
     pub moves: Vec<Move>,
     /// The names of the cycles of a set-up, in their order; empty for a job of one cycle.
     pub cycles: Vec<String>,
+    /// Of a set-up, what can be written into each axis of a work offset and into its rotation, and what is; empty for a job of one cycle.
+    pub datum: Vec<DatumRow>,
     /// Length of the whole path: from where the job says the ball is, else from where the first move ends.
     pub length: f64,
     /// Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them.
@@ -42,6 +44,17 @@ pub struct Plan {
     pub findings: Vec<Finding>,
     /// For each safety rule, whether the program keeps it.
     pub safety: Vec<SafetyRow>,
+}
+
+/// What can be written into an axis of a work offset, or into its rotation.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DatumRow {
+    /// `x`, `y`, `z` or `rotation`: abscissa, ordinate, tool axis.
+    pub axis: &'static str,
+    /// The result that is written, `BORE.center.x`, or would be if a work offset were chosen; null where none is.
+    pub from: Option<String>,
+    /// Every result that can be.
+    pub choices: Vec<String>,
 }
 
 /// Whether the program keeps a safety rule.

@@ -12,7 +12,7 @@ use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::Job;
 use crate::job::cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RESERVED, SET_UP_FORMAT, alone, name_of};
 use crate::job::planned::Planned;
-use crate::job::rows::{ResultRow, ResultWords};
+use crate::job::rows::{DatumRow, ResultRow, ResultWords};
 use crate::num::tidy;
 use crate::part::{self, Run};
 use crate::path::{DatumSource, Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, WAY, WayBlock};
@@ -234,18 +234,15 @@ fn read_datum(
         );
         checker.error("datum-apart", "datum", message);
     }
-    if !writes {
-        written = DatumSource::default();
-    }
     let early = written.place.iter().flatten().find(|member| **member + 1 < members.len());
-    if let Some(early) = early.filter(|_| own) {
+    if let Some(early) = early.filter(|_| own && writes) {
         let message = text!(
             "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
             names[*early].clone()
         );
         checker.error("set-up-unsupported", "datum", message);
     }
-    if written.rotation.is_some() && own {
+    if written.rotation.is_some() && own && writes {
         let message =
             text!("The control's own cycles write no rotation that another cycle has measured: use the form \"moves\"");
         checker.error("set-up-unsupported", "datum.rotation", message);
@@ -570,4 +567,22 @@ fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
         said: ResultWords { meaning, verdict: source.said.verdict.clone(), note: None },
         ..source.clone()
     }
+}
+
+/// What can be written into each axis, and what is.
+pub fn datum_rows(whole: &Planned) -> Vec<DatumRow> {
+    let (members, source) = (&whole.path.members, whole.path.datum_source);
+    if members.is_empty() {
+        return Vec::new();
+    }
+    let named = |(member, code, _): (usize, &'static str, usize)| format!("{}.{code}", members[member].name);
+    let row = |(i, axis): (usize, &'static str)| {
+        let all = candidates(&whole.members, i);
+        let is = |(member, _, at): &(usize, &'static str, usize)| match i {
+            3 => source.rotation == Some((*member, *at)),
+            _ => source.place[i] == Some(*member),
+        };
+        DatumRow { axis, from: all.iter().copied().find(is).map(named), choices: all.into_iter().map(named).collect() }
+    };
+    DATUM.into_iter().enumerate().map(row).collect()
 }

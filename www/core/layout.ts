@@ -54,6 +54,7 @@ export const program = (r: Unpacked) => ({
   own: r.yes(),
 });
 export const proof = (r: Unpacked) => ({ moves: r.count(), touches: r.count(), arithmetic: r.yes() });
+export const datum = (r: Unpacked) => ({ axis: r.text(), from: r.textOrNone(), choices: r.texts() });
 export const result = (r: Unpacked) => ({
   code: r.text(),
   meaning: r.said(),

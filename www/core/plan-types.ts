@@ -470,6 +470,16 @@ export interface ProgramText {
   own: boolean;
 }
 
+/** What can be written into an axis of a work offset, or into its rotation. */
+export interface DatumRow {
+  /** `x`, `y`, `z` or `rotation`: abscissa, ordinate, tool axis. */
+  axis: "x" | "y" | "z" | "rotation";
+  /** The result that is written, `BORE.center.x`, or would be if a work offset were chosen; null where none is. */
+  from: string | null;
+  /** Every result that can be. */
+  choices: string[];
+}
+
 /** Everything that follows from a job. Lengths in the job's units, angles in degrees. */
 export interface Plan {
   /** The nominal touches, on the surface. */
@@ -478,6 +488,8 @@ export interface Plan {
   moves: Move[];
   /** The names of the cycles of a set-up, in their order; empty for a job of one cycle. */
   cycles: string[];
+  /** Of a set-up, what can be written into each axis of a work offset and into its rotation, and what is; empty for a job of one cycle. */
+  datum: DatumRow[];
   /** Length of the whole path: from where the job says the ball is, else from where the first move ends. */
   length: number;
   /** Minutes for the same. Rapids run at 5000 mm/min, or at the feed that the control's program states for them. */

@@ -3,6 +3,7 @@ import * as layout from "./layout.js";
 import { FEEDS, FINDINGS, KINDS, MOVES, PROGRAM, RESULTS, SAFETY, SECTIONS, TOUCHES, TRIGGERS } from "./layout.js";
 import { type Said, say } from "./said.js";
 import type {
+  DatumRow,
   Finding,
   FindingCode,
   Move,
@@ -70,6 +71,11 @@ function result(r: Unpacked): ResultRow {
     note: note && say(note),
     said: { meaning, verdict, note },
   };
+}
+
+function datum(r: Unpacked): DatumRow {
+  const { axis, ...row } = layout.datum(r);
+  return { ...row, axis: axis as DatumRow["axis"] };
 }
 
 function trigger(r: Unpacked): Vec3 | null {
@@ -160,7 +166,8 @@ export function planOf(packed: Packed, table: () => ParameterRow[]): Plan {
     },
     length: r.number(),
     time: r.number(),
-    cycles: r.list(() => r.text()),
+    cycles: r.texts(),
+    datum: r.list(() => datum(r)),
     get program() {
       return text.get();
     },

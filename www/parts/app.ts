@@ -10,6 +10,7 @@ import { w } from "../words.js";
 import { letterOf } from "./keys.js";
 import "./bar.js";
 import "./checks.js";
+import "./features.js";
 import "./findings.js";
 import "./form.js";
 import "./help.js";
@@ -290,6 +291,7 @@ export class App extends LitElement {
             name === "stage"
               ? html`<section class="picture" part="stage" aria-label=${this.t("Picture")}><tp-picture .store=${store}></tp-picture></section>`
               : html`<section class="setup" part="form" id="panel-setup" role=${panels.includes("setup") ? role : nothing} aria-label=${this.t("Setup")} ?hidden=${hidden("setup")}>
+          <tp-features .store=${store}></tp-features>
           <tp-form .store=${store}></tp-form>
           <tp-help .store=${store}></tp-help>
         </section>`,
@@ -480,8 +482,12 @@ export class App extends LitElement {
   private readonly pass = (event: Event): void => this.tell((event as CustomEvent<Said>).detail, true);
 
   /** To the field of a path, or to the first one inside it; to Checks where there is none. */
-  private async go(path: string): Promise<void> {
+  private async go(wanted: string): Promise<void> {
     await this.use("cycles");
+    // A field of a cycle that is not in the form.
+    const [, index, rest] = /^cycles\[(\d+)\](.*)$/.exec(wanted) ?? [];
+    if (index !== undefined) this.store.bringFeature(this.store.features.placeOf(Number(index)));
+    const path = index === undefined ? wanted : `cycle${rest}`;
     if (this.panels.includes("setup")) this.show("setup");
     await this.updateComplete;
     await this.renderRoot.querySelector<Element & { unfold(path: string): Promise<boolean> }>("tp-form")?.unfold(path);

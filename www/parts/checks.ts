@@ -90,7 +90,7 @@ class ChecksPart extends Part {
       return (forms.length ? forms : ["moves"]).map((form) => ({ post, form: form as "moves" | "cycle" }));
     });
     const made = (post: string, form: string) => {
-      const job = { ...store.draft, control: store.controlOf(post, form as "moves" | "cycle") } as unknown as Job;
+      const job = { ...store.job, control: store.controlOf(post, form as "moves" | "cycle") } as unknown as Job;
       const { program, findings } = programs([job]).next().value as Programmed;
       const first = LEVELS.map((level) => findings.find((f) => f.level === level)).find(Boolean);
       return {

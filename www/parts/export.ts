@@ -50,7 +50,7 @@ export class Export {
 
   /** Saves the form as it stands, also with errors: it is the user's work. */
   job(): void {
-    download(`${JSON.stringify(this.store.draft, null, 2)}\n`, this.store.otherName(".json"), "application/json");
+    download(`${JSON.stringify(this.store.job, null, 2)}\n`, this.store.otherName(".json"), "application/json");
   }
 
   /** Saves the picture as it is looked at, of the form as it stands. */
@@ -69,7 +69,7 @@ export class Export {
 
   /** Copies a link to the job; where the browser does not allow that, shows it. */
   async link(): Promise<void> {
-    const fragment = await toFragment({ job: this.store.draft, measured: this.store.measured });
+    const fragment = await toFragment({ job: this.store.job, measured: this.store.measured });
     if (fragment === null) {
       this.page.tell([w("This job is too long for a link: save it as a file instead")]);
       return;

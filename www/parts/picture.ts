@@ -133,7 +133,7 @@ class PicturePart extends DrawnPart {
   }
 
   protected override updated(_changed: PropertyValues): void {
-    const { shown, focused, revision, stale, draft } = this.store;
+    const { shown, focused, revision, stale, job, features } = this.store;
     if (!this.drawing && this.isConnected) {
       const canvas = this.canvas();
       this.drawing = new Drawing(
@@ -141,6 +141,7 @@ class PicturePart extends DrawnPart {
         (view) => {
           view.look(this.look);
           label(view, this.store);
+          view.setHand(this.store.features.inJob);
           view.show(this.store.shown);
           view.focus(this.lit);
           view.grips(this.grips);
@@ -166,7 +167,8 @@ class PicturePart extends DrawnPart {
       if (anew) {
         label(view, this.store);
         // A job that ends in a collision, or that the control cannot do, has a path to show, though it has no program.
-        this.live = stale && view.show(draft);
+        view.setHand(features.inJob);
+        this.live = stale && view.show(job);
         if (!this.live) view.show(shown);
         this.timeline.take(view.times());
       }
@@ -395,7 +397,7 @@ class PicturePart extends DrawnPart {
   /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
   private gripped(view: PageView, at: Spot): (End & { at: Spot }) | null {
     const end = this.endAt(view, at);
-    return end && view.gripEnd(this.store.draft, end.field, end.index, at.x, at.y) ? { ...end, at } : null;
+    return end && view.gripEnd(this.store.job, end.field, end.index, at.x, at.y) ? { ...end, at } : null;
   }
 
   /** The end of a dimension is dragged: it stays under the pointer. */

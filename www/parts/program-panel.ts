@@ -1,6 +1,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { type Job, type Plan, type Programmed, programs } from "../core/browser.js";
 import type { Form } from "../entries.js";
+import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { Colours } from "./colours.js";
 import type { Compared } from "./compare.js";
@@ -21,6 +22,8 @@ interface Line {
 interface Block {
   /** The documented step; 0 is none. */
   step: number;
+  /** The cycle of the plan that it is of. */
+  cycle: number;
   lines: Line[];
 }
 
@@ -51,22 +54,24 @@ const TOLD = 8000;
 const CYCLE = /^CYCLE\d+\(|^\d+ TCH PROBE 1411 /;
 
 /** The touches that moves make, counted from 1, where a touch is made for the first time. */
-function touchNumbers(moves: Plan["moves"]): Map<number, number> {
+function touchNumbers(store: Store): Map<number, number> {
   const seen = new Set<number>();
   const numbers = new Map<number, number>();
-  moves.forEach(({ kind, touch }, move) => {
+  store.plan.moves.forEach(({ kind, touch }, move) => {
     if (kind !== "touch" || touch === null || seen.has(touch)) return;
     seen.add(touch);
-    numbers.set(move, touch + 1);
+    numbers.set(move, store.touchNumber(touch));
   });
   return numbers;
 }
 
 /** What a program shows when it has measured, with the values that the virtual part gives: DEBUG of LinuxCNC, MSG of SINUMERIK. */
-function screenText({ program, results }: Plan): string[] {
+function screenText(store: Store): string[] {
+  const { program, results } = store.plan;
+  const named = (row: Plan["results"][number]) => store.ofCycle(row.cycle, row.code);
   const put = (text: string, digits: number) =>
     text.replaceAll(/([\w.]+)=(?:#<\w+>|"<<R\d+(?:<<")?)/g, (all, code: string) => {
-      const value = results.find((row) => row.code === code)?.value;
+      const value = results.find((row) => named(row) === code)?.value;
       return typeof value === "number" ? `${code}=${value.toFixed(digits)}` : all;
     });
   return program.text.split("\n").flatMap((line) => {
@@ -103,7 +108,7 @@ class ProgramPart extends Part {
 
   override render(): TemplateResult {
     const { stale } = this.store;
-    const { program, moves } = this.store.plan;
+    const { program, moves, cycles } = this.store.plan;
     const why = stale ? "withheld-program" : nothing;
     const lines = program.text === "" ? [] : program.text.replace(/\n$/, "").split("\n");
     const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
@@ -111,8 +116,8 @@ class ProgramPart extends Part {
     // Blocks that begin with their own numbers need no second ones.
     const own = lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
     // Calls of the control's own cycles are no documented steps.
-    const steps = program.own ? [] : this.store.cycle.steps;
-    const numbers = touchNumbers(moves);
+    const stepsOf = (cycle: number) => (program.own ? [] : this.store.stepsOf(cycle));
+    const numbers = touchNumbers(this.store);
     const row = ({ text, line }: Line) => {
       const move = moveAt.get(line);
       const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
@@ -135,13 +140,14 @@ class ProgramPart extends Part {
       });
     };
     const numbered = lines.map((text, line) => ({ text, line }));
-    let now = -1;
+    let now = "";
     const blocks: Block[] = [];
     for (const one of numbered.slice(head)) {
       const named = NAMED.exec(one.text)?.[1];
       const move = moveAt.get(one.line) ?? (named === undefined ? undefined : Number(named) - 1);
-      const next = move === undefined ? now : (moves[move]?.step ?? 0);
-      if (next !== now || blocks.length === 0) blocks.push({ step: Math.max(next, 0), lines: [] });
+      const { step = 0, cycle = 0 } = (move === undefined ? undefined : moves[move]) ?? blocks.at(-1) ?? {};
+      const next = `${cycle} ${step}`;
+      if (next !== now || blocks.length === 0) blocks.push({ step, cycle, lines: [] });
       now = next;
       blocks.at(-1)?.lines.push(one);
     }
@@ -164,10 +170,15 @@ class ProgramPart extends Part {
         @mouseover=${(e: MouseEvent) => this.onLine(e, (move) => this.store.point(move))} @mouseleave=${() => this.store.point(null)}
         @click=${this.clicked}>
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
-        ${blocks.map((block) => {
-          const text = steps[block.step - 1];
-          if (!text) return html`<div role="group" aria-label=${this.t("Program")}>${rows(block.lines)}</div>`;
-          return html`<div role="group" aria-label=${this.t("Step {step}: {words}", block.step, text)}>
+        ${blocks.map((block, i) => {
+          const begins = cycles.length > 1 && block.cycle !== blocks[i - 1]?.cycle;
+          const text = stepsOf(block.cycle)[block.step - 1];
+          const chapter = begins
+            ? html`<div class="step chapter" role="presentation"><b>${cycles[block.cycle]}</b></div>`
+            : nothing;
+          if (!text)
+            return html`${chapter}<div role="group" aria-label=${begins ? String(cycles[block.cycle]) : this.t("Program")}>${rows(block.lines)}</div>`;
+          return html`${chapter}<div role="group" aria-label=${this.t("Step {step}: {words}", block.step, text)}>
             <div class="step" data-step=${block.step} role="presentation"><b>${block.step}</b> <span>${text}</span></div>
             ${rows(block.lines)}</div>`;
         })}
@@ -179,7 +190,7 @@ class ProgramPart extends Part {
 
   /** What the operator reads at the end of the program, as it will stand there for the virtual part. */
   private screen(): TemplateResult | typeof nothing {
-    const lines = screenText(this.store.plan);
+    const lines = screenText(this.store);
     if (lines.length === 0) return nothing;
     return html`<details class="screen"><summary>${this.t("On the operator's screen at the end")}</summary><pre lang="en" translate="no">${lines.join("\n")}</pre></details>`;
   }

@@ -51,16 +51,16 @@ class ResultsPart extends Part {
   override render(): TemplateResult {
     const { plan, stale, units } = this.store;
     const { found, errors } = this.evaluated();
-    const rows = found ? new Map(found.results.map((row) => [row.code, row])) : null;
+    const rows = found ? new Map(found.results.map((row) => [this.store.ofCycle(row.cycle, row.code), row])) : null;
     const stored = this.store.bare ? w("What the touches will give") : w("What the control will have stored");
     const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
     return html`
-      <div class=${stale ? "stale" : ""}>${this.table(plan.results, caption, rows)}
+      <div class=${stale ? "stale" : ""}>${this.tables(caption, rows)}
       <details class="triggers">
         <summary>${this.t("Trigger points of the ball centre")}</summary>
         <table>
           <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th></tr></thead>
-          <tbody>${plan.triggers.map((t, k) => html`<tr><td>${k + 1}</td>${t ? t.map((x) => html`<td class="n">${this.number(x, places(units))}</td>`) : html`<td colspan="3">${this.t("no contact")}</td>`}</tr>`)}</tbody>
+          <tbody>${plan.triggers.map((t, k) => html`<tr><td>${this.touch(k)}</td>${t ? t.map((x) => html`<td class="n">${this.number(x, places(units))}</td>`) : html`<td colspan="3">${this.t("no contact")}</td>`}</tr>`)}</tbody>
         </table>
       </details>
       <details class="moves" @toggle=${this.toggle}>
@@ -87,7 +87,7 @@ class ResultsPart extends Part {
   private evaluated(): Evaluated {
     if (this.store.measured.trim() === "") return {};
     try {
-      return { found: measure(this.store.draft as unknown as Job, this.store.measured) };
+      return { found: measure(this.store.job as unknown as Job, this.store.measured) };
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
       return { errors: thrown.findings.filter((f) => f.level === "error") };
@@ -142,7 +142,8 @@ class ResultsPart extends Part {
 
   /** As the form names it, where that has the same: the rotation of a result is against the nominal one. */
   private nameOf(r: ResultRow): string {
-    const field = r.code === "rotation" ? undefined : this.store.cycle.fields.find((f) => f.key === r.code);
+    const own = this.store.plan.cycles.length < 2 || r.cycle === this.store.features.inJob;
+    const field = r.code === "rotation" || !own ? undefined : this.store.cycle.fields.find((f) => f.key === r.code);
     return field?.label ?? resultInWords(this.store, r);
   }
 
@@ -156,7 +157,7 @@ class ResultsPart extends Part {
 
   private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
     const digits = places(r.unit);
-    const own = measured?.get(r.code);
+    const own = measured?.get(this.store.ofCycle(r.cycle, r.code));
     const name = html`<td role="cell" class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code>${r.stored ? html` <code title=${this.t("Where the control has it")}>${r.stored}</code>` : nothing} <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
@@ -184,6 +185,26 @@ class ResultsPart extends Part {
       <td role="cell" data-label=${this.t("Deviation")} class="n">${this.signed(r.deviation, digits)}${verdict(r)}</td>
       <td role="cell" data-label="± 2σ" class="n">${this.number(spread, digits + 1)}</td>
       <td role="cell" data-label=${this.t("True")} class="n">${this.number(r.truth, digits)}</td></tr>${this.bar(r)}`;
+  }
+
+  /** The number of a touch, of a set-up with its cycle. */
+  private touch(k: number): string {
+    const { plan } = this.store;
+    return this.store.ofCycle(plan.touches[k]?.cycle ?? 0, String(this.store.touchNumber(k))).replace(".", " ");
+  }
+
+  /** A table of the results; of a set-up one of each cycle, and one of what is written. */
+  private tables(caption: string, measured: Map<string, ResultRow> | null): TemplateResult[] {
+    const { results, cycles } = this.store.plan;
+    if (cycles.length < 2) return [this.table(results, caption, measured)];
+    const written = (row: ResultRow) => row.code.startsWith("offset.");
+    const own = cycles.map((name, i) => ({
+      name: i === 0 ? `${caption}: ${name}` : name,
+      rows: results.filter((row) => row.cycle === i && !written(row)),
+    }));
+    const last = { name: this.t("What the program writes"), rows: results.filter(written) };
+    const shown = [...own, last].filter(({ rows }) => rows.length > 0);
+    return shown.map(({ name, rows }) => this.table(rows, name, measured));
   }
 
   private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {

@@ -74,8 +74,8 @@ class SheetPart extends Part {
         <button type="button" class="primary" @click=${() => print()}>${this.t("Print")}</button>
       </div>
       <article aria-label=${this.t("Setup sheet")}>
-        <h2>${String(job.name || "PROBE")}: ${cycle.title}</h2>
-        <p>${cycle.source} · ${post?.title ?? program.post}, ${this.store.does} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
+        <h2>${String(job.name || "PROBE")}: ${plan.cycles.length > 1 ? plan.cycles.join(", ") : cycle.title}</h2>
+        <p>${plan.cycles.length > 1 ? this.t("{count} cycles in one program", plan.cycles.length) : cycle.source} · ${post?.title ?? program.post}, ${this.store.does} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
         ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
         <div class=${dense ? "views dense" : "views"}><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas><canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas></div>
         <div class=${dense ? "columns dense" : "columns"}>
@@ -86,7 +86,7 @@ class SheetPart extends Part {
               <tbody>${plan.results.map(
                 (
                   r,
-                ) => html`<tr><td>${resultInWords(this.store, r)} <code>${r.code}</code></td><td class="n">${number(r.nominal)}${r.limits ? html`<br /><small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
+                ) => html`<tr><td>${resultInWords(this.store, r)} <code>${this.store.ofCycle(r.cycle, r.code)}</code></td><td class="n">${number(r.nominal)}${r.limits ? html`<br /><small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
                   <td class="n">${r.uncertainty === null ? "–" : sigmas(r.uncertainty)}</td><td class="box"></td></tr>`,
               )}</tbody>
             </table>
@@ -96,8 +96,7 @@ class SheetPart extends Part {
             <table>
               <caption>${this.t("Dimensions and probe")}</caption>
               <tbody>
-                ${cycle.fields.map((f) => this.row(`cycle.${f.key}`, f))}
-                ${cycle.sections.map(({ key, fields }) => (this.store.get(`cycle.${key}`) === null ? nothing : fields.map((f) => this.row(`cycle.${key}.${f.key}`, f))))}
+                ${this.dimensions()}
                 <tr><td>${this.t("Ball diameter")}</td><td class="n">${shown(stylus.diameter)}</td>${this.code()}</tr>
                 ${
                   cycle.ownFeeds
@@ -110,7 +109,7 @@ class SheetPart extends Part {
             <table>
               <caption>${this.t("Touches: contact on the surface")}</caption>
               <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
-              <tbody>${plan.touches.map((t, k) => html`<tr><td>${k + 1}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
+              <tbody>${plan.touches.map((t, k) => html`<tr><td>${this.store.ofCycle(t.cycle, String(this.store.touchNumber(k))).replace(".", " ")}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
             </table>
             ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${unwrapped(head).join("\n")}</div>` : nothing}
           </div>
@@ -138,11 +137,28 @@ class SheetPart extends Part {
     return [...new Set(unable.map((rule) => this.store.say(rule.said)))];
   }
 
+  /** The dimensions of the cycle, or of each of them. */
+  private dimensions() {
+    const { features, draft, catalog, cycle } = this.store;
+    const of = (entry: typeof cycle, form: Record<string, unknown>) => [
+      ...entry.fields.map((f) => this.row(f, form[f.key], form)),
+      ...entry.sections.flatMap(({ key, fields }) => {
+        const inner = form[key] as Record<string, unknown> | null | undefined;
+        return inner ? fields.map((f) => this.row(f, inner[f.key], inner)) : [];
+      }),
+    ];
+    if (!features.several) return of(cycle, draft.cycle as Record<string, unknown>);
+    return features.inOrder(draft).flatMap(({ name, cycle: form, off }) => {
+      const entry = catalog.cycles.find((c) => c.type === form.type);
+      return off || !entry ? [] : [html`<tr><th colspan="3">${name}: ${entry.title}</th></tr>`, ...of(entry, form)];
+    });
+  }
+
   /** What a field says; the postprocessor's own are no part of a set-up. */
-  private row(path: string, field: FieldEntry): TemplateResult | typeof nothing {
-    const held = this.store.get(path);
+  private row(field: FieldEntry, held: unknown, form: Record<string, unknown>): TemplateResult | typeof nothing {
     const value = held === undefined ? this.store.standIn(field) : (held ?? field.null);
-    const idle = field.group.startsWith("Postprocessor") || !this.store.counts(path, field);
+    const { when } = field;
+    const idle = field.group.startsWith("Postprocessor") || (when !== null && form[when.key] !== when.value);
     if (value === null || value === undefined || idle) return nothing;
     const words = (x: unknown) => {
       if (typeof x === "boolean") return x ? this.t("on") : this.t("off");

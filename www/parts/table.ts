@@ -41,7 +41,10 @@ class TablePart extends Part {
     const why = stale ? "withheld-table" : nothing;
     const told = stale || this.toldOf !== plan ? "" : this.told;
     const wanted = this.filter.trim().toLowerCase();
-    const rows = plan.table.filter((row) => `${row.code} ${this.meaning(row)}`.toLowerCase().includes(wanted));
+    const { inJob, several } = this.store.features;
+    const rows = plan.table.filter(
+      (row) => (!several || row.cycle === inJob) && `${row.code} ${this.meaning(row)}`.toLowerCase().includes(wanted),
+    );
     const { codeGroups } = this.store.catalog;
     const names = [...new Set([...codeGroups.map(({ title }) => title), OTHERS])];
     const groups = names.map((name) => ({ name, rows: rows.filter((row) => groupOf(row, codeGroups) === name) }));

@@ -25,6 +25,7 @@ const SOURCES: &[(&str, &[&str])] = &[
             "ProofRow",
             "SafetyRow",
             "ProgramText",
+            "DatumRow",
             "Plan",
         ],
     ),
@@ -54,6 +55,7 @@ const SOURCES: &[(&str, &[&str])] = &[
 const EXACT: &[(&str, &str)] = &[
     ("Move.feed", r#""approach" | "longLink" | "work" | "retract" | "return" | "rapid""#),
     ("Move.kind", r#""position" | "touch" | "back""#),
+    ("DatumRow.axis", r#""x" | "y" | "z" | "rotation""#),
     ("Finding.code", "FindingCode"),
     ("SafetyRow.rule", "RuleName"),
     ("ResultRow.code", "ResultCode"),

@@ -1,0 +1,164 @@
+import { html, nothing, type TemplateResult } from "lit";
+import { repeat } from "lit/directives/repeat.js";
+import type { Cycle, Plan } from "../core/browser.js";
+import type { Feature } from "../features.js";
+import { readNumber } from "../number.js";
+import { w } from "../words.js";
+import { Part } from "./part.js";
+
+/** What each axis of the datum is called in its sentence. */
+const AXES = { x: "X", y: "Y", z: "Z", rotation: w("rotation") } as const;
+
+/** The list of the cycles of one program, above the form of the one in hand; of a single cycle no more than the way to another one. */
+class FeaturesPart extends Part {
+  protected override follows = ["change"];
+
+  override render(): TemplateResult {
+    const { store } = this;
+    const { several } = store.features;
+    return html`${several ? html`<ol class="features" aria-label=${this.t("Cycles of this program")}>${this.rows()}</ol>${this.around()}` : nothing}${this.adding(several)}`;
+  }
+
+  private rows() {
+    const { features, draft } = this.store;
+    const all = features.inOrder(draft);
+    return repeat(
+      all,
+      ({ name }) => name,
+      (one, i) => this.row(one, i, all.length),
+    );
+  }
+
+  private row(one: Feature, i: number, count: number): TemplateResult {
+    const { store } = this;
+    const now = i === store.features.hand;
+    const title = store.catalog.cycles.find((c) => c.type === one.cycle.type)?.title ?? "";
+    const level = this.level(i, now);
+    const act = (event: Event, what: () => void) => {
+      event.stopPropagation();
+      what();
+    };
+    const button = (sign: string, label: string, does: () => void, off = false) =>
+      html`<button type="button" class="icon" aria-label=${this.t(label, one.name)} title=${this.t(label, one.name)} ?disabled=${off || store.readonly} @click=${(e: Event) => act(e, does)}>${sign}</button>`;
+    return html`<li class=${`${now ? "now" : ""} ${one.off ? "off" : ""}`} draggable=${store.readonly ? "false" : "true"}
+      @dragstart=${(e: DragEvent) => e.dataTransfer?.setData("text/x-touchpath-cycle", String(i))}
+      @dragover=${(e: DragEvent) => e.dataTransfer?.types.includes("text/x-touchpath-cycle") && e.preventDefault()}
+      @drop=${(e: DragEvent) => this.dropped(e, i)}>
+      <button type="button" class=${`feature ${level ?? ""}`} aria-current=${now ? "true" : nothing} @click=${() => store.bringFeature(i)}><b>${one.name}</b> <span class="soft">${title}${one.off ? html` · ${this.t("left out")}` : nothing}</span></button>
+      ${
+        now
+          ? html`<span class="acts"><input type="text" maxlength="12" spellcheck="false" aria-label=${this.t("Name of this cycle")} .value=${one.name} ?disabled=${store.readonly} @change=${(e: Event) => this.rename(e.target as HTMLInputElement, i)} />
+        ${button("↑", w("{cycle} earlier"), () => store.moveFeature(i, i - 1), i === 0)}
+        ${button("↓", w("{cycle} later"), () => store.moveFeature(i, i + 1), i + 1 === count)}
+        ${button("×2", w("Duplicate {cycle}"), () => store.duplicateFeature(i))}
+        ${button(one.off ? "○" : "●", one.off ? w("Take {cycle} in again") : w("Leave {cycle} out of the program"), () => store.switchFeature(i))}
+        ${button("✕", w("Remove {cycle}"), () => store.removeFeature(i))}</span>`
+          : nothing
+      }</li>`;
+  }
+
+  /** The gravest level of what is said of a cycle. */
+  private level(place: number, now: boolean): string | undefined {
+    const { store } = this;
+    const is = (path: string) => {
+      const index = /^cycles\[(\d+)\]/.exec(path)?.[1];
+      return index === undefined ? now && /^cycle\b/.test(path) : store.features.placeOf(Number(index)) === place;
+    };
+    return ["error", "warning"].find((level) => store.findings.some((f) => f.level === level && is(f.path)));
+  }
+
+  private rename(box: HTMLInputElement, i: number): void {
+    const name = box.value.trim();
+    if (name !== "") this.store.renameFeature(i, name);
+    else box.value = this.store.features.all[i]?.name ?? "";
+  }
+
+  private dropped(event: DragEvent, to: number): void {
+    const from = Number(event.dataTransfer?.getData("text/x-touchpath-cycle") || Number.NaN);
+    event.preventDefault();
+    event.stopPropagation();
+    if (Number.isInteger(from) && from !== to) this.store.moveFeature(from, to);
+  }
+
+  /** What is written from which cycle, and the height between them. */
+  private around(): TemplateResult {
+    const { store } = this;
+    const { clear } = store.features;
+    const found = store.findings.filter(
+      ({ path }) => path.startsWith("datum") || path === "clear" || path === "cycles",
+    );
+    return html`<div class="datum">
+      ${store.get("control.workOffset") == null ? nothing : html`<p>${this.sentence()}</p><div class="choices">${store.plan.datum.map((row) => this.from(row))}</div>`}
+      <label class="line"><span>${this.t("Height between cycles")}</span> <input type="text" inputmode="decimal" placeholder=${this.t("as high as the highest")} .value=${clear === null ? "" : store.number(String(clear))} ?disabled=${store.readonly}
+        @change=${(e: Event) => this.clear(e.target as HTMLInputElement)} /></label>
+      ${found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)}
+    </div>`;
+  }
+
+  private clear(box: HTMLInputElement): void {
+    const { store } = this;
+    const height = box.value.trim() === "" ? null : readNumber(box.value, "length", store.units, store.comma);
+    if (typeof height === "string")
+      box.value = store.features.clear === null ? "" : store.number(String(store.features.clear));
+    else store.clearAt(height);
+  }
+
+  /** `X Y from BORE, Z from TOP → G54`. */
+  private sentence(): string {
+    const { store } = this;
+    const word = store.post?.workOffsetWords[Number(store.get("control.workOffset")) - 1] ?? "";
+    const by = new Map<string, string[]>();
+    for (const { axis, from } of store.plan.datum) {
+      const cycle = from?.split(".")[0];
+      if (cycle) by.set(cycle, [...(by.get(cycle) ?? []), this.t(AXES[axis])]);
+    }
+    const parts = [...by].map(([cycle, axes]) => this.t("{axes} from {cycle}", axes.join(" "), cycle));
+    return parts.length > 0 ? `${parts.join(", ")} → ${word}` : this.t("Nothing is written into {offset}", word);
+  }
+
+  private from({ axis, from, choices }: Plan["datum"][number]): TemplateResult | typeof nothing {
+    if (choices.length === 0) return nothing;
+    const { store } = this;
+    const said = store.features.datum[axis];
+    const value = said === undefined ? "proposed" : said === null ? "none" : String(said);
+    const known =
+      choices.some((one) => one.toLowerCase() === value.toLowerCase()) || ["proposed", "none"].includes(value);
+    const proposed =
+      axis === "rotation"
+        ? []
+        : [
+            {
+              value: "proposed",
+              label: said === undefined && from ? this.t("proposed: {result}", from) : this.t("proposed"),
+            },
+          ];
+    const options = [
+      ...proposed,
+      { value: "none", label: this.t("not written") },
+      ...choices.map((one) => ({ value: one, label: one })),
+    ];
+    if (!known) options.push({ value, label: value });
+    const now = axis === "rotation" && said === undefined ? "none" : value;
+    const take = (e: Event) => {
+      const chosen = (e.target as HTMLSelectElement).value;
+      store.writeFrom(axis, chosen === "proposed" ? undefined : chosen === "none" ? null : chosen);
+    };
+    return html`<label><span>${this.t(AXES[axis])}</span> <select aria-label=${this.t("{axis} is written from", this.t(AXES[axis]))} ?disabled=${store.readonly} @change=${take}>${options.map((o) => html`<option value=${o.value} ?selected=${o.value.toLowerCase() === now.toLowerCase()}>${o.label}</option>`)}</select></label>`;
+  }
+
+  /** Another cycle for this program. */
+  private adding(several: boolean): TemplateResult | typeof nothing {
+    const { store } = this;
+    if (store.readonly || (!several && store.cycle.touches === false)) return nothing;
+    const take = (e: Event) => {
+      const list = e.target as HTMLSelectElement;
+      const type = list.value as Cycle["type"];
+      list.value = "";
+      if (type) store.addFeature(type);
+    };
+    const cycles = store.catalog.cycles.filter((c) => c.maxTouches > 0);
+    return html`<p class="adding"><select aria-label=${this.t("Add a cycle to this program")} @change=${take}><option value="">${this.t("+ Add a cycle to this program")}</option>${cycles.map((c) => html`<option value=${c.type}>${c.title}</option>`)}</select></p>`;
+  }
+}
+
+customElements.define("tp-features", FeaturesPart);
