@@ -92,6 +92,7 @@ const CALLER: PostDef = PostDef {
     serves,
     check: |request, checker| checked(request, &CALLS, checker),
     own: Some(&OWN),
+    rotates: false,
     ..BASE
 };
 
@@ -129,6 +130,9 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
         (_, Form::Moves) => Err(words!(
             "no source says how the control answers a program that asks for modes, tool length and contacts: use its own cycles"
         )),
+        (Subject::Wall, Form::Cycle) => {
+            Err(words!("the macro for the angle of a wall, 9843, is read and drawn, and not written"))
+        }
         (Subject::Action, Form::Cycle) => Err(words!("a line for the control is not a cycle")),
         _ => Ok(()),
     }

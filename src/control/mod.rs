@@ -153,6 +153,8 @@ pub struct PostDef {
     pub own_preset: fn(Subject) -> bool,
     /// How a work offset is called, by its number.
     pub work_offset_word: fn(i32) -> String,
+    /// Whether a work offset has a rotation that its program can write.
+    pub rotates: bool,
     /// Why no work offset can be written, where that is so.
     pub no_work_offset: &'static str,
     /// The fields of the job's section `control` that change nothing on it.
@@ -206,6 +208,7 @@ pub const BASE: PostDef = PostDef {
     work_offsets: 0,
     own_preset: |_| false,
     work_offset_word: |_| String::new(),
+    rotates: true,
     no_work_offset: "",
     unused: &[],
     first_length: false,
@@ -423,6 +426,11 @@ fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
         let message = text!("{why}: turning or offsetting a rotary table is for the control's own cycle", why);
         checker.error("rotary-unsupported", "cycle.confirmRotation", message);
     }
+}
+
+/// The field that asks for a rotation to be written.
+fn rotation_field(request: &Request<'_>) -> &'static str {
+    if request.path.feature.two_circles().is_some() { "cycle.confirmRotation" } else { "control.workOffset" }
 }
 
 /// A spindle that is to be turned to an angle by a control whose program cannot.

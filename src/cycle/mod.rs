@@ -16,6 +16,7 @@ pub static CYCLES: &[&CycleDef] = &[
     &ency::types::double_wall_internal_corner::DEF,
     &heidenhain::two_circles::DEF,
     &ency::types::surface::DEF,
+    &ency::types::wall_angle::DEF,
     &ency::types::hole::DEF,
     &ency::types::hole_protected::DEF,
     &ency::types::boss::DEF,

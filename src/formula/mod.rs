@@ -137,6 +137,8 @@ pub struct Formula {
     pub results: Vec<ResultDef>,
     /// What a work offset is corrected by.
     pub datum: Option<Datum>,
+    /// By how many degrees the system is to be turned, and about which place in the plane (mm), where a work offset has no rotation: a block for the user.
+    pub turn: Option<(Variable, [f64; 2])>,
     /// The cycles of a set-up; empty where there is one.
     pub cycles: Vec<CycleSamples>,
 }
@@ -253,6 +255,16 @@ impl Formula {
         }
     }
 
+    /// Of a control whose work offsets have no rotation: what is measured of one is left to the user.
+    pub fn without_rotation(&mut self) {
+        let Some(datum) = &mut self.datum else { return };
+        let about = [0, 1].map(|i| datum.place[i].map_or(0.0, |place| place.nominal));
+        self.turn = datum.rotation.take().map(|rotation| (rotation, about));
+        if !datum.writes() {
+            self.datum = None;
+        }
+    }
+
     /// The same computation in plain arithmetic: every circle is fitted by its normal equations, which are closed. They give
     /// the same circle where the points lie on one, and differ from the geometric fit by the square of their scatter.
     pub fn plain(self) -> Formula {
@@ -269,7 +281,8 @@ impl Formula {
             ..datum
         });
         let results = self.results.iter().map(|result| ResultDef { variable: result.variable.map(moved), ..result.clone() });
-        Formula { results: results.collect(), ..draft.finish(datum) }
+        let turn = self.turn.map(|(turn, about)| (moved(turn), about));
+        Formula { results: results.collect(), turn, ..draft.finish(datum) }
     }
 
     /// What a program asks of its results before it writes, in their order: each value that the touches give, and that has a limit.

@@ -3,19 +3,21 @@
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
 use crate::job::SECTIONS;
-use crate::job::cycles::alone;
+use crate::job::cycles::{alone, is_set_up};
 use crate::text::{Text, text, words};
 
 const POINT: &str = words!("a list of three numbers");
 const SINGLE: &str = words!("a single value");
 const OBJECT: &str = words!("an object");
+const LIST: &str = words!("a list");
 
 /// Why the form cannot show a job, as a sentence that names the path; none where it can.
 pub fn misfit(job: &Value) -> Option<Text> {
     if !matches!(job, Value::Map(_)) {
         return Some(text!("The job must be an object"));
     }
-    if let Some(Value::List(cycles)) = job.get("cycles") {
+    if is_set_up(job) {
+        let Some(Value::List(cycles)) = job.get("cycles") else { return must_be(false, "", "cycles", LIST) };
         let own = |index: usize| match alone(job, index) {
             Some(alone) => misfit(&alone),
             None => Some(text!("{path} must be {what}", format!("cycles[{index}]"), OBJECT)),

@@ -23,6 +23,10 @@ fn path_of(job: &Job) -> Path {
     if job.post.computes {
         path.formula = std::mem::take(&mut path.formula).plain();
     }
+    // 1411 is asked for its rotation by a field of its own, and refused.
+    if !job.post.rotates && path.feature.two_circles().is_none() {
+        path.formula.without_rotation();
+    }
     path
 }
 

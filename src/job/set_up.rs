@@ -253,7 +253,7 @@ fn read_datum(
 fn unknown_datum(text: &str, axis: usize, names: &[String], places: &[(usize, &'static str, usize)]) -> Text {
     let shown: String = text.chars().take(40).collect();
     let known: Vec<String> = places.iter().map(|(member, code, _)| format!("{}.{code}", names[*member])).collect();
-    let what = ["X", "Y", "Z", "the rotation"][axis];
+    let what = Text::words([words!("X"), words!("Y"), words!("Z"), words!("the rotation")][axis]);
     match known.is_empty() {
         true => text!(
             "No cycle of this set-up measures what could be written into {axis}: \"{name}\" is no such result",
@@ -322,7 +322,10 @@ fn join(job: Job, mut members: Vec<Planned>, names: Vec<String>, clear: Option<f
     let radius = job.setup.radius;
     let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
-    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, source, way);
+    let mut path = Path::join(cycles, clear.unwrap_or(highest), feeds, source, way);
+    if !job.post.rotates {
+        path.formula.without_rotation();
+    }
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
     let mut whole = Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members };
     whole.run = run(&whole, On::Actual);
@@ -516,8 +519,7 @@ impl<'n> Merged<'n> {
 /// A finding of the whole program, at its place in a job of several cycles.
 pub fn of_whole(finding: Finding) -> Finding {
     let path = match finding.path.as_str() {
-        // 1411 asks for its rotation by a field of its own.
-        "cycle.confirmRotation" => "datum.rotation".to_owned(),
+        "control.workOffset" if finding.code == "rotation-unsupported" => "datum.rotation".to_owned(),
         path => path.strip_prefix("cycle").map_or_else(|| path.to_owned(), |_| "cycles".to_owned()),
     };
     Finding { path, ..finding }

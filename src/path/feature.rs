@@ -39,6 +39,8 @@ pub enum Subject {
     TripleInside,
     /// A corner of three surfaces from outside.
     TripleOutside,
+    /// A wall, touched twice.
+    Wall,
     /// Two holes or studs.
     TwoCircles,
 }
@@ -58,6 +60,8 @@ pub enum Feature {
     Corner(Corner),
     /// Two holes or studs.
     TwoCircles(Box<TwoCircles>),
+    /// A wall, touched twice.
+    Wall(Straight),
     /// Those of the cycles of a set-up: [`crate::path::Path::members`] has them.
     Several,
 }
@@ -78,6 +82,15 @@ pub struct Point {
     pub clearance: &'static str,
     /// How steeply the target vector points up from the plane.
     pub elevation: &'static str,
+}
+
+/// A wall, touched twice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Straight {
+    /// From touch to touch.
+    pub distance: Entry,
+    /// The field of how far from the wall a touch begins.
+    pub clearance: &'static str,
 }
 
 /// A circle about the tool axis.

@@ -10,7 +10,9 @@ mod set_up;
 mod surface;
 mod tracer;
 
-pub use feature::{Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Subject, Top, Touched, TwoCircles};
+pub use feature::{
+    Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top, Touched, TwoCircles,
+};
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
 pub use set_up::{DatumSource, Member, WAY, WayBlock};

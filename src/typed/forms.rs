@@ -232,6 +232,25 @@ impl Given for Surface {
     fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("elevation", of(&self.elevation)), ("clearance", of(&self.clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
+/// Angle of a wall: Touchpath.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct WallAngle {
+    /// The middle between the touches, on the wall, at their height.
+    pub origin: Option<[f64; 3]>,
+    /// Where the target vector points in the plane, out of the wall; counter-clockwise positive.
+    pub rotation: Option<f64>,
+    /// From the first touch to the second, along the wall. The longer, the smaller ± is.
+    pub distance: Option<f64>,
+    /// From the wall to the ball centre where a touch begins.
+    pub clearance: Option<f64>,
+    /// How far above its start the cycle begins, and how far it is lifted at its end.
+    pub feed_distance: Option<f64>,
+}
+
+impl Given for WallAngle {
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("distance", of(&self.distance)), ("clearance", of(&self.clearance)), ("feedDistance", of(&self.feed_distance))]) }
+}
+
 /// Hole: ENCY/SprutCAM type 3.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hole {
@@ -701,6 +720,8 @@ pub enum Cycle {
     ProbingTwoCircles(ProbingTwoCircles),
     /// Surface.
     Surface(Surface),
+    /// Angle of a wall.
+    WallAngle(WallAngle),
     /// Hole.
     Hole(Hole),
     /// Hole, protected.
@@ -738,6 +759,7 @@ impl Given for Cycle {
             Cycle::DoubleWallInternalCorner(cycle) => ("double-wall-internal-corner", cycle.given()),
             Cycle::ProbingTwoCircles(cycle) => ("probing-two-circles", cycle.given()),
             Cycle::Surface(cycle) => ("surface", cycle.given()),
+            Cycle::WallAngle(cycle) => ("wall-angle", cycle.given()),
             Cycle::Hole(cycle) => ("hole", cycle.given()),
             Cycle::HoleProtected(cycle) => ("hole-protected", cycle.given()),
             Cycle::Boss(cycle) => ("boss", cycle.given()),
@@ -774,6 +796,10 @@ impl From<ProbingTwoCircles> for Cycle {
 
 impl From<Surface> for Cycle {
     fn from(cycle: Surface) -> Cycle { Cycle::Surface(cycle) }
+}
+
+impl From<WallAngle> for Cycle {
+    fn from(cycle: WallAngle) -> Cycle { Cycle::WallAngle(cycle) }
 }
 
 impl From<Hole> for Cycle {

@@ -1,7 +1,7 @@
 //! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line stands.
 
 use crate::geom::Vec3;
-use crate::path::{Bore, Corner, Entry, Feature, Feed, Pairs, Path, Point, Purpose, Surface, Top};
+use crate::path::{Bore, Corner, Entry, Feature, Feed, Pairs, Path, Point, Purpose, Straight, Surface, Top};
 
 /// A dimension of the nominal part, in the work coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,12 @@ pub fn angles(path: &Path) -> Vec<Angle> {
             let Some(touch) = path.touches.first() else { return Vec::new() };
             (point.elevation, touch.point, [frame.u, touch.vector])
         }
-        Feature::Unmoving | Feature::Bore(_) | Feature::Pairs(_) | Feature::TwoCircles(_) | Feature::Several => {
+        Feature::Unmoving
+        | Feature::Bore(_)
+        | Feature::Pairs(_)
+        | Feature::TwoCircles(_)
+        | Feature::Wall(_)
+        | Feature::Several => {
             return Vec::new();
         }
     };
@@ -71,6 +76,7 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
         Feature::Pairs(pairs) => opposite(path, pairs),
         Feature::Corner(corner) => cornered(path, corner),
         Feature::TwoCircles(circles) => two_circles(path, circles.diameters),
+        Feature::Wall(wall) => straight(path, wall),
     };
     all.extend(lift(path));
     all
@@ -95,6 +101,17 @@ fn surface(path: &Path, point: &Point) -> Vec<Dimension> {
     let w = path.frame.w;
     let aside = (w - touch.vector * w.dot(touch.vector)).try_normalize().unwrap_or(path.frame.v);
     vec![Dimension { field: point.clearance, from: touch.point, to, aside, on_demand: false }]
+}
+
+/// Of a wall: from touch to touch, and from it to where a touch begins.
+fn straight(path: &Path, wall: &Straight) -> Vec<Dimension> {
+    let [first, second] = path.touches.as_slice() else { return Vec::new() };
+    let Some(to) = begin_of(path, 0) else { return Vec::new() };
+    let (u, v) = (path.frame.u, path.frame.v);
+    vec![
+        Dimension { field: wall.distance.field, from: first.point, to: second.point, aside: -u, on_demand: false },
+        Dimension { field: wall.clearance, from: first.point, to, aside: -v, on_demand: false },
+    ]
 }
 
 /// The middle of a feature, on its top side.

@@ -48,7 +48,7 @@ const unusable = [
   ["part.sizes", { format: 1, cycle: { type: "boss" }, part: { sizes: { diameter: [] } } }],
   ["feeds", { format: 1, cycle: { type: "boss" }, feeds: "x" }],
   ["feeds.work", { format: 1, cycle: { type: "boss" }, feeds: { work: [] } }],
-  ["newer", { format: 2, cycle: { type: "boss" } }],
+  ["newer", { format: 3, cycle: { type: "boss" } }],
   ["format", { cycle: { type: "boss" } }],
 ];
 

@@ -209,6 +209,21 @@ export interface Surface {
   custom?: CustomCode[] | null;
 }
 
+/** Angle of a wall: Touchpath. */
+export interface WallAngle {
+  type: "wall-angle";
+  /** The middle between the touches, on the wall, at their height. */
+  origin?: Vec3;
+  /** Where the target vector points in the plane, out of the wall; counter-clockwise positive. */
+  rotation?: number;
+  /** From the first touch to the second, along the wall. The longer, the smaller ± is. */
+  distance?: number;
+  /** From the wall to the ball centre where a touch begins. */
+  clearance?: number;
+  /** How far above its start the cycle begins, and how far it is lifted at its end. */
+  feedDistance?: number;
+}
+
 /** Hole: ENCY/SprutCAM type 3. */
 export interface Hole {
   type: "hole";
@@ -589,6 +604,7 @@ export type Cycle =
   | DoubleWallInternalCorner
   | ProbingTwoCircles
   | Surface
+  | WallAngle
   | Hole
   | HoleProtected
   | Boss

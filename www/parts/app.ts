@@ -219,6 +219,7 @@ export class App extends LitElement {
     this.keys.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
     this.store.addEventListener("change", this.forget);
+    this.store.addEventListener("change", this.listed);
     this.store.addEventListener("told", this.pass);
     this.store.addEventListener("cam", this.redraw);
     this.around.host.addEventListener("update-ready", this.offer);
@@ -240,6 +241,7 @@ export class App extends LitElement {
     this.keys.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
     this.store.removeEventListener("change", this.forget);
+    this.store.removeEventListener("change", this.listed);
     this.store.removeEventListener("told", this.pass);
     this.store.removeEventListener("cam", this.redraw);
     this.around.host.removeEventListener("update-ready", this.offer);
@@ -291,7 +293,7 @@ export class App extends LitElement {
             name === "stage"
               ? html`<section class="picture" part="stage" aria-label=${this.t("Picture")}><tp-picture .store=${store}></tp-picture></section>`
               : html`<section class="setup" part="form" id="panel-setup" role=${panels.includes("setup") ? role : nothing} aria-label=${this.t("Setup")} ?hidden=${hidden("setup")}>
-          <tp-features .store=${store}></tp-features>
+          ${store.features.several ? html`<tp-features .store=${store}></tp-features>` : nothing}
           <tp-form .store=${store}></tp-form>
           <tp-help .store=${store}></tp-help>
         </section>`,
@@ -477,6 +479,16 @@ export class App extends LitElement {
   };
 
   private readonly redraw = () => this.requestUpdate();
+
+  /** Whether the list of cycles stands above the form. */
+  private lists = false;
+
+  /** The list comes with the second cycle, and goes with it. */
+  private readonly listed = (): void => {
+    if (this.lists === this.store.features.several) return;
+    this.lists = this.store.features.several;
+    this.requestUpdate();
+  };
 
   /** Says what the store has done beside what it was asked for. */
   private readonly pass = (event: Event): void => this.tell((event as CustomEvent<Said>).detail, true);

@@ -64,6 +64,7 @@ class FormPart extends FieldPart {
       )}</nav>
       <form @submit=${(event: Event) => event.preventDefault()} @entered=${(e: CustomEvent<HTMLElement>) => this.next(e.detail)} autocomplete="off">
         ${groups.map(([name, fields]) => this.group(name, fields))}
+        ${this.store.features.several ? nothing : html`<tp-features .store=${this.store}></tp-features>`}
         ${this.store.cycle.touches && (this.store.cam || this.isPicked) ? this.touches() : nothing}
       </form>
     `;

@@ -1,7 +1,7 @@
 //! What neither of the two takes, or takes with a warning.
 
 use super::{CHANGES, FIRST, LAST};
-use crate::control::{Request, check_plain_moves, check_rotary, check_write, number, offsets};
+use crate::control::{Request, check_plain_moves, check_rotary, check_write, number, offsets, rotation_field};
 use crate::form::Checker;
 use crate::geom::Plane;
 use crate::path::Purpose;
@@ -62,7 +62,7 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
     if datum.is_some_and(|d| d.rotation.is_some()) {
         let message = text!("A work offset of this control has no rotation: none can be written");
-        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+        checker.error("rotation-unsupported", rotation_field(request), message);
     }
     if let Some(k) = request.path.touches.iter().position(|touch| touch.search < SHORTEST_SEARCH) {
         let message = text!(

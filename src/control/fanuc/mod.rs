@@ -85,6 +85,7 @@ const KIN: PostDef = PostDef {
     serves,
     check: checked,
     emit: |request| emit(request, &PLAIN),
+    rotates: false,
     ..BASE
 };
 
@@ -128,6 +129,9 @@ const CHANGES: usize = 3;
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (_, Form::Moves) => Ok(()),
+        (Subject::Wall, Form::Cycle) => {
+            Err("the macro for the angle of a wall, 9843, is read and drawn, and not written: use moves")
+        }
         (Subject::Action, Form::Cycle) => {
             Err("a line for the control is not a cycle: the moves form states the modes and ends")
         }

@@ -398,6 +398,12 @@ impl Moves for Skip<'_> {
     }
 
     fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
+        if let Some((turn, about)) = formula.turn {
+            let [x, y] = about.map(|mm| w.number(mm));
+            let turn = variable(self.registers.variables[turn.index()]);
+            w.comment("A work offset has no rotation. What turns the system by the one measured:");
+            w.comment(&format!("G68 X{x} Y{y} R{turn}"));
+        }
         let results = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
         let mut results = results.map(|(i, result)| (variable(i + 1), formula.code(result))).peekable();
         if results.peek().is_none() {

@@ -101,6 +101,7 @@ const KIN: PostDef = PostDef {
     emit,
     read: Some(read::read),
     typed_write: Some(write::typed),
+    rotates: false,
     ..BASE
 };
 

@@ -53,6 +53,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
         (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, Form::Cycle) => Err(
             "no source shows the whole block of the corner cycles 414 and 415, and one cycle 427 a touch would need arithmetic in Q parameters, which no source shows either",
         ),
+        (Subject::Wall, Form::Cycle) => Err("no source shows the whole block of cycle 420"),
         (_, Form::Cycle) => Ok(()),
     }
 }

@@ -48,7 +48,9 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
         Feature::Surface(point) => program.surface(point)?,
         Feature::Bore(bore) => program.bore(bore)?,
         Feature::Pairs(pairs) => program.pairs(pairs)?,
-        Feature::Corner(_) | Feature::TwoCircles(_) | Feature::Unmoving | Feature::Several => return Ok(path.clone()),
+        Feature::Corner(_) | Feature::TwoCircles(_) | Feature::Unmoving | Feature::Wall(_) | Feature::Several => {
+            return Ok(path.clone());
+        }
     }
     program.finish(meets)
 }

@@ -83,6 +83,9 @@ impl Reads {
             let measured = datum.place.iter().flatten().filter_map(|place| place.measured);
             measured.chain(datum.rotation).for_each(|variable| reads.variables[variable.index()] = TO_THE_END);
         }
+        if let Some((turn, _)) = formula.turn {
+            reads.variables[turn.index()] = TO_THE_END;
+        }
         reads
     }
 }

@@ -17,7 +17,7 @@ use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::rules;
 use crate::control::{
     BASE, Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
-    check_watched, check_write, does, orientation_line, work_offset_word,
+    check_watched, check_write, does, orientation_line, rotation_field, work_offset_word,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question, Variable};
@@ -81,7 +81,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     let Some(datum) = request.path.formula.datum.as_ref() else { return };
     if request.work_offset.is_some() && datum.rotation.is_some() && request.plane != Plane::G17 {
         let message = text!("LinuxCNC turns a work offset about Z only: no rotation can be written in this plane");
-        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+        checker.error("rotation-unsupported", rotation_field(request), message);
     }
 }
 

@@ -7,6 +7,7 @@
 use crate::control::iso::writer::Writer;
 use crate::control::{
     Program, Request, check_orientation, check_plain_moves, check_rotary, check_write, does, number, offsets, orientation_line,
+    rotation_field,
 };
 use crate::form::Checker;
 use crate::num::decimal;
@@ -116,7 +117,7 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
     if datum.is_some_and(|d| d.rotation.is_some()) {
         let message = text!("A work offset of this control has no rotation: none can be written");
-        checker.error("rotation-unsupported", "cycle.confirmRotation", message);
+        checker.error("rotation-unsupported", rotation_field(request), message);
     }
     check_write(request, checker);
     check_orientation(request, checker);

@@ -36,7 +36,7 @@ pub fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused
         Feature::Pairs(pairs) => program.pairs(pairs)?,
         Feature::Corner(corner) => program.corner(corner)?,
         Feature::TwoCircles(circles) => program.two_circles(circles)?,
-        Feature::Unmoving | Feature::Several => return program.switch(),
+        Feature::Unmoving | Feature::Wall(_) | Feature::Several => return program.switch(),
     }
     program.finish(meets)
 }

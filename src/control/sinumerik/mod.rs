@@ -80,6 +80,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
         (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, _) => Err(
             "its corner cycle is CYCLE961, and no source we have proves the order of its arguments: a wrong one would move the probe elsewhere",
         ),
+        (Subject::Wall, _) => Err("its cycle for the angle of a wall, CYCLE998, is read and not written"),
         (Subject::TwoCircles, _) => Err("it has no cycle of its own for two circles"),
         (Subject::Switch | Subject::Action, _) => Err("it has no measuring cycle for it"),
         _ => Ok(()),

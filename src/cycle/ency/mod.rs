@@ -17,7 +17,7 @@ pub use custom::{HIGHEST as HIGHEST_CODE, MOST as MOST_CODES};
 pub use field::Properties;
 pub use forms::{PairProtected, RectangleProtected, RoundProtected};
 pub use picked_touches::{LONGEST_VECTOR, POINT, Pick, Placement};
-pub use shape::{Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, Variant};
+pub use shape::{Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, TwoTouches, Variant};
 use table::table;
 pub use table::{CODE_GROUPS, code_of, only_angular};
 
@@ -249,6 +249,10 @@ impl Cycle for Ency {
     }
 
     fn parameters(&self, setup: &Setup, touches: &[Touch]) -> Vec<Parameter> {
+        // A cycle of our own is in no table.
+        if self.def.number.is_none() {
+            return Vec::new();
+        }
         let (shape, _) = self.seat(setup);
         let kind = (self.def, self.name);
         let mut rows = table(kind, &self.form.values, self.properties.as_ref(), touches, setup, |k| shape.name(k));

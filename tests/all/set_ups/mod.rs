@@ -253,6 +253,38 @@ fn random_set_ups_are_written_where_their_part_is() {
     assert!(turned > 5 && together > 60, "{turned} {together}");
 }
 
+/// A Fanuc's work offset has no rotation: its program says the block that turns the system, about the place that it has written.
+#[test]
+fn a_control_without_a_rotation_says_the_block_for_it() {
+    let text = VISE.replace("linuxcnc", "fanuc").replace("\"diameter\": 25", "\"origin\": [12, -7, 0], \"diameter\": 25");
+    let plan = planned(&job(&text));
+    assert_eq!(plan.program.writes, ["X", "Y", "Z"]);
+    let block = plan.program.text.lines().find(|line| line.contains("G68 X")).expect("a block");
+    let register = block.rsplit('R').next().unwrap().trim_end_matches(')');
+    assert!(block.contains("G68 X12. Y-7. R#1"), "{block}");
+    // The last that is computed into it is the turn.
+    let last = plan.program.text.lines().rfind(|line| line.starts_with(&format!("{register}="))).unwrap();
+    assert!(last.contains('#'), "{last}");
+    assert!(plan.findings.iter().any(|f| f.code == "rotation-not-written"));
+}
+
+/// By hand: two touches 60 apart on a part that is turned by half a degree; and what scatters by 1 µm a touch is √2 µm over 60 mm.
+#[test]
+fn the_angle_of_a_wall_turns_the_work_offset() {
+    let text = r#"{ "format": 1, "control": { "post": "linuxcnc", "workOffset": 3 }, "cycle": { "type": "wall-angle", "origin": [5, 9, -4], "rotation": 90, "distance": 60 },
+        "part": { "rotation": 0.5 } }"#;
+    let plan = planned(&job(text));
+    assert_eq!(plan.touches.iter().map(|t| t.point).collect::<Vec<_>>(), [[35.0, 9.0, -4.0], [-25.0, 9.0, -4.0]]);
+    let row = &plan.results[0];
+    assert_eq!((row.code.as_str(), row.nominal, row.truth), ("rotation", Some(90.0), Some(90.5)));
+    assert!((row.value.unwrap() - 90.5).abs() < 1e-9, "{row:?}");
+    let sigma = (0.001 * std::f64::consts::SQRT_2 / 60.0).to_degrees();
+    assert!((row.uncertainty.unwrap() - sigma).abs() < 1e-3 * sigma, "{row:?}");
+    assert_eq!(plan.program.writes, ["rotation"]);
+    let ran = interpret(&on_the_part(&plan)).unwrap();
+    assert!((ran.rotations_after_moves[0] - 0.5).abs() < 1e-4, "{:?}", ran.rotations_after_moves);
+}
+
 /// The header says the whole set-up: a program comes back as its job, on every control.
 #[test]
 fn a_program_is_its_set_up_again() {

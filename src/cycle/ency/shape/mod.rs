@@ -1,4 +1,4 @@
-//! What dimensions make: opposite walls, a circle, a corner of two walls or three, a point; and the steps and rules that these share.
+//! What dimensions make: opposite walls, a circle, a corner of two walls or three, a wall, a point; and the steps and rules that these share.
 
 mod corner;
 mod pairs;
@@ -6,12 +6,14 @@ mod point;
 mod round;
 mod triple;
 mod unmoving;
+mod wall;
 
 pub use corner::{Corner, CornerAngle};
 pub use pairs::{Pairs, Side};
 pub use point::Point;
 pub use round::{Circle, Variant};
 pub use triple::{Outside, Triple};
+pub use wall::TwoTouches;
 
 use unmoving::Unmoving;
 
@@ -38,6 +40,8 @@ pub enum Shape {
     Corner(Corner),
     /// A corner of three walls.
     Triple(Triple),
+    /// A wall, touched twice.
+    Wall(TwoTouches),
 }
 
 impl Shape {
@@ -50,6 +54,7 @@ impl Shape {
             Shape::Pairs(pairs) => pairs.sizes(),
             Shape::Corner(corner) => corner.sizes(),
             Shape::Triple(triple) => triple.sizes(),
+            Shape::Wall(wall) => wall.sizes(),
         }
     }
 }
@@ -65,6 +70,7 @@ impl std::ops::Deref for Shape {
             Shape::Pairs(pairs) => pairs,
             Shape::Corner(corner) => corner,
             Shape::Triple(triple) => triple,
+            Shape::Wall(wall) => wall,
         }
     }
 }

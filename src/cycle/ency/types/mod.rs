@@ -15,5 +15,6 @@ pub mod probe_on_off;
 pub mod surface;
 pub mod triple_wall_external_corner;
 pub mod triple_wall_internal_corner;
+pub mod wall_angle;
 pub mod web;
 pub mod web_three_points;
