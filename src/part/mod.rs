@@ -130,11 +130,13 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
             Surface::Flat(wall) if wall.body == body && wall.has_top => Some(wall.normal),
             _ => None,
         });
-        let mut angles: Vec<f64> = normals.map(|n| n.dot(path.frame.v).atan2(n.dot(path.frame.u))).collect();
-        angles.sort_unstable_by(f64::total_cmp);
-        let Some(first) = angles.first().copied() else { return false };
-        let next = angles[1..].iter().copied().chain([first + std::f64::consts::TAU]);
-        angles.iter().zip(next).all(|(angle, next)| next - angle < std::f64::consts::PI - 1e-6)
+        let angles: Vec<f64> = normals.map(|n| n.dot(path.frame.v).atan2(n.dot(path.frame.u))).collect();
+        // Behind each wall comes another one before half a turn is over.
+        let next = |angle: f64| {
+            let turns = angles.iter().map(|other| (other - angle).rem_euclid(std::f64::consts::TAU));
+            turns.filter(|turn| *turn > 1e-6).fold(f64::INFINITY, f64::min)
+        };
+        !angles.is_empty() && angles.iter().all(|angle| next(*angle) < std::f64::consts::PI - 1e-6)
     };
     let stands = |surface: &&Surface| match surface {
         Surface::Round(round) => !round.hole,

@@ -236,7 +236,7 @@ test("a link of version 1 stays readable, and a broken, foreign or huge one chan
     `#job1=${"A".repeat(40_000)}`,
     `#job1=${await zip("7")}`,
     `#job1=${await zip('{"job":{"format":1,"cycle":{"type":"boss","touches":"abc"}}}')}`,
-    `#job1=${await zip('{"job":{"format":2,"cycle":{"type":"boss"}}}')}`,
+    `#job1=${await zip('{"job":{"format":3,"cycle":{"type":"boss"}}}')}`,
     // Three million characters in a short link.
     `#job1=${await zip(`{"job":"${" ".repeat(3_000_000)}"}`)}`,
   ];

@@ -299,7 +299,7 @@ test("a long text is read in a worker of the page's own, with the same answer as
     "nothing is left of what was said while it was read",
   );
   // What is wrong with a text is said as it always is.
-  const wrong = `${" ".repeat(300_000)}{"format":2,"cycle":{"type":"hole"}}`;
+  const wrong = `${" ".repeat(300_000)}{"format":3,"cycle":{"type":"hole"}}`;
   await openText(wrong);
   await settles(async () => /Nothing was changed/.test(await note()));
   const beside = await note();
