@@ -226,11 +226,12 @@ fn read_datum(
             _ => written.place[axis] = found.map(|(member, _)| member),
         }
     }
-    if written.rotation.is_some() && written.place[0].is_some() && written.place[0] != written.place[1] {
+    if written.rotation.is_some() && written.place[0] != written.place[1] {
+        let source = |axis: usize| written.place[axis].map_or_else(|| "-".to_owned(), |member| names[member].clone());
         let message = text!(
             "With a rotation, X and Y are those of one point: take both from the same cycle, and not from {one} and {other}",
-            names[written.place[0].unwrap_or(0)].clone(),
-            written.place[1].map_or_else(|| "-".to_owned(), |member| names[member].clone())
+            source(0),
+            source(1)
         );
         checker.error("datum-apart", "datum", message);
     }
@@ -239,6 +240,19 @@ fn read_datum(
         let message = text!(
             "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
             names[*early].clone()
+        );
+        checker.error("set-up-unsupported", "datum", message);
+    }
+    // What such a cycle measures it writes, whatever a job would rather have.
+    let measured = members[members.len() - 1].path.formula.datum.as_ref().map_or([false; 3], |datum| datum.measured());
+    let axes = members[0].job.setup.plane.axes();
+    let unwanted = (0..3).filter(|i| measured[*i] && written.place[*i].is_none()).map(|i| AXIS_NAMES[axes[i]]);
+    let unwanted: Vec<&str> = unwanted.collect();
+    if own && writes && !unwanted.is_empty() {
+        let message = text!(
+            "The control's own cycle of {name} writes all that it measures, {axes} too: let it write them, choose no work offset, or use the form \"moves\"",
+            names[names.len() - 1].clone(),
+            unwanted.join(", ")
         );
         checker.error("set-up-unsupported", "datum", message);
     }
@@ -386,8 +400,14 @@ fn run(whole: &Planned, on: On) -> Run {
 
 /// The first move that meets the feature of another cycle.
 fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
-    let surfaces = if on == On::Nominal { &whole.path.surfaces } else { &whole.surfaces };
-    part::crossing(&whole.path, surfaces, whole.job.setup.radius)
+    let radius = whole.job.setup.radius;
+    match on {
+        On::Nominal => {
+            let standing = part::crossing(&whole.path, &whole.path.surfaces, radius);
+            standing.or_else(|| part::through_contacts(&whole.path, radius))
+        }
+        On::Actual => part::crossing(&whole.path, &whole.surfaces, radius),
+    }
 }
 
 /// What the whole set-up must hold beside its cycles.

@@ -94,6 +94,33 @@ pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to
     Obstacles::of(surfaces, up).first_contact(radius, from, to).map(|contact| contact.fraction)
 }
 
+/// The first move of a set-up that goes through what another cycle touches, and where. The path is that of the nominal part.
+pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
+    let up = path.frame.w;
+    // A ball that touches the same wall at the same place is as near as its radius, but for what is rounded.
+    let within = (radius - 1e-3).max(0.0);
+    let mut at = path.start;
+    for (index, step) in path.moves.iter().enumerate() {
+        let from = at.replace(step.to).unwrap_or(step.to);
+        let own = path.member_of_move(index).filter(|_| step.step != WAY);
+        let mut stand = from;
+        for way_point in step.pieces(from, up, 1.0) {
+            let way = way_point - stand;
+            let nearest = |point: Vec3| {
+                let along = (point - stand).dot(way) / way.length_squared().max(1e-12);
+                stand + way * along.clamp(0.0, 1.0)
+            };
+            let others = path.members.iter().enumerate().filter(|(member, _)| Some(*member) != own);
+            let touched = others.flat_map(|(_, member)| &path.touches[member.touches.clone()]).map(|touch| touch.point);
+            if let Some(point) = touched.into_iter().find(|point| (*point - nearest(*point)).length_squared() < within * within) {
+                return Some((index, nearest(point)));
+            }
+            stand = way_point;
+        }
+    }
+    None
+}
+
 /// The first move of a set-up that meets what stands of the feature of another cycle, and where: a stud, or a body with walls all around. How far the
 /// material around a hole or behind a single wall goes, nobody has said.
 pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {

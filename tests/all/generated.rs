@@ -12,7 +12,7 @@ mod words;
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::common::with;
+use crate::common::{job, with};
 use touchpath::control::native::{Argument, SETS, Unit};
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::catalog;
@@ -133,6 +133,21 @@ fn picture(def: &CycleDef) -> Option<String> {
     Some(svg(&picture.scene, &legend))
 }
 
+/// The set-ups of `examples/set-ups`, as `docs/set-ups.md` shows them: on the nominal part.
+fn set_up_pictures() -> Vec<(&'static str, String)> {
+    let examples = [
+        ("vise", include_str!("../../examples/set-ups/vise.json"), "A vise: top, bore and a side"),
+        ("two-holes", include_str!("../../examples/set-ups/two-holes.json"), "A fixture: plate and two holes"),
+        ("first-article", include_str!("../../examples/set-ups/first-article.json"), "Five sizes: bore, stud, pocket and rib"),
+    ];
+    let picture = |(name, text, title)| {
+        let nominal = with(&job(text), "part", Value::Map(Vec::new()));
+        let picture = planned(&nominal).unwrap().picture(Projection::Isometric, 1.0, None);
+        (name, svg(&picture.scene, &Legend { title, names: &picture.names, deviates: false }))
+    };
+    examples.into_iter().map(picture).collect()
+}
+
 /// The codes of the fields that begin so: a point's axes have one each.
 fn codes_of(rows: &[ParameterRow], field: &str) -> String {
     let axes = rows.iter().filter(|row| row.field.as_deref().is_some_and(|of| of.starts_with(field)));
@@ -232,6 +247,13 @@ fn the_manual_is_what_the_crate_says() {
         }
     }
     assert_eq!(catalog().cycles.len(), CYCLES.len());
+}
+
+#[test]
+fn the_pictures_of_the_set_ups_are_those_of_the_crate() {
+    for (name, picture) in set_up_pictures() {
+        keep(&format!("docs/set-ups/{name}.svg"), &picture);
+    }
 }
 
 #[test]

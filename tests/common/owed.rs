@@ -76,13 +76,17 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
         return program_is_sane(plan);
     }
     // It ends where it began, above the touches.
-    let (first, last) = (&plan.moves[0], &plan.moves[plan.moves.len() - 1]);
-    owe!("a path ends where it began", distance(first.to, last.to) < 1e-8);
-    // A move of a nanometre is none: the end may lie that much lower.
-    owe!(
-        "no move goes higher than the path ends",
-        plan.moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + level + 1e-6)
-    );
+    for cycle in 0..plan.cycles.len().max(1) {
+        // Step 0 is the way from one cycle of a set-up to the next.
+        let moves: Vec<_> = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0).collect();
+        let (Some(first), Some(last)) = (moves.first(), moves.last()) else { continue };
+        owe!("a path ends where it began", distance(first.to, last.to) < 1e-8);
+        // A move of a nanometre is none: the end may lie that much lower.
+        owe!(
+            "no move goes higher than the path ends",
+            moves.iter().all(|m| m.to[tool_axis] <= last.to[tool_axis] + level + 1e-6)
+        );
+    }
     // Picks may lie beside their wall: contacts are made where that is.
     if picked && ["fanuc", "haas"].contains(&plan.program.post) {
         let nominal = super::with(job, "part", Value::Map(Vec::new()));

@@ -13,17 +13,21 @@ const BEYOND = [
   "approach-beyond-wall",
   "ball-too-wide",
   "circle-in-circle",
+  "clear-too-low",
   "clearance-height-too-low",
   "clearance-too-small",
   "code-twice",
   "collision",
   "crossing-too-low",
   "cycle-chooses-points",
+  "cycle-name",
   "cycle-no-zone",
   "cycle-not-parallel",
   "cycle-one-path",
   "cycle-path-short",
   "cycle-plane",
+  "datum-apart",
+  "datum-unknown",
   "dist-too-short",
   "edge-contact",
   "extrusion-direction",
@@ -51,6 +55,7 @@ const BEYOND = [
   "rotary-unsupported",
   "rotation-unsupported",
   "search-too-short",
+  "set-up-unsupported",
   "semi-automatic-unsupported",
   "shank-collision",
   "short-arc",
@@ -81,7 +86,11 @@ const BEYOND = [
   "wrong-wall",
 ];
 /** The same where a code is the schema's elsewhere: a size of which nothing would be left, a stud of no diameter. */
-const BEYOND_AT = [/^out-of-range part\.sizes\./, /^out-of-range cycle\.diameter\d$/];
+const BEYOND_AT = [
+  /^out-of-range part\.sizes\./,
+  /^out-of-range cycle(s\[\d+\])?(\.cycle)?\.diameter\d$/,
+  /^unknown-key part\.sizes\./,
+];
 
 /** Numbers in the order in which they are drawn: the same every time. */
 function dice(/** @type {number} */ seed) {
@@ -155,6 +164,12 @@ test("what the schema takes and refuses, the check takes and refuses", async () 
   });
   Object.assign(rare.tool, { frame: [{ rot: "X", angle: 0 }, { mirror: "Z" }, { mirror: "Z" }] });
   starts.push(rare, rare, rare);
+  const setUps = readdirSync(at("examples/set-ups")).map((name) =>
+    JSON.parse(readFileSync(at("examples/set-ups", name), "utf8")),
+  );
+  // As often as all others together: they are larger.
+  while (setUps.length < starts.length) setUps.push(...setUps);
+  starts.push(...setUps);
   const roll = dice(20261122);
   const tally = { taken: 0, refused: 0, beyond: 0 };
   for (let i = 0; i < 30_000; i++) {

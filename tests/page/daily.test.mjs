@@ -81,7 +81,7 @@ test("cycles are found by what people call them, in their language, and Enter ta
   }
   await search().fill("xyzzy");
   await page.getByRole("button", { name: "Show all" }).click();
-  assert.equal((await found()).length, 18);
+  assert.equal((await found()).length, 19);
   await search().fill("web");
   await search().press("Enter");
   await page.locator("tp-gallery").waitFor({ state: "detached" });

@@ -65,7 +65,7 @@ test("the gallery: small pictures, search by name or number, a cycle chosen", as
   await page.getByRole("button", { name: "Gallery" }).click();
   const cards = page.locator("tp-gallery li:visible:has([data-type])");
   await cards.first().waitFor();
-  assert.equal(await cards.count(), 18);
+  assert.equal(await cards.count(), 19);
   const drawn = await page.locator("tp-gallery canvas").evaluateAll((all) =>
     all.map((node) => {
       const canvas = /** @type {HTMLCanvasElement} */ (node);

@@ -37,7 +37,7 @@ test("a setter has seven groups and three tabs; what CAM needs comes with its sw
     "Program and machine",
     "Virtual part",
   ]);
-  assert.equal(await field("cycle.type").locator("option").count(), 16, "cycles that move nothing are for CAM");
+  assert.equal(await field("cycle.type").locator("option").count(), 17, "cycles that move nothing are for CAM");
   const asks = await page.locator("tp-bar .asks > [aria-hidden], tp-bar .asks[aria-hidden]").allTextContents();
   assert.deepEqual(asks, ["What do you measure?", "On which machine?", "What shall it do?", "Units"]);
   await page.getByRole("button", { name: "More" }).click();

@@ -1,5 +1,6 @@
 //! Jobs of several cycles: one program, safe ways between, one write at the end.
 
+mod examples;
 mod refused;
 
 use crate::common::{import, interpret, job, number_at, planned, with};
@@ -136,7 +137,9 @@ fn on_the_part(plan: &Plan) -> String {
 fn probing_again_reads_nominal(job: &Value, said: &str) {
     let plan = planned(job);
     let ran = interpret(&on_the_part(&plan)).unwrap_or_else(|e| panic!("{said}: {e}"));
-    let shown: Vec<_> = plan.results.iter().filter(|r| r.value.is_some() && !r.code.starts_with("offset.")).collect();
+    // 1411's verdict and form are no output of its program.
+    let computed = |code: &str| !code.starts_with("offset.") && !["Q183", "form1", "form2"].contains(&code);
+    let shown: Vec<_> = plan.results.iter().filter(|r| r.value.is_some() && computed(&r.code)).collect();
     assert_eq!(ran.prints.len(), shown.len(), "{said}");
     for ((code, printed), row) in ran.prints.iter().zip(shown) {
         assert_eq!(*code, format!("{}.{}", plan.cycles[row.cycle], row.code), "{said}");

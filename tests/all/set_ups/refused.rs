@@ -1,6 +1,6 @@
 //! What is said of a set-up that cannot be, each at its place.
 
-use crate::common::{job, with};
+use crate::common::{job, planned, with};
 use touchpath::form::Value;
 use touchpath::job::check;
 
@@ -63,6 +63,8 @@ fn a_datum_that_is_no_result_is_refused_with_those_that_are() {
         (r#"{ "a": "BORE.center.x" }"#, "unknown-key datum.a"),
         ("7", "wrong-type datum"),
         (r#"{ "x": "BORE.center.x", "y": "WALL.corner.y", "rotation": "WALL.rotation" }"#, "datum-apart datum"),
+        (r#"{ "x": null, "rotation": "WALL.rotation" }"#, "datum-apart datum"),
+        (r#"{ "y": null, "rotation": "WALL.rotation" }"#, "datum-apart datum"),
     ] {
         assert_eq!(errors(&of(datum)), [wanted], "{datum}");
     }
@@ -72,6 +74,44 @@ fn a_datum_that_is_no_result_is_refused_with_those_that_are() {
     for datum in [r#"{ "x": "bore.CENTER.X", "y": "WALL.corner.y" }"#, r#"{ "x": null, "y": null }"#, "null", "{}"] {
         assert!(errors(&of(datum)).is_empty(), "{datum}: {:?}", errors(&of(datum)));
     }
+}
+
+/// A cycle of the control's own writes all that it measures: a job that would rather have less is refused, and no program says that it writes less.
+#[test]
+fn what_a_cycle_of_the_control_writes_is_not_left_out() {
+    let of = |post: &str, offset: &str, datum: &str| {
+        format!(
+            r#"{{ "format": 2, "control": {{ "post": "{post}", "form": "cycle", "workOffset": {offset} }}, "datum": {datum},
+            "cycles": [{{ "type": "surface", "origin": [-60, 0, 0] }}, {{ "type": "hole", "diameter": 30 }}] }}"#
+        )
+    };
+    for post in ["sinumerik", "fanuc", "haas", "mazak", "brother", "hurco", "okuma"] {
+        for datum in [r#"{ "x": null }"#, r#"{ "y": null }"#, r#"{ "x": null, "y": null, "z": null }"#] {
+            assert_eq!(errors(&of(post, "2", datum)), ["set-up-unsupported datum"], "{post} {datum}");
+            assert!(errors(&of(post, "null", datum)).is_empty(), "{post} {datum}");
+        }
+        // Z is not measured by the last cycle: nothing to leave out.
+        for datum in ["{}", r#"{ "z": null }"#] {
+            assert_eq!(planned(&job(&of(post, "2", datum))).program.writes, ["X", "Y"], "{post} {datum}");
+        }
+    }
+}
+
+/// A place that one cycle touches is material for every other one, whatever is known of the rest.
+#[test]
+fn no_cycle_goes_through_what_another_one_touches() {
+    let of = |x: f64, z: f64| {
+        format!(
+            r#"{{ "format": 2, "cycles": [{{ "type": "hole", "diameter": 25 }}, {{ "type": "surface", "origin": [{x}, 0, {z}] }}] }}"#
+        )
+    };
+    // The way down into the hole passes the middle of the surface.
+    assert_eq!(errors(&of(0.0, 0.0)), ["collision cycles"]);
+    // 12.5 and the ball's radius beside the axis: the touches of the hole come to 9.5 from it, 3 from its wall.
+    assert_eq!(errors(&of(12.0, -10.0)), ["collision cycles"]);
+    assert!(errors(&of(-30.0, 0.0)).is_empty());
+    // The bottom of the same hole, deeper than its touches.
+    assert!(errors(&of(0.0, -20.0)).is_empty());
 }
 
 /// The proposal: the first cycle that measures both axes of the plane, the first that measures the tool axis, no rotation.
