@@ -50,7 +50,7 @@ pub fn job_schema() -> Value {
 fn set_up() -> [(String, Value); 3] {
     let pattern = format!("^[A-Za-z][A-Za-z0-9]{{0,{}}}$", LONGEST_NAME - 1);
     let name = map([
-        ("type", text("string")),
+        ("type", Value::List(vec![text("string"), text("null")])),
         ("pattern", text(&pattern)),
         ("description", text("Its name, which programs print in front of its results. Left out: what it measures.")),
     ]);
@@ -72,7 +72,7 @@ fn set_up() -> [(String, Value); 3] {
             "Which result is written into which axis of the work offset, as `BORE.center.x`; x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle that measures it. Null: not written. A rotation is written where one is named.",
         ),
     ));
-    [("cycles".to_owned(), list), ("clear".to_owned(), field(&CLEAR)), ("datum".to_owned(), Value::Map(datum))]
+    [("cycles".to_owned(), list), ("clear".to_owned(), field(&CLEAR)), ("datum".to_owned(), nullable(Value::Map(datum)))]
 }
 
 /// The ranges of lengths and feeds of a whole job whose units are so many mm.

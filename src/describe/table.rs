@@ -65,10 +65,11 @@ fn json_row(row: &ParameterRow, call: Option<String>) -> String {
     let touch = row.touch.map_or("null".to_owned(), |k| k.to_string());
     let call = call.map_or_else(String::new, |call| format!(", \"call\": {}", quoted(&call)));
     format!(
-        "{{ \"code\": {}, \"type\": {}, \"value\": {number}, \"meaning\": {}, \"field\": {field}, \"touch\": {touch}{call} }}",
+        "{{ \"code\": {}, \"type\": {}, \"value\": {number}, \"meaning\": {}, \"field\": {field}, \"cycle\": {}, \"touch\": {touch}{call} }}",
         quoted(&row.code),
         quoted(row.type_name),
-        quoted(&row.meaning.english())
+        quoted(&row.meaning.english()),
+        row.cycle
     )
 }
 

@@ -111,9 +111,10 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
                 stand + way * along.clamp(0.0, 1.0)
             };
             let others = path.members.iter().enumerate().filter(|(member, _)| Some(*member) != own);
-            let touched = others.flat_map(|(_, member)| &path.touches[member.touches.clone()]).map(|touch| touch.point);
-            if let Some(point) = touched.into_iter().find(|point| (*point - nearest(*point)).length_squared() < within * within) {
-                return Some((index, nearest(point)));
+            let mut touched = others.flat_map(|(_, member)| &path.touches[member.touches.clone()]);
+            let through = |point: Vec3| point.distance_squared(nearest(point)) < within * within;
+            if let Some(touch) = touched.find(|touch| through(touch.point)) {
+                return Some((index, nearest(touch.point)));
             }
             stand = way_point;
         }

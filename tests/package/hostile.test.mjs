@@ -217,6 +217,8 @@ test("a plan is a plain object: to clone, spread, JSON and comparison", () => {
     "moves",
     "length",
     "time",
+    "cycles",
+    "datum",
     "program",
     "table",
     "results",

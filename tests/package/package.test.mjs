@@ -294,7 +294,7 @@ test("installed from its tarball, in JavaScript and in strict TypeScript", () =>
   writeFileSync(
     join(user, "use.ts"),
     `import { catalog, check, defaultJob, evaluate, importJob, JobError, measure, moveColumns, plan, version } from "touchpath";
-import type { Catalog, Finding, Job, Measurement, Move, MoveColumns, ParameterRow, Plan, PostId, ResultRow, Vec3 } from "touchpath";
+import type { Catalog, Finding, Job, Measurement, Move, MoveColumns, ParameterRow, Plan, PostId, ResultRow, SetUp, Vec3 } from "touchpath";
 import { PROTOCOL } from "touchpath/frame";
 const job: Job = defaultJob("internal-rectangle-protected");
 const short: Job = { format: 1, cycle: { type: "double-wall-internal-corner", count1: 3 }, feeds: { approach: null } };
@@ -316,8 +316,11 @@ whole.cycle.touches = [{ point: [0, 0, 0], vector: [1, 0, 0] }];
 const posts: PostId[] = catalog().posts.map((post) => post.id);
 console.log(whole, posts, PROTOCOL satisfies 1);
 const read = importJob("x");
-const taken: Job | null = read.job;
-const drawn: number = read.kind === "moves" ? read.trace.moves.length : read.job.cycle.type.length;
+const taken: Job | SetUp | null = read.job;
+const drawn: number =
+  read.kind === "moves" ? read.trace.moves.length : read.job.format === 2 ? read.job.cycles.length : read.job.cycle.type.length;
+const pair: SetUp = { format: 2, cycles: [{ name: "TOP", type: "surface" }, { type: "hole", diameter: 25 }], datum: { z: "TOP.point.z" } };
+const both: string[] = plan(pair).cycles;
 // @ts-expect-error a program of moves has no job
 const lie: Job = importJob("x").job;
 try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
@@ -326,7 +329,7 @@ console.log(circles, taken, drawn, lie, found, to, rows, results, measurement, c
 const wrong: Job = { format: 1, feeds: { approach: "fast" }, cycle: { type: "double-wall-internal-corner" } };
 // @ts-expect-error there is no such cycle
 const bogus: Job = { format: 1, cycle: { type: "bogus" } };
-export { bogus, wrong };
+export { bogus, both, wrong };
 `,
   );
   const tsc = join(root, "node_modules", ".bin", "tsc");

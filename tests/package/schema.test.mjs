@@ -64,6 +64,7 @@ const BEYOND = [
   "starts-disagree",
   "stops-too-late",
   "too-far",
+  "too-many-digits",
   "too-many-registers",
   "too-many-touches",
   "tool-axis-reversed",
