@@ -18,6 +18,17 @@ const corner = (/** @type {number} */ count1, /** @type {number} */ count2, part
   cycle: { type: "double-wall-internal-corner", count1, count2, step1: 7, step2: 6 },
   ...(part ? { part: { offset: [0.3, -0.2, 0], rotation: 0.2, sizes: { angle: 0.1 } } } : {}),
 });
+/** As many bores in one program, in rows of ten. */
+const bores = (/** @type {number} */ count) => ({
+  format: 2,
+  control: { post: "linuxcnc", workOffset: 1 },
+  part: { offset: [0.2, -0.1, 0.05], rotation: 0.1 },
+  cycles: Array.from({ length: count }, (_, i) => ({
+    type: "hole",
+    diameter: 20 + (i % 5),
+    origin: [60 * (i % 10), 60 * Math.floor(i / 10), 0],
+  })),
+});
 /** @type {Record<string, any>} */
 const jobs = {
   "type 7, 4 touches": { format: 1, cycle: { type: "internal-rectangle-protected" } },
@@ -39,6 +50,9 @@ const jobs = {
     cycle: { type: "probing-two-circles", probePoints: 8 },
     control: { post: "sinumerik" },
   },
+  "a set-up of 1 bore": bores(1),
+  "a set-up of 10 bores": bores(10),
+  "a set-up of 50 bores": bores(50),
 };
 
 /** Microseconds of this process' own time: a loaded machine hardly matters. */
@@ -122,6 +136,8 @@ const ratio = (/** @type {string} */ label, /** @type {string} */ a, /** @type {
 };
 ratio("16 touches / 4 touches (type 13)", "type 13, 16 touches", "type 13, 4 touches");
 ratio("with part / without, 16 touches (goal: < 2)", "type 13, 16 touches, part", "type 13, 16 touches");
+ratio("10 bores / 1 bore (goal: at most 10)", "a set-up of 10 bores", "a set-up of 1 bore");
+ratio("50 bores / 1 bore", "a set-up of 50 bores", "a set-up of 1 bore");
 ratio("with part / without, 4 touches (type 7)", "type 7, 4 touches, part", "type 7, 4 touches");
 
 // Calls of a control's own cycles: calls and their path, a run on the displaced part, the program. The same job as LinuxCNC's moves is 1.

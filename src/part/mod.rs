@@ -13,7 +13,7 @@ pub use measured::{Expected, Stand, check as check_measured, read as read_measur
 pub use stylus::{Above, Shape, Struck, struck};
 
 use crate::geom::{Rigid, Vec3};
-use crate::path::{Path, Purpose, Round, Setup, Surface, WAY, Wall};
+use crate::path::{Member, Path, Purpose, Round, Setup, Surface, WAY, Wall};
 
 /// A contact so far past the end of a search still counts, mm: both are rounded.
 const ROUNDING: f64 = 2e-7;
@@ -99,6 +99,16 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
     let up = path.frame.w;
     // A ball that touches the same wall at the same place is as near as its radius, but for what is rounded.
     let within = (radius - 1e-3).max(0.0);
+    let touched = |member: &Member| path.touches[member.touches.clone()].iter().map(|touch| touch.point);
+    // Where the ball must be to come near a touch of a cycle: most ways pass most cycles far off.
+    let boxes: Vec<(Vec3, Vec3)> = path
+        .members
+        .iter()
+        .map(|member| {
+            let low = touched(member).fold(Vec3::INFINITY, Vec3::min) - Vec3::splat(within);
+            (low, touched(member).fold(Vec3::NEG_INFINITY, Vec3::max) + Vec3::splat(within))
+        })
+        .collect();
     let mut at = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let from = at.replace(step.to).unwrap_or(step.to);
@@ -110,11 +120,15 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
                 let along = (point - stand).dot(way) / way.length_squared().max(1e-12);
                 stand + way * along.clamp(0.0, 1.0)
             };
-            let others = path.members.iter().enumerate().filter(|(member, _)| Some(*member) != own);
-            let mut touched = others.flat_map(|(_, member)| &path.touches[member.touches.clone()]);
-            let through = |point: Vec3| point.distance_squared(nearest(point)) < within * within;
-            if let Some(touch) = touched.find(|touch| through(touch.point)) {
-                return Some((index, nearest(touch.point)));
+            let (least, most) = (stand.min(way_point), stand.max(way_point));
+            for (member, (low, high)) in boxes.iter().enumerate() {
+                if Some(member) == own || least.cmpgt(*high).any() || most.cmplt(*low).any() {
+                    continue;
+                }
+                let through = |point: &Vec3| point.distance_squared(nearest(*point)) < within * within;
+                if let Some(point) = touched(&path.members[member]).find(through) {
+                    return Some((index, nearest(point)));
+                }
             }
             stand = way_point;
         }
