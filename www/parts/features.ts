@@ -135,7 +135,12 @@ class FeaturesPart extends Part {
     const options = [
       ...proposed,
       { value: "none", label: this.t("not written") },
-      ...choices.map((one) => ({ value: one, label: one })),
+      // What an axis is written from is mostly one result of a cycle: then its name says enough.
+      ...choices.map((one) => {
+        const [name = one] = one.split(".");
+        const alone = choices.filter((other) => other.startsWith(`${name}.`)).length === 1;
+        return { value: one, label: alone ? name : one };
+      }),
     ];
     if (!known) options.push({ value, label: value });
     const now = axis === "rotation" && said === undefined ? "none" : value;
