@@ -63,9 +63,10 @@ export class Features {
     const { cycles, clear, datum, part, ...rest } = job;
     const given = isObject(part) && isObject(part.sizes) ? part.sizes : {};
     this.all = [];
+    const names = (cycles as Draft[]).flatMap(({ name }) => (typeof name === "string" ? [name] : []));
     for (const cycle of cycles as Draft[]) {
       const { name, ...own } = cycle;
-      const called = typeof name === "string" ? name : this.free(own);
+      const called = typeof name === "string" ? name : this.free(own, -1, names);
       const mine = Object.entries(given).filter(([key]) => key.toLowerCase().startsWith(`${called.toLowerCase()}.`));
       const sizes = Object.fromEntries(mine.map(([key, x]) => [key.slice(called.length + 1), x]));
       const whole = complete({ format: 1, units: rest.units, cycle: own }, catalog).cycle as Draft;
@@ -86,9 +87,10 @@ export class Features {
   }
 
   /** A name for a cycle that no other has. */
-  free(cycle: Draft, but = -1): string {
+  free(cycle: Draft, but = -1, names: string[] = []): string {
     const stem = (jobName({ cycle: { type: cycle.type } }).split("-")[0] ?? "").replace(/[^A-Za-z0-9]/g, "") || "CYCLE";
-    const taken = new Set(this.all.filter((_, i) => i !== but).map(({ name }) => name.toLowerCase()));
+    const others = this.all.filter((_, i) => i !== but).map(({ name }) => name);
+    const taken = new Set([...others, ...names].map((name) => name.toLowerCase()));
     for (let n = 1; ; n++) {
       const name = `${stem.slice(0, MOST_NAME - 3)}${n === 1 ? "" : n}`;
       if (!taken.has(name.toLowerCase())) return name;
@@ -130,6 +132,9 @@ export class Features {
     this.all.splice(index, 1);
     if (index < this.hand) this.hand--;
     this.refer(gone.name, null);
+    // One stays in the program.
+    const left = this.all[this.hand];
+    if (left && this.all.every(({ off }) => off)) this.all[this.hand] = { ...left, off: false };
     if (this.all.length < 2) this.alone();
   }
 
@@ -146,8 +151,8 @@ export class Features {
   rename(index: number, name: string, named: boolean): void {
     const one = this.all[index];
     if (!one) return;
-    this.refer(one.name, name);
     this.all[index] = { ...one, name, named };
+    this.refer(one.name, name);
   }
 
   /** The one in hand measures something else now: it is called so, where nobody has named it. */
@@ -156,8 +161,9 @@ export class Features {
     if (one && !one.named) this.rename(this.hand, this.free(cycle, this.hand), false);
   }
 
-  /** What is written from a cycle is written from it by its new name, or from none. */
+  /** What is written from a cycle is written from it by its new name, or from none. A name that another one has, too, is that one's. */
   private refer(from: string, to: string | null): void {
+    if (this.all.some(({ name }) => name.toLowerCase() === from.toLowerCase())) return;
     for (const axis of AXES) {
       const said = this.datum[axis];
       if (typeof said !== "string" || !said.toLowerCase().startsWith(`${from.toLowerCase()}.`)) continue;
@@ -184,8 +190,9 @@ export class Features {
     return this.all.findIndex(({ off }) => !off && left-- === 0);
   }
 
-  /** The place in the job of the one in hand; 0 where it is left out. */
+  /** The place in the job of the one in hand; behind all of them where it is left out. */
   get inJob(): number {
+    if (this.all[this.hand]?.off) return this.all.length;
     return this.all.slice(0, this.hand).filter(({ off }) => !off).length;
   }
 

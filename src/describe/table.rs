@@ -16,14 +16,21 @@ pub fn export_table_with_calls(plan: &Plan, calls: Option<&[Vec<String>]>, forma
     let call = |index: usize| calls.map(|calls| calls.get(index).map_or_else(String::new, |words| words.join(", ")));
     match format {
         "csv" => {
-            let mut text =
-                if calls.is_some() { "code,type,value,meaning,call\n" } else { "code,type,value,meaning\n" }.to_owned();
+            // Of a set-up each row says its cycle.
+            let several = !plan.cycles.is_empty();
+            let (call_heading, cycle_heading) =
+                (if calls.is_some() { ",call" } else { "" }, if several { ",cycle" } else { "" });
+            let mut text = format!("code,type,value,meaning{call_heading}{cycle_heading}\n");
             for (index, row) in plan.table.iter().enumerate() {
                 let cells = [row.code.as_str(), row.type_name, &value(row), &row.meaning.english()].map(cell);
                 text.push_str(&cells.join(","));
                 if let Some(call) = call(index) {
                     text.push(',');
                     text.push_str(&cell(&call));
+                }
+                if several {
+                    text.push(',');
+                    text.push_str(&plan.cycles[row.cycle]);
                 }
                 text.push('\n');
             }

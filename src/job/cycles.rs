@@ -33,10 +33,9 @@ pub fn is_set_up(job: &Value) -> bool {
 pub fn alone(job: &Value, index: usize) -> Option<Value> {
     let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else { return None };
     let Value::Map(cycle) = cycles.get(index)? else { return None };
-    let name = name_of(cycles, index);
     let own = |(key, value): &(String, Value)| match key.as_str() {
         "format" | "cycle" | "cycles" | "clear" | "datum" => None,
-        "part" => Some((key.clone(), part_of(value, &name))),
+        "part" if value.get("sizes").is_some() => Some((key.clone(), part_of(value, &name_of(cycles, index)))),
         _ => Some((key.clone(), value.clone())),
     };
     let mut alone = vec![("format".to_owned(), Value::Number(crate::job::FORMAT))];
@@ -62,29 +61,39 @@ fn part_of(part: &Value, name: &str) -> Value {
     Value::Map(entries.iter().map(of).collect())
 }
 
-/// The name of a cycle: its own, or what its type is called, with a number where that is taken.
+/// The name of a cycle, as [`names`] has it.
 pub fn name_of(cycles: &[Value], index: usize) -> String {
+    names(cycles).swap_remove(index)
+}
+
+/// The names of all cycles: its own each, or what its type is called, with the first number from 2 where that is taken.
+pub fn names(cycles: &[Value]) -> Vec<String> {
     let given = |cycle: &Value| match cycle.get("name") {
         Some(Value::Text(name)) => Some(name.clone()),
         _ => None,
     };
-    if let Some(name) = cycles.get(index).and_then(given) {
-        return name;
-    }
     let stem = |cycle: &Value| match cycle.get("type") {
         Some(Value::Text(key)) => crate::cycle::find(key).map_or("CYCLE", |def| def.name),
         _ => "CYCLE",
     };
-    let own: String = cycles.get(index).map_or("CYCLE", stem).chars().filter(char::is_ascii_alphanumeric).collect();
-    let earlier = cycles[..index.min(cycles.len())]
-        .iter()
-        .filter(|cycle| given(cycle).is_none() && stem(cycle) == cycles.get(index).map_or("CYCLE", stem));
-    let mut number = earlier.count() + 1;
-    loop {
-        let name = if number == 1 { own.clone() } else { format!("{own}{number}") };
-        if !cycles.iter().filter_map(given).any(|taken| taken.eq_ignore_ascii_case(&name)) {
-            return name;
-        }
-        number += 1;
+    let mut names: Vec<Option<String>> = cycles.iter().map(given).collect();
+    // How far the numbers of each stem have come.
+    let mut numbers: Vec<(&str, usize)> = Vec::new();
+    for (i, cycle) in cycles.iter().enumerate().filter(|(_, cycle)| given(cycle).is_none()) {
+        let stem = stem(cycle);
+        let own: String = stem.chars().filter(char::is_ascii_alphanumeric).collect();
+        let at = numbers.iter().position(|(known, _)| *known == stem).unwrap_or_else(|| {
+            numbers.push((stem, 0));
+            numbers.len() - 1
+        });
+        let name = loop {
+            numbers[at].1 += 1;
+            let name = if numbers[at].1 == 1 { own.clone() } else { format!("{own}{}", numbers[at].1) };
+            if !names.iter().flatten().any(|taken| taken.eq_ignore_ascii_case(&name)) {
+                break name;
+            }
+        };
+        names[i] = Some(name);
     }
+    names.into_iter().flatten().collect()
 }

@@ -3,7 +3,7 @@
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
 use crate::job::SECTIONS;
-use crate::job::cycles::{alone, is_set_up};
+use crate::job::cycles::{MOST_CYCLES, alone, is_set_up};
 use crate::text::{Text, text, words};
 
 const POINT: &str = words!("a list of three numbers");
@@ -18,6 +18,9 @@ pub fn misfit(job: &Value) -> Option<Text> {
     }
     if is_set_up(job) {
         let Some(Value::List(cycles)) = job.get("cycles") else { return must_be(false, "", "cycles", LIST) };
+        if cycles.is_empty() {
+            return Some(text!("A set-up has 1 to {most} cycles, not {count}", MOST_CYCLES, 0));
+        }
         let own = |index: usize| match alone(job, index) {
             Some(alone) => misfit(&alone),
             None => Some(text!("{path} must be {what}", format!("cycles[{index}]"), OBJECT)),

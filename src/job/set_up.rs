@@ -10,7 +10,7 @@ use crate::form::{Checker, Finding, Value};
 use crate::formula::Role;
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::Job;
-use crate::job::cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RESERVED, SET_UP_FORMAT, alone, name_of};
+use crate::job::cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RESERVED, SET_UP_FORMAT, alone, names};
 use crate::job::planned::Planned;
 use crate::job::rows::{DatumRow, ResultRow, ResultWords};
 use crate::num::tidy;
@@ -24,7 +24,7 @@ static WHOLE: CycleDef = CycleDef { title: "Set-up", source: "Touchpath", ..crat
 /// Plans the paths of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; none where anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let cycles = read_list(checker, value)?;
-    let names: Vec<String> = (0..cycles.len()).map(|i| name_of(cycles, i)).collect();
+    let names = names(cycles);
     check_names(checker, cycles, &names);
     let mut merged = Merged::new(&names);
     let mut jobs = Vec::new();
@@ -559,7 +559,7 @@ pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
         let def = &path.formula.results[result];
         results.iter().find(|row| row.cycle == usize::from(def.cycle) && row.code == def.code)
     };
-    let mut rows = Vec::new();
+    let mut rows: Vec<ResultRow> = Vec::new();
     for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
         let Some(measured) = datum.place[i].and_then(|place| place.measured) else { continue };
         let source = path.formula.results.iter().position(|result| result.variable == Some(measured));
@@ -570,9 +570,42 @@ pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
     if datum.rotation.is_some()
         && let Some(source) = path.turned_by().and_then(row)
     {
-        rows.push(shift(source, "offset.rotation", text!("Rotation of {offset} that the program writes", offset)));
+        let turn = shift(source, "offset.rotation", text!("Rotation of {offset} that the program writes", offset));
+        let at = |code: &str| rows.iter().position(|row| row.code == code);
+        if let (Some(x), Some(y)) = (at("offset.x"), at("offset.y")) {
+            let place = [0, 1].map(|i| {
+                let source = datum.place[i].and_then(|place| place.measured);
+                let source = path.formula.results.iter().position(|result| result.variable == source);
+                source.and_then(row).and_then(|row| row.nominal).unwrap_or(0.0)
+            });
+            for (i, at) in [x, y].into_iter().enumerate() {
+                turned(&mut rows[at], i, place, &turn);
+            }
+        }
+        rows.push(turn);
     }
     rows
+}
+
+/// A shift of the origin beside a rotation that is written with it. The origin is what was measured less the nominal place, turned by the rotation: the turn
+/// moves an origin that is far from the measured place.
+fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) {
+    // By how much a turn about the origin moves the nominal place.
+    let moved = |turn: f64| {
+        let (sin, cos) = turn.to_radians().sin_cos();
+        [x * cos - y * sin - x, x * sin + y * cos - y][axis]
+    };
+    let less = |value: Option<f64>, turn: Option<f64>| value.zip(turn).map(|(value, turn)| tidy(value - moved(turn)));
+    (row.value, row.truth) = (less(row.value, turn.value), less(row.truth, turn.truth));
+    row.deviation = row.value;
+    // Both scatter; from touches of one cycle they do so together, which rows do not tell.
+    let arm = [y, x][axis].abs().to_radians();
+    let apart = row.cycle != turn.cycle;
+    row.uncertainty = match (row.uncertainty, turn.uncertainty) {
+        (own, _) if arm == 0.0 => own,
+        (Some(own), Some(turn)) if apart => Some(own.hypot(arm * turn)),
+        _ => None,
+    };
 }
 
 /// How far a result is off its nominal value, as a row of its own.

@@ -134,7 +134,11 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
             }
             Role::Ordinate => point[o],
             Role::Size | Role::Angle => def.nominal,
-            Role::Direction => wrap_degrees(def.nominal + placement.turn),
+            // A direction may be said a whole turn farther: as the control says it.
+            Role::Direction => {
+                let truth = wrap_degrees(def.nominal + placement.turn);
+                row.value.map_or(truth, |value| truth + ((value - truth) / 360.0).round() * 360.0)
+            }
             Role::Level => {
                 let mut nominal = place;
                 nominal[w] = def.nominal;

@@ -125,3 +125,65 @@ test("a file with several cycles is opened and saved as it is; sizes of the virt
   await page.keyboard.press("Tab");
   assert.match(await textOf(page.locator(".datum .problem")), /goes across at 20 mm/);
 });
+
+/** Opens a job as a file. */
+async function openJob(/** @type {object} */ job) {
+  const buffer = Buffer.from(JSON.stringify(job));
+  await page.locator("#file").setInputFiles({ name: "job.json", mimeType: "application/json", buffer });
+}
+
+const whole = () => page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job);
+
+test("a name that is taken for a while took the datum with it", async () => {
+  await openJob({
+    format: 2,
+    control: { workOffset: 1 },
+    cycles: [
+      { name: "A", type: "hole" },
+      { name: "B", type: "hole", origin: [150, 0, 0] },
+    ],
+    datum: { x: "A.center.x", y: "A.center.y" },
+  });
+  await list().nth(1).click();
+  const name = page.getByLabel("Name of this cycle");
+  await name.fill("A");
+  await page.keyboard.press("Tab");
+  assert.match(await textOf(page.locator("footer")), /both called A/);
+  await name.fill("C");
+  await page.keyboard.press("Tab");
+  assert.deepEqual(await names(), ["A", "C"]);
+  assert.deepEqual((await whole()).datum, { x: "A.center.x", y: "A.center.y" });
+});
+
+test("cycles without a name are called as everywhere else, and keep their sizes and what is written from them", async () => {
+  await openJob({
+    format: 2,
+    control: { workOffset: 1 },
+    cycles: [{ type: "hole" }, { name: "BORE", type: "hole", origin: [100, 0, 0] }],
+    datum: { x: "BORE.center.x", y: "BORE.center.y" },
+    part: { sizes: { "BORE.diameter": 0.1 } },
+  });
+  await list().first().waitFor();
+  assert.deepEqual(await names(), ["BORE2", "BORE"]);
+  const { cycles, datum, part } = await whole();
+  assert.deepEqual([cycles.length, datum.x, part.sizes], [2, "BORE.center.x", { "BORE.diameter": 0.1 }]);
+});
+
+test("a list of no cycle is refused, and the last one in the program stays there", async () => {
+  await field("cycle.type").selectOption("hole");
+  await add("web");
+  await put("cycle.origin[0]", 120);
+  const before = await whole();
+  await openJob({ format: 2, cycles: [] });
+  assert.match(await textOf(page.locator(".note")), /Nothing was changed/);
+  assert.deepEqual(await whole(), before);
+  await page.locator(".note").getByRole("button", { name: "OK" }).click();
+  await add("hole");
+  await put("cycle.origin[0]", 240);
+  await button("Leave BORE2 out of the program").click();
+  await list().first().click();
+  await button("Leave BORE out of the program").click();
+  await list().nth(1).click();
+  await button("Remove WEB").click();
+  assert.equal((await whole()).cycles.length, 1);
+});

@@ -34,6 +34,32 @@ for (const [width, height] of SIZES) {
   });
 }
 
+test("what always holds for a control lay over the next question", async () => {
+  for (const width of [1920, 1440, 1280, 1080, 900, 768]) {
+    await open({ viewport: { width, height: 1024 } });
+    await field("control.post").selectOption("fanuc");
+    const [asks = [], cut = false] = await page.evaluate(() => {
+      const bar = document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-bar");
+      const all = [...(bar?.querySelectorAll(".answer > .asks") ?? [])];
+      const words = bar?.querySelector(".always .words");
+      const boxes = all.map((one) => {
+        const parts = [one, ...one.querySelectorAll("*")].map((part) => part.getBoundingClientRect());
+        return {
+          left: parts[0]?.left ?? 0,
+          right: Math.max(...parts.map(({ right }) => right)),
+          top: parts[0]?.top ?? 0,
+        };
+      });
+      return /** @type {const} */ ([boxes, words ? words.scrollWidth > words.clientWidth + 1 : true]);
+    });
+    assert.ok(asks.length >= 3 && !cut, `${width}: the words are whole`);
+    for (const [i, { right, top }] of asks.entries()) {
+      const next = asks[i + 1];
+      assert.ok(!next || next.top !== top || right <= next.left + 0.5, `${width}: ${JSON.stringify(asks)}`);
+    }
+  }
+});
+
 for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
   [390, 844, "a phone"],
   [390, 480, "a phone with its keyboard up"],

@@ -45,7 +45,7 @@ test("a setter has seven groups and three tabs; what CAM needs comes with its sw
   await page.keyboard.press("Escape");
   assert.equal((await tabs()).length, 4);
   assert.ok((await groups()).includes("Picked touches"));
-  assert.equal(await field("cycle.type").locator("option").count(), 18);
+  assert.equal(await field("cycle.type").locator("option").count(), 19);
   await asVisitor();
   assert.equal((await tabs()).length, 3);
   // A dump in the clipboard: pasted beside every field it is opened.

@@ -152,7 +152,8 @@ fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), codes: &[Code]
 }
 
 /// Rows that follow from the others or from single touches.
-const DERIVED: &[&str] = &["offset.x", "offset.y", "offset.z", "Q183", "Q970", "Q971", "Q973", "Q974", "form1", "form2"];
+const DERIVED: &[&str] =
+    &["offset.x", "offset.y", "offset.z", "offset.rotation", "Q183", "Q970", "Q971", "Q973", "Q974", "form1", "form2"];
 
 /// Whether a name ends with a code: in any case, with a blank or nothing in place of a point, and with nothing of a word in front of it.
 fn ends_with(name: &str, code: &str) -> bool {

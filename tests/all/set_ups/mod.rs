@@ -153,6 +153,12 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
     let turn = if written("offset.rotation") { ran.rotations_after_moves[0] } else { 0.0 };
     let (sin, cos) = turn.to_radians().sin_cos();
     assert_eq!(turn != 0.0, written("offset.rotation"), "{said}");
+    // How far the origin moves: it was 0 before.
+    for (axis, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
+        let Some(row) = plan.results.iter().find(|row| row.code == code) else { continue };
+        assert!((row.value.unwrap() - origin[axis]).abs() < 1e-5, "{said}: {code} {:?}, written {}", row.value, origin[axis]);
+        assert!(row.truth.is_none_or(|truth| (truth - origin[axis]).abs() < 1e-4), "{said}: {code} is truly {:?}", row.truth);
+    }
     // A place of the machine in the new system: G54 was 0 before.
     let reads = |p: [f64; 2]| {
         let [x, y] = [p[0] - origin[0], p[1] - origin[1]];
@@ -416,4 +422,57 @@ fn of_the_controls_own_cycles_the_last_one_writes() {
     let klartext = text("{}").replace("haas", "heidenhain");
     let refused = touchpath::job::plan(&job(&klartext)).unwrap_err();
     assert_eq!((refused.findings[0].code.as_str(), refused.findings[0].path.as_str()), ("set-up-unsupported", "cycles"));
+}
+
+/// By hand: a part that is shifted by 0.3 and -0.2 and turned by 0.4° about its origin moves the origin by just that, wherever the bore is that says so; what
+/// scatters in the direction moves an origin that is 112 mm away.
+#[test]
+fn a_shift_beside_a_rotation_is_that_of_the_origin() {
+    let text = r#"{ "format": 2, "control": { "post": "linuxcnc", "workOffset": 1 }, "datum": { "rotation": "SIDE.rotation" },
+        "cycles": [{ "name": "BORE", "type": "hole", "diameter": 25, "origin": [100, 50, 0] }, { "name": "SIDE", "type": "wall-angle", "origin": [0, -45, -8], "rotation": -90 }],
+        "part": { "offset": [0.3, -0.2, 0], "rotation": 0.4 } }"#;
+    let plan = planned(&job(text));
+    let row = |code: &str| plan.results.iter().find(|row| row.code == code).unwrap();
+    for (code, value) in [("offset.x", 0.3), ("offset.y", -0.2), ("offset.rotation", 0.4)] {
+        assert!(
+            (row(code).value.unwrap() - value).abs() < 1e-5 && (row(code).truth.unwrap() - value).abs() < 1e-9,
+            "{:?}",
+            row(code)
+        );
+    }
+    let (center, turn) = (row("center.x").uncertainty.unwrap(), row("offset.rotation").uncertainty.unwrap());
+    assert!((row("offset.x").uncertainty.unwrap() - center.hypot(50.0 * turn.to_radians())).abs() < 1e-12);
+    assert!(
+        (row("offset.y").uncertainty.unwrap() - row("center.y").uncertainty.unwrap().hypot(100.0 * turn.to_radians())).abs()
+            < 1e-12
+    );
+    probing_again_reads_nominal(&job(text), "a bore far off");
+}
+
+/// Cycles without a name are called by what they measure, and none as another one.
+#[test]
+fn names_that_nobody_gave_are_free() {
+    let cycle = |name: &str, x: f64| format!(r#"{{ "type": "hole", "diameter": 20, "origin": [{x}, 0, 0]{name} }}"#);
+    let named = |names: [&str; 4]| {
+        let cycles: Vec<String> = names.iter().enumerate().map(|(i, name)| cycle(name, 60.0 * i as f64)).collect();
+        planned(&job(&format!(r#"{{ "format": 2, "cycles": [{}] }}"#, cycles.join(", ")))).cycles
+    };
+    assert_eq!(named(["", "", "", r#", "name": "BORE2""#]), ["BORE", "BORE3", "BORE4", "BORE2"]);
+    assert_eq!(named(["", r#", "name": "bore""#, "", ""]), ["BORE2", "bore", "BORE3", "BORE4"]);
+    assert_eq!(named(["", "", "", ""]), ["BORE", "BORE2", "BORE3", "BORE4"]);
+}
+
+/// A wall that faces half a turn away: no reading is a whole turn off.
+#[test]
+fn the_angle_of_a_wall_at_half_a_turn_is_true() {
+    for (rotation, turn) in [(180.0, 0.4), (180.0, -0.4), (-180.0, 0.4), (-180.0, -0.4), (540.0 - 360.0, 0.1)] {
+        let text = format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "wall-angle", "rotation": {rotation} }}, "part": {{ "rotation": {turn} }} }}"#
+        );
+        let plan = planned(&job(&text));
+        let row = &plan.results[0];
+        assert!((row.value.unwrap() - row.truth.unwrap()).abs() < 1e-6, "{row:?}");
+        assert!((row.deviation.unwrap() - turn).abs() < 1e-6, "{row:?}");
+        assert!(plan.findings.iter().all(|f| f.code != "result-untrue"), "{rotation} {turn}");
+    }
 }
