@@ -98,7 +98,7 @@ pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to
 pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
     let up = path.frame.w;
     // A ball that touches the same wall at the same place is as near as its radius, but for what is rounded.
-    let within = (radius - 1e-3).max(0.0);
+    let within = (radius - 1e-3).max(radius / 2.0);
     let touched = |member: &Member| path.touches[member.touches.clone()].iter().map(|touch| touch.point);
     // Where the ball must be to come near a touch of a cycle: most ways pass most cycles far off.
     let boxes: Vec<(Vec3, Vec3)> = path

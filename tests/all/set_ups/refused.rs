@@ -110,6 +110,11 @@ fn no_cycle_goes_through_what_another_one_touches() {
     // 12.5 and the ball's radius beside the axis: the touches of the hole come to 9.5 from it, 3 from its wall.
     assert_eq!(errors(&of(12.0, -10.0)), ["collision cycles"]);
     assert!(errors(&of(-30.0, 0.0)).is_empty());
+    // However small the ball is.
+    assert_eq!(
+        errors(&of(0.0, 0.0).replace(r#""cycles""#, r#""stylus": { "diameter": 0.001 }, "cycles""#)),
+        ["collision cycles"]
+    );
     // The bottom of the same hole, deeper than its touches.
     assert!(errors(&of(0.0, -20.0)).is_empty());
 }
