@@ -70,7 +70,7 @@ fn own_run(path: &Path, own: &Own, cycles: &OwnCycles, surfaces: &[Surface], rad
     let (made, alarm) = (cycles.rerun)(own, radius, &meets(surfaces, path.frame.w, radius));
     let mut run =
         part::Run { triggers: vec![None; path.touches.len()], strays: Vec::new(), edges: Vec::new(), collision: None };
-    // A move that the nominal part does not ask for is none of the path.
+    // A move that the nominal part does not ask for is not part of the path.
     let index = |count: usize| own.counts.partition_point(|known| *known < count) + 1;
     for made in &made {
         let step = path.moves.get(index(made.count)).filter(|_| own.counts.binary_search(&made.count).is_ok());

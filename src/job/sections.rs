@@ -423,7 +423,7 @@ fn read_format(checker: &mut Checker, value: &Value) {
     match value.get("format") {
         Some(Value::Number(n)) if *n == FORMAT => {}
         Some(Value::Number(n)) if *n > FORMAT => {
-            checker.error("newer-format", "format", text!("This job is of a newer format than 2: a newer Touchpath is needed"));
+            checker.error("newer-format", "format", text!("This job has a newer format than 2: it needs a newer Touchpath"));
         }
         None => checker.error("missing", "format", text!("The job must say its format: 1, or 2 with a list of cycles")),
         Some(_) => checker.error("unknown-value", "format", text!("The format must be 1")),

@@ -44,7 +44,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         if let Some(job) = &job
             && job.def.most_touches == 0
         {
-            let message = text!("{cycle} measures nothing: only cycles that touch the part stand in a set-up", name.clone());
+            let message = text!("{cycle} measures nothing: a set-up takes only cycles that touch the part", name.clone());
             own.error("set-up-unsupported", "cycle.type", message);
         }
         merged.take(i, own.findings());
@@ -89,9 +89,9 @@ fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]>
     match value.get("format") {
         Some(Value::Number(n)) if *n == SET_UP_FORMAT => {}
         Some(Value::Number(n)) if *n > SET_UP_FORMAT => {
-            checker.error("newer-format", "format", text!("This job is of a newer format than 2: a newer Touchpath is needed"));
+            checker.error("newer-format", "format", text!("This job has a newer format than 2: it needs a newer Touchpath"));
         }
-        _ => checker.error("unknown-value", "format", text!("A job with a list of cycles has the format 2")),
+        _ => checker.error("unknown-value", "format", text!("A job with a list of cycles must say format 2")),
     }
     if value.get("cycle").is_some() {
         let message = text!("A job has either a cycle or a list of cycles, not both");
@@ -145,7 +145,7 @@ fn check_sizes(checker: &mut Checker, value: &Value, names: &[String]) {
         if !names.iter().any(|name| name.eq_ignore_ascii_case(of)) {
             let shown = crate::form::printable(key);
             let message = text!(
-                "\"{key}\" is a size of no cycle here: a size is named after its cycle, as in {example}",
+                "No cycle here has the size \"{key}\": name a size after its cycle, as in {example}",
                 shown.clone(),
                 format!("{}.depth", names[0])
             );
@@ -229,7 +229,7 @@ fn read_datum(
     if written.rotation.is_some() && written.place[0] != written.place[1] {
         let source = |axis: usize| written.place[axis].map_or_else(|| "-".to_owned(), |member| names[member].clone());
         let message = text!(
-            "With a rotation, X and Y are those of one point: take both from the same cycle, and not from {one} and {other}",
+            "With a rotation, X and Y must come from the same point: take both from one cycle, not from {one} and {other}",
             source(0),
             source(1)
         );
@@ -269,11 +269,7 @@ fn unknown_datum(text: &str, axis: usize, names: &[String], places: &[(usize, &'
     let known: Vec<String> = places.iter().map(|(member, code, _)| format!("{}.{code}", names[*member])).collect();
     let what = Text::words([words!("X"), words!("Y"), words!("Z"), words!("the rotation")][axis]);
     match known.is_empty() {
-        true => text!(
-            "No cycle of this set-up measures what could be written into {axis}: \"{name}\" is no such result",
-            what,
-            shown
-        ),
+        true => text!("Nothing that this set-up measures can be written into {axis}: \"{name}\" cannot either", what, shown),
         false => text!("\"{name}\" cannot be written into {axis}: that takes {known}", shown, what, known.join(", ")),
     }
 }
@@ -430,7 +426,7 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
         && members.iter().any(|planned| planned.path.feeds.is_some())
         && job.form == crate::control::Form::Moves
     {
-        let message = text!("In a set-up cycle 1411 takes the feeds of the job: its own feed of touches is not used");
+        let message = text!("In a set-up cycle 1411 uses the feeds of the job, not its own probing feed");
         checker.info("feeds-of-set-up", "feeds", message);
     }
     report_order(whole, checker);

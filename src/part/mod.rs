@@ -94,9 +94,22 @@ pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to
     Obstacles::of(surfaces, up).first_contact(radius, from, to).map(|contact| contact.fraction)
 }
 
+/// The first move of a set-up on which the ball meets something of another cycle, and where its centre is then. `meets` is asked for each straight way, with the
+/// cycle that the way belongs to; the way from one cycle to the next belongs to none.
+fn first_meeting(path: &Path, mut meets: impl FnMut(Option<usize>, Vec3, Vec3) -> Option<Vec3>) -> Option<(usize, Vec3)> {
+    let mut at = path.start;
+    path.moves.iter().enumerate().find_map(|(index, step)| {
+        let from = at.replace(step.to).unwrap_or(step.to);
+        let own = path.member_of_move(index).filter(|_| step.step != WAY);
+        let mut stand = from;
+        let center =
+            step.pieces(from, path.frame.w, 1.0).into_iter().find_map(|to| meets(own, std::mem::replace(&mut stand, to), to));
+        Some((index, center?))
+    })
+}
+
 /// The first move of a set-up that goes through what another cycle touches, and where. The path is that of the nominal part.
 pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
-    let up = path.frame.w;
     // A ball that touches the same wall at the same place is as near as its radius, but for what is rounded.
     let within = (radius - 1e-3).max(radius / 2.0);
     let touched = |member: &Member| path.touches[member.touches.clone()].iter().map(|touch| touch.point);
@@ -109,60 +122,35 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
             (low, touched(member).fold(Vec3::NEG_INFINITY, Vec3::max) + Vec3::splat(within))
         })
         .collect();
-    let mut at = path.start;
-    for (index, step) in path.moves.iter().enumerate() {
-        let from = at.replace(step.to).unwrap_or(step.to);
-        let own = path.member_of_move(index).filter(|_| step.step != WAY);
-        let mut stand = from;
-        for way_point in step.pieces(from, up, 1.0) {
-            let way = way_point - stand;
-            let nearest = |point: Vec3| {
-                let along = (point - stand).dot(way) / way.length_squared().max(1e-12);
-                stand + way * along.clamp(0.0, 1.0)
-            };
-            let (least, most) = (stand.min(way_point), stand.max(way_point));
-            for (member, (low, high)) in boxes.iter().enumerate() {
-                if Some(member) == own || least.cmpgt(*high).any() || most.cmplt(*low).any() {
-                    continue;
-                }
-                let through = |point: &Vec3| point.distance_squared(nearest(*point)) < within * within;
-                if let Some(point) = touched(&path.members[member]).find(through) {
-                    return Some((index, nearest(point)));
-                }
-            }
-            stand = way_point;
-        }
-    }
-    None
+    first_meeting(path, |own, from, to| {
+        let way = to - from;
+        let nearest = |point: Vec3| {
+            let along = (point - from).dot(way) / way.length_squared().max(1e-12);
+            from + way * along.clamp(0.0, 1.0)
+        };
+        let (least, most) = (from.min(to), from.max(to));
+        let near = |(low, high): (Vec3, Vec3)| least.cmple(high).all() && most.cmpge(low).all();
+        let others = path.members.iter().zip(&boxes).enumerate().filter(|(i, (_, room))| Some(*i) != own && near(**room));
+        let mut points = others.flat_map(|(_, (member, _))| touched(member));
+        points.find(|point| point.distance_squared(nearest(*point)) < within * within).map(nearest)
+    })
 }
 
 /// The first move of a set-up that meets what stands of the feature of another cycle, and where: a stud, or a body with walls all around. How far the
-/// material around a hole or behind a single wall goes, nobody has said.
+/// material around a hole or behind a single wall goes is not known.
 pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {
-    let up = path.frame.w;
     let standing: Vec<Vec<Surface>> =
         path.members.iter().map(|member| standing(&surfaces[member.surfaces.clone()], path)).collect();
     let obstacles: Vec<(usize, Obstacles<'_>)> = standing
         .iter()
         .enumerate()
         .filter(|(_, surfaces)| !surfaces.is_empty())
-        .map(|(member, surfaces)| (member, Obstacles::of(surfaces, up)))
+        .map(|(member, surfaces)| (member, Obstacles::of(surfaces, path.frame.w)))
         .collect();
-    let mut at = path.start;
-    for (index, step) in path.moves.iter().enumerate() {
-        let from = at.replace(step.to).unwrap_or(step.to);
-        let own = path.member_of_move(index).filter(|_| step.step != WAY);
-        for (_, obstacles) in obstacles.iter().filter(|(member, _)| Some(*member) != own) {
-            let mut stand = from;
-            for way_point in step.pieces(from, up, 1.0) {
-                if let Some(contact) = obstacles.first_contact(radius, stand, way_point) {
-                    return Some((index, contact.center));
-                }
-                stand = way_point;
-            }
-        }
-    }
-    None
+    first_meeting(path, |own, from, to| {
+        let mut others = obstacles.iter().filter(|(member, _)| Some(*member) != own);
+        others.find_map(|(_, obstacles)| obstacles.first_contact(radius, from, to)).map(|contact| contact.center)
+    })
 }
 
 /// Those surfaces that bound a body all around.

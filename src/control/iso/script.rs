@@ -306,7 +306,7 @@ impl<'t> Script<'t> {
         }
     }
 
-    /// The variable of this name, a new one where there is none yet.
+    /// The variable of this name, made if it is new.
     pub fn slot(&mut self, name: &'t [u8]) -> Slot {
         let name = spelled(name);
         if let Some(slot) = self.find(&name) {

@@ -372,7 +372,7 @@ impl<'a> Writer<'a> {
         self.keep(to, numbers, wanted);
     }
 
-    /// The word of a feed in two parts; nothing where there is none.
+    /// The word of a feed in two parts; nothing if it has no feed.
     fn feed(&mut self, rate: Option<f64>) -> (&'static str, Digits) {
         let Some(rate) = rate else { return ("", Digits::NONE) };
         if self.last_rate.0 != rate {

@@ -150,7 +150,7 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
     } else if let Some((code, value)) =
         ["DEBUG,", "LOG,"].iter().find_map(|word| after(text, word)).and_then(|rest| rest.split_once('='))
     {
-        // A text that says more than one value is none of a result.
+        // A text with more than one value does not report a result.
         let mut cursor = Cursor::new(value);
         if let Ok(value) = cursor.operand(&GRAMMAR, script)
             && cursor.is_done()

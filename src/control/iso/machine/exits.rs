@@ -27,8 +27,8 @@ pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
     machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, Probe::Deflected)
 }
 
-/// An exit computes less than so many values. Of a program of someone else it is not known what its results should be: an alarm after them is none
-/// of the move.
+/// An exit computes less than so many values. What the results of someone else's program should be is not known: an alarm after them does not belong to the
+/// move.
 const COMPUTES: usize = 2;
 
 impl Machine<'_, '_> {

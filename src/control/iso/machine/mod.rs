@@ -187,7 +187,7 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
             Flow::Native => trace.natives.push(line),
             Flow::Wrote(number, axes, turn) => trace.wrote(line, number, axes, turn),
             Flow::Alarm if run.may_stop && trace.steps.is_empty() => return Ok((trace, tail)),
-            // What the touches read here is no good part: a result that the program takes for a fault is none.
+            // The touches here read values of no good part: that the program takes a result for a fault means nothing.
             Flow::Alarm if fork.open && (!marks.is_empty() || !run.strict) => {
                 machine.spend(MOTION + script.slots / 8);
                 implausible.get_or_insert(line);
