@@ -5,7 +5,7 @@ use crate::control::iso::script::{Script, Slot};
 use crate::control::rules::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
-use crate::formula::{Dual, Role, Variable};
+use crate::formula::{Asked, Dual, Role, Variable};
 use crate::geom::Vec3;
 use crate::path::{Arc, Move, Purpose, Touch};
 use crate::text::{Text, text, words};
@@ -97,8 +97,9 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     for (k, from, step) in request.path.searches() {
         triggers[k] = trigger(request, k, from.map_or(0.0, |from| from.distance(step.to)));
     }
-    // Nothing is asked of results that nothing is written from.
-    let marks: Vec<Slot> = if request.corrects() { script.outputs().map(|(_, slot)| slot).collect() } else { Vec::new() };
+    // Where nothing is written and no tolerance is asked about, the end of the program does not depend on its results.
+    let asks = request.corrects() || request.questions().iter().any(|question| question.asked != Asked::Plausible);
+    let marks: Vec<Slot> = if asks { script.outputs().map(|(_, slot)| slot).collect() } else { Vec::new() };
     let expected = Expected::of(request);
     let first = request.path.moves.first().map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();

@@ -14,6 +14,8 @@ pub const NO_LOW_RAPID: &str = "no-low-rapid";
 pub const ONE_WRITE: &str = "one-write";
 /// Results are plausible before a work offset is written.
 pub const PLAUSIBLE: &str = "plausible-before-write";
+/// What follows from a result that is out of its tolerance.
+pub const TOLERANCE: &str = "tolerance-obeyed";
 /// A restart in the middle writes nothing.
 pub const RESTART: &str = "restart-writes-nothing";
 /// A work offset is written last.

@@ -1,13 +1,14 @@
 //! The safety rules: named, each with a sentence why, held against what a program does and not against how it is written.
 
 use crate::control::Request;
-use crate::control::iso::machine::{self, Run};
+use crate::control::iso::machine::{self, Outcome, Run};
 use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
 use crate::control::rules::{
-    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLAUSIBLE, RESTART, WATCHED, WRITE_LAST,
+    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLAUSIBLE, RESTART, TOLERANCE, WATCHED, WRITE_LAST,
 };
 use crate::control::trace::{Ending, Kind, Step};
+use crate::formula::{Asked, Question};
 use crate::geom::Vec3;
 use crate::text::{Text, text, words};
 
@@ -218,6 +219,15 @@ pub static RULES: &[Rule] = &[
         breaks: plausible_before_write,
     },
     Rule {
+        name: TOLERANCE,
+        says: "A result out of its tolerance stops the program, or is only marked, as the job says",
+        why: "A bad part would be machined on, or a good one would stop the machine.",
+        must: true,
+        own_cycle: true,
+        about: About::Last,
+        breaks: tolerance_obeyed,
+    },
+    Rule {
         name: RESTART,
         says: "Started again in its middle, with variables empty or as the last run left them, the program writes nothing",
         why: "After an alarm operators start the last block again: touches that were not made would be written.",
@@ -242,6 +252,7 @@ pub fn not_followed() -> Vec<Verdict> {
     let message = text!("The control's own cycle makes every move itself");
     RULES
         .iter()
+        .filter(|rule| rule.name != TOLERANCE)
         .map(|rule| Verdict {
             rule: rule.name,
             holds: None,
@@ -256,7 +267,9 @@ pub fn not_followed() -> Vec<Verdict> {
 /// What every rule says of a followed program.
 pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts) -> Vec<Verdict> {
     let case = Case { request, followed, restarts };
-    RULES.iter().map(|rule| verdict(rule, &case)).collect()
+    // Where the job lets a program act on no tolerance, nothing is said of it.
+    let tolerates = request.questions().iter().any(|question| question.asked != Asked::Plausible);
+    RULES.iter().filter(|rule| tolerates || rule.name != TOLERANCE).map(|rule| verdict(rule, &case)).collect()
 }
 
 fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
@@ -533,53 +546,103 @@ fn one_write(case: &Case<'_>) -> Vec<Break> {
         .collect()
 }
 
-fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
-    let Followed { script, trace, tail, begin, .. } = case.followed;
-    let Some(write) = trace.writes.first() else { return Vec::new() };
-    let mut asked = Vec::new();
-    for question in case.request.questions() {
+/// What a program asks of a result: its name, the variable that holds it, and what it should be and may be off by, in the units of the program.
+struct Answer {
+    question: Question,
+    named: String,
+    slot: Slot,
+    wanted: f64,
+    limit: f64,
+}
+
+/// The questions that a program asks; a break where one is of no result of it. `line` is where that is said.
+fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
+    let of = |question: Question| {
         let formula = &case.request.path.formula;
-        let named = formula.code(&formula.results[question.result]);
-        let slot = script.outputs().find(|(code, _)| code.eq_ignore_ascii_case(&named)).map(|(_, slot)| slot);
-        let Some(slot) = slot else {
-            return vec![(Some(write.line), text!("This writes, and {code} is no result of the program", named.into_owned()))];
+        let named = formula.code(&formula.results[question.result]).into_owned();
+        let found = case.followed.script.outputs().find(|(code, _)| code.eq_ignore_ascii_case(&named));
+        let Some((_, slot)) = found else {
+            return Err((line, text!("This writes, and {code} is no result of the program", named)));
         };
         let unit = if question.angle { 1.0 } else { case.request.scale };
-        asked.push((named, slot, [question.wanted, question.limit].map(|x| x / unit)));
-    }
-    // Each result by itself is beyond its limit, the others are what they should be; then all are beyond, and all a little within. A program that was
-    // edited is tried far beyond, too.
-    let beyond: &[f64] = match case.restarts {
+        Ok(Answer { question, named, slot, wanted: question.wanted / unit, limit: question.limit / unit })
+    };
+    case.request.questions().into_iter().map(of).collect()
+}
+
+/// The end of the program where one result, or each, is off by this share of its limit; the others are what they should be.
+fn outcome(case: &Case<'_>, answers: &[Answer], off: Option<usize>, share: f64) -> Outcome {
+    let Followed { script, tail, begin, .. } = case.followed;
+    let value = |i: usize| {
+        let Answer { slot, wanted, limit, .. } = answers[i];
+        (slot, wanted + if off.is_none_or(|off| off == i) { limit * share } else { 0.0 })
+    };
+    // Two may be about one result: what one is tried with counts.
+    tail.outcome(script, *begin, (0..answers.len()).chain(off).map(value))
+}
+
+/// The shares of its limit that a result is tried with to be beyond it. A program that was edited is tried far beyond, too.
+fn beyond(case: &Case<'_>) -> &'static [f64] {
+    match case.restarts {
         Restarts::Telling => &[-1.01, 1.01],
         Restarts::Every => &[-1.01, 1.01, -3.0, 3.0, -1000.0, 1000.0],
+    }
+}
+
+fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
+    let Some(write) = case.followed.trace.writes.first() else { return Vec::new() };
+    let mut asked = match answers(case, Some(write.line)) {
+        Ok(asked) => asked,
+        Err(unknown) => return vec![unknown],
     };
-    let outcome = |off: Option<Slot>, share: f64| {
-        let value = |(_, slot, [wanted, limit]): &(_, Slot, [f64; 2])| {
-            let moved = off.is_none_or(|off| off == *slot);
-            (*slot, wanted + if moved { limit * share } else { 0.0 })
-        };
-        tail.outcome(script, *begin, asked.iter().map(value))
+    asked.retain(|answer| answer.question.stops(true));
+    // Each result by itself is beyond its limit, the others are what they should be; then all are beyond, and all a little within.
+    let writes = |off: Option<usize>, share: f64| {
+        let outcome = outcome(case, &asked, off, share);
+        !outcome.stops || outcome.writes
     };
     let mut breaks: Vec<Break> = Vec::new();
-    for (named, slot, _) in &asked {
-        if beyond.iter().any(|share| {
-            let outcome = outcome(Some(*slot), *share);
-            !outcome.stops || outcome.writes
-        }) {
-            let message = text!("This writes though {code} is off by more than its limit", named.clone().into_owned());
+    for (i, answer) in asked.iter().enumerate() {
+        if beyond(case).iter().any(|share| writes(Some(i), *share)) {
+            let message = text!("This writes though {code} is off by more than its limit", answer.named.clone());
             breaks.push((Some(write.line), message));
         }
     }
-    let all_beyond = |share: &f64| {
-        let outcome = outcome(None, *share);
-        !outcome.stops || outcome.writes
-    };
-    if !asked.is_empty() && beyond.iter().any(all_beyond) {
+    if !asked.is_empty() && beyond(case).iter().any(|share| writes(None, *share)) {
         breaks.push((Some(write.line), text!("This writes though every result is off by more than its limit")));
     }
-    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !outcome(None, *share).ends) {
+    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !outcome(case, &asked, None, *share).ends) {
         breaks
             .push((Some(write.line), text!("The program does not come to this write though every result is within its limit")));
+    }
+    breaks
+}
+
+fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
+    let asked = match answers(case, None) {
+        Ok(asked) => asked,
+        Err(unknown) => return vec![unknown],
+    };
+    let mut breaks: Vec<Break> = Vec::new();
+    for (i, answer) in asked.iter().enumerate() {
+        let stops = match answer.question.asked {
+            Asked::Plausible => continue,
+            Asked::Marks => false,
+            Asked::Stops => true,
+        };
+        // Just out of its tolerance: what is farther out may be implausible as well.
+        let other = [-1.01, 1.01].iter().any(|share| {
+            let outcome = outcome(case, &asked, Some(i), *share);
+            if stops { !outcome.stops } else { !outcome.ends }
+        });
+        if other {
+            let code = answer.named.clone();
+            let message = match stops {
+                true => text!("The program does not stop though {code} is out of its tolerance", code),
+                false => text!("The program stops though {code} is only to be marked", code),
+            };
+            breaks.push((None, message));
+        }
     }
     breaks
 }

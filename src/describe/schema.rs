@@ -6,7 +6,8 @@
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
 use crate::form::{Field, Kind, Range, Value};
 use crate::job::{
-    CLEAR, DATUM, FORMAT, LONGEST_NAME, MOST_CYCLES, MOST_STEPS, SECTIONS, SET_UP_FORMAT, STEP_ANGLE, size_reach,
+    CLEAR, CONSEQUENCES, DATUM, FORMAT, LONGEST_NAME, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, SECTIONS, SET_UP_FORMAT,
+    STEP_ANGLE, TOLERANCES, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -29,6 +30,7 @@ pub fn job_schema() -> Value {
     }
     let cycles = CYCLES.iter().map(|def| cycle(def, Vec::new())).collect();
     properties.push(("cycle".to_owned(), map([("oneOf", Value::List(cycles))])));
+    properties.push((TOLERANCES.to_owned(), tolerances()));
     properties.extend(set_up());
     let Value::Map(job) = object(properties, &["format"]) else { unreachable!("an object is a map") };
     let head = [
@@ -44,6 +46,39 @@ pub fn job_schema() -> Value {
     ];
     let either = [("oneOf".to_owned(), Value::List(either.to_vec()))];
     Value::Map(head.into_iter().chain(job).chain(either).chain(ends).collect())
+}
+
+/// The tolerances of results: which results there are depends on the cycle.
+fn tolerances() -> Value {
+    let then = CONSEQUENCES.map(text).to_vec();
+    let own = object(
+        [
+            (
+                "tolerance".to_owned(),
+                map([
+                    ("type", text("string")),
+                    ("maxLength", Value::Number(LONGEST_TOLERANCE as f64)),
+                    ("description", text("About the nominal value (H7, ±0.02, +0.021/0) or with it (25H7, 24.98..25.02).")),
+                ]),
+            ),
+            (
+                "then".to_owned(),
+                map([
+                    ("enum", Value::List(then)),
+                    (
+                        "description",
+                        text("What the program does with a result out of it: nothing, show it, or stop. Left out: go."),
+                    ),
+                ]),
+            ),
+        ],
+        &["tolerance"],
+    );
+    nullable(map([
+        ("type", text("object")),
+        ("additionalProperties", own),
+        ("description", text("The tolerance of each result by its code, as `diameter`; in a set-up `BORE.diameter`.")),
+    ]))
 }
 
 /// What a job of several cycles has.

@@ -99,6 +99,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("no-units", "A program does not say its units, or says them only below its first moves."),
     ("not-a-flag", "A value of a dump should be true or false."),
     ("not-a-number", "A value that should be a number is not one."),
+    (
+        "not-a-tolerance",
+        "The tolerance of a result is none of the texts that are known, or its class does not exist for this size.",
+    ),
     ("not-a-value", "A nominal value is neither a number nor one of the texts that are known."),
     (
         "not-at-feed",
@@ -138,6 +142,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("other-units", "The job names other units than the page around asks for."),
     ("other-version", "Another version wrote the program."),
     ("out-of-range", "A number is outside the allowed range."),
+    ("out-of-tolerance", "On this part a result is out of a tolerance on which the program acts."),
     ("overtravel-too-short", "The control's own cycle cannot search so little behind the contact."),
     ("own-codes", "A dump has more custom codes than are kept, or one of them twice."),
     ("own-moves", "The moves of macros of the control's own are those of one edition."),
@@ -206,6 +211,9 @@ pub const CODES: &[(&str, &str)] = &[
         "The stylus above its ball, or the height of the part, is not known: whether shank and body clear the part is not checked.",
     ),
     ("text-too-long", "The text is longer than the limit."),
+    ("tolerance-beyond-limit", "A tolerance reaches beyond the limit of what is plausible."),
+    ("tolerance-elsewhere", "A tolerance says its own nominal value, and that of the result is another."),
+    ("tolerance-unsupported", "This result takes no tolerance, or the program cannot act on it."),
     ("too-far", "A measured point is farther from its touch than the touch can reach."),
     ("too-long", "A text is longer than its field takes."),
     ("too-many-digits", "A place is so far away that its numbers need more digits than a control takes."),

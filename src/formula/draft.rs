@@ -91,7 +91,16 @@ impl Draft {
     /// States a result; none where these touches cannot give it.
     pub fn result(&self, code: &'static str, role: Role, meaning: &'static str, nominal: f64, value: Option<Value<'_>>) {
         let (variable, nominal) = (value.map(|value| value.variable), tidy(nominal));
-        self.0.borrow_mut().results.push(ResultDef { code, cycle: 0, meaning, role, nominal, reference: nominal, variable });
+        self.0.borrow_mut().results.push(ResultDef {
+            code,
+            cycle: 0,
+            meaning,
+            role,
+            nominal,
+            reference: nominal,
+            variable,
+            tolerance: None,
+        });
     }
 
     /// The deviation of the last result is measured from here.

@@ -22,6 +22,7 @@ pub use dual::Dual;
 pub use name::Name;
 pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
 
+use crate::num::{decimal, tidy};
 use crate::text::Text;
 
 /// The most samples that the formula of one cycle computes with: a derivative is kept for each.
@@ -40,14 +41,47 @@ pub struct Limits {
     pub residual: Option<f64>,
 }
 
-/// What a program asks of a result before it writes: whether it is plausible.
+/// What a program does with a result that is out of its tolerance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Consequence {
+    /// It goes on: the result is judged afterwards.
+    #[default]
+    Go,
+    /// It shows the result as out of tolerance and goes on.
+    Mark,
+    /// It stops with an alarm and writes nothing.
+    Stop,
+}
+
+/// The tolerance of a result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// The smallest and the largest value that is good, mm or degrees.
+    pub limits: [f64; 2],
+    pub then: Consequence,
+}
+
+/// Why a program asks something of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// Whether it is plausible: beyond that the program writes nothing.
+    Plausible,
+    /// Whether it is within its tolerance: out of it the program says so and goes on.
+    Marks,
+    /// The same: out of it the program stops.
+    Stops,
+}
+
+/// What a program asks of a result: whether it is plausible, or within its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
+    /// Why it is asked.
+    pub asked: Asked,
     /// Of the result, by its place in the formula's list.
     pub result: usize,
     /// The assignment that holds it.
     pub variable: Variable,
-    /// What it is on a good part: mm or degrees.
+    /// What it is on a good part, or the middle of its tolerance: mm or degrees.
     pub wanted: f64,
     /// How far it may be off that.
     pub limit: f64,
@@ -56,6 +90,29 @@ pub struct Question {
 }
 
 impl Question {
+    /// Whether a program stops where the answer is no; `writes`: whether it writes a work offset.
+    pub fn stops(&self, writes: bool) -> bool {
+        match self.asked {
+            Asked::Plausible => writes,
+            Asked::Marks => false,
+            Asked::Stops => true,
+        }
+    }
+
+    /// What a program says where the answer is no, behind the name of the result and its value: `, more than 0.5 from 25`, `, not 24.98 to 25.02`. `unit`
+    /// is that of the program, mm or degrees.
+    pub fn complaint(&self, unit: f64) -> String {
+        let number = |x: f64| decimal(x / unit, 12);
+        let (limit, wanted) = (self.limit, self.wanted);
+        match self.asked {
+            Asked::Plausible => format!(", more than {} from {}", number(limit), number(wanted)),
+            Asked::Marks | Asked::Stops => {
+                let end = |x: f64| decimal(tidy(x / unit), 9);
+                format!(", not {} to {}", end(wanted - limit), end(wanted + limit))
+            }
+        }
+    }
+
     /// Whether a value, mm or degrees, is within the limit. What is not known is not.
     pub fn holds(&self, value: f64) -> bool {
         (value - self.wanted).abs() <= self.limit
@@ -124,6 +181,8 @@ pub struct ResultDef {
     pub reference: f64,
     /// The assignment that holds it; none where these touches cannot give it.
     pub variable: Option<Variable>,
+    /// Its tolerance, where the job gives one.
+    pub tolerance: Option<Tolerance>,
 }
 
 /// What the control computes from the triggers of the touches.
@@ -285,7 +344,8 @@ impl Formula {
         Formula { results: results.collect(), turn, ..draft.finish(datum) }
     }
 
-    /// What a program asks of its results before it writes, in their order: each value that the touches give, and that has a limit.
+    /// What a program asks of its results before it writes. First whether they are plausible, in their order: each value that the touches give, and that
+    /// has a limit. Then whether they are within their tolerances, where the job says that something follows from it.
     pub fn questions(&self, limits: &Limits) -> Vec<Question> {
         let mut questions: Vec<Question> = Vec::new();
         let measured = self.measured();
@@ -299,14 +359,24 @@ impl Formula {
                 Role::Height | Role::Shift | Role::Turn => None,
             };
             let (Some(limit), Some(variable)) = (limit, result.variable) else { continue };
-            let asked = questions.iter().any(|question| question.variable == variable);
-            if !asked && result.reference.is_finite() && measured[variable.index()] {
+            let known = questions.iter().any(|question| question.variable == variable);
+            if !known && result.reference.is_finite() && measured[variable.index()] {
                 let (wanted, angle) = (result.reference, result.role.is_angle());
                 // The middle of a tolerance zone may be off the nominal value by more than the limit.
                 let limit = limit + (result.reference - result.nominal).abs();
-                questions.push(Question { result: index, variable, wanted, limit, angle });
+                questions.push(Question { asked: Asked::Plausible, result: index, variable, wanted, limit, angle });
             }
         }
+        questions.extend(self.results.iter().enumerate().filter_map(|(result, def)| {
+            let (Tolerance { limits: [low, high], then }, variable) = (def.tolerance?, def.variable?);
+            let asked = match then {
+                Consequence::Go => return None,
+                Consequence::Mark => Asked::Marks,
+                Consequence::Stop => Asked::Stops,
+            };
+            let (wanted, limit) = ((low + high) / 2.0, (high - low) / 2.0);
+            Some(Question { asked, result, variable, wanted, limit, angle: def.role.is_angle() })
+        }));
         questions
     }
 

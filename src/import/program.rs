@@ -15,7 +15,7 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::signs::{self, Sign};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
-use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, SECTIONS, SafetyRow};
+use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES};
 use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
@@ -189,6 +189,7 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     let format = find("format").and_then(crate::num::read).unwrap_or(FORMAT);
     let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
     let mut unknown = 0;
+    let mut tolerances = Vec::new();
     for (path, text) in said.values.iter().filter(|(path, _)| !path.eq_ignore_ascii_case("format")) {
         if let Some((index, rest)) = in_cycle(path) {
             let alone = format!("cycle.{rest}");
@@ -214,6 +215,10 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             set(&mut job, &key, value(if text.eq_ignore_ascii_case("null") { "null" } else { &text }));
             continue;
         }
+        if let Some((code, key)) = of_tolerance(path) {
+            tolerances.push((code, key, Value::Text(small_letters(text))));
+            continue;
+        }
         // On controls that know no small letters all is in capitals.
         let path = if has_place(def, path) { (*path).to_owned() } else { spelled(def, path) };
         if has_place(def, &path) {
@@ -221,6 +226,11 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
         } else {
             unknown += 1;
         }
+    }
+    if let Value::Map(entries) = &mut job
+        && !tolerances.is_empty()
+    {
+        entries.push((TOLERANCES.to_owned(), grouped(tolerances)));
     }
     if unknown > 0 {
         let message =
@@ -235,6 +245,35 @@ fn in_cycle(path: &str) -> Option<(usize, &str)> {
     let inner = path.get(..7).filter(|word| word.eq_ignore_ascii_case("cycles[")).and(path.get(7..))?;
     let (index, rest) = inner.split_once("].")?;
     Some((index.parse().ok()?, rest))
+}
+
+/// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.then`.
+fn of_tolerance(path: &str) -> Option<(String, &'static str)> {
+    let begin = TOLERANCES.len() + 1;
+    path.get(..begin).filter(|head| head[..begin - 1].eq_ignore_ascii_case(TOLERANCES) && head.ends_with('.'))?;
+    let (code, key) = path[begin..].rsplit_once('.')?;
+    let key = ["tolerance", "then"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?;
+    let own = RESULT_CODES.iter().find(|own| {
+        let at = code.len().checked_sub(own.len());
+        let apart = |at: usize| code.is_char_boundary(at) && (at == 0 || code[..at].ends_with('.'));
+        at.is_some_and(|at| apart(at) && code[at..].eq_ignore_ascii_case(own))
+    });
+    Some((own.map_or_else(|| code.to_owned(), |own| format!("{}{own}", &code[..code.len() - own.len()])), key))
+}
+
+/// The tolerances by their results.
+fn grouped(given: Vec<(String, &'static str, Value)>) -> Value {
+    let mut all: Vec<(String, Value)> = Vec::new();
+    for (code, key, value) in given {
+        let at = all.iter().position(|(known, _)| *known == code).unwrap_or_else(|| {
+            all.push((code, Value::Map(Vec::new())));
+            all.len() - 1
+        });
+        if let Value::Map(entries) = &mut all[at].1 {
+            entries.push((key.to_owned(), value));
+        }
+    }
+    Value::Map(all)
 }
 
 /// What a set-up has beside its cycles, as it is spelled.

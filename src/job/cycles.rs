@@ -1,6 +1,7 @@
 //! The list of cycles of a job of format 2: each as the job that it would be alone.
 
 use crate::form::{Field, Value};
+use crate::job::tolerances::TOLERANCES;
 
 /// The format of a job with several cycles.
 pub const SET_UP_FORMAT: f64 = 2.0;
@@ -34,7 +35,7 @@ pub fn alone(job: &Value, index: usize) -> Option<Value> {
     let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else { return None };
     let Value::Map(cycle) = cycles.get(index)? else { return None };
     let own = |(key, value): &(String, Value)| match key.as_str() {
-        "format" | "cycle" | "cycles" | "clear" | "datum" => None,
+        "format" | "cycle" | "cycles" | "clear" | "datum" | TOLERANCES => None,
         "part" if value.get("sizes").is_some() => Some((key.clone(), part_of(value, &name_of(cycles, index)))),
         _ => Some((key.clone(), value.clone())),
     };

@@ -5,7 +5,9 @@ use crate::form::{Default, Field, Value};
 use crate::job::cycles::{SET_UP_FORMAT, alone, is_set_up, name_of};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, SECTIONS, Units};
+use crate::job::tolerances::TOLERANCES;
 use crate::job::units::default_in;
+use crate::tolerance::plain_of_result;
 
 /// How defaults, which are given in mm, are brought to a job in inch.
 #[derive(Clone, Copy, PartialEq)]
@@ -134,7 +136,26 @@ pub fn resolved(job: &Value) -> Option<Value> {
         }
     }
     overlay(&mut whole, job);
+    if let (Value::Map(entries), Some(plain)) = (&mut whole, plain_tolerances(job)) {
+        entries.retain(|(key, _)| key != TOLERANCES);
+        entries.push(plain);
+    }
     Some(whole)
+}
+
+/// The tolerances of a job in characters that a comment of any control takes; none where it has none.
+fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
+    let Some(Value::Map(entries)) = job.get(TOLERANCES) else { return None };
+    let plain = |(key, given): &(String, Value)| {
+        let mut given = given.clone();
+        if let Value::Map(entries) = &mut given
+            && let Some((_, Value::Text(text))) = entries.iter_mut().find(|(key, _)| key == "tolerance")
+        {
+            *text = plain_of_result(text);
+        }
+        (key.clone(), given)
+    };
+    Some((TOLERANCES.to_owned(), Value::Map(entries.iter().map(plain).collect())))
 }
 
 /// The same of a job with several cycles: each with its name and every value.
@@ -161,6 +182,7 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
     entries.push(("clear".to_owned(), job.get("clear").cloned().unwrap_or(Value::Null)));
     entries.push(("datum".to_owned(), job.get("datum").cloned().unwrap_or_else(|| Value::Map(Vec::new()))));
     entries.push(("cycles".to_owned(), Value::List(all)));
+    entries.extend(plain_tolerances(job));
     Some(Value::Map(entries))
 }
 

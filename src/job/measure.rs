@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use crate::form::{Checker, Finding, Value};
-use crate::formula::Role;
+use crate::formula::{Asked, Role};
 use crate::geom::Vec3;
-use crate::job::plan::{judge_plausible, request};
+use crate::job::plan::{judge, request};
 use crate::job::planned::Planned;
 use crate::job::rows::{ResultRow, Triple, result_rows, triple};
 use crate::job::{Job, JobError, set_up};
@@ -59,7 +59,7 @@ fn evaluated(planned: &Planned, points: &[Option<Vec3>], stated: Option<&[Option
             None => part::evaluate(path, points, job.scatter()),
         };
         job.cycle.judge(&job.setup, path, points, &mut rows);
-        let plausible = judge_plausible(job, path, &mut rows).is_empty();
+        let plausible = judge(job, path, &mut rows).iter().all(|question| question.asked != Asked::Plausible);
         return (result_rows(job, path, rows), plausible);
     }
     let (mut results, mut plausible) = (Vec::new(), true);

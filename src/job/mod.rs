@@ -26,6 +26,7 @@ mod set_up;
 #[cfg(any(test, target_arch = "wasm32"))]
 mod stretch;
 mod stylus;
+mod tolerances;
 mod units;
 
 pub use calls::calls;
@@ -63,6 +64,7 @@ pub(crate) use planned::Planned;
 pub(crate) use sections::{Job, SECTIONS, size_reach};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
+pub(crate) use tolerances::{CONSEQUENCES, LONGEST_TOLERANCE, TOLERANCES};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use units::known_units;
 

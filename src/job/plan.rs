@@ -7,7 +7,7 @@ use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Finding, Value};
-use crate::formula::{self, Datum, Question, Role};
+use crate::formula::{self, Asked, Datum, Question, Role};
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
 use crate::job::cycles::is_set_up;
@@ -15,7 +15,7 @@ use crate::job::inertia::report_inertia;
 use crate::job::planned::Planned;
 use crate::job::rows::{Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows, triple};
 use crate::job::stylus::{report_stylus, report_unknown};
-use crate::job::{Job, JobError, resolved, set_up};
+use crate::job::{Job, JobError, resolved, set_up, tolerances};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault};
@@ -23,7 +23,10 @@ use crate::text::{Text, text};
 
 /// Reads a job and plans its path, or those of its cycles. Reports everything; none where anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
-    if is_set_up(value) { set_up::read(checker, value) } else { Job::read(checker, value).map(Planned::of) }
+    let read = if is_set_up(value) { set_up::read(checker, value) } else { Job::read(checker, value).map(Planned::of) };
+    let mut planned = read?;
+    tolerances::read(checker, value, &mut planned);
+    (!checker.failed()).then_some(planned)
 }
 
 /// What the whole path must hold, whatever cycle it is of.
@@ -127,17 +130,54 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
     }
 }
 
-/// Gives results that are off by more than their limit a verdict, and gives those.
-pub(super) fn judge_plausible(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
+/// Judges results by their tolerances and limits. Gives the questions of the program that they do not hold: implausible ones first.
+pub(super) fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
+    tolerances::judge(path, rows);
     let mut off = path.formula.questions(&job.limits);
     off.retain(|question| {
         let code = path.formula.results[question.result].code;
         let row = rows.iter_mut().find(|row| row.code == code);
         let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value))) else { return false };
-        row.verdict = Some(text!("implausible"));
+        if question.asked == Asked::Plausible {
+            row.verdict = Some(text!("implausible"));
+        }
         true
     });
     off
+}
+
+/// Results that are out of a tolerance on which the program acts, run on the virtual part.
+fn report_tolerances(
+    job: &Job,
+    path: &Path,
+    rows: &[formula::ResultRow],
+    off: &[Question],
+    writes: bool,
+    checker: &mut Checker,
+) {
+    for question in off.iter().filter(|question| question.asked != Asked::Plausible) {
+        let code = path.formula.results[question.result].code;
+        let Some(row) = rows.iter().find(|row| row.code == code) else { continue };
+        let shown = |x: f64| {
+            if question.angle { format!("{}°", decimal(x, 4)) } else { checker.length(x) }
+        };
+        let what = text!(
+            "{result} is {value}, not {low} to {high}",
+            row.meaning.clone(),
+            shown(row.value.unwrap_or(f64::NAN)),
+            shown(tidy(question.wanted - question.limit)),
+            shown(tidy(question.wanted + question.limit))
+        );
+        let message = match (question.stops(writes), writes) {
+            (true, true) => text!("On this part the program stops with an alarm and writes nothing: {what}", what),
+            (true, false) => text!("On this part the program stops with an alarm: {what}", what),
+            (false, _) => text!("On this part the program marks a result as out of tolerance: {what}", what),
+        };
+        checker.warning("out-of-tolerance", if job.placement.nominal { "tolerances" } else { "part" }, message);
+        if question.stops(writes) {
+            return;
+        }
+    }
 }
 
 /// Results that the program, run on the virtual part, does not take for plausible.
@@ -149,7 +189,9 @@ fn report_implausible(
     writes: bool,
     checker: &mut Checker,
 ) {
-    let Some(question) = off.first() else { return };
+    let Some(question) = off.first().filter(|question| question.asked == Asked::Plausible) else {
+        return report_tolerances(job, path, rows, off, writes, checker);
+    };
     let code = path.formula.results[question.result].code;
     let Some(row) = rows.iter().find(|row| row.code == code) else { return };
     let shown = |x: f64| {
@@ -251,8 +293,8 @@ fn predicted(planned: &Planned, writes: bool, checker: &mut Checker) -> Vec<form
         job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
     }
     if run.collision.is_none() {
-        let implausible = judge_plausible(job, path, &mut rows);
-        report_implausible(job, path, &rows, &implausible, writes, checker);
+        let off = judge(job, path, &mut rows);
+        report_implausible(job, path, &rows, &off, writes, checker);
         report_at_start(job, path, &run.triggers, checker);
     } else {
         rows.iter_mut().for_each(unknown);

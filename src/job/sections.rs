@@ -6,6 +6,7 @@ use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::Limits;
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
+use crate::job::tolerances::TOLERANCES;
 use crate::part::{Machine, PartPlacement, Scatter, Shape};
 use crate::path::{Feeds, Setup};
 use crate::text::text;
@@ -352,7 +353,10 @@ impl Job {
         let units = Units::of(value);
         (checker.scale, checker.unit) = (units.scale(), units.word());
         let mut root = Section::new(checker, Some(value), "");
-        root.only(General::FIELDS, &["format", "stylus", "feeds", "limits", "machine", "cycle", "control", "tool", "part"]);
+        root.only(
+            General::FIELDS,
+            &["format", "stylus", "feeds", "limits", "machine", "cycle", "control", "tool", "part", TOLERANCES],
+        );
         let general = General::read(&mut root);
         let stylus: Stylus = read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
         let feeds: FeedForm = read_section(checker, value, "feeds", FeedForm::FIELDS, &[], FeedForm::read);

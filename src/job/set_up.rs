@@ -607,6 +607,8 @@ fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) 
 /// How far a result is off its nominal value, as a row of its own.
 fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
     let truth = source.truth.zip(source.nominal).map(|(truth, nominal)| tidy(truth - nominal));
+    // A tolerance is of the place and not of the shift.
+    let verdict = source.said.verdict.clone().filter(|_| source.limits.is_none());
     ResultRow {
         code: code.to_owned(),
         meaning: meaning.english(),
@@ -615,7 +617,9 @@ fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
         truth,
         note: None,
         stored: None,
-        said: ResultWords { meaning, verdict: source.said.verdict.clone(), note: None },
+        limits: None,
+        verdict: verdict.as_ref().map(Text::english),
+        said: ResultWords { meaning, verdict, note: None },
         ..source.clone()
     }
 }

@@ -5,6 +5,7 @@ use crate::form::{Field, Finding, Level, Value};
 use crate::job::JobError;
 use crate::job::cycles::{alone, is_set_up, name_of};
 use crate::job::sections::{SECTIONS, Units};
+use crate::job::tolerances::TOLERANCES;
 use crate::text::text;
 use crate::tolerance;
 
@@ -75,6 +76,7 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
         let section = if path.is_empty() { Some(&mut job) } else { entry(&mut job, path) };
         convert_fields(section, fields, to);
     }
+    convert_tolerances(entry(&mut job, TOLERANCES), to);
     if is_set_up(&job) {
         return Ok(convert_set_up(&job, units, to));
     }
@@ -129,6 +131,21 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
     put(&mut converted, "units", Value::Text(units.word().to_owned()));
     converted
 }
+
+/// The tolerances of results, but for those of angles.
+fn convert_tolerances(tolerances: Option<&mut Value>, to: Target) {
+    let Some(Value::Map(entries)) = tolerances else { return };
+    for (key, given) in entries {
+        let code = key.rsplit_once('.').map_or(key.as_str(), |(_, code)| code);
+        let angle = ANGLES.iter().any(|angle| code.eq_ignore_ascii_case(angle));
+        if let Some(Value::Text(text)) = entry(given, "tolerance").filter(|_| !angle) {
+            *text = tolerance::convert_of_result(text, |x| to.printed(x));
+        }
+    }
+}
+
+/// The codes of results that are angles, or what they end in.
+const ANGLES: [&str; 2] = ["angle", "rotation"];
 
 fn entry<'a>(value: &'a mut Value, key: &str) -> Option<&'a mut Value> {
     match value {

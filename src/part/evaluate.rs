@@ -166,6 +166,9 @@ pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, 
             nominal: Some(0.0),
             value: row.deviation,
             truth: row.truth.map(|t| tidy(t - nominal)),
+            // A tolerance is of the place and not of the shift.
+            limits: None,
+            verdict: row.verdict.clone().filter(|_| row.limits.is_none()),
             ..row.clone()
         };
         rows.push(row);

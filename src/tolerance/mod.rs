@@ -123,6 +123,94 @@ pub fn zone(text: &str, to_mm: f64) -> Option<[f64; 2]> {
     value.limits.filter(|_| same).map(<[f64; 2]>::from)
 }
 
+/// The forms that the tolerance of a result may have, for people.
+pub const RESULT_FORMS: &str = "25H7, H7, ±0.02, +0.021/0, 25±0.02, 24.98..25.02";
+
+/// The smallest and the largest value that a tolerance of a result allows, and whether the text says the nominal value itself. A text that begins with a
+/// sign or a letter is about the nominal value: `±0.02`, `+0.021/0`, `-0.1-0.2`, `H7`. One that begins with a number has it: `25H7`, `25 ±0.02`,
+/// `24.98..25.02`, and so has a negative one with two deviations: `-35 ±0.1`. `to_mm` is millimetres in the unit; none of an angle, which has no classes.
+pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 2], bool), Text> {
+    let wrong = || text!("\"{value}\" is no tolerance: the forms are {forms}", shown(text), RESULT_FORMS.to_owned());
+    let plain = text.trim().replace([' ', '\t'], "").replace('\u{2212}', "-").replace('…', "..");
+    let plain = plain.trim_start_matches(['Ø', 'ø', '⌀']);
+    let between = plain.split_once("..").map(|(low, high)| (number(low), number(high.trim_start_matches('.'))));
+    if let Some(ends) = between {
+        let (Some(low), Some(high)) = ends else { return Err(wrong()) };
+        return if low < high { Ok(([low, high], true)) } else { Err(wrong()) };
+    }
+    let relative = plain.starts_with(|c: char| c == '±' || c == '+' || c == '-' || c.is_ascii_alphabetic());
+    let about_nominal = if relative { deviations(plain, nominal, to_mm) } else { None };
+    let (says, middle, off) = match about_nominal {
+        Some(off) => (false, nominal, off?),
+        None => {
+            let end = end_of_number(plain).ok_or_else(wrong)?;
+            let size = number(&plain[..end]).ok_or_else(wrong)?;
+            (true, size, deviations(&plain[end..], size, to_mm).ok_or_else(wrong)??)
+        }
+    };
+    let [low, high] = off;
+    if low >= high {
+        return Err(wrong());
+    }
+    Ok(([middle + low, middle + high], says))
+}
+
+/// Lower and upper deviation of `±0.02`, `+0.021/0`, `0/-0.1`, `+0.02-0.01`, `-0.2`, `H7`, `m`. None where it is none of these, an error of a class that
+/// does not exist for this size.
+fn deviations(text: &str, nominal: f64, to_mm: Option<f64>) -> Option<Result<[f64; 2], Text>> {
+    let unsigned = |text: &str| number(text).filter(|_| text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ','));
+    if let Some(off) = text.strip_prefix('±').or_else(|| text.strip_prefix("+/-")) {
+        let off = unsigned(off)?;
+        return Some(Ok([-off, off]));
+    }
+    if let Some((one, other)) = text.split_once('/') {
+        let (one, other) = (number(one)?, number(other)?);
+        return Some(Ok([one.min(other), one.max(other)]));
+    }
+    if text.starts_with(['+', '-']) {
+        return signed(text).map(|(low, high)| Ok([low, high]));
+    }
+    let to_mm = to_mm.filter(|_| text.starts_with(|c: char| c.is_ascii_alphabetic()))?;
+    Some(standard(text, nominal * to_mm).map(|(low, high)| [low / to_mm, high / to_mm]))
+}
+
+/// The same tolerance in characters that a comment of any control takes: `+0.02-0.02` for `±0.02`, `..` for `…`.
+pub fn plain_of_result(text: &str) -> String {
+    let plain = text.replace([' ', '\t', 'Ø', 'ø', '⌀'], "").replace('\u{2212}', "-").replace('…', "..").replace(',', ".");
+    let plain = plain.replace("+/-", "±");
+    if let Some((size, off)) = plain.split_once('±') {
+        return format!("{size}+{off}-{off}");
+    }
+    let Some((one, other)) = plain.split_once('/') else { return plain };
+    let signed = |text: &str| if text.starts_with(['+', '-']) { text.to_owned() } else { format!("+{text}") };
+    // A size may stand in front of the deviations.
+    let end = end_of_number(one).filter(|end| *end < one.len()).unwrap_or(0);
+    format!("{}{}{}", &one[..end], signed(&one[end..]), signed(other))
+}
+
+/// The same tolerance with every length multiplied by `by`: what is no tolerance stays as it is.
+pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let digits = rest.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ',')).unwrap_or(rest.len());
+        // Two points stand between the ends of a zone.
+        let digits = rest[..digits].find("..").unwrap_or(digits);
+        if digits == 0 || out.ends_with('.') && first == '.' {
+            out.push(first);
+            rest = &rest[first.len_utf8()..];
+            continue;
+        }
+        // The grade of a class is no length.
+        match number(&rest[..digits]).filter(|_| !out.ends_with(|c: char| c.is_ascii_alphabetic())) {
+            Some(x) => out.push_str(&decimal(by(x), 9)),
+            None => out.push_str(&rest[..digits]),
+        }
+        rest = &rest[digits..];
+    }
+    out
+}
+
 /// Whether a text is one or two letters and one or two digits, such as `H7`, alone or before a slash as in `H7/g6`.
 fn is_class(text: &str) -> bool {
     let class = text.split('/').next().unwrap_or(text).trim();
@@ -455,6 +543,83 @@ mod tests {
             assert_eq!(zone(other, 1.0), None, "{other}");
         }
         assert_eq!(zone("25Q99", 1.0), None);
+    }
+
+    #[test]
+    fn the_tolerance_of_a_result_is_about_its_nominal_value_or_says_one() {
+        // ISO 286-2: H7 of 25 mm is +0.021/0, F8 +0.053/+0.020; ISO 2768-1 m of 25 mm is ±0.2.
+        for (text, nominal, limits, says) in [
+            ("H7", 25.0, [25.0, 25.021], false),
+            ("F8", 25.0, [25.02, 25.053], false),
+            ("m", 25.0, [24.8, 25.2], false),
+            ("±0.02", -35.0, [-35.02, -34.98], false),
+            ("+/-0,02", 25.0, [24.98, 25.02], false),
+            ("+0.021/0", 25.0, [25.0, 25.021], false),
+            ("0/-0.1", 0.0, [0.0, -0.1], true),
+            ("+0.03-0.01", 25.0, [24.99, 25.03], false),
+            ("-0.2", 25.0, [24.8, 25.0], false),
+            ("25H7", 25.0105, [25.0, 25.021], true),
+            ("Ø25 ±0.02", 25.0, [24.98, 25.02], true),
+            ("-35 ±0.1", -35.0, [-35.1, -34.9], true),
+            ("-35+0.1-0.2", -35.0, [-35.2, -34.9], true),
+            ("-0.1-0.2", 25.0, [24.8, 24.9], false),
+            ("24.98..25.02", 25.0, [24.98, 25.02], true),
+            ("-0.02 … 0.02", 0.0, [-0.02, 0.02], true),
+        ] {
+            // `0/-0.1` begins with a number: its nominal value is 0, and what follows is no deviation.
+            if text == "0/-0.1" {
+                assert!(of_result(text, nominal, Some(1.0)).is_err());
+                continue;
+            }
+            let (found, own) = of_result(text, nominal, Some(1.0)).unwrap_or_else(|e| panic!("{text}: {e}"));
+            assert!((0..2).all(|i| (found[i] - limits[i]).abs() < 1e-9), "{text}: {found:?}");
+            assert_eq!(own, says, "{text}");
+        }
+        for text in ["", "25", "0.02", "±", "H", "H7 ", "25..25", "25.02..24.98", "±0", "q7", "25H7x", "±-1", "..", "+"] {
+            let found = of_result(text, 25.0, Some(1.0));
+            assert_eq!(found.is_ok(), text == "H7 ", "{text}: {found:?}");
+        }
+        // An angle has no classes.
+        assert!(of_result("H7", 25.0, None).is_err());
+        assert_eq!(of_result("±0.5", 90.0, None).unwrap().0, [89.5, 90.5]);
+        let inch = of_result("H7", 1.0, Some(25.4)).unwrap().0;
+        assert!((inch[1] - 1.0 - 0.021 / 25.4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_tolerance_of_a_result_in_plain_characters_is_the_same_zone() {
+        for text in [
+            "H7",
+            "25 H7",
+            "±0.02",
+            "+/-0,02",
+            "+0.021/0",
+            "-0.1/-0.2",
+            "+0.1/+0.2",
+            "Ø25 ±0.02",
+            "25+0.03/-0.01",
+            "24,98 … 25.02",
+        ] {
+            let plain = plain_of_result(text);
+            assert!(plain.chars().all(|c| c.is_ascii_alphanumeric() || ".+-".contains(c)), "{plain}");
+            assert_eq!(of_result(&plain, 25.0, Some(1.0)), of_result(text, 25.0, Some(1.0)), "{text}: {plain}");
+            assert!(of_result(text, 25.0, Some(1.0)).is_ok(), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_tolerance_of_a_result_in_other_units_is_the_same_zone() {
+        for (text, doubled) in [
+            ("25H7", "50H7"),
+            ("±0.02", "±0.04"),
+            ("+.5/-.25", "+1/-0.5"),
+            ("24.98..25.02", "49.96..50.04"),
+            ("-1…2,5", "-2…5"),
+            ("js6", "js6"),
+            ("what", "what"),
+        ] {
+            assert_eq!(convert_of_result(text, |x| 2.0 * x), doubled);
+        }
     }
 
     /// The middles that the reference prints.

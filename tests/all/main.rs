@@ -35,6 +35,7 @@ mod set_ups;
 mod sinumerik;
 mod stylus;
 mod table;
+mod tolerances;
 mod toolpath;
 mod typed;
 mod wayback;

@@ -30,6 +30,8 @@ pub struct Control {
     pub path: Vec<([f64; 3], bool)>,
     /// What stopped it: number and text, or the control's own alarm.
     pub alarm: Option<String>,
+    /// What it showed and waited at.
+    pub messages: Vec<String>,
     /// Writes to origins of work offsets, in order.
     pub writes: Vec<i64>,
     pub offset: String,
@@ -61,6 +63,7 @@ impl Control {
             stops: 0,
             path: Vec::new(),
             alarm: None,
+            messages: Vec::new(),
             writes: Vec::new(),
             offset: String::new(),
             moving: false,
@@ -136,6 +139,7 @@ impl Control {
                     return Ok(());
                 }
                 if number == 3006 {
+                    self.messages.push(full.to_owned());
                     self.stops += 1;
                     continue;
                 }

@@ -127,6 +127,8 @@ pub struct Interpreted {
     /// Every rotation, likewise.
     pub rotations_after_moves: Vec<f64>,
     pub inch: bool,
+    /// What is shown on the screen and is no result.
+    pub messages: Vec<String>,
 }
 
 /// Runs a program through LinuxCNC's interpreter. The error is what it says on a program it refuses.
@@ -197,6 +199,9 @@ fn read(text: &str) -> Interpreted {
         if let Some((name, value)) = rest.trim_matches(['"', ')']).split_once('=').filter(|_| word == "MESSAGE") {
             found.prints.push((name.to_owned(), value.parse().unwrap_or(f64::NAN)));
             continue;
+        }
+        if word == "MESSAGE" {
+            found.messages.push(rest.to_owned());
         }
         let kind = match word {
             "STRAIGHT_TRAVERSE" => "rapid",

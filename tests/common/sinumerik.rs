@@ -23,6 +23,8 @@ pub struct Machine {
     /// The touch, counted from 1, from which on the probe stays deflected.
     pub stuck_from: Option<usize>,
     pub message: String,
+    /// Every message, in order.
+    pub messages: Vec<String>,
     pub alarm: Option<f64>,
     /// What it wrote into a file, line by line.
     pub written: Vec<String>,
@@ -48,6 +50,7 @@ impl Machine {
             deflected: false,
             stuck_from: None,
             message: String::new(),
+            messages: Vec::new(),
             alarm: None,
             written: Vec::new(),
             path: Vec::new(),
@@ -128,7 +131,10 @@ impl Machine {
                     }
                 }
                 Statement::Call(name, arguments) => match (name.as_str(), arguments.as_slice()) {
-                    ("MSG", [Some(text)]) => self.message = self.text(text, at)?,
+                    ("MSG", [Some(text)]) => {
+                        self.message = self.text(text, at)?;
+                        self.messages.push(self.message.clone());
+                    }
                     // A line of a file in the control.
                     ("WRITE", [Some(_), Some(_), Some(text)]) => self.written.push(self.text(text, at)?),
                     ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),

@@ -7,7 +7,7 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{Program, Report, Request, does, number, orientation_line};
-use crate::formula::{Coordinate, Datum, Formula, Node, NodeId, Op, Question};
+use crate::formula::{Asked, Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
 use crate::path::{Move, Touch};
@@ -350,11 +350,12 @@ impl Moves for Skip<'_> {
             text => format!("{}-{text}", variable(register)),
         };
         let result = &formula.results[question.result];
-        let says = |code: &str| format!("{} OFF, SEE {}", code.to_ascii_uppercase(), variable(register));
+        let off_or_out = if question.asked == Asked::Plausible { "OFF" } else { "OUT" };
+        let says = |code: &str| format!("{} {off_or_out}, SEE {}", code.to_ascii_uppercase(), variable(register));
         // The variable says of which cycle it is, where there is no room for both.
         let whole = says(&formula.code(result));
         let alarm = if whole.len() <= LONGEST_ALARM { whole } else { says(result.code) };
-        if self.request.corrects() {
+        if question.stops(self.request.corrects()) {
             let label = RESULTS.0 + self.implausible.len();
             w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {label}"));
             self.implausible.push(alarm);

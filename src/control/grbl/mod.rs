@@ -59,6 +59,10 @@ const LATER: PostDef = PostDef {
             rules::PLAUSIBLE,
             words!("the program is that of grbl and uses no variables: whoever reads the results must judge them"),
         ),
+        (
+            rules::TOLERANCE,
+            words!("the program is that of grbl and uses no variables: whoever reads the results must judge them"),
+        ),
         (rules::RESTART, WRITTEN_BY_THE_SENDER),
         (rules::WRITE_LAST, WRITTEN_BY_THE_SENDER),
     ],
@@ -92,6 +96,7 @@ const KIN: PostDef = PostDef {
         ),
         (rules::ONE_WRITE, words!("{control} has no variables: the sender writes the work offset")),
         (rules::PLAUSIBLE, words!("{control} has no variables: whoever reads the results must judge them")),
+        (rules::TOLERANCE, words!("{control} has no variables: whoever reads the results must judge them")),
         (rules::RESTART, words!("{control} has no variables: the sender writes the work offset")),
         (rules::WRITE_LAST, words!("{control} has no variables: the sender writes the work offset")),
     ],

@@ -207,11 +207,13 @@ impl Moves for LinuxCnc<'_> {
         let (limit, wanted) = (decimal(question.limit / unit, 12), decimal(question.wanted / unit, 12));
         let off = less(&value, &wanted);
         w.parts(&["o", &label, " if [ABS[", &off, "] GT ", &limit, "]"]);
-        let says = format!("{} is {value}, more than {limit} from {wanted}", formula.code(&formula.results[question.result]));
-        if self.request.corrects() {
+        let code = formula.code(&formula.results[question.result]);
+        let says = format!("{code} is {value}{}", question.complaint(unit));
+        let writes = self.request.corrects();
+        if question.stops(writes) {
             // As in the exit: the last lift is made first.
             w.line("M66 E0 L0");
-            w.line(&format!("(ABORT,{says}. Nothing is written)"));
+            w.line(&format!("(ABORT,{says}{})", if writes { ". Nothing is written" } else { "" }));
         } else {
             w.line(&format!("(DEBUG,{says})"));
         }

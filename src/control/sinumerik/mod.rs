@@ -276,10 +276,11 @@ impl Moves for Sinumerik<'_> {
         };
         let label = format!("TP_GOOD_{}", self.asked);
         w.line(&format!("IF ABS({off})<={limit} GOTOF {label}"));
-        let says =
-            format!("{} is \"<<{value}<<\", more than {limit} from {wanted}", formula.code(&formula.results[question.result]));
-        if self.request.corrects() {
-            w.line(&format!("MSG(\"{says}. Nothing is written\")"));
+        let code = formula.code(&formula.results[question.result]);
+        let says = format!("{code} is \"<<{value}<<\"{}", question.complaint(unit));
+        let writes = self.request.corrects();
+        if question.stops(writes) {
+            w.line(&format!("MSG(\"{says}{}\")", if writes { ". Nothing is written" } else { "" }));
             w.line("GOTOF TP_STOP");
         } else {
             w.line(&format!("MSG(\"{says}\")"));

@@ -36,6 +36,22 @@ export interface CustomCode {
 export type FrameStep = { rot: "X" | "Y" | "Z"; angle: number } | { mirror: "X" | "Y" | "Z" };
 "#;
 
+/// What every job may have beside its sections.
+const TOLERANCES: &str = r#"  /** The tolerance of each result, by its code: `diameter`, in a set-up `BORE.diameter`. */
+  tolerances?: Record<string, ResultTolerance> | null;
+"#;
+
+/// The tolerance of a result.
+const RESULT_TOLERANCE: &str = r#"
+/** The tolerance of a result, and what follows from a value out of it. */
+export interface ResultTolerance {
+  /** About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. */
+  tolerance: string;
+  /** The program goes on, shows the result and goes on, or stops with an alarm. Left out: `go`. */
+  then?: "go" | "mark" | "stop";
+}
+"#;
+
 /// A job of several cycles.
 const SET_UP: &str = r#"
 /** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */
@@ -161,7 +177,9 @@ pub fn job_types() -> String {
         }
         text.push_str("  };\n");
     }
+    text.push_str(TOLERANCES);
     text.push_str("  cycle: Cycle;\n}\n");
+    text.push_str(RESULT_TOLERANCE);
     text.push_str(SET_UP);
     text.push_str(
         "\n/** The id of a control. */\nexport type PostId = NonNullable<NonNullable<Job[\"control\"]>[\"post\"]>;\n",

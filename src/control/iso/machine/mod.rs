@@ -5,7 +5,7 @@ mod tail;
 mod values;
 
 pub use exits::deflected;
-pub use tail::{Tail, restarted};
+pub use tail::{Outcome, Tail, restarted};
 
 use std::cell::Cell;
 

@@ -1,0 +1,212 @@
+//! The tolerances of results: `tolerances` of a job, each with what follows from a result that is out of it.
+
+use crate::control::Form;
+use crate::form::{Checker, Value, printable};
+use crate::formula::{self, Consequence, Formula, ResultDef, Role, Tolerance};
+use crate::job::Job;
+use crate::job::planned::Planned;
+use crate::num::tidy;
+use crate::path::Path;
+use crate::text::{Text, text, words};
+use crate::tolerance;
+
+/// The key of a job that holds them.
+pub const TOLERANCES: &str = "tolerances";
+
+/// The most characters of one.
+pub const LONGEST_TOLERANCE: usize = 40;
+
+/// The words of [`Consequence`] in a job.
+pub const CONSEQUENCES: [&str; 3] = ["go", "mark", "stop"];
+
+/// Reads the tolerances of a job that is planned, and gives each to its result. Reports everything that is wrong with them.
+pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
+    let entries = match value.get(TOLERANCES) {
+        None | Some(Value::Null) => return,
+        Some(Value::Map(entries)) => entries,
+        Some(other) => {
+            let message = text!("tolerances must be an object, not {given}", other.noun());
+            return checker.error("wrong-type", TOLERANCES, message);
+        }
+    };
+    for (key, given) in entries {
+        let path = format!("{TOLERANCES}.{}", printable(key));
+        let formula = &planned.path.formula;
+        let Some(index) = formula.results.iter().position(|result| formula.code(result).eq_ignore_ascii_case(key)) else {
+            let known: Vec<_> = formula.results.iter().map(|result| formula.code(result)).collect();
+            let message = text!("This job has no result \"{name}\". Its results are {codes}", printable(key), known.join(", "));
+            checker.error("unknown-key", path, message);
+            continue;
+        };
+        if let Some(tolerance) = one(checker, (&planned.job, &planned.path), given, index, &path) {
+            give(planned, index, tolerance);
+        }
+    }
+}
+
+/// The result of the whole, and the same of its own cycle.
+fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
+    planned.path.formula.results[index].tolerance = Some(tolerance);
+    for (member, own) in planned.path.members.iter_mut().zip(&mut planned.members) {
+        if member.results.contains(&index) {
+            own.path.formula.results[index - member.results.start].tolerance = Some(tolerance);
+        }
+    }
+}
+
+fn one(checker: &mut Checker, (job, path_of_job): (&Job, &Path), given: &Value, index: usize, path: &str) -> Option<Tolerance> {
+    let Value::Map(entries) = given else {
+        let message = text!("{path} must be an object, not {given}", path.to_owned(), given.noun());
+        checker.error("wrong-type", path, message);
+        return None;
+    };
+    for (key, _) in entries.iter().filter(|(key, _)| !["tolerance", "then"].contains(&key.as_str())) {
+        let shown = printable(key);
+        let message = text!("A tolerance has no \"{key}\"; it knows tolerance and then", shown.clone());
+        checker.error("unknown-key", format!("{path}.{shown}"), message);
+    }
+    let formula = &path_of_job.formula;
+    let def = &formula.results[index];
+    let then = consequence(checker, job, given, &format!("{path}.then"));
+    let text = match given.get("tolerance") {
+        Some(Value::Text(text)) => text,
+        Some(other) => {
+            let path = format!("{path}.tolerance");
+            checker.error("wrong-type", path.clone(), text!("{path} must be text, not {given}", path, other.noun()));
+            return None;
+        }
+        None => {
+            let message = text!("A tolerance needs its text: one of {forms}", tolerance::RESULT_FORMS.to_owned());
+            checker.error("missing", format!("{path}.tolerance"), message);
+            return None;
+        }
+    };
+    let path = format!("{path}.tolerance");
+    if def.variable.is_none() || path_of_job.feature.two_circles().is_some() {
+        let message = match def.variable {
+            None => text!("{result} is not measured here: it takes no tolerance", Text::words(def.meaning)),
+            Some(_) => text!("Cycle 1411 has tolerances of its own, in its diameters and points: give them there"),
+        };
+        checker.error("tolerance-unsupported", path, message);
+        return None;
+    }
+    if text.chars().count() > LONGEST_TOLERANCE {
+        let message = text!("A tolerance has at most {most} characters", LONGEST_TOLERANCE);
+        checker.error("text-too-long", path, message);
+        return None;
+    }
+    let limits = limits(checker, job, text, def, &path)?;
+    let tolerance = Tolerance { limits, then: then? };
+    check_limit(checker, job, formula, (index, &tolerance), &path);
+    Some(tolerance)
+}
+
+/// What follows, where the program of this job can do so.
+fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> Option<Consequence> {
+    let then = match given.get("then") {
+        None => Consequence::Go,
+        Some(Value::Text(word)) if CONSEQUENCES.contains(&word.as_str()) => match word.as_str() {
+            "mark" => Consequence::Mark,
+            "stop" => Consequence::Stop,
+            _ => Consequence::Go,
+        },
+        Some(Value::Text(_)) => {
+            checker.error("unknown-value", path, text!("A tolerance is followed by go, mark or stop"));
+            return None;
+        }
+        Some(other) => {
+            checker.error("wrong-type", path, text!("{path} must be text, not {given}", path.to_owned(), other.noun()));
+            return None;
+        }
+    };
+    let why = match job.form {
+        Form::Cycle => Some(words!("the control's own cycles do not compare their results with it")),
+        Form::Moves if !job.post.computes => Some(words!("{control} computes no results: whoever reads them must judge them")),
+        Form::Moves => None,
+    };
+    if let Some(why) = why.filter(|_| then != Consequence::Go) {
+        let message = text!("The program cannot act on a tolerance: {why}", job.post.says(why));
+        checker.error("tolerance-unsupported", path, message);
+        return None;
+    }
+    Some(then)
+}
+
+/// The limits of a tolerance, mm or degrees.
+fn limits(checker: &mut Checker, job: &Job, text: &str, def: &ResultDef, path: &str) -> Option<[f64; 2]> {
+    let angle = def.role.is_angle();
+    let unit = if angle { 1.0 } else { job.scale };
+    let classes = (def.role == Role::Size).then_some(job.scale);
+    let nominal = tidy(def.nominal / unit);
+    let (limits, says_nominal) = match tolerance::of_result(text, nominal, classes) {
+        Ok(read) => read,
+        Err(why) => {
+            checker.error("not-a-tolerance", path, why);
+            return None;
+        }
+    };
+    let limits = limits.map(|x| x * unit);
+    let [low, high] = limits;
+    let away = (low - def.nominal).max(def.nominal - high);
+    // A class may leave the nominal value out; a zone that says its own and lies elsewhere is one of another feature.
+    if says_nominal && away > (high - low).max(job.scale * 1e-9) {
+        let shown = |x: f64| if angle { format!("{}°", crate::num::decimal(x, 4)) } else { checker.length(x) };
+        let message = text!(
+            "This tolerance is {low} to {high}, and the nominal value is {nominal}: every good part would be out of it",
+            shown(low),
+            shown(high),
+            shown(def.nominal)
+        );
+        checker.warning("tolerance-elsewhere", path, message);
+    }
+    Some(limits)
+}
+
+/// A tolerance that reaches beyond what is plausible: the program would take a good part for a wrong measurement.
+fn check_limit(checker: &mut Checker, job: &Job, formula: &Formula, (index, tolerance): (usize, &Tolerance), path: &str) {
+    let def = &formula.results[index];
+    let plausible = formula
+        .questions(&job.limits)
+        .into_iter()
+        .find(|question| question.asked == formula::Asked::Plausible && Some(question.variable) == def.variable);
+    let Some(plausible) = plausible else { return };
+    let [low, high] = tolerance.limits;
+    let least = plausible.wanted - plausible.limit - 1e-9;
+    let most = plausible.wanted + plausible.limit + 1e-9;
+    if low < least || high > most {
+        let key = match def.role {
+            Role::Size => "size",
+            Role::Angle | Role::Direction => "angle",
+            Role::Residual => "residual",
+            _ => "position",
+        };
+        let message = text!(
+            "This tolerance reaches beyond limits.{key}: a part within it would be refused as an implausible measurement. Enter a larger limit",
+            key
+        );
+        checker.error("tolerance-beyond-limit", path, message);
+    }
+}
+
+/// Judges results by their tolerances, with twice their uncertainty as guard band: what is that near to a limit is not known to be on its side of it.
+pub fn judge(path: &Path, rows: &mut [formula::ResultRow]) {
+    for (row, def) in rows.iter_mut().zip(&path.formula.results) {
+        let Some(Tolerance { limits: [low, high], .. }) = def.tolerance else { continue };
+        row.limits = Some((low, high));
+        row.verdict = row.value.map(|value| verdict(value, [low, high], 2.0 * row.uncertainty.unwrap_or(0.0)));
+    }
+}
+
+/// A value on its very limit is good: the last decimals of touches decide nothing, mm or degrees.
+const ON_LIMIT: f64 = 1e-6;
+
+fn verdict(value: f64, [low, high]: [f64; 2], band: f64) -> Text {
+    // How far the value is within the nearer limit.
+    let within = (value - low).min(high - value) + ON_LIMIT;
+    match (within >= 0.0, within.abs() >= band + ON_LIMIT) {
+        (true, true) => text!("good"),
+        (true, false) => text!("good within ±"),
+        (false, false) => text!("out within ±"),
+        (false, true) => text!("out"),
+    }
+}
