@@ -203,6 +203,7 @@ pub fn plan(plan: &Plan) -> Packed {
     out.number(plan.length);
     out.number(plan.time);
     out.texts(&plan.cycles);
+    out.texts(&plan.relations);
     out.list(&plan.datum, datum);
     out.begin(Section::Touches);
     out.list(&plan.touches, touch);

@@ -127,7 +127,7 @@ impl Words {
     /// Makes the word of a value.
     fn write(&mut self, value: &Value) {
         // The words outside the cycle are those of choices: the reader knows them in capitals, too.
-        let own = ["cycle.", "cycles[", "datum.", "tolerances."].iter().any(|own| self.path.starts_with(own));
+        let own = ["cycle.", "cycles[", "datum.", "relations", "tolerances."].iter().any(|own| self.path.starts_with(own));
         let marked = self.capitals && own && !self.path.ends_with("].type") && self.path != "cycle.type";
         self.word.clear();
         self.word.push_str(&self.path);

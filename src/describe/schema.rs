@@ -5,9 +5,10 @@
 
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
 use crate::form::{Field, Kind, Range, Value};
+use crate::formula::Relation;
 use crate::job::{
-    CLEAR, CONSEQUENCES, DATUM, FORMAT, LONGEST_NAME, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, SECTIONS, SET_UP_FORMAT,
-    STEP_ANGLE, TOLERANCES, size_reach,
+    CLEAR, CONSEQUENCES, DATUM, FORMAT, LONGEST_NAME, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS,
+    SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -82,7 +83,7 @@ fn tolerances() -> Value {
 }
 
 /// What a job of several cycles has.
-fn set_up() -> [(String, Value); 3] {
+fn set_up() -> [(String, Value); 4] {
     let pattern = format!("^[A-Za-z][A-Za-z0-9]{{0,{}}}$", LONGEST_NAME - 1);
     let name = map([
         ("type", Value::List(vec![text("string"), text("null")])),
@@ -107,7 +108,44 @@ fn set_up() -> [(String, Value); 3] {
             "Which result is written into which axis of the work offset, as `BORE.center.x`; x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle that measures it. Null: not written. A rotation is written where one is named.",
         ),
     ));
-    [("cycles".to_owned(), list), ("clear".to_owned(), field(&CLEAR)), ("datum".to_owned(), nullable(Value::Map(datum)))]
+    let types = Relation::ALL.map(|(word, _)| text(word)).to_vec();
+    let relation = object(
+        [
+            ("name".to_owned(), map([("type", text("string")), ("pattern", text(&pattern))])),
+            ("type".to_owned(), map([("enum", Value::List(types))])),
+            (
+                "of".to_owned(),
+                map([
+                    ("type", text("array")),
+                    ("items", map([("type", text("string"))])),
+                    ("minItems", Value::Number(2.0)),
+                    ("maxItems", Value::Number(MOST_CYCLES as f64)),
+                    (
+                        "description",
+                        text("Names of cycles that measure a place; of a difference or mean, results as `BORE.diameter`."),
+                    ),
+                ]),
+            ),
+        ],
+        &["name", "type", "of"],
+    );
+    let relations = nullable(map([
+        ("type", text("array")),
+        ("items", relation),
+        ("maxItems", Value::Number(MOST_CYCLES as f64)),
+        (
+            "description",
+            text(
+                "What is computed of the results of the cycles: distance and direction of a line, difference, mean, centre, pitch circle.",
+            ),
+        ),
+    ]));
+    [
+        ("cycles".to_owned(), list),
+        (RELATIONS.to_owned(), relations),
+        ("clear".to_owned(), field(&CLEAR)),
+        ("datum".to_owned(), nullable(Value::Map(datum))),
+    ]
 }
 
 /// The ranges of lengths and feeds of a whole job whose units are so many mm.

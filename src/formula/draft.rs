@@ -32,6 +32,21 @@ impl Draft {
         Draft(RefCell::new(Formula { nodes, assignments, ..Formula::default() }))
     }
 
+    /// One that goes on where a formula ends.
+    pub(super) fn continuing(formula: Formula) -> Self {
+        Draft(RefCell::new(formula))
+    }
+
+    /// The handle of a value that has its name.
+    pub(super) fn known(&self, variable: Variable) -> Value<'_> {
+        Value { draft: self, variable }
+    }
+
+    /// A result that is stated.
+    pub(super) fn result_at(&self, index: usize) -> ResultDef {
+        self.0.borrow().results[index].clone()
+    }
+
     /// Not inlined: it is called from everywhere, and small there.
     #[inline(never)]
     pub(super) fn push(&self, node: Node) -> Expr<'_> {

@@ -15,12 +15,14 @@ mod join;
 mod name;
 mod node;
 mod plain;
+mod relate;
 
 pub use circle::{CircleFit, fit_circle};
 pub use draft::{Draft, Expr, Value};
 pub use dual::Dual;
 pub use name::Name;
 pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
+pub use relate::{Operand, Relation, related};
 
 use crate::num::{decimal, tidy};
 use crate::text::Text;

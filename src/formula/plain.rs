@@ -40,7 +40,9 @@ impl<'f> Plain<'_, 'f> {
     fn part(&mut self, samples: Samples, part: CirclePart) -> Value<'f> {
         let known = self.circles.iter().find(|(known, _)| *known == samples).map(|(_, values)| *values);
         let [x, y, r, residual] = known.unwrap_or_else(|| {
-            let values = circle(self.draft, self.circles.len() + 1, samples);
+            let [a, o] = [samples.axes.0, samples.axes.1].map(usize::from);
+            let at = |k: usize, axis: usize| self.draft.trigger(k, if axis == 0 { a } else { o });
+            let values = circle(self.draft, self.circles.len() + 1, samples.range(), &at);
             self.circles.push((samples, values));
             values
         });
@@ -57,10 +59,15 @@ impl<'f> Plain<'_, 'f> {
 /// so that a control needs no place for every point: with w = u² + v² and, for each pair, the central sum ⟨pq⟩ = Σpq − ΣpΣq/n,
 /// 2a = (⟨vv⟩⟨uw⟩ − ⟨uv⟩⟨vw⟩) / (⟨uu⟩⟨vv⟩ − ⟨uv⟩²), 2b likewise, and the rest of Σ(w − 2au − 2bv − c)² is ⟨ww⟩ − 2a⟨uw⟩ − 2b⟨vw⟩; a point that is e off
 /// the circle of radius r adds nearly (2re)² to it.
-fn circle<'f>(f: &'f Draft, number: usize, samples: Samples) -> [Value<'f>; 4] {
+///
+/// `at` is abscissa (0) or ordinate (1) of a point.
+pub(super) fn circle<'f>(
+    f: &'f Draft,
+    number: usize,
+    samples: std::ops::Range<usize>,
+    at: &dyn Fn(usize, usize) -> Expr<'f>,
+) -> [Value<'f>; 4] {
     let own = |rest: &'static str| Name::new("c", number).and(rest);
-    let [a, o] = [samples.axes.0, samples.axes.1].map(usize::from);
-    let samples = samples.range();
     let count = samples.len();
     let n = || f.number(count as f64);
     let first = samples.start;
@@ -68,8 +75,8 @@ fn circle<'f>(f: &'f Draft, number: usize, samples: Samples) -> [Value<'f>; 4] {
     let mut sums: [Option<Value<'f>>; 8] = Default::default();
     // The first point is where u and v are 0.
     for (i, k) in samples.enumerate().skip(1) {
-        let u = f.set(Name::new("u", k + 1), f.trigger(k, a) - f.trigger(first, a));
-        let v = f.set(Name::new("v", k + 1), f.trigger(k, o) - f.trigger(first, o));
+        let u = f.set(Name::new("u", k + 1), at(k, 0) - at(first, 0));
+        let v = f.set(Name::new("v", k + 1), at(k, 1) - at(first, 1));
         let w = f.set(Name::new("w", k + 1), u * u + v * v);
         let terms = [u.into(), v.into(), u * u, v * v, u * v, u * w, v * w, w * w];
         for ((sum, term), name) in sums.iter_mut().zip(terms).zip(names) {
@@ -89,7 +96,7 @@ fn circle<'f>(f: &'f Draft, number: usize, samples: Samples) -> [Value<'f>; 4] {
     let rest = f.set(own("_rest"), cww - twice_a * cuw - twice_o * cvw);
     // Rounding may leave less than nothing of it.
     let residual = f.set(own("_residual"), (Expr::from(rest).abs() / n()).sqrt() / (f.number(2.0) * r));
-    let x = f.set(own("_a"), f.trigger(first, a) + twice_a / f.number(2.0));
-    let y = f.set(own("_o"), f.trigger(first, o) + twice_o / f.number(2.0));
+    let x = f.set(own("_a"), at(first, 0) + twice_a / f.number(2.0));
+    let y = f.set(own("_o"), at(first, 1) + twice_o / f.number(2.0));
     [x, y, r, residual]
 }

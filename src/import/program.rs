@@ -15,7 +15,7 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::signs::{self, Sign};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
-use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES};
+use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES};
 use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
@@ -215,6 +215,10 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             set(&mut job, &key, value(if text.eq_ignore_ascii_case("null") { "null" } else { &text }));
             continue;
         }
+        if !defs.is_empty() && path.get(..RELATIONS.len()).is_some_and(|head| head.eq_ignore_ascii_case(RELATIONS)) {
+            set_relation(&mut job, &path.to_ascii_lowercase(), &small_letters(text));
+            continue;
+        }
         if let Some((code, key)) = of_tolerance(path) {
             tolerances.push((code, key, Value::Text(small_letters(text))));
             continue;
@@ -259,6 +263,19 @@ fn of_tolerance(path: &str) -> Option<(String, &'static str)> {
         at.is_some_and(|at| apart(at) && code[at..].eq_ignore_ascii_case(own))
     });
     Some((own.map_or_else(|| code.to_owned(), |own| format!("{}{own}", &code[..code.len() - own.len()])), key))
+}
+
+/// A value of a relation: its name and its type are texts, and so is every item of its list, which stands whole or item by item.
+fn set_relation(job: &mut Value, path: &str, given: &str) {
+    let text = |text: &str| Value::Text(text.to_owned());
+    let value = match given.strip_prefix('[').and_then(|inner| inner.strip_suffix(']')) {
+        Some("") => Value::List(Vec::new()),
+        Some(inner) => Value::List(inner.split(',').map(text).collect()),
+        // A type has small letters only.
+        None if path.ends_with(".type") => Value::Text(given.to_ascii_lowercase()),
+        None => text(given),
+    };
+    set(job, path, value);
 }
 
 /// The tolerances by their results.

@@ -1,7 +1,7 @@
 //! The list of cycles of a job of format 2: each as the job that it would be alone.
 
 use crate::form::{Field, Value};
-use crate::job::tolerances::TOLERANCES;
+use crate::job::sections::TOLERANCES;
 
 /// The format of a job with several cycles.
 pub const SET_UP_FORMAT: f64 = 2.0;
@@ -25,6 +25,15 @@ pub const CLEAR: Field = Field::length("clear", "Height between cycles", 50.0)
 /// The keys of `datum`: what is written into abscissa, ordinate and tool axis of the work offset, and into its rotation.
 pub const DATUM: [&str; 4] = ["x", "y", "z", "rotation"];
 
+/// The key of a job that holds what is computed of the results of its cycles.
+pub const RELATIONS: &str = "relations";
+
+/// Whether programs of every control can print it in front of a result.
+pub fn is_name(name: &str) -> bool {
+    let plain = name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric());
+    plain && name.len() <= LONGEST_NAME && !RESERVED.iter().any(|word| name.eq_ignore_ascii_case(word))
+}
+
 /// Whether a job has several cycles.
 pub fn is_set_up(job: &Value) -> bool {
     matches!(job.get("format"), Some(Value::Number(n)) if *n == SET_UP_FORMAT) || job.get("cycles").is_some()
@@ -35,7 +44,7 @@ pub fn alone(job: &Value, index: usize) -> Option<Value> {
     let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else { return None };
     let Value::Map(cycle) = cycles.get(index)? else { return None };
     let own = |(key, value): &(String, Value)| match key.as_str() {
-        "format" | "cycle" | "cycles" | "clear" | "datum" | TOLERANCES => None,
+        "format" | "cycle" | "cycles" | "clear" | "datum" | RELATIONS | TOLERANCES => None,
         "part" if value.get("sizes").is_some() => Some((key.clone(), part_of(value, &name_of(cycles, index)))),
         _ => Some((key.clone(), value.clone())),
     };

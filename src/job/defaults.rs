@@ -2,10 +2,9 @@
 
 use crate::cycle::{self, CycleDef};
 use crate::form::{Default, Field, Value};
-use crate::job::cycles::{SET_UP_FORMAT, alone, is_set_up, name_of};
+use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, name_of};
 use crate::job::naming::job_name;
-use crate::job::sections::{FORMAT, SECTIONS, Units};
-use crate::job::tolerances::TOLERANCES;
+use crate::job::sections::{FORMAT, SECTIONS, TOLERANCES, Units};
 use crate::job::units::default_in;
 use crate::tolerance::plain_of_result;
 
@@ -136,16 +135,19 @@ pub fn resolved(job: &Value) -> Option<Value> {
         }
     }
     overlay(&mut whole, job);
-    if let (Value::Map(entries), Some(plain)) = (&mut whole, plain_tolerances(job)) {
+    if let Value::Map(entries) = &mut whole {
         entries.retain(|(key, _)| key != TOLERANCES);
-        entries.push(plain);
+        entries.extend(plain_tolerances(job));
     }
     Some(whole)
 }
 
 /// The tolerances of a job in characters that a comment of any control takes; none where it has none.
 fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
-    let Some(Value::Map(entries)) = job.get(TOLERANCES) else { return None };
+    let Some(Value::Map(entries)) = job.get(TOLERANCES).filter(|given| !matches!(given, Value::Map(none) if none.is_empty()))
+    else {
+        return None;
+    };
     let plain = |(key, given): &(String, Value)| {
         let mut given = given.clone();
         if let Value::Map(entries) = &mut given
@@ -182,6 +184,8 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
     entries.push(("clear".to_owned(), job.get("clear").cloned().unwrap_or(Value::Null)));
     entries.push(("datum".to_owned(), job.get("datum").cloned().unwrap_or_else(|| Value::Map(Vec::new()))));
     entries.push(("cycles".to_owned(), Value::List(all)));
+    let relations = job.get(RELATIONS).filter(|given| matches!(given, Value::List(list) if !list.is_empty()));
+    entries.extend(relations.map(|relations| (RELATIONS.to_owned(), relations.clone())));
     entries.extend(plain_tolerances(job));
     Some(Value::Map(entries))
 }

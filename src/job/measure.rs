@@ -5,10 +5,11 @@ use serde::Serialize;
 use crate::form::{Checker, Finding, Value};
 use crate::formula::{Asked, Role};
 use crate::geom::Vec3;
-use crate::job::plan::{judge, request};
+use crate::job::judge::judge;
+use crate::job::plan::request;
 use crate::job::planned::Planned;
 use crate::job::rows::{ResultRow, Triple, result_rows, triple};
-use crate::job::{Job, JobError, set_up};
+use crate::job::{Job, JobError, datum, relations, set_up};
 use crate::part::{self, Expected, Stand};
 use crate::path::Path;
 use crate::text::{Text, text};
@@ -69,7 +70,14 @@ fn evaluated(planned: &Planned, points: &[Option<Vec3>], stated: Option<&[Option
         plausible &= good;
         results.extend(set_up::rows_of(i, rows));
     }
-    results.extend(set_up::written_rows(planned, &results));
+    if !path.relations.is_empty() {
+        let rows = match stated {
+            Some(results) => part::stated(path, job.setup.radius, job.scatter(), results),
+            None => part::evaluate(path, points, job.scatter()),
+        };
+        plausible &= relations::add_rows(planned, rows, &mut results, None);
+    }
+    results.extend(datum::written_rows(planned, &results));
     (results, plausible)
 }
 

@@ -9,9 +9,11 @@
 
 mod calls;
 mod cycles;
+mod datum;
 mod defaults;
 mod examine;
 mod inertia;
+mod judge;
 mod lentoax;
 mod measure;
 #[cfg(any(test, target_arch = "wasm32"))]
@@ -20,6 +22,7 @@ mod naming;
 mod picture;
 mod plan;
 mod planned;
+mod relations;
 mod rows;
 mod sections;
 mod set_up;
@@ -45,7 +48,7 @@ pub use units::convert_units;
 /// Where a picture is looked at from.
 pub use crate::view::scene::Projection;
 
-pub(crate) use cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT};
+pub(crate) use cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT};
 pub(crate) use defaults::{default_job_in, resolved, section_defaults_in, typed_in_inch};
 pub(crate) use examine::examine;
 #[cfg(test)]
@@ -61,10 +64,10 @@ pub(crate) use picture::Picture;
 pub(crate) use plan::minutes;
 pub(crate) use plan::{plan_with_path, planned};
 pub(crate) use planned::Planned;
-pub(crate) use sections::{Job, SECTIONS, size_reach};
+pub(crate) use sections::{Job, SECTIONS, TOLERANCES, size_reach};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
-pub(crate) use tolerances::{CONSEQUENCES, LONGEST_TOLERANCE, TOLERANCES};
+pub(crate) use tolerances::{CONSEQUENCES, LONGEST_TOLERANCE};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use units::known_units;
 

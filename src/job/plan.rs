@@ -7,15 +7,16 @@ use crate::control::rules::{NO_LOW_RAPID, WATCHED};
 use crate::control::safety::Verdict;
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Finding, Value};
-use crate::formula::{self, Asked, Datum, Question, Role};
+use crate::formula::{self, Role};
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
 use crate::job::cycles::is_set_up;
 use crate::job::inertia::report_inertia;
+use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
 use crate::job::rows::{Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows, triple};
 use crate::job::stylus::{report_stylus, report_unknown};
-use crate::job::{Job, JobError, resolved, set_up, tolerances};
+use crate::job::{Job, JobError, datum, relations, resolved, set_up, tolerances};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault};
@@ -130,84 +131,6 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
     }
 }
 
-/// Judges results by their tolerances and limits. Gives the questions of the program that they do not hold: implausible ones first.
-pub(super) fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Question> {
-    tolerances::judge(path, rows);
-    let mut off = path.formula.questions(&job.limits);
-    off.retain(|question| {
-        let code = path.formula.results[question.result].code;
-        let row = rows.iter_mut().find(|row| row.code == code);
-        let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value))) else { return false };
-        if question.asked == Asked::Plausible {
-            row.verdict = Some(text!("implausible"));
-        }
-        true
-    });
-    off
-}
-
-/// Results that are out of a tolerance on which the program acts, run on the virtual part.
-fn report_tolerances(
-    job: &Job,
-    path: &Path,
-    rows: &[formula::ResultRow],
-    off: &[Question],
-    writes: bool,
-    checker: &mut Checker,
-) {
-    for question in off.iter().filter(|question| question.asked != Asked::Plausible) {
-        let code = path.formula.results[question.result].code;
-        let Some(row) = rows.iter().find(|row| row.code == code) else { continue };
-        let shown = |x: f64| {
-            if question.angle { format!("{}°", decimal(x, 4)) } else { checker.length(x) }
-        };
-        let what = text!(
-            "{result} is {value}, not {low} to {high}",
-            row.meaning.clone(),
-            shown(row.value.unwrap_or(f64::NAN)),
-            shown(tidy(question.wanted - question.limit)),
-            shown(tidy(question.wanted + question.limit))
-        );
-        let message = match (question.stops(writes), writes) {
-            (true, true) => text!("On this part the program stops with an alarm and writes nothing: {what}", what),
-            (true, false) => text!("On this part the program stops with an alarm: {what}", what),
-            (false, _) => text!("On this part the program marks a result as out of tolerance: {what}", what),
-        };
-        checker.warning("out-of-tolerance", if job.placement.nominal { "tolerances" } else { "part" }, message);
-        if question.stops(writes) {
-            return;
-        }
-    }
-}
-
-/// Results that the program, run on the virtual part, does not take for plausible.
-fn report_implausible(
-    job: &Job,
-    path: &Path,
-    rows: &[formula::ResultRow],
-    off: &[Question],
-    writes: bool,
-    checker: &mut Checker,
-) {
-    let Some(question) = off.first().filter(|question| question.asked == Asked::Plausible) else {
-        return report_tolerances(job, path, rows, off, writes, checker);
-    };
-    let code = path.formula.results[question.result].code;
-    let Some(row) = rows.iter().find(|row| row.code == code) else { return };
-    let shown = |x: f64| {
-        if question.angle { format!("{}°", decimal(x, 3)) } else { checker.length(x) }
-    };
-    let (value, wanted, limit) = (shown(row.value.unwrap_or(f64::NAN)), shown(question.wanted), shown(question.limit));
-    let what = text!("{result} is {value}, more than {limit} from {wanted}", row.meaning.clone(), value, limit, wanted);
-    let asks = job.post.computes && job.form == Form::Moves;
-    let message = match (asks, writes) {
-        (true, true) => text!("On this part the program stops with an alarm and writes nothing: {what}", what),
-        (true, false) => text!("On this part the program reports an implausible result: {what}", what),
-        (false, _) => text!("On this part a result is implausible, and the program does not ask: {what}", what),
-    };
-    checker.warning("implausible", if job.placement.nominal { "limits" } else { "part" }, message);
-}
-
 /// A touch that triggers so near to its start that the program takes it for a probe that is still deflected.
 fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &mut Checker) {
     let near = |k: usize, from: Vec3| {
@@ -294,7 +217,7 @@ fn predicted(planned: &Planned, writes: bool, checker: &mut Checker) -> Vec<form
     }
     if run.collision.is_none() {
         let off = judge(job, path, &mut rows);
-        report_implausible(job, path, &rows, &off, writes, checker);
+        report_judged(job, &rows, &off, writes, checker);
         report_at_start(job, path, &run.triggers, checker);
     } else {
         rows.iter_mut().for_each(unknown);
@@ -335,7 +258,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         if checker.failed() {
             return Err(JobError { findings: std::mem::take(checker).findings() });
         }
-        let rows = predicted(planned, writes(planned), checker);
+        let rows = predicted(planned, planned.writes(), checker);
         let results = result_rows(job, path, rows);
         report_results(planned, &results, checker);
         return Ok(results);
@@ -356,7 +279,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     let mut results = Vec::new();
     for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
         if !failed {
-            let mut rows = predicted(member, writes(planned), &mut checker);
+            let mut rows = predicted(member, planned.writes(), &mut checker);
             if stopped {
                 rows.iter_mut().for_each(unknown);
             }
@@ -381,13 +304,15 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     if checker.failed() {
         return Err(JobError { findings: std::mem::take(checker).findings() });
     }
-    results.extend(set_up::written_rows(planned, &results));
+    if !path.relations.is_empty() {
+        let mut rows = part::evaluate(path, &planned.run.triggers, job.scatter());
+        if stopped {
+            rows.iter_mut().for_each(unknown);
+        }
+        relations::add_rows(planned, rows, &mut results, Some(checker));
+    }
+    results.extend(datum::written_rows(planned, &results));
     Ok(results)
-}
-
-/// Whether the program writes a work offset.
-fn writes(planned: &Planned) -> bool {
-    planned.job.work_offset.is_some() && planned.path.formula.datum.as_ref().is_some_and(Datum::writes)
 }
 
 /// Makes the plan, without its table; `value` is the job as it was given. `checker` holds what the check has found.
@@ -430,7 +355,8 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             .map(|(i, m)| Move { cycle: path.member_of_move(i).unwrap_or(0), ..move_row(job, &feeds, m) })
             .collect(),
         cycles: path.members.iter().map(|member| member.name.clone()).collect(),
-        datum: set_up::datum_rows(planned),
+        datum: datum::datum_rows(planned),
+        relations: path.relations.iter().map(|relation| relation.name.clone()).collect(),
         length,
         time,
         program: ProgramText {

@@ -2,12 +2,14 @@
 
 use crate::control::Form;
 use crate::control::own::machine::{Alarm, Met};
-use crate::control::own::{OwnCycles, OwnRequest, Refused};
+use crate::control::own::{OwnCycles, OwnRequest, Refused, Several};
+use crate::formula::Datum;
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::rows::{ParameterRow, parameter_row};
 use crate::part;
 use crate::path::{Own, Path, Purpose, Surface};
+use crate::text::words;
 
 /// The surfaces of the actual part where it really lies.
 pub fn actual_surfaces(job: &Job, path: &Path) -> Vec<Surface> {
@@ -120,6 +122,11 @@ impl Planned {
         Planned { job, path, surfaces, run, refused, members: Vec::new() }
     }
 
+    /// Whether the program writes a work offset.
+    pub fn writes(&self) -> bool {
+        self.job.work_offset.is_some() && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
+    }
+
     /// The parameter table, in the job's units.
     pub fn table(&self) -> Vec<ParameterRow> {
         let of = |(cycle, planned): (usize, &Planned)| {
@@ -145,4 +152,9 @@ impl Planned {
         let parameters = self.job.cycle.parameters(&self.job.setup, touches);
         parameters.into_iter().map(|parameter| parameter_row(&self.job, parameter)).collect()
     }
+}
+
+/// How a program of several cycles of the control's own is made, or why it is not; none of programs of moves.
+pub fn several(job: &Job) -> Option<Result<Several, &'static str>> {
+    (job.form == Form::Cycle).then(|| job.post.own.map_or(Err(words!("{control} has no cycles of its own")), |own| own.several))
 }

@@ -26,6 +26,8 @@ pub struct Plan {
     pub moves: Vec<Move>,
     /// The names of the cycles of a set-up, in their order; empty for a job of one cycle.
     pub cycles: Vec<String>,
+    /// The names of the relations of a set-up, in their order.
+    pub relations: Vec<String>,
     /// Of a set-up, what can be written into each axis of a work offset and into its rotation, and what is; empty for a job of one cycle.
     pub datum: Vec<DatumRow>,
     /// Length of the whole path: from where the job says the ball is, else from where the first move ends.
@@ -227,7 +229,7 @@ pub struct ResultRow {
     pub note: Option<String>,
     /// Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it.
     pub stored: Option<String>,
-    /// Index of its cycle in a set-up; 0 for a job of one cycle.
+    /// Index of its cycle in a set-up, or behind all cycles that of its relation; 0 for a job of one cycle.
     pub cycle: usize,
     /// Its words as templates and their values.
     pub said: ResultWords,
@@ -262,7 +264,7 @@ impl SafetyRow {
 pub const RESULT_CODES: &[&str] = &[
     "center.x", "center.y", "diameter", "residual", "width", "width1", "width2", "rotation", "height",
     "corner.x", "corner.y", "corner.z", "angle", "residual1", "residual2", "point.x", "point.y", "point.z", "deviation",
-    "offset.x", "offset.y", "offset.z", "offset.rotation",
+    "offset.x", "offset.y", "offset.z", "offset.rotation", "distance", "difference", "difference.angle", "mean", "mean.angle",
     "Q183", "Q950", "Q951", "Q952", "Q953", "Q954", "Q955", "Q964", "Q965", "Q966", "Q967", "Q970", "Q971", "Q973", "Q974",
     "Q980", "Q981", "Q982", "Q983", "Q984", "Q985", "Q994", "Q995", "Q996", "Q997", "form1", "form2",
     "preset.table", "preset.x", "preset.y", "preset.z", "preset.rotation", "table.turn",
@@ -277,42 +279,47 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
         let (own, cycles) = own?;
         own.stored.iter().find(|(known, _)| *known == code).map(|(_, stored)| (cycles.name)(*stored))
     };
+    let note = |row: &crate::formula::ResultRow| {
+        let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6)?;
+        let reason = job.cycle.turned_error(&row.code).filter(|_| job.placement.turn != 0.0)?;
+        let sign = if off > 0.0 { "+" } else { "" };
+        let off = format!("{sign}{} {}", decimal(off / job.scale, 5), job.unit);
+        Some(text!("{off} from the truth: {reason}", off, reason))
+    };
     rows.into_iter()
         .map(|row| {
-            debug_assert!(RESULT_CODES.contains(&&*row.code), "{} is no code of RESULT_CODES", row.code);
-            let (scale, unit) = match row.unit {
-                Unit::Length => (job.scale, job.unit),
-                Unit::Angle => (1.0, "deg"),
-                Unit::None => (1.0, ""),
-            };
-            let convert = |x: Option<f64>| x.filter(|x| x.is_finite()).map(|x| tidy(x / scale));
-            let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6);
-            let note = off.and_then(|off| {
-                let reason = job.cycle.turned_error(&row.code).filter(|_| job.placement.turn != 0.0)?;
-                let sign = if off > 0.0 { "+" } else { "" };
-                let off = format!("{sign}{} {}", decimal(off / scale, 5), job.unit);
-                Some(text!("{off} from the truth: {reason}", off, reason))
-            });
-            let stored = stored(&row.code);
-            ResultRow {
-                code: row.code,
-                meaning: row.meaning.english(),
-                unit,
-                nominal: convert(row.nominal),
-                value: convert(row.value),
-                deviation: convert(row.deviation),
-                uncertainty: convert(row.uncertainty),
-                uncertainty_runout: convert(row.uncertainty_runout),
-                limits: row.limits.map(|(low, high)| [low, high].map(|x| tidy(x / scale))),
-                verdict: row.verdict.as_ref().map(Text::english),
-                truth: convert(row.truth),
-                note: note.as_ref().map(Text::english),
-                stored,
-                cycle: 0,
-                said: ResultWords { meaning: row.meaning, verdict: row.verdict, note },
-            }
+            let (note, stored) = (note(&row), stored(&row.code));
+            result_row(job, row, note, stored)
         })
         .collect()
+}
+
+/// One result, in the job's units.
+pub(super) fn result_row(job: &Job, row: crate::formula::ResultRow, note: Option<Text>, stored: Option<String>) -> ResultRow {
+    debug_assert!(RESULT_CODES.contains(&&*row.code), "{} is no code of RESULT_CODES", row.code);
+    let (scale, unit) = match row.unit {
+        Unit::Length => (job.scale, job.unit),
+        Unit::Angle => (1.0, "deg"),
+        Unit::None => (1.0, ""),
+    };
+    let convert = |x: Option<f64>| x.filter(|x| x.is_finite()).map(|x| tidy(x / scale));
+    ResultRow {
+        code: row.code,
+        meaning: row.meaning.english(),
+        unit,
+        nominal: convert(row.nominal),
+        value: convert(row.value),
+        deviation: convert(row.deviation),
+        uncertainty: convert(row.uncertainty),
+        uncertainty_runout: convert(row.uncertainty_runout),
+        limits: row.limits.map(|(low, high)| [low, high].map(|x| tidy(x / scale))),
+        verdict: row.verdict.as_ref().map(Text::english),
+        truth: convert(row.truth),
+        note: note.as_ref().map(Text::english),
+        stored,
+        cycle: 0,
+        said: ResultWords { meaning: row.meaning, verdict: row.verdict, note },
+    }
 }
 
 pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {

@@ -6,11 +6,13 @@ use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::Limits;
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
-use crate::job::tolerances::TOLERANCES;
 use crate::part::{Machine, PartPlacement, Scatter, Shape};
 use crate::path::{Feeds, Setup};
 use crate::text::text;
 use crate::tool_length::{self, Query, lentoax, sentence};
+
+/// The key of a job that holds the tolerances of its results.
+pub const TOLERANCES: &str = "tolerances";
 
 /// The format this crate writes and reads.
 pub const FORMAT: f64 = 1.0;

@@ -3,20 +3,17 @@
 //! A set-up is read cycle by cycle, each as the job that it would be alone, and its paths are joined: what holds for one cycle is checked by the very
 //! code that checks one.
 
-use crate::control::Form;
 use crate::control::own::Several;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
-use crate::formula::Role;
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::job::Job;
-use crate::job::cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RESERVED, SET_UP_FORMAT, alone, names};
-use crate::job::planned::Planned;
-use crate::job::rows::{DatumRow, ResultRow, ResultWords};
-use crate::num::tidy;
+use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names};
+use crate::job::planned::{Planned, several};
+use crate::job::rows::ResultRow;
+use crate::job::{Job, datum, relations};
 use crate::part::{self, Run};
-use crate::path::{DatumSource, Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, WAY, WayBlock};
-use crate::text::{Text, text, words};
+use crate::path::{Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, WAY, WayBlock};
+use crate::text::text;
 
 /// What a set-up is called in a program.
 static WHOLE: CycleDef = CycleDef { title: "Set-up", source: "Touchpath", ..crate::cycle::NONE };
@@ -67,8 +64,14 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let work_offset = |i: usize| offset.filter(|_| several.is_some() && i + 1 == count);
     let members = jobs.into_iter().enumerate().map(|(i, job)| Planned::of(Job { work_offset: work_offset(i), ..job }));
     let members: Vec<Planned> = members.collect();
-    let source = read_datum(checker, value, &members, &names, offset.is_some())?;
-    let whole = join(Job { def: &WHOLE, ..whole? }, members, names, clear, &source);
+    let mut whole = join(Job { def: &WHOLE, ..whole? }, members, names, clear);
+    relations::read(checker, value, &mut whole.path, several.is_some());
+    let source = datum::read(checker, value, &whole, offset.is_some())?;
+    whole.path.write_from(&source);
+    if !whole.job.post.rotates {
+        whole.path.formula.without_rotation();
+    }
+    whole.run = run(&whole, On::Actual);
     if let Some(Ok(Several { kept: (first, last), .. })) = several {
         let kept = whole.path.own.iter().flat_map(|own| &own.blocks).filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
         let (kept, room) = (kept.count(), last + 1 - first);
@@ -121,8 +124,7 @@ fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
         if let Some(other) = cycles[i].get("name").filter(|given| !matches!(given, Value::Text(_) | Value::Null)) {
             checker.error("wrong-type", path(), text!("The name of a cycle must be text, not {given}", other.noun()));
         }
-        let plain = name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric());
-        if !plain || name.len() > LONGEST_NAME || RESERVED.iter().any(|word| name.eq_ignore_ascii_case(word)) {
+        if !is_name(name) {
             let shown: String = name.chars().take(40).collect();
             let message = text!(
                 "A cycle cannot be called \"{name}\": a letter first, then letters and digits, {most} characters at most, since programs print it",
@@ -162,142 +164,6 @@ fn read_clear(checker: &mut Checker, value: &Value) -> Option<f64> {
     }
 }
 
-/// A result of a cycle that may be written: its cycle and its code.
-fn named<'n>(names: &'n [String], text: &'n str) -> Option<(usize, &'n str)> {
-    let (name, code) = text.split_once('.')?;
-    Some((names.iter().position(|known| known.eq_ignore_ascii_case(name))?, code))
-}
-
-/// What is written into which axis: as the job says; what it leaves out is the first cycle that measures the axis, for abscissa and ordinate one that
-/// measures both. A rotation is written on request only.
-fn read_datum(
-    checker: &mut Checker,
-    value: &Value,
-    members: &[Planned],
-    names: &[String],
-    writes: bool,
-) -> Option<DatumSource> {
-    let given = match value.get("datum") {
-        None | Some(Value::Null) => None,
-        Some(datum @ Value::Map(entries)) => {
-            for (key, _) in entries.iter().filter(|(key, _)| !DATUM.contains(&key.as_str())) {
-                let shown = crate::form::printable(key);
-                let message = text!("datum has no \"{key}\"; it knows {keys}", shown.clone(), DATUM.join(", "));
-                checker.error("unknown-key", format!("datum.{shown}"), message);
-            }
-            Some(datum)
-        }
-        Some(other) => {
-            checker.error("wrong-type", "datum", text!("datum must be an object, not {given}", other.noun()));
-            return None;
-        }
-    };
-    let mut written = DatumSource::default();
-    let own = several(&members[0].job).is_some();
-    let last = &members[members.len() - 1..];
-    for (axis, key) in DATUM.into_iter().enumerate() {
-        let places = candidates(members, axis);
-        let path = format!("datum.{key}");
-        let found = match given.and_then(|datum| datum.get(key)) {
-            None if axis < 3 && own => proposed(last, axis).map(|(_, result)| (members.len() - 1, result)),
-            None if axis < 3 => proposed(members, axis),
-            None | Some(Value::Null) => continue,
-            Some(Value::Text(text)) => {
-                let at = named(names, text).and_then(|(member, code)| {
-                    let known = places.iter().find(|(known, own, _)| *known == member && own.eq_ignore_ascii_case(code))?;
-                    Some((known.0, known.2))
-                });
-                if at.is_none() {
-                    checker.error("datum-unknown", path, unknown_datum(text, axis, names, &places));
-                }
-                at
-            }
-            Some(other) => {
-                checker.error(
-                    "wrong-type",
-                    path,
-                    text!("{path} must be text, not {given}", format!("datum.{key}"), other.noun()),
-                );
-                None
-            }
-        };
-        match axis {
-            3 => written.rotation = found,
-            _ => written.place[axis] = found.map(|(member, _)| member),
-        }
-    }
-    if written.rotation.is_some() && written.place[0] != written.place[1] {
-        let source = |axis: usize| written.place[axis].map_or_else(|| "-".to_owned(), |member| names[member].clone());
-        let message = text!(
-            "With a rotation, X and Y must come from the same point: take both from one cycle, not from {one} and {other}",
-            source(0),
-            source(1)
-        );
-        checker.error("datum-apart", "datum", message);
-    }
-    let early = written.place.iter().flatten().find(|member| **member + 1 < members.len());
-    if let Some(early) = early.filter(|_| own && writes) {
-        let message = text!(
-            "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
-            names[*early].clone()
-        );
-        checker.error("set-up-unsupported", "datum", message);
-    }
-    // What such a cycle measures it writes, whatever a job would rather have.
-    let measured = members[members.len() - 1].path.formula.datum.as_ref().map_or([false; 3], |datum| datum.measured());
-    let axes = members[0].job.setup.plane.axes();
-    let unwanted = (0..3).filter(|i| measured[*i] && written.place[*i].is_none()).map(|i| AXIS_NAMES[axes[i]]);
-    let unwanted: Vec<&str> = unwanted.collect();
-    if own && writes && !unwanted.is_empty() {
-        let message = text!(
-            "The control's own cycle of {name} writes all that it measures, {axes} too: let it write them, choose no work offset, or use the form \"moves\"",
-            names[names.len() - 1].clone(),
-            unwanted.join(", ")
-        );
-        checker.error("set-up-unsupported", "datum", message);
-    }
-    if written.rotation.is_some() && own && writes {
-        let message =
-            text!("The control's own cycles write no rotation that another cycle has measured: use the form \"moves\"");
-        checker.error("set-up-unsupported", "datum.rotation", message);
-    }
-    (!checker.failed()).then_some(written)
-}
-
-fn unknown_datum(text: &str, axis: usize, names: &[String], places: &[(usize, &'static str, usize)]) -> Text {
-    let shown: String = text.chars().take(40).collect();
-    let known: Vec<String> = places.iter().map(|(member, code, _)| format!("{}.{code}", names[*member])).collect();
-    let what = Text::words([words!("X"), words!("Y"), words!("Z"), words!("the rotation")][axis]);
-    match known.is_empty() {
-        true => text!("Nothing that this set-up measures can be written into {axis}: \"{name}\" cannot either", what, shown),
-        false => text!("\"{name}\" cannot be written into {axis}: that takes {known}", shown, what, known.join(", ")),
-    }
-}
-
-/// The results that an axis of the work offset, or its rotation, can be written from: member, code, and place in its list.
-fn candidates(members: &[Planned], axis: usize) -> Vec<(usize, &'static str, usize)> {
-    let of = |(member, planned): (usize, &Planned)| {
-        let formula = &planned.path.formula;
-        let measured = formula.datum.as_ref().and_then(|datum| datum.place.get(axis).copied().flatten()?.measured);
-        let results = formula.results.iter().enumerate().filter(move |(_, result)| match axis {
-            3 => result.role == Role::Direction && result.variable.is_some(),
-            _ => measured.is_some() && result.variable == measured,
-        });
-        results.map(|(at, result)| (member, result.code, at)).collect::<Vec<_>>()
-    };
-    members.iter().enumerate().flat_map(of).collect()
-}
-
-/// The cycle that an axis is written from where the job does not say: the first that measures both of the plane, else the first that measures it.
-fn proposed(members: &[Planned], axis: usize) -> Option<(usize, usize)> {
-    let measures =
-        |planned: &Planned, axis: usize| planned.path.formula.datum.as_ref().is_some_and(|datum| datum.measured()[axis]);
-    let both = || members.iter().position(|planned| measures(planned, 0) && measures(planned, 1));
-    let first = || members.iter().position(|planned| measures(planned, axis));
-    let member = if axis < 2 { both().or_else(first) } else { first() };
-    member.filter(|member| measures(&members[*member], axis)).map(|member| (member, 0))
-}
-
 /// The heights at which a cycle begins and ends, along the tool axis.
 fn ends(path: &Path) -> impl Iterator<Item = f64> {
     let w = path.frame.w;
@@ -306,7 +172,8 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
     ends.map(move |place| place.dot(w))
 }
 
-fn join(job: Job, mut members: Vec<Planned>, names: Vec<String>, clear: Option<f64>, source: &DatumSource) -> Planned {
+/// The whole of these cycles, not run yet.
+fn join(job: Job, mut members: Vec<Planned>, names: Vec<String>, clear: Option<f64>) -> Planned {
     let highest = members.iter().flat_map(|planned| ends(&planned.path)).fold(f64::NEG_INFINITY, f64::max);
     let several = several(&job).and_then(Result::ok).filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
     if let Some(Several { kept: (first, _), .. }) = several {
@@ -332,19 +199,9 @@ fn join(job: Job, mut members: Vec<Planned>, names: Vec<String>, clear: Option<f
     let radius = job.setup.radius;
     let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
-    let mut path = Path::join(cycles, clear.unwrap_or(highest), feeds, source, way);
-    if !job.post.rotates {
-        path.formula.without_rotation();
-    }
+    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way);
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
-    let mut whole = Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members };
-    whole.run = run(&whole, On::Actual);
-    whole
-}
-
-/// How a program of several cycles of the control's own is made, or why it is not; none of programs of moves.
-fn several(job: &Job) -> Option<Result<Several, &'static str>> {
-    (job.form == Form::Cycle).then(|| job.post.own.map_or(Err(words!("{control} has no cycles of its own")), |own| own.several))
+    Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members }
 }
 
 /// Which part a path is run on.
@@ -544,100 +401,4 @@ pub fn of_whole(finding: Finding) -> Finding {
 /// The results of a cycle in those of the whole, which says by itself what is written.
 pub fn rows_of(cycle: usize, rows: Vec<ResultRow>) -> impl Iterator<Item = ResultRow> {
     rows.into_iter().filter(|row| !row.code.starts_with("offset.")).map(move |row| ResultRow { cycle, ..row })
-}
-
-/// Rows for what the program writes: how far the measured place and the rotation are off their nominal ones.
-pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
-    let (job, path) = (&whole.job, &whole.path);
-    let (Some(number), Some(datum)) = (job.work_offset, &path.formula.datum) else { return Vec::new() };
-    let offset = (job.post.work_offset_word)(number);
-    let row = |result: usize| {
-        let def = &path.formula.results[result];
-        results.iter().find(|row| row.cycle == usize::from(def.cycle) && row.code == def.code)
-    };
-    let mut rows: Vec<ResultRow> = Vec::new();
-    for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
-        let Some(measured) = datum.place[i].and_then(|place| place.measured) else { continue };
-        let source = path.formula.results.iter().position(|result| result.variable == Some(measured));
-        let Some(source) = source.and_then(row) else { continue };
-        let axis = AXIS_NAMES[job.setup.plane.axes()[i]];
-        rows.push(shift(source, code, text!("Shift of {offset} in {axis} that the program writes", offset.clone(), axis)));
-    }
-    if datum.rotation.is_some()
-        && let Some(source) = path.turned_by().and_then(row)
-    {
-        let turn = shift(source, "offset.rotation", text!("Rotation of {offset} that the program writes", offset));
-        let at = |code: &str| rows.iter().position(|row| row.code == code);
-        if let (Some(x), Some(y)) = (at("offset.x"), at("offset.y")) {
-            let place = [0, 1].map(|i| {
-                let source = datum.place[i].and_then(|place| place.measured);
-                let source = path.formula.results.iter().position(|result| result.variable == source);
-                source.and_then(row).and_then(|row| row.nominal).unwrap_or(0.0)
-            });
-            for (i, at) in [x, y].into_iter().enumerate() {
-                turned(&mut rows[at], i, place, &turn);
-            }
-        }
-        rows.push(turn);
-    }
-    rows
-}
-
-/// A shift of the origin beside a rotation that is written with it. The origin is what was measured less the nominal place, turned by the rotation: the turn
-/// moves an origin that is far from the measured place.
-fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) {
-    // By how much a turn about the origin moves the nominal place.
-    let moved = |turn: f64| {
-        let (sin, cos) = turn.to_radians().sin_cos();
-        [x * cos - y * sin - x, x * sin + y * cos - y][axis]
-    };
-    let less = |value: Option<f64>, turn: Option<f64>| value.zip(turn).map(|(value, turn)| tidy(value - moved(turn)));
-    (row.value, row.truth) = (less(row.value, turn.value), less(row.truth, turn.truth));
-    row.deviation = row.value;
-    // Both scatter; from touches of one cycle they do so together, which rows do not tell.
-    let arm = [y, x][axis].abs().to_radians();
-    let apart = row.cycle != turn.cycle;
-    row.uncertainty = match (row.uncertainty, turn.uncertainty) {
-        (own, _) if arm == 0.0 => own,
-        (Some(own), Some(turn)) if apart => Some(own.hypot(arm * turn)),
-        _ => None,
-    };
-}
-
-/// How far a result is off its nominal value, as a row of its own.
-fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
-    let truth = source.truth.zip(source.nominal).map(|(truth, nominal)| tidy(truth - nominal));
-    // A tolerance is of the place and not of the shift.
-    let verdict = source.said.verdict.clone().filter(|_| source.limits.is_none());
-    ResultRow {
-        code: code.to_owned(),
-        meaning: meaning.english(),
-        nominal: Some(0.0),
-        value: source.deviation,
-        truth,
-        note: None,
-        stored: None,
-        limits: None,
-        verdict: verdict.as_ref().map(Text::english),
-        said: ResultWords { meaning, verdict, note: None },
-        ..source.clone()
-    }
-}
-
-/// What can be written into each axis, and what is.
-pub fn datum_rows(whole: &Planned) -> Vec<DatumRow> {
-    let (members, source) = (&whole.path.members, whole.path.datum_source);
-    if members.is_empty() {
-        return Vec::new();
-    }
-    let named = |(member, code, _): (usize, &'static str, usize)| format!("{}.{code}", members[member].name);
-    let row = |(i, axis): (usize, &'static str)| {
-        let all = candidates(&whole.members, i);
-        let is = |(member, _, at): &(usize, &'static str, usize)| match i {
-            3 => source.rotation == Some((*member, *at)),
-            _ => source.place[i] == Some(*member),
-        };
-        DatumRow { axis, from: all.iter().copied().find(is).map(named), choices: all.into_iter().map(named).collect() }
-    };
-    DATUM.into_iter().enumerate().map(row).collect()
 }

@@ -5,13 +5,11 @@ use crate::form::{Checker, Value, printable};
 use crate::formula::{self, Consequence, Formula, ResultDef, Role, Tolerance};
 use crate::job::Job;
 use crate::job::planned::Planned;
+use crate::job::sections::TOLERANCES;
 use crate::num::tidy;
 use crate::path::Path;
 use crate::text::{Text, text, words};
 use crate::tolerance;
-
-/// The key of a job that holds them.
-pub const TOLERANCES: &str = "tolerances";
 
 /// The most characters of one.
 pub const LONGEST_TOLERANCE: usize = 40;
@@ -185,28 +183,5 @@ fn check_limit(checker: &mut Checker, job: &Job, formula: &Formula, (index, tole
             key
         );
         checker.error("tolerance-beyond-limit", path, message);
-    }
-}
-
-/// Judges results by their tolerances, with twice their uncertainty as guard band: what is that near to a limit is not known to be on its side of it.
-pub fn judge(path: &Path, rows: &mut [formula::ResultRow]) {
-    for (row, def) in rows.iter_mut().zip(&path.formula.results) {
-        let Some(Tolerance { limits: [low, high], .. }) = def.tolerance else { continue };
-        row.limits = Some((low, high));
-        row.verdict = row.value.map(|value| verdict(value, [low, high], 2.0 * row.uncertainty.unwrap_or(0.0)));
-    }
-}
-
-/// A value on its very limit is good: the last decimals of touches decide nothing, mm or degrees.
-const ON_LIMIT: f64 = 1e-6;
-
-fn verdict(value: f64, [low, high]: [f64; 2], band: f64) -> Text {
-    // How far the value is within the nearer limit.
-    let within = (value - low).min(high - value) + ON_LIMIT;
-    match (within >= 0.0, within.abs() >= band + ON_LIMIT) {
-        (true, true) => text!("good"),
-        (true, false) => text!("good within ±"),
-        (false, false) => text!("out within ±"),
-        (false, true) => text!("out"),
     }
 }

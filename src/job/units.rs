@@ -4,8 +4,7 @@ use crate::cycle;
 use crate::form::{Field, Finding, Level, Value};
 use crate::job::JobError;
 use crate::job::cycles::{alone, is_set_up, name_of};
-use crate::job::sections::{SECTIONS, Units};
-use crate::job::tolerances::TOLERANCES;
+use crate::job::sections::{SECTIONS, TOLERANCES, Units};
 use crate::text::text;
 use crate::tolerance;
 

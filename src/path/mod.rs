@@ -15,7 +15,7 @@ pub use feature::{
 };
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Member, WAY, WayBlock};
+pub use set_up::{DatumSource, Measuring, Member, Related, WAY, WayBlock};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 
@@ -207,6 +207,8 @@ pub struct Path {
     pub own: Option<Box<Own>>,
     /// The cycles of a set-up; empty where the path is of one cycle.
     pub members: Vec<Member>,
+    /// What a set-up computes of the results of its cycles.
+    pub relations: Vec<Related>,
     /// What a set-up writes.
     pub datum_source: DatumSource,
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::formula::{Coordinate, Datum, Formula};
+use crate::formula::{Coordinate, Datum, Formula, Operand, Relation};
 use crate::geom::Vec3;
 use crate::path::{Feature, Feed, Feeds, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
 
@@ -30,20 +30,36 @@ pub struct Member {
     later: u32,
 }
 
-impl Member {
-    /// The index of a variable of its own formula in that of the whole.
-    pub fn datum(&self) -> Option<Datum> {
-        self.path.formula.datum.map(|datum| datum.later_by(self.later))
-    }
+/// A relation between results of cycles, as a part of the whole path.
+#[derive(Clone, Debug)]
+pub struct Related {
+    /// Its name: letters and digits.
+    pub name: String,
+    pub relation: Relation,
+    pub of: Vec<Operand>,
+    /// Its results in the whole.
+    pub results: Range<usize>,
+    /// What a work offset can be written from.
+    datum: Option<Datum>,
 }
 
-/// What a set-up writes: for abscissa, ordinate and tool axis the member that measures it, and the result by which the system is turned.
+/// A cycle or a relation of a set-up: what has results.
+#[derive(Clone, Debug)]
+pub struct Measuring<'p> {
+    pub name: &'p str,
+    /// Its results in the whole.
+    pub results: Range<usize>,
+    /// What a work offset can be written from.
+    pub datum: Option<Datum>,
+}
+
+/// What a set-up writes: for abscissa, ordinate and tool axis the cycle or relation that measures it, and the result by which the system is turned.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DatumSource {
-    /// Indexes of members.
+    /// Places in the list of cycles, and behind them of relations.
     pub place: [Option<usize>; 3],
-    /// Index of a member, and of the result in its own list.
-    pub rotation: Option<(usize, usize)>,
+    /// Index of a result.
+    pub rotation: Option<usize>,
 }
 
 /// A cycle that becomes a member: name, title and path.
@@ -55,7 +71,7 @@ pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
     /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own.
-    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, source: &DatumSource, way: Option<WayBlock<'_>>) -> Path {
+    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>) -> Path {
         let (_, _, first) = cycles.first().expect("a set-up has a cycle");
         let (start, frame) = (first.start, first.frame);
         let tops: Option<Vec<f64>> = cycles.iter().map(|(_, _, path)| path.top).collect();
@@ -73,7 +89,8 @@ impl Path {
             lift: None,
             own: None,
             members: Vec::new(),
-            datum_source: *source,
+            relations: Vec::new(),
+            datum_source: DatumSource::default(),
         };
         let mut sample = 0;
         for (name, title, path) in cycles {
@@ -92,8 +109,31 @@ impl Path {
             let [moves, touches, surfaces, results] = [0, 1, 2, 3].map(|i| begin[i]..end[i]);
             whole.members.push(Member { name, title, path, moves, touches, surfaces, results, later });
         }
-        whole.formula.datum = whole.datum_of(source);
         whole
+    }
+
+    /// Adds a relation between results.
+    pub fn relate(&mut self, name: String, relation: Relation, of: Vec<Operand>) {
+        let begin = self.formula.results.len();
+        let datum = self.formula.relate(&name, relation, &of);
+        let results = begin..self.formula.results.len();
+        self.relations.push(Related { name, relation, of, results, datum });
+    }
+
+    /// Says what the set-up writes.
+    pub fn write_from(&mut self, source: &DatumSource) {
+        self.datum_source = *source;
+        self.formula.datum = self.datum_of(source);
+    }
+
+    /// The cycles of a set-up and, behind them, its relations.
+    pub fn measuring(&self) -> impl Iterator<Item = Measuring<'_>> {
+        let cycles = self.members.iter().map(|member| {
+            let datum = member.path.formula.datum.map(|datum| datum.later_by(member.later));
+            Measuring { name: &member.name, results: member.results.clone(), datum }
+        });
+        let relations = self.relations.iter();
+        cycles.chain(relations.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum }))
     }
 
     /// The way to the next cycle; to the first one the stylus comes from anywhere.
@@ -163,24 +203,19 @@ impl Path {
         }));
     }
 
-    /// Index of the result by which the work offset is turned.
-    pub fn turned_by(&self) -> Option<usize> {
-        self.datum_source.rotation.map(|(member, result)| self.members[member].results.start + result)
-    }
-
     fn datum_of(&mut self, source: &DatumSource) -> Option<Datum> {
-        let place = |axis: usize| -> Option<Coordinate> { self.members[source.place[axis]?].datum()?.place[axis] };
-        let mut place = [0, 1, 2].map(place);
+        let all: Vec<Option<Datum>> = self.measuring().map(|own| own.datum).collect();
+        let datum = |axis: usize| all.get(source.place[axis]?).copied().flatten();
+        let mut place = [0, 1, 2].map(|axis| datum(axis)?.place[axis]);
         // Abscissa and ordinate come together: what is not measured is taken to be nominal.
         for (one, other) in [(0, 1), (1, 0)] {
-            if let (Some(measures), None) = (source.place[one], place[other]) {
-                let nominal = self.members[measures].datum().and_then(|datum| datum.place[other]);
+            if let (Some(measures), None) = (datum(one), place[other]) {
+                let nominal = measures.place[other];
                 place[other] = place[one].and(nominal).map(|nominal| Coordinate { measured: None, ..nominal });
             }
         }
-        let rotation = source.rotation.and_then(|(member, result)| {
-            let member = &self.members[member];
-            let result = &self.formula.results[member.results.start + result];
+        let rotation = source.rotation.and_then(|result| {
+            let result = &self.formula.results[result];
             Some((result.variable?, result.nominal))
         });
         let rotation = rotation.map(|(variable, nominal)| self.formula.turn(variable, nominal));

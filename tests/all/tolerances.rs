@@ -275,8 +275,25 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
     // What is converted by its name is every angle that there is.
     for code in RESULT_CODES.iter().filter(|code| !code.starts_with('Q')) {
         let angle = code.ends_with("rotation") || code.ends_with("angle") || *code == "table.turn";
-        let lengths =
-            ["center", "corner", "point", "offset", "diameter", "residual", "width", "height", "deviation", "form", "preset"];
+        let lengths = [
+            "center",
+            "corner",
+            "point",
+            "offset",
+            "diameter",
+            "residual",
+            "width",
+            "height",
+            "deviation",
+            "form",
+            "preset",
+            "distance",
+            "difference",
+            "mean",
+            "distance",
+            "difference",
+            "mean",
+        ];
         assert!(angle || lengths.iter().any(|length| code.starts_with(length)), "{code} is neither");
     }
 }

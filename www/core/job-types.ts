@@ -717,11 +717,34 @@ export interface Job {
     /** By how much a size of the part differs, by the field's key. */
     sizes?: Record<string, number>;
   };
+  /** The tolerance of each result, by its code: `diameter`, in a set-up `BORE.diameter`. */
+  tolerances?: Record<string, ResultTolerance> | null;
   cycle: Cycle;
+}
+
+/** The tolerance of a result, and what follows from a value out of it. */
+export interface ResultTolerance {
+  /** About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. */
+  tolerance: string;
+  /** The program goes on, shows the result and goes on, or stops with an alarm. Left out: `go`. */
+  then?: "go" | "mark" | "stop";
 }
 
 /** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */
 export type NamedCycle = Cycle & { name?: string };
+
+/** What lies between the features of a set-up. A later one may be of an earlier one. */
+export interface Relation {
+  /** Stands in front of its results, as the name of a cycle. */
+  name: string;
+  /**
+   * `line`: `distance` and `rotation` from one place to another. `difference`: the first result less the second. `mean` of results. `center`: the middle of places.
+   * `pitch-circle`: the circle through three places or more.
+   */
+  type: "line" | "difference" | "mean" | "center" | "pitch-circle";
+  /** Names of cycles that measure a place in the plane; of a difference or mean, results as `BORE.diameter`. */
+  of: string[];
+}
 
 /**
  * Several cycles in one program: one header, safe ways between them, one write at the end. What is left out takes the catalog's default. Sizes of the virtual
@@ -737,6 +760,8 @@ export interface SetUp extends Omit<Job, "format" | "cycle"> {
    * that measures the axis. `null`: not written. A rotation is written where one is named.
    */
   datum?: { x?: string | null; y?: string | null; z?: string | null; rotation?: string | null };
+  /** What is computed of the results of the cycles. Its results are named after it, as those of a cycle. */
+  relations?: Relation[] | null;
 }
 
 /** The id of a control. */

@@ -83,6 +83,7 @@ export type FindingCode =
   | "no-units"
   | "not-a-flag"
   | "not-a-number"
+  | "not-a-tolerance"
   | "not-a-value"
   | "not-at-feed"
   | "not-called"
@@ -113,6 +114,7 @@ export type FindingCode =
   | "other-units"
   | "other-version"
   | "out-of-range"
+  | "out-of-tolerance"
   | "overtravel-too-short"
   | "own-codes"
   | "own-moves"
@@ -139,6 +141,7 @@ export type FindingCode =
   | "protection-unsupported"
   | "rapid-at-feed"
   | "reaction-unsupported"
+  | "relation-of"
   | "result-missing"
   | "result-twice"
   | "result-untrue"
@@ -163,6 +166,9 @@ export type FindingCode =
   | "stylus-from-dump"
   | "stylus-not-known"
   | "text-too-long"
+  | "tolerance-beyond-limit"
+  | "tolerance-elsewhere"
+  | "tolerance-unsupported"
   | "too-far"
   | "too-long"
   | "too-many-digits"
@@ -234,6 +240,7 @@ export type RuleName =
   | "offset-after-touches"
   | "one-write"
   | "plausible-before-write"
+  | "tolerance-obeyed"
   | "restart-writes-nothing"
   | "ends-above";
 
@@ -262,6 +269,11 @@ export type ResultCode =
   | "offset.y"
   | "offset.z"
   | "offset.rotation"
+  | "distance"
+  | "difference"
+  | "difference.angle"
+  | "mean"
+  | "mean.angle"
   | "Q183"
   | "Q950"
   | "Q951"
@@ -406,7 +418,7 @@ export interface ResultRow {
   note: string | null;
   /** Where the control has it after its own cycles: `#135`. Null of a program of moves, whose header says it. */
   stored: string | null;
-  /** Index of its cycle in a set-up; 0 for a job of one cycle. */
+  /** Index of its cycle in a set-up, or behind all cycles that of its relation; 0 for a job of one cycle. */
   cycle: number;
   /** Its words as templates and their values. */
   said: ResultWords;
@@ -488,6 +500,8 @@ export interface Plan {
   moves: Move[];
   /** The names of the cycles of a set-up, in their order; empty for a job of one cycle. */
   cycles: string[];
+  /** The names of the relations of a set-up, in their order. */
+  relations: string[];
   /** Of a set-up, what can be written into each axis of a work offset and into its rotation, and what is; empty for a job of one cycle. */
   datum: DatumRow[];
   /** Length of the whole path: from where the job says the ball is, else from where the first move ends. */

@@ -237,6 +237,7 @@ impl Cycle for Ency {
             picked: self.picks.is_some(),
             own: None,
             members: Vec::new(),
+            relations: Vec::new(),
             datum_source: DatumSource::default(),
             lift: Some(FEED_DISTANCE),
             touches: on.touches,

@@ -57,6 +57,19 @@ const SET_UP: &str = r#"
 /** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */
 export type NamedCycle = Cycle & { name?: string };
 
+/** What lies between the features of a set-up. A later one may be of an earlier one. */
+export interface Relation {
+  /** Stands in front of its results, as the name of a cycle. */
+  name: string;
+  /**
+   * `line`: `distance` and `rotation` from one place to another. `difference`: the first result less the second. `mean` of results. `center`: the middle of places.
+   * `pitch-circle`: the circle through three places or more.
+   */
+  type: "line" | "difference" | "mean" | "center" | "pitch-circle";
+  /** Names of cycles that measure a place in the plane; of a difference or mean, results as `BORE.diameter`. */
+  of: string[];
+}
+
 /**
  * Several cycles in one program: one header, safe ways between them, one write at the end. What is left out takes the catalog's default. Sizes of the virtual
  * part are named after their cycle: `BORE.diameter`.
@@ -71,6 +84,8 @@ export interface SetUp extends Omit<Job, "format" | "cycle"> {
    * that measures the axis. `null`: not written. A rotation is written where one is named.
    */
   datum?: { x?: string | null; y?: string | null; z?: string | null; rotation?: string | null };
+  /** What is computed of the results of the cycles. Its results are named after it, as those of a cycle. */
+  relations?: Relation[] | null;
 }
 "#;
 

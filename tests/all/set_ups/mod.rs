@@ -2,6 +2,7 @@
 
 mod examples;
 mod refused;
+mod relations;
 
 use crate::common::{import, interpret, job, number_at, planned, with};
 use touchpath::cycle::CYCLES;

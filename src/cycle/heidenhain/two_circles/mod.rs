@@ -308,6 +308,7 @@ impl Cycle for TwoCircles {
             picked: false,
             own: None,
             members: Vec::new(),
+            relations: Vec::new(),
             datum_source: DatumSource::default(),
             lift: None,
             frame: Self::frame(setup),

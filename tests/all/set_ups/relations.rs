@@ -1,0 +1,307 @@
+//! What lies between the features of a set-up, held against hand calculations, the drawn part and LinuxCNC's interpreter.
+
+use crate::common::fanuc::Control;
+use crate::common::mpf::read;
+use crate::common::sinumerik::Machine;
+use crate::common::{import, interpret, job, planned, with};
+use touchpath::form::{Level, Value};
+use touchpath::job::{JobError, Plan, ResultRow, evaluate, plan};
+
+/// Four holes on a pitch circle of 100 mm about (10, 5), a step of 3 mm, and two walls, on a part that is turned by 30° and shifted.
+const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": "linuxcnc" }, "clear": 40,
+  "cycles": [
+    { "name": "A", "type": "hole", "diameter": 20, "origin": [60, 5, -5] },
+    { "name": "B", "type": "hole", "diameter": 20, "origin": [10, 55, -5] },
+    { "name": "C", "type": "hole", "diameter": 20, "origin": [-40, 5, -5] },
+    { "name": "D", "type": "hole", "diameter": 20, "origin": [10, -45, -5] },
+    { "name": "TOP", "type": "surface", "origin": [10, 5, 0] },
+    { "name": "STEP", "type": "surface", "origin": [30, 25, -3] }
+  ],
+  "relations": [
+    { "name": "AC", "type": "line", "of": ["A", "C"] },
+    { "name": "BCD", "type": "pitch-circle", "of": ["A", "B", "C", "D"] },
+    { "name": "MID", "type": "center", "of": ["A", "C"] },
+    { "name": "DEEP", "type": "difference", "of": ["TOP.point.z", "STEP.point.z"] },
+    { "name": "BORES", "type": "mean", "of": ["A.diameter", "B.diameter", "C.diameter", "D.diameter"] },
+    { "name": "TWIST", "type": "line", "of": ["MID", "B"] }
+  ] }"#;
+
+fn row<'p>(plan: &'p Plan, name: &str, code: &str) -> &'p ResultRow {
+    let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
+    plan.results
+        .iter()
+        .find(|row| names[row.cycle].as_str() == name && row.code == code)
+        .unwrap_or_else(|| panic!("{name}.{code}"))
+}
+
+fn value(plan: &Plan, name: &str, code: &str) -> f64 {
+    row(plan, name, code).value.unwrap()
+}
+
+fn near(a: f64, b: f64, within: f64, what: &str) {
+    assert!((a - b).abs() <= within, "{what}: {a} and {b}");
+}
+
+/// By hand: A and C are 100 mm apart along −X, all four lie on the circle, the middle of A and C is (10, 5), the step is 3 mm, B is 50 mm above the middle.
+#[test]
+fn relations_of_the_nominal_part_are_those_of_the_drawing() {
+    let plan = planned(&job(PLATE));
+    assert_eq!(plan.relations, ["AC", "BCD", "MID", "DEEP", "BORES", "TWIST"]);
+    for (name, code, wanted) in [
+        ("AC", "distance", 100.0),
+        ("AC", "rotation", 180.0),
+        ("BCD", "center.x", 10.0),
+        ("BCD", "center.y", 5.0),
+        ("BCD", "diameter", 100.0),
+        ("MID", "center.x", 10.0),
+        ("MID", "center.y", 5.0),
+        ("DEEP", "difference", 3.0),
+        ("BORES", "mean", 20.0),
+        ("TWIST", "distance", 50.0),
+        ("TWIST", "rotation", 90.0),
+    ] {
+        let row = row(&plan, name, code);
+        near(row.nominal.unwrap(), wanted, 1e-9, &format!("{name}.{code}"));
+        near(row.value.unwrap(), wanted, 1e-6, &format!("{name}.{code}"));
+        // What a reading along one direction should be on another part nobody says.
+        assert_eq!(row.truth.is_some(), name != "DEEP", "{name}");
+        near(row.truth.unwrap_or(wanted), wanted, 1e-6, &format!("{name}.{code}"));
+    }
+    near(value(&plan, "BCD", "residual"), 0.0, 1e-4, "four points of one circle");
+}
+
+/// The same for a control with variables for less: three holes, three relations.
+fn small(job: &Value) -> Value {
+    let kept = |key: &str, names: &[&str]| {
+        let Some(Value::List(list)) = job.get(key) else { unreachable!() };
+        let named = |one: &Value| names.iter().any(|name| one.get("name") == Some(&Value::Text((*name).to_owned())));
+        with(job, key, Value::List(list.iter().filter(|one| named(one)).cloned().collect()))
+    };
+    let fewer = kept("cycles", &["A", "B", "C"]);
+    let cycles = fewer.get("cycles").unwrap().clone();
+    with(&kept("relations", &["AC", "MID", "TWIST"]), "cycles", cycles)
+}
+
+/// A part shifted and turned by 1.5°, with one larger hole: distances stay, directions turn with it, the mean grows by a quarter.
+fn displaced(post: &str) -> Value {
+    let part = r#"{ "offset": [0.4, -0.3, 0.2], "rotation": 1.5, "sizes": { "B.diameter": 0.08 } }"#;
+    with(&with(&job(PLATE), "control.post", Value::Text(post.to_owned())), "part", job(part))
+}
+
+#[test]
+fn relations_move_with_the_part_and_agree_with_its_truth() {
+    for post in ["linuxcnc", "grbl", "sinumerik"] {
+        let plan = planned(&displaced(post));
+        near(value(&plan, "AC", "distance"), 100.0, 2e-3, post);
+        near(value(&plan, "AC", "rotation"), 181.5, 2e-3, post);
+        near(value(&plan, "TWIST", "rotation"), 91.5, 2e-3, post);
+        near(value(&plan, "BORES", "mean"), 20.02, 1e-3, post);
+        near(value(&plan, "DEEP", "difference"), 3.0, 1e-6, post);
+        for row in plan.results.iter().filter(|row| row.cycle >= plan.cycles.len() && row.code != "residual") {
+            near(row.value.unwrap(), row.truth.or(row.value).unwrap(), 3e-3, &format!("{post}: {}", row.code));
+        }
+    }
+}
+
+/// Every control computes them: LinuxCNC's own interpreter, and the tests' machines.
+#[test]
+fn programs_compute_what_the_plan_says() {
+    let on_screen = |post: &str| with(&displaced(post), "control.report", Value::Text("screen".to_owned()));
+    let plan = planned(&on_screen("linuxcnc"));
+    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
+    for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
+        let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap();
+        lines[usize::try_from(plan.program.move_lines[index]).unwrap()] = format!("G38.2 X{x:.7} Y{y:.7} Z{z:.7} F150");
+    }
+    let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
+    let mut compared = 0;
+    for (i, name) in plan.relations.iter().enumerate() {
+        for row in plan.results.iter().filter(|row| row.cycle == plan.cycles.len() + i) {
+            let code = format!("{name}.{}", row.code);
+            let (_, shown) = ran.prints.iter().find(|(shown, _)| *shown == code).unwrap_or_else(|| panic!("{code}"));
+            near(*shown, row.value.unwrap(), 2e-4, &code);
+            compared += 1;
+        }
+    }
+    assert_eq!(compared, 12);
+
+    let plan = planned(&on_screen("sinumerik"));
+    let mut machine = Machine::new(plan.triggers.clone());
+    machine.run(&read(&plan.program.text).unwrap()).unwrap();
+    assert_eq!(machine.alarm, None, "{}", machine.message);
+    let said = |name: &str, code: &str| {
+        let word = format!("{name}.{code}=");
+        let line = machine.messages.iter().find_map(|line| line.split(&word).nth(1)).unwrap_or_else(|| panic!("{word}"));
+        let end = line.find(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).unwrap_or(line.len());
+        line[..end].parse::<f64>().unwrap()
+    };
+    near(said("AC", "rotation"), value(&plan, "AC", "rotation"), 2e-3, "sinumerik");
+    near(said("BCD", "diameter"), value(&plan, "BCD", "diameter"), 2e-3, "sinumerik");
+
+    for post in ["fanuc", "haas"] {
+        let plan = planned(&small(&displaced(post)));
+        let mut control = Control::new(post == "haas", false);
+        control.contacts = plan.triggers.iter().flatten().copied().collect();
+        control.run(&plan.program.text).unwrap();
+        assert_eq!(control.alarm, None);
+        let held = |code: &str| {
+            let lists =
+                plan.program.text.lines().filter_map(|line| line.strip_prefix('(')).map(|line| line.trim_end_matches(')'));
+            let entry = lists
+                .flat_map(|line| line.trim_start_matches("RESULTS: ").split(", "))
+                .find(|entry| entry.ends_with(&format!("= {code}")));
+            control.variables[&entry.unwrap_or_else(|| panic!("{code}")).split(' ').next().unwrap()[1..].parse().unwrap()]
+        };
+        near(held("AC.ROTATION"), value(&plan, "AC", "rotation"), 2e-3, post);
+        near(held("TWIST.DISTANCE"), value(&plan, "TWIST", "distance"), 2e-3, post);
+    }
+}
+
+/// Linear propagation by hand: touches of 1 µm give a centre of four touches 1/√2 µm along each axis, so a distance of two of them is 1 µm, and a mean
+/// of four diameters (1 µm each) is 1/2 µm.
+#[test]
+fn uncertainties_go_through_relations() {
+    let job = with(&job(PLATE), "stylus.repeatability", Value::Number(0.001));
+    let plan = planned(&job);
+    near(row(&plan, "AC", "distance").uncertainty.unwrap(), 0.001, 1e-6, "distance");
+    near(row(&plan, "AC", "rotation").uncertainty.unwrap(), (0.001f64 / 100.0).to_degrees(), 1e-8, "direction");
+    near(row(&plan, "BORES", "mean").uncertainty.unwrap(), 0.0005, 1e-6, "mean");
+    near(row(&plan, "MID", "center.x").uncertainty.unwrap(), 0.0005, 1e-6, "middle");
+}
+
+/// A fixture of two holes: the origin in the middle between them, the rotation from the line through both. Probed again after the write, all is nominal.
+#[test]
+fn a_work_offset_is_written_from_relations() {
+    let text = r#"{ "format": 2, "control": { "post": "linuxcnc", "workOffset": 1 }, "clear": 40,
+      "cycles": [ { "name": "LEFT", "type": "hole", "diameter": 20, "origin": [-70, 12, -5] },
+                  { "name": "RIGHT", "type": "hole", "diameter": 20, "origin": [70, 12, -5] } ],
+      "relations": [ { "name": "MID", "type": "center", "of": ["LEFT", "RIGHT"] }, { "name": "ROW", "type": "line", "of": ["LEFT", "RIGHT"] } ],
+      "datum": { "x": "MID.center.x", "y": "MID.center.y", "rotation": "ROW.rotation" },
+      "part": { "offset": [0.7, -0.45, 0], "rotation": 0.8 } }"#;
+    let plan = planned(&job(text));
+    assert_eq!(plan.program.writes, ["X", "Y", "rotation"]);
+    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
+    for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
+        let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap();
+        lines[usize::try_from(plan.program.move_lines[index]).unwrap()] = format!("G38.2 X{x:.7} Y{y:.7} Z{z:.7} F150");
+    }
+    let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
+    let ([ox, oy, _], turn) = (*ran.offsets_after_moves.last().unwrap(), *ran.rotations_after_moves.last().unwrap());
+    near(turn, 0.8, 1e-4, "rotation");
+    // Where the holes are on the part, by hand, and what the written system reads there.
+    let (s, c) = 0.8f64.to_radians().sin_cos();
+    for (x, y) in [(-70.0, 12.0), (70.0, 12.0)] {
+        let (mx, my) = (x * c - y * s + 0.7, x * s + y * c - 0.45);
+        let (s, c) = (-turn).to_radians().sin_cos();
+        let (dx, dy) = (mx - ox, my - oy);
+        near(dx * c - dy * s, x, 2e-4, "X of a hole");
+        near(dx * s + dy * c, y, 2e-4, "Y of a hole");
+    }
+    let choices = |axis: &str| plan.datum.iter().find(|row| row.axis == axis).unwrap().choices.clone();
+    assert_eq!(choices("x"), ["LEFT.center.x", "RIGHT.center.x", "MID.center.x"]);
+    assert_eq!(choices("rotation"), ["ROW.rotation"]);
+}
+
+#[test]
+fn relations_take_tolerances_come_back_from_headers_and_from_measured_results() {
+    let tolerances =
+        r#"{ "AC.distance": { "tolerance": "±0.05", "then": "stop" }, "twist.distance": { "tolerance": "49.9..50.1" } }"#;
+    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+        let job = with(&small(&displaced(post)), "tolerances", job(tolerances));
+        let plan = planned(&job);
+        assert_eq!(row(&plan, "AC", "distance").verdict.as_deref(), Some("good"), "{post}");
+        assert_eq!(row(&plan, "TWIST", "distance").verdict.as_deref(), Some("good"), "{post}");
+        let back = import(&plan.program.text).unwrap();
+        assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+        assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
+        let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
+        let said = plan.results.iter().filter_map(|row| Some(format!("{}.{}={}", names[row.cycle], row.code, row.value?)));
+        let said = said.map(|line| line.replace("AC.distance=100", "AC.distance=100.2")).collect::<Vec<_>>().join("\n");
+        let rows = evaluate(&job, &Value::Text(said)).unwrap();
+        let of = |name: &str, code: &str| {
+            rows.iter().find(|row| names[row.cycle].as_str() == name && row.code == code).unwrap().clone()
+        };
+        assert!(of("AC", "distance").verdict.as_deref().is_some_and(|verdict| verdict.starts_with("out")), "{post}");
+        near(of("TWIST", "distance").value.unwrap(), 50.0, 2e-3, post);
+    }
+}
+
+#[test]
+fn what_is_no_relation_is_said_at_its_place() {
+    let found = |relations: &str| match plan(&with(&job(PLATE), "relations", job(relations))) {
+        Ok(_) => Vec::new(),
+        Err(JobError { findings, .. }) => findings
+            .into_iter()
+            .filter(|finding| finding.level == Level::Error)
+            .map(|finding| (finding.code, finding.path))
+            .collect(),
+    };
+    for (relations, code, path) in [
+        (r#"[{ "name": "A", "type": "line", "of": ["A", "B"] }]"#, "cycle-name", "relations[0].name"),
+        (r#"[{ "name": "1X", "type": "line", "of": ["A", "B"] }]"#, "cycle-name", "relations[0].name"),
+        (r#"[{ "type": "line", "of": ["A", "B"] }]"#, "missing", "relations[0].name"),
+        (r#"[{ "name": "X", "of": ["A", "B"] }]"#, "missing", "relations[0].type"),
+        (r#"[{ "name": "X", "type": "ring", "of": ["A", "B"] }]"#, "unknown-value", "relations[0].type"),
+        (r#"[{ "name": "X", "type": "line", "of": ["A"] }]"#, "wrong-count", "relations[0].of"),
+        (r#"[{ "name": "X", "type": "line" }]"#, "wrong-count", "relations[0].of"),
+        (r#"[{ "name": "X", "type": "line", "of": ["A", "A"] }]"#, "relation-of", "relations[0].of[1]"),
+        (r#"[{ "name": "X", "type": "line", "of": ["A", "TOP"] }]"#, "relation-of", "relations[0].of[1]"),
+        (r#"[{ "name": "X", "type": "line", "of": ["A", "LATER"] }]"#, "relation-of", "relations[0].of[1]"),
+        (r#"[{ "name": "X", "type": "mean", "of": ["A", "B"] }]"#, "relation-of", "relations[0].of[0]"),
+        (
+            r#"[{ "name": "L", "type": "line", "of": ["A", "B"] }, { "name": "X", "type": "mean", "of": ["A.diameter", "L.rotation"] }]"#,
+            "relation-of",
+            "relations[1].of",
+        ),
+        (
+            r#"[{ "name": "M", "type": "center", "of": ["B", "D"] }, { "name": "N", "type": "center", "of": ["A", "C"] }, { "name": "X", "type": "line", "of": ["M", "N"] }]"#,
+            "relation-of",
+            "relations[2].of",
+        ),
+        (
+            r#"[{ "name": "M", "type": "center", "of": ["A", "C"] }, { "name": "X", "type": "pitch-circle", "of": ["A", "M", "C"] }]"#,
+            "relation-of",
+            "relations[1].of",
+        ),
+        (r#"[{ "name": "X", "type": "line", "of": ["A", 2] }]"#, "wrong-type", "relations[0].of[1]"),
+        (r#"[{ "name": "X", "type": "line", "of": ["A", "B"], "as": 1 }]"#, "unknown-key", "relations[0].as"),
+        (r#"[7]"#, "wrong-type", "relations[0]"),
+        (r#"{}"#, "wrong-type", "relations"),
+    ] {
+        let all: Vec<(String, String)> = found(relations);
+        assert!(all.contains(&(code.to_owned(), path.to_owned())), "{relations}: {all:?}");
+    }
+    let own = with(
+        &with(&job(PLATE), "control.post", Value::Text("fanuc".to_owned())),
+        "control.form",
+        Value::Text("cycle".to_owned()),
+    );
+    let Err(JobError { findings, .. }) = plan(&own) else { panic!("refused") };
+    assert!(findings.iter().any(|finding| finding.code == "set-up-unsupported" && finding.path == "relations"), "{findings:?}");
+}
+
+/// Two opposite walls of a vise that are not parallel, and directions near half a turn: by hand 180.3° less −0.2°, and their mean about the nominal one.
+#[test]
+fn directions_near_half_a_turn_are_compared_within_half_a_turn() {
+    let text = |post: &str| {
+        format!(
+            r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "clear": 40,
+          "cycles": [ {{ "name": "ONE", "type": "wall-angle", "origin": [60, 0, -8], "rotation": 180 }},
+                      {{ "name": "TWO", "type": "wall-angle", "origin": [-60, 0, -8], "rotation": 180 }},
+                      {{ "name": "SIDE", "type": "wall-angle", "origin": [0, 90, -8], "rotation": 0 }} ],
+          "relations": [ {{ "name": "APART", "type": "difference", "of": ["ONE.rotation", "SIDE.rotation"] }},
+                         {{ "name": "BOTH", "type": "mean", "of": ["ONE.rotation", "TWO.rotation"] }} ],
+          "part": {{ "rotation": 0.3 }} }}"#
+        )
+    };
+    for post in ["linuxcnc", "sinumerik", "fanuc", "haas", "grbl"] {
+        let plan = planned(&job(&text(post)));
+        near(value(&plan, "APART", "difference.angle"), 180.0, 1e-3, post);
+        near(value(&plan, "BOTH", "mean.angle"), 180.3, 1e-3, post);
+        near(row(&plan, "BOTH", "mean.angle").truth.unwrap(), 180.3, 1e-6, post);
+        assert!(
+            plan.datum.iter().any(|row| row.axis == "rotation" && row.choices.contains(&"BOTH.mean.angle".to_owned())),
+            "{post}"
+        );
+    }
+}
