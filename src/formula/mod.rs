@@ -74,6 +74,9 @@ pub enum Asked {
     Stops,
 }
 
+/// A value this little beyond a limit is on it, mm or degrees.
+pub const ON_LIMIT: f64 = 1e-6;
+
 /// What a program asks of a result: whether it is plausible, or within its tolerance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Question {
@@ -115,9 +118,9 @@ impl Question {
         }
     }
 
-    /// Whether a value, mm or degrees, is within the limit. What is not known is not.
+    /// Whether a value, mm or degrees, is within the limit. What is not known is not. On the very end the last decimals of touches decide nothing.
     pub fn holds(&self, value: f64) -> bool {
-        (value - self.wanted).abs() <= self.limit
+        (value - self.wanted).abs() <= self.limit + ON_LIMIT
     }
 }
 

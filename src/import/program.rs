@@ -253,9 +253,8 @@ fn in_cycle(path: &str) -> Option<(usize, &str)> {
 
 /// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.then`.
 fn of_tolerance(path: &str) -> Option<(String, &'static str)> {
-    let begin = TOLERANCES.len() + 1;
-    path.get(..begin).filter(|head| head[..begin - 1].eq_ignore_ascii_case(TOLERANCES) && head.ends_with('.'))?;
-    let (code, key) = path[begin..].rsplit_once('.')?;
+    path.get(..TOLERANCES.len()).filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
+    let (code, key) = path[TOLERANCES.len()..].strip_prefix('.')?.rsplit_once('.')?;
     let key = ["tolerance", "then"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?;
     let own = RESULT_CODES.iter().find(|own| {
         let at = code.len().checked_sub(own.len());

@@ -2,7 +2,7 @@
 
 use crate::control::Form;
 use crate::form::Checker;
-use crate::formula::{self, Asked, Question, Tolerance};
+use crate::formula::{self, Asked, ON_LIMIT, Question, Tolerance};
 use crate::job::Job;
 use crate::num::{decimal, tidy};
 use crate::path::Path;
@@ -78,9 +78,6 @@ fn by_tolerances(path: &Path, rows: &mut [formula::ResultRow]) {
         row.verdict = row.value.map(|value| verdict(value, [low, high], 2.0 * row.uncertainty.unwrap_or(0.0)));
     }
 }
-
-/// A value on its very limit is good: the last decimals of touches decide nothing, mm or degrees.
-const ON_LIMIT: f64 = 1e-6;
 
 fn verdict(value: f64, [low, high]: [f64; 2], band: f64) -> Text {
     // How far the value is within the nearer limit.

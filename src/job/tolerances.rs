@@ -12,7 +12,7 @@ use crate::text::{Text, text, words};
 use crate::tolerance;
 
 /// The most characters of one.
-pub const LONGEST_TOLERANCE: usize = 40;
+pub const LONGEST_TOLERANCE: usize = 64;
 
 /// The words of [`Consequence`] in a job.
 pub const CONSEQUENCES: [&str; 3] = ["go", "mark", "stop"];

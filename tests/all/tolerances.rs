@@ -200,7 +200,7 @@ fn what_is_no_tolerance_is_said_at_its_place() {
         (r#"{ "width": { "tolerance": "H7" } }"#, "unknown-key", "tolerances.width"),
         (r#"{ "diameter": { "tolerance": "±0.6" } }"#, "tolerance-beyond-limit", "tolerances.diameter.tolerance"),
         (
-            r#"{ "diameter": { "tolerance": "                                         H7" } }"#,
+            r#"{ "diameter": { "tolerance": "                                                                 H7" } }"#,
             "text-too-long",
             "tolerances.diameter.tolerance",
         ),

@@ -100,6 +100,77 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 
 /// A job; the index goes through every cycle, control, plane and unit.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
+    let job = without_tolerances(catalog, draw, index);
+    let often = if job.get("cycles").is_some() { 2 } else { 4 };
+    if draw.once_in(often) { tolerated(draw, job) } else { job }
+}
+
+/// The same job with relations between its cycles and tolerances of its results, some of them of what is not there.
+fn tolerated(draw: &mut Draw, job: Value) -> Value {
+    let related = match plan(&job) {
+        Ok(plan) if !plan.cycles.is_empty() => related(draw, job, &plan),
+        Ok(_) => job,
+        Err(_) => return job,
+    };
+    let Ok(plan) = plan(&related) else { return related };
+    let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
+    let mut tolerances = Vec::new();
+    for row in plan.results.iter().filter(|row| row.nominal.is_some() && !row.code.starts_with("offset.")) {
+        if !draw.once_in(3) {
+            continue;
+        }
+        let named = match names.get(row.cycle) {
+            Some(name) => format!("{name}.{}", row.code),
+            None => row.code.clone(),
+        };
+        let unit = if row.unit == "inch" { 25.4 } else { 1.0 };
+        let off = *draw.of(&[0.001, 0.02, 0.2]) / unit;
+        let size = ["diameter", "width", "distance"].iter().any(|code| row.code.starts_with(code));
+        // On the very end of a zone rounding decides: the nominal value is within or out of it.
+        let tolerance = match draw.index(6) {
+            0 if size || draw.once_in(10) => "js9".to_owned(),
+            1 => format!("+{off}/-{}", off / 2.0),
+            2 => format!("{}..{}", row.nominal.unwrap_or(0.0) - off, row.nominal.unwrap_or(0.0) + 2.0 * off),
+            _ => format!("±{off}"),
+        };
+        let entries =
+            [("tolerance".to_owned(), text(&tolerance)), ("then".to_owned(), text(draw.word(&["go", "mark", "stop"])))];
+        tolerances.push((named, Value::Map(entries.to_vec())));
+    }
+    crate::common::with(&related, "tolerances", Value::Map(tolerances))
+}
+
+/// Relations of places and results that the cycles measure.
+fn related(draw: &mut Draw, job: Value, plan: &Plan) -> Value {
+    let axis = |key: &str| plan.datum.iter().find(|row| row.axis == key).map_or(Vec::new(), |row| row.choices.clone());
+    let place = |choice: &String| choice.split_once('.').map(|(name, _)| name.to_owned());
+    let y: Vec<String> = axis("y").iter().filter_map(place).collect();
+    let places: Vec<String> = axis("x").iter().filter_map(place).filter(|name| y.contains(name)).collect();
+    let measured = plan.results.iter().filter(|row| row.value.is_some() && !row.code.starts_with("offset."));
+    let unit = plan.results.get(draw.index(plan.results.len().max(1))).map_or("", |row| row.unit);
+    let measured = measured.filter(|row| row.unit == unit);
+    let results: Vec<String> = measured.map(|row| format!("{}.{}", plan.cycles[row.cycle], row.code)).collect();
+    let mut relations = Vec::new();
+    for i in 0..1 + draw.index(3) {
+        let kind = match places.len() {
+            0 | 1 => draw.word(&["difference", "mean"]),
+            2 => draw.word(&["line", "center", "difference", "mean"]),
+            _ => draw.word(&["line", "center", "pitch-circle", "difference", "mean"]),
+        };
+        let from = if matches!(kind, "difference" | "mean") { &results } else { &places };
+        let count = if kind == "pitch-circle" { 3 } else { 2 };
+        if from.len() < count {
+            continue;
+        }
+        let first = draw.index(from.len());
+        let of = (0..count).map(|k| text(&from[(first + k) % from.len()])).collect();
+        let entries = [("name", text(&format!("R{i}"))), ("type", text(kind)), ("of", Value::List(of))];
+        relations.push(Value::Map(entries.map(|(key, value)| (key.to_owned(), value)).to_vec()));
+    }
+    crate::common::with(&job, "relations", Value::List(relations))
+}
+
+fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     // Each digit of the index in its own base: every cycle meets every control in every plane and unit.
     let mut left = index as usize;
     let mut at = |count: usize| {
@@ -278,6 +349,12 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
     match plan.cycles.is_empty() {
         true => asked(&format!("planned {}", word(job, &["cycle", "type"]))),
         false => asked("planned as a set-up"),
+    }
+    if !plan.relations.is_empty() {
+        asked("planned with relations");
+    }
+    if plan.safety.iter().any(|row| row.rule == "tolerance-obeyed") {
+        asked("planned with consequences");
     }
     asked(&format!("planned for {}", plan.program.post));
     if word(job, &["control", "form"]) == "cycle" {

@@ -67,8 +67,17 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
     let catalog = touchpath::describe::catalog();
     let kinds = catalog.cycles.iter().map(|c| format!("planned {}", c.key));
     let posts = catalog.posts.iter().map(|p| format!("planned for {}", p.id));
-    let laws = ["inch and mm", "dump and job", "program and job", "mutated text", "measured points", "planned as a set-up"]
-        .map(str::to_owned);
+    let laws = [
+        "inch and mm",
+        "dump and job",
+        "program and job",
+        "mutated text",
+        "measured points",
+        "planned as a set-up",
+        "planned with relations",
+        "planned with consequences",
+    ]
+    .map(str::to_owned);
     let others = ["G17", "G18", "G19", "mm", "inch", "checked", "none"].map(|word| format!("planned in {word}"));
     kinds.chain(posts).chain(laws).chain(others).filter(|name| tally.get(name).copied().unwrap_or(0) < least).collect()
 }
