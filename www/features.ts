@@ -1,19 +1,24 @@
 // The cycles of a set-up. The one in hand stands in the form, as a job of one cycle does; the others wait here.
 
-import type { Catalog } from "./core/browser.js";
+import type { Catalog, Relation } from "./core/browser.js";
 import { jobName } from "./core/browser.js";
-import { complete, type Draft, formIn, isObject } from "./job.js";
+import { complete, type Draft, isObject, type Own, ownIn } from "./job.js";
 
 /** A cycle of a set-up. */
-export interface Feature {
+export interface Feature extends Own {
   name: string;
   /** Whether somebody has named it; else it is called by what it measures. */
   named: boolean;
-  cycle: Draft;
-  /** How much larger the sizes of the virtual part are. */
-  sizes: Draft;
   /** Left out of the program. */
   off: boolean;
+}
+
+/** What is computed of the results of cycles. */
+export interface Related {
+  name: string;
+  type: Relation["type"];
+  of: string[];
+  tolerances: Draft;
 }
 
 /** What a set-up has beside its cycles. */
@@ -22,7 +27,26 @@ export interface SetUpState {
   hand: number;
   clear: number | null;
   datum: Draft;
+  relations?: Related[];
 }
+
+/** Entries with a name in front of their keys, and those that have it, without it. */
+const prefixed = (name: string, of: Draft = {}) => Object.entries(of).map(([key, x]) => [`${name}.${key}`, x] as const);
+const ofName = (name: string, all: Draft): Draft => {
+  const mine = Object.entries(all).filter(([key]) => key.toLowerCase().startsWith(`${name.toLowerCase()}.`));
+  return Object.fromEntries(mine.map(([key, x]) => [key.slice(name.length + 1), x]));
+};
+const same = (one: string, other: string) => one.toLowerCase() === other.toLowerCase();
+/** The cycle or relation that something is of: of `BORE.diameter` it is `BORE`. */
+const head = (of: string) => of.split(".")[0] ?? of;
+
+/** Whether something that was read is a relation: what it is of is checked beside. */
+const isRelation = (one: unknown): one is Related =>
+  isObject(one) &&
+  typeof one.name === "string" &&
+  typeof one.type === "string" &&
+  Array.isArray(one.of) &&
+  one.of.every((of) => typeof of === "string");
 
 const AXES = ["x", "y", "z", "rotation"] as const;
 const MOST_NAME = 12;
@@ -36,6 +60,8 @@ export class Features {
   clear: number | null = null;
   /** What is written into which axis, where the job says it. */
   datum: Draft = {};
+  /** What is computed of results. */
+  relations: Related[] = [];
 
   get several(): boolean {
     return this.all.length > 0;
@@ -44,34 +70,58 @@ export class Features {
   /** The job of a form: of one cycle the form itself. */
   compose(form: Draft): Draft {
     if (!this.several) return form;
-    const { cycle, part, format: _, ...rest } = form;
+    const { cycle, part, format: _, tolerances: __, ...rest } = form;
     const listed = this.inOrder(form).filter(({ off }) => !off);
-    const sizes = listed.flatMap(({ name, sizes }) => Object.entries(sizes).map(([key, x]) => [`${name}.${key}`, x]));
+    const sizes = listed.flatMap(({ name, sizes }) => prefixed(name, sizes));
     const cycles = listed.map(({ name, cycle }) => ({ name, ...cycle }));
     const whole: Draft = { format: 2, ...rest, part: { ...(part as Draft), sizes: Object.fromEntries(sizes) } };
-    return { ...whole, clear: this.clear, datum: this.datum, cycles };
+    const related = this.inProgram();
+    const tolerances = [...listed, ...related].flatMap(({ name, tolerances }) => prefixed(name, tolerances));
+    return {
+      ...whole,
+      clear: this.clear,
+      datum: this.datum,
+      cycles,
+      ...(related.length > 0 ? { relations: related.map(({ name, type, of }) => ({ name, type, of })) } : {}),
+      ...(tolerances.length > 0 ? { tolerances: Object.fromEntries(tolerances) } : {}),
+    };
+  }
+
+  /** The relations of what is in the program: those of a cycle that is left out are left out with it. */
+  inProgram(): Related[] {
+    const out = new Set(this.all.filter(({ off }) => off).map(({ name }) => name.toLowerCase()));
+    return this.relations.filter(({ name, of }) => {
+      const without = of.some((one) => out.has(head(one).toLowerCase()));
+      if (without) out.add(name.toLowerCase());
+      return !without;
+    });
   }
 
   /** All of them, the one in hand as the form has it. */
-  inOrder({ cycle, part }: Draft): Feature[] {
+  inOrder({ cycle, part, tolerances }: Draft): Feature[] {
     const sizes = ((part as Draft | undefined)?.sizes ?? {}) as Draft;
-    return this.all.map((one, i) => (i === this.hand ? { ...one, cycle: cycle as Draft, sizes } : one));
+    const own = { cycle: cycle as Draft, sizes, tolerances: (tolerances ?? {}) as Draft };
+    return this.all.map((one, i) => (i === this.hand ? { ...one, ...own } : one));
   }
 
   /** Takes a job of several cycles, and gives the form of the first of them. */
   take(job: Draft, catalog: Catalog): Draft {
-    const { cycles, clear, datum, part, ...rest } = job;
+    const { cycles, clear, datum, part, relations, tolerances, ...rest } = job;
     const given = isObject(part) && isObject(part.sizes) ? part.sizes : {};
+    const limits = isObject(tolerances) ? tolerances : {};
     this.all = [];
     const names = (cycles as Draft[]).flatMap(({ name }) => (typeof name === "string" ? [name] : []));
     for (const cycle of cycles as Draft[]) {
       const { name, ...own } = cycle;
       const called = typeof name === "string" ? name : this.free(own, -1, names);
-      const mine = Object.entries(given).filter(([key]) => key.toLowerCase().startsWith(`${called.toLowerCase()}.`));
-      const sizes = Object.fromEntries(mine.map(([key, x]) => [key.slice(called.length + 1), x]));
+      const sizes = ofName(called, given);
       const whole = complete({ format: 1, units: rest.units, cycle: own }, catalog).cycle as Draft;
-      this.all.push({ name: called, named: typeof name === "string", cycle: whole, sizes, off: false });
+      const named = typeof name === "string";
+      this.all.push({ name: called, named, cycle: whole, sizes, tolerances: ofName(called, limits), off: false });
     }
+    this.relations = Array.isArray(relations)
+      ? relations.filter(isRelation).map((one) => ({ ...one, tolerances: ofName(one.name, limits) }))
+      : [];
     this.hand = 0;
     this.clear = typeof clear === "number" ? clear : null;
     this.datum = isObject(datum) ? datum : {};
@@ -81,6 +131,7 @@ export class Features {
       format: 1,
       cycle: first.cycle,
       part: { ...(isObject(part) ? part : {}), sizes: first.sizes },
+      tolerances: first.tolerances,
     };
     if (this.all.length < 2) this.alone();
     return form;
@@ -89,7 +140,7 @@ export class Features {
   /** A name for a cycle that no other has. */
   free(cycle: Draft, but = -1, names: string[] = []): string {
     const stem = (jobName({ cycle: { type: cycle.type } }).split("-")[0] ?? "").replace(/[^A-Za-z0-9]/g, "") || "CYCLE";
-    const others = this.all.filter((_, i) => i !== but).map(({ name }) => name);
+    const others = [...this.all.filter((_, i) => i !== but), ...this.relations].map(({ name }) => name);
     const taken = new Set([...others, ...names].map((name) => name.toLowerCase()));
     for (let n = 1; ; n++) {
       const name = `${stem.slice(0, MOST_NAME - 3)}${n === 1 ? "" : n}`;
@@ -98,14 +149,14 @@ export class Features {
   }
 
   /** Adds a cycle behind the one in hand. */
-  add(form: Draft, cycle: Draft, sizes: Draft = {}): void {
+  add(form: Draft, cycle: Draft, { sizes = {}, tolerances = {} }: Partial<Own> = {}): void {
     if (!this.several) {
       const first = form.cycle as Draft;
-      this.all = [{ name: this.free(first), named: false, cycle: first, sizes: {}, off: false }];
+      this.all = [{ name: this.free(first), named: false, cycle: first, sizes: {}, tolerances: {}, off: false }];
       this.hand = 0;
     }
     this.stow(form);
-    this.all.splice(this.hand + 1, 0, { name: this.free(cycle), named: false, cycle, sizes, off: false });
+    this.all.splice(this.hand + 1, 0, { name: this.free(cycle), named: false, cycle, sizes, tolerances, off: false });
   }
 
   /** Keeps what the form has of the one in hand. */
@@ -121,6 +172,7 @@ export class Features {
     this.hand = index;
     form.cycle = next.cycle;
     (form.part as Draft).sizes = next.sizes;
+    form.tolerances = next.tolerances;
   }
 
   /** Takes one out. What was written from it is proposed anew. */
@@ -161,9 +213,40 @@ export class Features {
     if (one && !one.named) this.rename(this.hand, this.free(cycle, this.hand), false);
   }
 
-  /** What is written from a cycle is written from it by its new name, or from none. A name that another one has, too, is that one's. */
+  /** Adds a relation of these. */
+  relate(type: Related["type"], of: string[]): void {
+    const taken = [...this.all, ...this.relations].map(({ name }) => name.toLowerCase());
+    let n = 1;
+    while (taken.includes(`rel${n}`)) n++;
+    this.relations = [...this.relations, { name: `REL${n}`, type, of, tolerances: {} }];
+  }
+
+  /** Changes a relation; what refers to it by its name goes with it. */
+  changeRelation(index: number, change: Partial<Related>): void {
+    const one = this.relations[index];
+    if (!one) return;
+    this.relations = this.relations.map((other, i) => (i === index ? { ...one, ...change } : other));
+    if (change.name !== undefined) this.refer(one.name, change.name);
+  }
+
+  /** Takes a relation out, and those that are of it. */
+  unrelate(index: number): void {
+    const gone = this.relations[index];
+    this.relations = this.relations.filter((_, i) => i !== index);
+    if (gone) this.refer(gone.name, null);
+  }
+
+  /**
+   * What is written from a cycle or relation, or computed of it, is so by its new name, or not any longer. A name that another one has, too, is that one's.
+   */
   private refer(from: string, to: string | null): void {
-    if (this.all.some(({ name }) => name.toLowerCase() === from.toLowerCase())) return;
+    if ([...this.all, ...this.relations].some(({ name }) => same(name, from))) return;
+    const is = (one: string) => same(head(one), from);
+    const dropped = to === null ? this.relations.filter(({ of }) => of.some(is)) : [];
+    this.relations = this.relations
+      .filter((one) => !dropped.includes(one))
+      .map((one) => ({ ...one, of: one.of.map((of) => (is(of) ? `${to}${of.slice(from.length)}` : of)) }));
+    for (const { name } of dropped) this.refer(name, null);
     for (const axis of AXES) {
       const said = this.datum[axis];
       if (typeof said !== "string" || !said.toLowerCase().startsWith(`${from.toLowerCase()}.`)) continue;
@@ -178,8 +261,12 @@ export class Features {
   convert(from: "mm" | "inch", to: "mm" | "inch"): void {
     this.all = this.all.map((one, i) => {
       if (i === this.hand) return one;
-      const [cycle, sizes] = formIn(to, one.cycle, one.sizes, from);
-      return { ...one, cycle, sizes };
+      return { ...one, ...ownIn(to, one, from) };
+    });
+    const cycle = this.all[0]?.cycle ?? {};
+    this.relations = this.relations.map((one) => {
+      const { tolerances } = ownIn(to, { cycle, sizes: {}, tolerances: one.tolerances }, from);
+      return { ...one, tolerances };
     });
     if (this.clear !== null) this.clear = Math.round((to === "mm" ? this.clear * 25.4 : this.clear / 25.4) * 1e6) / 1e6;
   }
@@ -201,27 +288,33 @@ export class Features {
     const [, index, rest] = /^cycles\[(\d+)\](.*)$/.exec(path) ?? [];
     if (index !== undefined) return this.placeOf(Number(index)) === this.hand ? `cycle${rest}` : path;
     const name = this.all[this.hand]?.name;
-    return name && path.startsWith(`part.sizes.${name}.`) ? `part.sizes.${path.slice(12 + name.length)}` : path;
+    for (const list of ["part.sizes.", "tolerances."])
+      if (name && path.toLowerCase().startsWith(`${list}${name}.`.toLowerCase()))
+        return `${list}${path.slice(list.length + name.length + 1)}`;
+    return path;
   }
 
   /** One cycle is left: a job of one cycle. */
   alone(): void {
-    this.become({ all: [], hand: 0, clear: null, datum: {} });
+    this.become({ all: [], hand: 0, clear: null, datum: {}, relations: [] });
   }
 
   state(): SetUpState {
-    const { all, hand, clear, datum } = this;
-    return structuredClone({ all, hand, clear, datum });
+    const { all, hand, clear, datum, relations } = this;
+    return structuredClone({ all, hand, clear, datum, relations });
   }
 
-  become({ all, hand, clear, datum }: SetUpState): void {
-    Object.assign(this, { all, hand, clear, datum });
+  become({ all, hand, clear, datum, relations = [] }: SetUpState): void {
+    // What was kept before there were tolerances has none.
+    const whole = all.map((one) => ({ ...one, tolerances: one.tolerances ?? {} }));
+    Object.assign(this, { all: whole, hand, clear, datum, relations });
   }
 
   /** Whether something kept is a list of cycles; the job that they make is checked beside. */
   static fits(state: unknown): state is SetUpState {
     if (!isObject(state) || !Array.isArray(state.all) || !isObject(state.datum)) return false;
-    const { all, hand, clear } = state;
+    const { all, hand, clear, relations } = state;
+    if (relations !== undefined && !(Array.isArray(relations) && relations.every(isRelation))) return false;
     const good = (one: unknown) =>
       isObject(one) &&
       typeof one.name === "string" &&

@@ -41,9 +41,18 @@ export function alike(a: unknown, b: unknown): boolean {
   return one.length === two.size && one.every(([key, value]) => two.has(key) && alike(value, two.get(key)));
 }
 
-/** A cycle's own form, and the sizes of the virtual part that go with it, in other units. */
-export function formIn(units: "mm" | "inch", cycle: Draft, sizes: Draft, from: "mm" | "inch"): [Draft, Draft] {
-  const job = { format: 1, units: from, cycle, part: { sizes } } as unknown as Job;
-  const converted = convertUnits(job, units) as unknown as { cycle: Draft; part: { sizes: Draft } };
-  return [converted.cycle, converted.part.sizes];
+/** What of a job is of one of its cycles. */
+export interface Own {
+  cycle: Draft;
+  /** How much larger the sizes of the virtual part are. */
+  sizes: Draft;
+  /** The tolerances of its results, by their codes. */
+  tolerances: Draft;
+}
+
+/** What of a job is of a cycle, in other units. */
+export function ownIn(units: "mm" | "inch", { cycle, sizes, tolerances }: Own, from: "mm" | "inch"): Own {
+  const job = { format: 1, units: from, cycle, part: { sizes }, tolerances } as unknown as Job;
+  const converted = convertUnits(job, units) as unknown as { cycle: Draft; part: { sizes: Draft }; tolerances: Draft };
+  return { cycle: converted.cycle, sizes: converted.part.sizes, tolerances: converted.tolerances };
 }

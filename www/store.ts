@@ -12,6 +12,7 @@ import {
   misfit,
   type Plan,
   plan,
+  type ResultTolerance,
   type Said,
   type Words,
 } from "./core/browser.js";
@@ -20,7 +21,7 @@ import { Entries, type Form, steps, type Units } from "./entries.js";
 import { Features, type SetUpState } from "./features.js";
 import { History } from "./history.js";
 import { Outside } from "./host-inputs.js";
-import { alike, complete, type Draft, formIn, isObject } from "./job.js";
+import { alike, complete, type Draft, isObject, ownIn } from "./job.js";
 import { Judged, withClass } from "./judged.js";
 import { keepCam, keepFiles, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
 import { type Preset, SECTIONS } from "./presets.js";
@@ -37,6 +38,8 @@ interface Left {
   points: Points;
   /** How much larger the sizes of the virtual part are. */
   sizes?: Draft;
+  /** The tolerances of its results. */
+  tolerances?: Draft;
 }
 
 /** Measured points as text, by the units they were typed in: read in other units they would be other points. */
@@ -48,6 +51,7 @@ const NO_PLAN: Plan = {
   touches: [],
   moves: [],
   cycles: [],
+  relations: [],
   datum: [],
   length: 0,
   time: 0,
@@ -185,11 +189,8 @@ export class Store extends Entries {
   duplicateFeature(index: number): void {
     this.arrange(() => {
       this.features.bring(this.draft, index);
-      this.features.add(
-        this.draft,
-        structuredClone(this.draft.cycle) as Draft,
-        structuredClone((this.draft.part as Draft).sizes) as Draft,
-      );
+      const { cycle, part, tolerances } = structuredClone(this.draft) as Record<string, Draft>;
+      this.features.add(this.draft, cycle as Draft, { sizes: part?.sizes as Draft, tolerances: tolerances ?? {} });
       this.features.bring(this.draft, index + 1);
     });
   }
@@ -230,6 +231,44 @@ export class Store extends Entries {
     this.arrange(() => {
       this.features.clear = height;
     });
+  }
+
+  /** Changes what is computed of the results of cycles. */
+  relate(change: (features: Features) => void): void {
+    this.arrange(() => change(this.features));
+  }
+
+  /** Where the tolerances of a result are kept: of the cycle in hand in the form. None of what is no longer in the program. */
+  private toleratedOf(cycle: number): { tolerances: Draft; keep: (tolerances: Draft) => void } | undefined {
+    const { features, draft, plan } = this;
+    const place = features.several ? features.placeOf(cycle) : features.hand;
+    if (cycle < Math.max(plan.cycles.length, 1) && place === features.hand) {
+      const keep = (tolerances: Draft) => {
+        draft.tolerances = tolerances;
+      };
+      return { tolerances: (draft.tolerances ?? {}) as Draft, keep };
+    }
+    const own = features.all[place] ?? features.inProgram()[cycle - plan.cycles.length];
+    if (!own) return undefined;
+    const keep = (tolerances: Draft) => {
+      own.tolerances = tolerances;
+    };
+    return { tolerances: own.tolerances, keep };
+  }
+
+  /** The tolerance of a result of the plan; undefined where it has none. */
+  tolerance(cycle: number, code: string): ResultTolerance | undefined {
+    return this.toleratedOf(cycle)?.tolerances[code] as ResultTolerance | undefined;
+  }
+
+  /** Gives a result of the plan a tolerance, or none. */
+  tolerate(cycle: number, code: string, tolerance: ResultTolerance | undefined): void {
+    if (this.refuses) return;
+    this.mark(`tolerances.${cycle}.${code}`);
+    const own = this.toleratedOf(cycle);
+    const { [code]: _, ...rest } = own?.tolerances ?? {};
+    own?.keep(tolerance === undefined ? rest : { ...rest, [code]: tolerance });
+    this.changed();
   }
 
   /** Brings the cycle at a place into the form. Nothing of the job is changed. */
@@ -506,16 +545,20 @@ export class Store extends Entries {
     this.mark(null);
     const { units } = this;
     const part = this.draft.part as Draft;
-    this.left.set(String(old.type), { units, cycle: old, points: this.points, sizes: part.sizes as Draft });
+    const { sizes: mine, tolerances: limits } = { ...part, tolerances: this.draft.tolerances } as Record<string, Draft>;
+    this.left.set(String(old.type), { units, cycle: old, points: this.points, sizes: mine, tolerances: limits });
     const back = this.left.get(type);
     const fresh = defaultJob(type, units) as unknown as Draft;
     const { post } = this.draft.control as Draft;
     this.takeControl(type, fresh.control as Draft);
     this.document = ++this.documents;
-    const [cycle, sizes] = formIn(
+    const { cycle, sizes, tolerances } = ownIn(
       units,
-      back?.cycle ?? (fresh.cycle as Draft),
-      back?.sizes ?? {},
+      {
+        cycle: back?.cycle ?? (fresh.cycle as Draft),
+        sizes: back?.sizes ?? {},
+        tolerances: back?.tolerances ?? {},
+      },
       back?.units ?? units,
     );
     // A form that comes back was somebody's.
@@ -524,6 +567,7 @@ export class Store extends Entries {
     this.draft.cycle = cycle;
     this.features.called(cycle);
     part.sizes = sizes;
+    this.draft.tolerances = tolerances;
     this.points = back?.points ?? noPoints();
     this.forget("cycle");
     this.forget("part.sizes");
@@ -759,8 +803,8 @@ export class Store extends Entries {
 
   /** What is said of something of a cycle, with the name of that cycle in front of it; of a job of one cycle as it is. */
   ofCycle(cycle: number, what: string): string {
-    const { cycles } = this.plan;
-    return cycles.length > 1 ? `${cycles[cycle]}.${what}` : what;
+    const { cycles, relations } = this.plan;
+    return cycles.length > 1 ? `${cycles[cycle] ?? relations[cycle - cycles.length]}.${what}` : what;
   }
 
   /** The number of a touch in its cycle, from 1. */
@@ -923,7 +967,13 @@ export class Store extends Entries {
     const [type, left] = Array.isArray(one) ? one : [];
     if (!isObject(left) || !isObject(left.cycle) || !isObject(left.points)) return false;
     const texts = Object.values(left.points as Draft).every((text) => typeof text === "string");
-    const job = { format: 1, units: left.units, cycle: left.cycle, part: { sizes: left.sizes } };
+    const job = {
+      format: 1,
+      units: left.units,
+      cycle: left.cycle,
+      part: { sizes: left.sizes },
+      tolerances: left.tolerances ?? {},
+    };
     return texts && ["mm", "inch"].includes(String(left.units)) && left.cycle.type === type && !this.unusable(job);
   }
 

@@ -40,7 +40,7 @@ pub fn job_schema() -> Value {
         ("title".to_owned(), text("A probing job")),
     ];
     let inch = object_of([("units", map([("const", text("inch"))]))], &["units"]);
-    let ends = [("if".to_owned(), inch), ("then".to_owned(), ranges(25.4)), ("else".to_owned(), ranges(1.0))];
+    let ends = [("if".to_owned(), inch), ("action".to_owned(), ranges(25.4)), ("else".to_owned(), ranges(1.0))];
     let either = [
         object_of([("format", map([("const", Value::Number(FORMAT))])), ("cycles", Value::Flag(false))], &["cycle"]),
         object_of([("format", map([("const", Value::Number(SET_UP_FORMAT))])), ("cycle", Value::Flag(false))], &["cycles"]),
@@ -51,7 +51,7 @@ pub fn job_schema() -> Value {
 
 /// The tolerances of results: which results there are depends on the cycle.
 fn tolerances() -> Value {
-    let then = CONSEQUENCES.map(text).to_vec();
+    let actions = CONSEQUENCES.map(text).to_vec();
     let own = object(
         [
             (
@@ -63,9 +63,9 @@ fn tolerances() -> Value {
                 ]),
             ),
             (
-                "then".to_owned(),
+                "action".to_owned(),
                 map([
-                    ("enum", Value::List(then)),
+                    ("enum", Value::List(actions)),
                     (
                         "description",
                         text("What the program does with a result out of it: nothing, show it, or stop. Left out: go."),

@@ -60,7 +60,7 @@ pub enum Consequence {
 pub struct Tolerance {
     /// The smallest and the largest value that is good, mm or degrees.
     pub limits: [f64; 2],
-    pub then: Consequence,
+    pub action: Consequence,
 }
 
 /// Why a program asks something of a result.
@@ -373,8 +373,8 @@ impl Formula {
             }
         }
         questions.extend(self.results.iter().enumerate().filter_map(|(result, def)| {
-            let (Tolerance { limits: [low, high], then }, variable) = (def.tolerance?, def.variable?);
-            let asked = match then {
+            let (Tolerance { limits: [low, high], action }, variable) = (def.tolerance?, def.variable?);
+            let asked = match action {
                 Consequence::Go => return None,
                 Consequence::Mark => Asked::Marks,
                 Consequence::Stop => Asked::Stops,

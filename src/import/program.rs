@@ -251,11 +251,11 @@ fn in_cycle(path: &str) -> Option<(usize, &str)> {
     Some((index.parse().ok()?, rest))
 }
 
-/// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.then`.
+/// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.action`.
 fn of_tolerance(path: &str) -> Option<(String, &'static str)> {
     path.get(..TOLERANCES.len()).filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
     let (code, key) = path[TOLERANCES.len()..].strip_prefix('.')?.rsplit_once('.')?;
-    let key = ["tolerance", "then"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?;
+    let key = ["tolerance", "action"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?;
     let own = RESULT_CODES.iter().find(|own| {
         let at = code.len().checked_sub(own.len());
         let apart = |at: usize| code.is_char_boundary(at) && (at == 0 || code[..at].ends_with('.'));

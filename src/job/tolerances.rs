@@ -58,14 +58,14 @@ fn one(checker: &mut Checker, (job, path_of_job): (&Job, &Path), given: &Value, 
         checker.error("wrong-type", path, message);
         return None;
     };
-    for (key, _) in entries.iter().filter(|(key, _)| !["tolerance", "then"].contains(&key.as_str())) {
+    for (key, _) in entries.iter().filter(|(key, _)| !["tolerance", "action"].contains(&key.as_str())) {
         let shown = printable(key);
-        let message = text!("A tolerance has no \"{key}\"; it knows tolerance and then", shown.clone());
+        let message = text!("A tolerance has no \"{key}\"; it knows tolerance and action", shown.clone());
         checker.error("unknown-key", format!("{path}.{shown}"), message);
     }
     let formula = &path_of_job.formula;
     let def = &formula.results[index];
-    let then = consequence(checker, job, given, &format!("{path}.then"));
+    let action = consequence(checker, job, given, &format!("{path}.action"));
     let text = match given.get("tolerance") {
         Some(Value::Text(text)) => text,
         Some(other) => {
@@ -94,14 +94,14 @@ fn one(checker: &mut Checker, (job, path_of_job): (&Job, &Path), given: &Value, 
         return None;
     }
     let limits = limits(checker, job, text, def, &path)?;
-    let tolerance = Tolerance { limits, then: then? };
+    let tolerance = Tolerance { limits, action: action? };
     check_limit(checker, job, formula, (index, &tolerance), &path);
     Some(tolerance)
 }
 
-/// What follows, where the program of this job can do so.
+/// What the program is to do, where it can.
 fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> Option<Consequence> {
-    let then = match given.get("then") {
+    let action = match given.get("action") {
         None => Consequence::Go,
         Some(Value::Text(word)) if CONSEQUENCES.contains(&word.as_str()) => match word.as_str() {
             "mark" => Consequence::Mark,
@@ -109,7 +109,7 @@ fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> O
             _ => Consequence::Go,
         },
         Some(Value::Text(_)) => {
-            checker.error("unknown-value", path, text!("A tolerance is followed by go, mark or stop"));
+            checker.error("unknown-value", path, text!("The action of a tolerance is go, mark or stop"));
             return None;
         }
         Some(other) => {
@@ -122,12 +122,12 @@ fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> O
         Form::Moves if !job.post.computes => Some(words!("{control} computes no results: whoever reads them must judge them")),
         Form::Moves => None,
     };
-    if let Some(why) = why.filter(|_| then != Consequence::Go) {
+    if let Some(why) = why.filter(|_| action != Consequence::Go) {
         let message = text!("The program cannot act on a tolerance: {why}", job.post.says(why));
         checker.error("tolerance-unsupported", path, message);
         return None;
     }
-    Some(then)
+    Some(action)
 }
 
 /// The limits of a tolerance, mm or degrees.

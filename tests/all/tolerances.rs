@@ -11,7 +11,7 @@ use touchpath::job::{JobError, Plan, RESULT_CODES, convert_units, default_job, e
 fn bore(post: &str, offset: &str, then: &str, off: f64) -> Value {
     job(&format!(
         r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": 25 }}, "control": {{ "post": "{post}", "workOffset": {offset} }},
-            "part": {{ "sizes": {{ "diameter": {off} }} }}, "tolerances": {{ "diameter": {{ "tolerance": "H7", "then": "{then}" }} }} }}"#
+            "part": {{ "sizes": {{ "diameter": {off} }} }}, "tolerances": {{ "diameter": {{ "tolerance": "H7", "action": "{then}" }} }} }}"#
     ))
 }
 
@@ -152,7 +152,7 @@ fn every_cycle_of_a_set_up_has_its_own() {
             r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "workOffset": 1 }}, "cycles": [
                 {{ "name": "LEFT", "type": "hole", "diameter": 25, "origin": [-40, 0, -5] }},
                 {{ "name": "RIGHT", "type": "hole", "diameter": 25, "origin": [40, 0, -5] }} ],
-               "tolerances": {{ "LEFT.diameter": {{ "tolerance": "±0.05", "then": "mark" }}, "right.diameter": {{ "tolerance": "25H7", "then": "stop" }} }},
+               "tolerances": {{ "LEFT.diameter": {{ "tolerance": "±0.05", "action": "mark" }}, "right.diameter": {{ "tolerance": "25H7", "action": "stop" }} }},
                "part": {{ "sizes": {{ "LEFT.diameter": {left}, "RIGHT.diameter": {right} }} }} }}"#
         ))
     };
@@ -193,8 +193,8 @@ fn what_is_no_tolerance_is_said_at_its_place() {
         (r#"{ "diameter": { "tolerance": "25" } }"#, "not-a-tolerance", "tolerances.diameter.tolerance"),
         (r#"{ "center.x": { "tolerance": "H7" } }"#, "not-a-tolerance", "tolerances.center.x.tolerance"),
         (r#"{ "diameter": { "tolerance": 0.02 } }"#, "wrong-type", "tolerances.diameter.tolerance"),
-        (r#"{ "diameter": { "then": "stop" } }"#, "missing", "tolerances.diameter.tolerance"),
-        (r#"{ "diameter": { "tolerance": "H7", "then": "halt" } }"#, "unknown-value", "tolerances.diameter.then"),
+        (r#"{ "diameter": { "action": "stop" } }"#, "missing", "tolerances.diameter.tolerance"),
+        (r#"{ "diameter": { "tolerance": "H7", "action": "halt" } }"#, "unknown-value", "tolerances.diameter.action"),
         (r#"{ "diameter": { "tolerance": "H7", "else": 1 } }"#, "unknown-key", "tolerances.diameter.else"),
         (r#"{ "diameter": "H7" }"#, "wrong-type", "tolerances.diameter"),
         (r#"{ "width": { "tolerance": "H7" } }"#, "unknown-key", "tolerances.width"),
@@ -226,7 +226,7 @@ fn a_control_that_cannot_compare_is_not_asked_to() {
         for then in ["mark", "stop"] {
             let job = with(&bore(post, "null", then, 0.0), "control.form", Value::Text(form.to_owned()));
             let found = findings(&job);
-            let wanted = (Level::Error, "tolerance-unsupported".to_owned(), "tolerances.diameter.then".to_owned());
+            let wanted = (Level::Error, "tolerance-unsupported".to_owned(), "tolerances.diameter.action".to_owned());
             assert!(found.contains(&wanted), "{post}: {found:?}");
         }
         let job = with(&bore(post, "null", "go", 0.01), "control.form", Value::Text(form.to_owned()));
@@ -245,7 +245,7 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
         assert_eq!(text_at(&back, &["tolerances", "diameter", "tolerance"]), "H7", "{post}");
         assert_eq!(planned(&back).program.text, plan.program.text, "{post}");
         // What a comment cannot hold is written otherwise, and is the same.
-        let signs = r#"{ "diameter": { "tolerance": "25 ±0,02" }, "center.x": { "tolerance": "+0.1/-.2", "then": "mark" } }"#;
+        let signs = r#"{ "diameter": { "tolerance": "25 ±0,02" }, "center.x": { "tolerance": "+0.1/-.2", "action": "mark" } }"#;
         let plan = planned(&with(&bore(post, "1", "stop", 0.0), "tolerances", job(signs)));
         let again = planned(&import(&plan.program.text).unwrap().job);
         assert_eq!(again.program.text, plan.program.text, "{post}");

@@ -134,7 +134,7 @@ fn tolerated(draw: &mut Draw, job: Value) -> Value {
             _ => format!("±{off}"),
         };
         let entries =
-            [("tolerance".to_owned(), text(&tolerance)), ("then".to_owned(), text(draw.word(&["go", "mark", "stop"])))];
+            [("tolerance".to_owned(), text(&tolerance)), ("action".to_owned(), text(draw.word(&["go", "mark", "stop"])))];
         tolerances.push((named, Value::Map(entries.to_vec())));
     }
     crate::common::with(&related, "tolerances", Value::Map(tolerances))

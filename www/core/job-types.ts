@@ -727,7 +727,7 @@ export interface ResultTolerance {
   /** About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. */
   tolerance: string;
   /** The program goes on, shows the result and goes on, or stops with an alarm. Left out: `go`. */
-  then?: "go" | "mark" | "stop";
+  action?: "go" | "mark" | "stop";
 }
 
 /** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */

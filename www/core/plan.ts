@@ -167,6 +167,7 @@ export function planOf(packed: Packed, table: () => ParameterRow[]): Plan {
     length: r.number(),
     time: r.number(),
     cycles: r.texts(),
+    relations: r.texts(),
     datum: r.list(() => datum(r)),
     get program() {
       return text.get();

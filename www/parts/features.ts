@@ -1,13 +1,28 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import type { Cycle, Plan } from "../core/browser.js";
-import type { Feature } from "../features.js";
+import type { Feature, Related } from "../features.js";
 import { readNumber } from "../number.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 
 /** What each axis of the datum is called in its sentence. */
 const AXES = { x: "X", y: "Y", z: "Z", rotation: w("rotation") } as const;
+
+/** What a relation can be of: cycles that measure a place in the plane, and single results. */
+interface Operands {
+  places: string[];
+  results: string[];
+}
+
+/** The relations: what they are called, whether they are of places, and of how many at most. */
+const TYPES: { type: Related["type"]; label: string; places: boolean; most?: number }[] = [
+  { type: "line", label: w("Distance and direction"), places: true, most: 2 },
+  { type: "center", label: w("Middle of places"), places: true },
+  { type: "pitch-circle", label: w("Pitch circle"), places: true },
+  { type: "difference", label: w("Difference"), places: false, most: 2 },
+  { type: "mean", label: w("Mean"), places: false },
+];
 
 /** The list of the cycles of one program, above the form of the one in hand; of a single cycle no more than the way to another one. */
 class FeaturesPart extends Part {
@@ -16,7 +31,7 @@ class FeaturesPart extends Part {
   override render(): TemplateResult {
     const { store } = this;
     const { several } = store.features;
-    return html`${several ? html`<ol class="features" aria-label=${this.t("Cycles of this program")}>${this.rows()}</ol>${this.around()}` : nothing}${this.adding(several)}`;
+    return html`${several ? html`<ol class="features" aria-label=${this.t("Cycles of this program")}>${this.rows()}</ol>${this.around()}${this.relations()}` : nothing}${this.adding(several)}`;
   }
 
   private rows() {
@@ -149,6 +164,70 @@ class FeaturesPart extends Part {
       store.writeFrom(axis, chosen === "proposed" ? undefined : chosen === "none" ? null : chosen);
     };
     return html`<label><span>${this.t(AXES[axis])}</span> <select aria-label=${this.t("{axis} is written from", this.t(AXES[axis]))} ?disabled=${store.readonly} @change=${take}>${options.map((o) => html`<option value=${o.value} ?selected=${o.value.toLowerCase() === now.toLowerCase()}>${o.label}</option>`)}</select></label>`;
+  }
+
+  /** What is computed of the results of these cycles. */
+  private relations(): TemplateResult | typeof nothing {
+    const { store } = this;
+    const { relations } = store.features;
+    const choices = this.operands();
+    const possible = TYPES.filter(({ places }) => choices[places ? "places" : "results"].length > 1);
+    if (relations.length === 0 && (possible.length === 0 || store.readonly)) return nothing;
+    const found = store.findings.filter(({ path }) => path.startsWith("relations"));
+    const add = (e: Event) => {
+      const list = e.target as HTMLSelectElement;
+      const kind = TYPES.find(({ type }) => type === list.value);
+      list.value = "";
+      if (!kind) return;
+      const all = choices[kind.places ? "places" : "results"];
+      store.relate((features) => features.relate(kind.type, all.slice(0, kind.most ?? all.length)));
+    };
+    return html`<div class="relations">
+      ${relations.length > 0 ? html`<ol aria-label=${this.t("Relations")}>${relations.map((one, i) => this.relation(one, i, choices))}</ol>` : nothing}
+      ${found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)}
+      ${store.readonly || possible.length === 0 ? nothing : html`<p class="adding"><select aria-label=${this.t("Add a relation between cycles")} @change=${add}><option value="">${this.t("+ Add a relation between cycles")}</option>${possible.map(({ type, label }) => html`<option value=${type}>${this.t(label)}</option>`)}</select></p>`}
+    </div>`;
+  }
+
+  private relation({ name, type, of }: Related, i: number, choices: Operands): TemplateResult {
+    const { store } = this;
+    const kind = TYPES.find((one) => one.type === type);
+    const known = choices[kind?.places ? "places" : "results"].filter((one) => one.split(".")[0] !== name);
+    const change = (of: string[]) => store.relate((features) => features.changeRelation(i, { of }));
+    const select = (
+      one: string,
+      k: number,
+    ) => html`<select aria-label=${this.t("{relation}, item {number}", name, k + 1)} ?disabled=${store.readonly}
+      @change=${(e: Event) => change(of.map((other, at) => (at === k ? (e.target as HTMLSelectElement).value : other)))}>${[...new Set([one, ...known])].map((value) => html`<option value=${value} ?selected=${value === one}>${value}</option>`)}</select>`;
+    const rest = known.filter((one) => !of.includes(one));
+    const least = type === "pitch-circle" ? 3 : 2;
+    const several = kind?.most === undefined && !store.readonly;
+    return html`<li><b>${this.t(kind?.label ?? type)}</b>
+      <input type="text" maxlength="12" spellcheck="false" aria-label=${this.t("Name of this relation")} .value=${name} ?disabled=${store.readonly} @change=${(e: Event) => this.renameRelation(e.target as HTMLInputElement, i)} />
+      <button type="button" class="icon" aria-label=${this.t("Remove {cycle}", name)} title=${this.t("Remove {cycle}", name)} ?disabled=${store.readonly} @click=${() => store.relate((features) => features.unrelate(i))}>✕</button>
+      <span class="of">${of.map(select)}${several && rest.length > 0 ? html`<button type="button" class="icon" aria-label=${this.t("One more in {relation}", name)} title=${this.t("One more in {relation}", name)} @click=${() => change([...of, rest[0] as string])}>+</button>` : nothing}${several && of.length > least ? html`<button type="button" class="icon" aria-label=${this.t("One fewer in {relation}", name)} title=${this.t("One fewer in {relation}", name)} @click=${() => change(of.slice(0, -1))}>−</button>` : nothing}</span></li>`;
+  }
+
+  private renameRelation(box: HTMLInputElement, i: number): void {
+    const name = box.value.trim();
+    if (name !== "") this.store.relate((features) => features.changeRelation(i, { name }));
+    else box.value = this.store.features.relations[i]?.name ?? "";
+  }
+
+  /** What a relation can be of. */
+  private operands(): Operands {
+    const { plan } = this.store;
+    const names = [...plan.cycles, ...plan.relations];
+    const axis = (key: string) =>
+      plan.datum.find((row) => row.axis === key)?.choices.map((one) => one.split(".")[0] ?? one) ?? [];
+    const y = axis("y");
+    const measured = plan.results.filter(
+      ({ value, unit, code }) => value !== null && unit !== "" && !code.startsWith("offset."),
+    );
+    return {
+      places: axis("x").filter((one) => y.includes(one)),
+      results: measured.map(({ cycle, code }) => `${names[cycle]}.${code}`),
+    };
   }
 
   /** Another cycle for this program. */

@@ -7,6 +7,7 @@ import {
   type Measurement,
   measure,
   type ResultRow,
+  type ResultTolerance,
   type Said,
 } from "../core/browser.js";
 import { moveInWords, ofRunout, resultInWords } from "../sentences.js";
@@ -18,6 +19,9 @@ import { Part } from "./part.js";
 const places = (unit: string) => (unit === "inch" ? 4 : 3);
 const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
+
+/** Verdicts of results that no good part has. */
+const BAD = /^(rework|scrap|implausible|out)/;
 
 /** What was made of the measured text: what follows from it, or what is wrong with it; neither where there is none. */
 interface Evaluated {
@@ -56,6 +60,7 @@ class ResultsPart extends Part {
     const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
     return html`
       <div class=${stale ? "stale" : ""}>${this.tables(caption, rows)}
+      ${this.tolerances()}
       <details class="triggers">
         <summary>${this.t("Trigger points of the ball centre")}</summary>
         <table>
@@ -134,7 +139,7 @@ class ResultsPart extends Part {
     const bounds = [this.number(low, digits), this.number(high, digits)] as const;
     const verdict: Said = said.verdict ?? ["–"];
     const says = this.t("{value}, limits {min} and {max}: {verdict}", this.number(value, digits), ...bounds, verdict);
-    const bad = /^(rework|scrap|implausible)/.test(r.verdict ?? "");
+    const bad = BAD.test(r.verdict ?? "");
     return html`<tr class="bar"><td colspan="6"><svg class=${bad ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
       <title>${says}</title><rect x="25" y="3" width="50" height="6"></rect>
       <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg></td></tr>`;
@@ -142,6 +147,9 @@ class ResultsPart extends Part {
 
   /** As the form names it, where that has the same: the rotation of a result is against the nominal one. */
   private nameOf(r: ResultRow): string {
+    const relation = this.store.plan.relations[r.cycle - this.store.plan.cycles.length];
+    if (relation !== undefined && this.store.plan.cycles.length > 1)
+      return `${relation}: ${resultInWords(this.store, r)}`;
     const own = this.store.plan.cycles.length < 2 || r.cycle === this.store.features.inJob;
     const field = r.code === "rotation" || !own ? undefined : this.store.cycle.fields.find((f) => f.key === r.code);
     return field?.label ?? resultInWords(this.store, r);
@@ -161,7 +169,7 @@ class ResultsPart extends Part {
     const name = html`<td role="cell" class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code>${r.stored ? html` <code title=${this.t("Where the control has it")}>${r.stored}</code>` : nothing} <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
-        ? html` <span class=${/^(rework|scrap|implausible)/.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
+        ? html` <span class=${BAD.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
         : nothing;
     if (r.unit === "") {
       return measured
@@ -193,17 +201,75 @@ class ResultsPart extends Part {
     return this.store.ofCycle(plan.touches[k]?.cycle ?? 0, String(this.store.touchNumber(k))).replace(".", " ");
   }
 
+  /** Whether the tolerances are listed: from when there are any, and as the user leaves it. */
+  private tolerated: boolean | null = null;
+
+  /** The tolerance of each result, and what follows from a value out of it. */
+  private tolerances(): TemplateResult | typeof nothing {
+    const { store } = this;
+    const found = store.findings.filter(({ path, level }) => path.startsWith("tolerances") && level !== "info");
+    // 1411 has tolerances of its own, in its form.
+    const rows = store.plan.results.filter(
+      ({ code, value, unit }) => value !== null && unit !== "" && !/^(offset\.|Q\d|form|preset|table)/.test(code),
+    );
+    if (rows.length === 0 && found.length === 0) return nothing;
+    const any = rows.some(({ cycle, code }) => store.tolerance(cycle, code) !== undefined);
+    const open = this.tolerated ?? (any || found.length > 0);
+    return html`<details class="tolerances" ?open=${live(open)} @toggle=${(e: Event) => {
+      const now = (e.target as HTMLDetailsElement).open;
+      if (now !== open) this.tolerated = now;
+    }}>
+      <summary>${this.t("Tolerances")}</summary>
+      <p class="help">${this.t("As the drawing says it: H7, ±0.02, +0.021/0, 25H7 or 24.98..25.02. Out of it the program goes on, marks the result, or stops.")}</p>
+      <ul>${rows.map((row) => this.tolerance(row))}</ul>
+      ${found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)}
+    </details>`;
+  }
+
+  private tolerance({ cycle, code, unit, limits, said }: ResultRow): TemplateResult {
+    const { store } = this;
+    const own = store.tolerance(cycle, code);
+    const name = store.ofCycle(cycle, code);
+    const digits = places(unit) + 1;
+    const label = `${name}: ${store.say(said.meaning)}`;
+    const text = (e: Event) => {
+      const tolerance = (e.target as HTMLInputElement).value;
+      store.tolerate(cycle, code, tolerance.trim() === "" ? undefined : { ...own, tolerance });
+    };
+    const act = (e: Event) => {
+      if (own)
+        store.tolerate(cycle, code, {
+          ...own,
+          action: (e.target as HTMLSelectElement).value as ResultTolerance["action"],
+        });
+      store.settle();
+    };
+    const choices = [
+      ["go", w("go on")],
+      ["mark", w("mark it")],
+      ["stop", w("stop")],
+    ] as const;
+    return html`<li><code title=${label}>${name}</code>
+      <input type="text" maxlength="64" spellcheck="false" autocomplete="off" aria-label=${this.t("Tolerance of {result}", label)} .value=${live(own?.tolerance ?? "")} ?disabled=${store.readonly} @input=${text} @blur=${() => store.settle()} />
+      ${own ? html`<select aria-label=${this.t("What follows from {result} out of its tolerance", name)} ?disabled=${store.readonly} @change=${act}>${choices.map(([value, words]) => html`<option value=${value} ?selected=${(own.action ?? "go") === value}>${this.t(words)}</option>`)}</select>` : nothing}
+      ${own && limits && !store.stale ? html`<small>${this.number(limits[0], digits)} … ${this.number(limits[1], digits)}</small>` : nothing}</li>`;
+  }
+
   /** A table of the results; of a set-up one of each cycle, and one of what is written. */
   private tables(caption: string, measured: Map<string, ResultRow> | null): TemplateResult[] {
-    const { results, cycles } = this.store.plan;
+    const { results, cycles, relations } = this.store.plan;
     if (cycles.length < 2) return [this.table(results, caption, measured)];
     const written = (row: ResultRow) => row.code.startsWith("offset.");
     const own = cycles.map((name, i) => ({
       name: i === 0 ? `${caption}: ${name}` : name,
       rows: results.filter((row) => row.cycle === i && !written(row)),
     }));
+    const between = {
+      name: this.t("Relations"),
+      rows: results.filter((row) => row.cycle >= cycles.length && !written(row)),
+    };
     const last = { name: this.t("What the program writes"), rows: results.filter(written) };
-    const shown = [...own, last].filter(({ rows }) => rows.length > 0);
+    const shown = [...own, ...(relations.length > 0 ? [between] : []), last].filter(({ rows }) => rows.length > 0);
     return shown.map(({ name, rows }) => this.table(rows, name, measured));
   }
 

@@ -250,7 +250,7 @@ fn each_rule_catches_a_program_that_breaks_it() {
         let job = with(&job, "control.protection", text(if how == "unwatched" { "none" } else { "checked" }));
         let job = match how {
             "stop" | "mark" => {
-                let width = [("tolerance".to_owned(), text("±0.1")), ("then".to_owned(), text(how))];
+                let width = [("tolerance".to_owned(), text("±0.1")), ("action".to_owned(), text(how))];
                 with(&job, "tolerances", Value::Map(vec![("width1".to_owned(), Value::Map(width.to_vec()))]))
             }
             _ => job,

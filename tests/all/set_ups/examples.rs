@@ -37,6 +37,13 @@ fn the_first_article_has_five_sizes() {
         ("RIB", "width", Some(16.01)),
     ];
     assert_eq!(sizes, wanted);
+    // ISO 286-2: 25H7 ends at 25.021, so that 25.02 is within one micrometre of it, and the uncertainty is two; 20h6 begins at 19.987.
+    let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
+    let judged = plan.results.iter().filter_map(|row| Some(format!("{} {}", names[row.cycle], row.verdict.clone()?)));
+    assert_eq!(
+        judged.collect::<Vec<_>>(),
+        ["BORE good within ±", "STUD good", "POCKET good", "POCKET good", "RIB good", "PITCH good"]
+    );
     assert!(plan.program.writes.is_empty());
     assert!(plan.moves.iter().any(|step| step.step == 0 && step.to[2] == 40.0), "across at the height of the job");
 }

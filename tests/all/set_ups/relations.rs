@@ -205,7 +205,7 @@ fn a_work_offset_is_written_from_relations() {
 #[test]
 fn relations_take_tolerances_come_back_from_headers_and_from_measured_results() {
     let tolerances =
-        r#"{ "AC.distance": { "tolerance": "±0.05", "then": "stop" }, "twist.distance": { "tolerance": "49.9..50.1" } }"#;
+        r#"{ "AC.distance": { "tolerance": "±0.05", "action": "stop" }, "twist.distance": { "tolerance": "49.9..50.1" } }"#;
     for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
         let job = with(&small(&displaced(post)), "tolerances", job(tolerances));
         let plan = planned(&job);
