@@ -10,17 +10,18 @@ const json = (/** @type {string} */ path) => JSON.parse(readFileSync(at(path), "
 /** A double-quoted text after `t(` or `w(`. */
 const MARKED = /\b[tw]\(\s*("(?:[^"\\]|\\.)*")/g;
 
-/** Where the page's sources are. */
+/** Where the page's sources are, and the report that it saves. */
 const folders = ["www", "www/parts"];
+const files = ["www/core/report.ts"];
 
 /** Every English text that may be shown: those of the crate, and those that the page's sources mark. */
 export function texts() {
   const found = new Set(/** @type {string[]} */ (json("www/words/core.json")));
-  for (const folder of folders)
-    for (const name of readdirSync(at(folder)))
-      if (name.endsWith(".ts"))
-        for (const [, text] of readFileSync(at(`${folder}/${name}`), "utf8").matchAll(MARKED))
-          found.add(JSON.parse(/** @type {string} */ (text)));
+  const sources = folders.flatMap((folder) => readdirSync(at(folder)).map((name) => `${folder}/${name}`));
+  for (const path of [...sources, ...files])
+    if (path.endsWith(".ts"))
+      for (const [, text] of readFileSync(at(path), "utf8").matchAll(MARKED))
+        found.add(JSON.parse(/** @type {string} */ (text)));
   // How a number is written.
   found.add("0.5");
   return found;

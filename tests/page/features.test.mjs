@@ -1,5 +1,6 @@
 // Several cycles in one program: the list above the form, what is written from which, and that one cycle looks as before.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { field, held, page, program, put, ready, setUp, textOf } from "./common.mjs";
 
@@ -186,4 +187,90 @@ test("a list of no cycle is refused, and the last one in the program stays there
   await list().nth(1).click();
   await button("Remove WEB").click();
   assert.equal((await whole()).cycles.length, 1);
+});
+
+/** The program, on the panel that shows it. */
+const seen = async () => {
+  await page.locator("#tab-program").click();
+  return program();
+};
+
+test("tolerances of results: typed beside them, kept through renaming, units and a reload, in the program and its judgement", async () => {
+  await field("cycle.type").selectOption("hole");
+  await put("cycle.diameter", 25);
+  await page.locator("#tab-results").click();
+  await page.locator(".tolerances > summary").click();
+  const box = (/** @type {string} */ code) => page.getByRole("textbox", { name: `Tolerance of ${code}:` });
+  await box("diameter").fill("H7");
+  assert.equal(await textOf(page.locator(".tolerances small")), "25.0000 … 25.0210");
+  assert.match(await page.locator("tp-results table").first().innerText(), /good within ±/);
+  await page.getByLabel("What follows from diameter out of its tolerance").selectOption("stop");
+  assert.match(await seen(), /\(ABORT,diameter is #<diameter>, not 25 to 25\.021\)/);
+  await page.locator("#tab-results").click();
+  // A second cycle: the first one's results are named, and keep what they have.
+  await add("boss");
+  await put("cycle.origin[0]", 120);
+  assert.match(await seen(), /\(ABORT,BORE\.diameter is #<bore_diameter>, not 25 to 25\.021\)/);
+  await list().first().click();
+  await page.getByLabel("Name of this cycle").fill("FIT");
+  await page.keyboard.press("Tab");
+  assert.match(await seen(), /\(ABORT,FIT\.diameter is/);
+  await page.locator("#tab-results").click();
+  assert.equal(await box("FIT.diameter").inputValue(), "H7");
+  await box("FIT.diameter").fill("±0,0254");
+  await page.getByRole("radio", { name: "inch" }).check();
+  assert.equal(await box("FIT.diameter").inputValue(), "±0.001");
+  await page.getByRole("radio", { name: "mm" }).check();
+  assert.equal(await box("FIT.diameter").inputValue(), "±0.0254");
+  await box("FIT.diameter").fill("H77");
+  assert.match(await page.locator(".tolerances .problem").first().innerText(), /ISO 286 has no H77/);
+  await box("FIT.diameter").fill("");
+  assert.doesNotMatch(await seen(), /not 25 to/);
+});
+
+test("a relation between two cycles: added, named, written from, and gone with its cycle", async () => {
+  await field("cycle.type").selectOption("hole");
+  await field("control.workOffset").selectOption("1");
+  await add("hole");
+  await put("cycle.origin[0]", 90);
+  await page.getByLabel("Add a relation between cycles").selectOption("line");
+  await page.getByLabel("Name of this relation").fill("ROW");
+  await page.keyboard.press("Tab");
+  await page.getByLabel("rotation is written from").selectOption("ROW.rotation");
+  const text = await seen();
+  assert.match(text, /#<row_distance>=\[SQRT\[/);
+  assert.match(text, /G10 L2 P1 R\[/);
+  await page.locator("#tab-results").click();
+  assert.match(await page.locator("tp-results").innerText(), /Relations[\s\S]*distance mm[\s\S]*90\.000/);
+  await list().first().click();
+  await page.getByRole("button", { name: "Duplicate BORE" }).click();
+  await put("cycle.origin[1]", 80);
+  await page.getByLabel("Add a relation between cycles").selectOption("pitch-circle");
+  assert.match(await seen(), /#<rel1_diameter>=/);
+  await page.getByRole("button", { name: "Leave BORE3 out of the program" }).click();
+  assert.doesNotMatch(await seen(), /rel1_/, "left out with its cycle");
+  await page.getByRole("button", { name: "Remove BORE3" }).click();
+  assert.equal(await page.getByLabel("Name of this relation").count(), 1, "gone with its cycle");
+});
+
+test("what a machine printed of several parts becomes an inspection report", async () => {
+  await field("cycle.type").selectOption("hole");
+  await put("cycle.diameter", 25);
+  await page.locator("#tab-results").click();
+  await page.locator("details.measured > summary").click();
+  const run = (/** @type {number} */ d) => `center.x=0.01\ncenter.y=0\ndiameter=${d}\nresidual=0.001\n`;
+  await page.locator("#measured").fill(run(25.01) + run(25.014));
+  await page.getByText("2 parts").waitFor();
+  assert.match(await page.locator("tp-results table").first().innerText(), /25\.014/, "the last part");
+  await page.getByLabel("Name", { exact: true }).fill("Ada");
+  await page.keyboard.press("Tab");
+  const saved = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save to print" }).click();
+  const file = await (await saved).path();
+  const report = readFileSync(file, "utf8");
+  assert.match(
+    report,
+    /Inspection report[\s\S]*Ada[\s\S]*<svg[\s\S]*25\.0140[\s\S]*25\.0120/,
+    "the last part, and the mean of both",
+  );
 });

@@ -9,10 +9,11 @@ import {
   type ResultRow,
   type ResultTolerance,
   type Said,
+  svg,
 } from "../core/browser.js";
 import { moveInWords, ofRunout, resultInWords } from "../sentences.js";
 import { w } from "../words.js";
-import { copied, copy } from "./download.js";
+import { copied, copy, download } from "./download.js";
 import { Part } from "./part.js";
 
 /** A thousandth of a millimetre or of a degree, a ten thousandth of an inch: what a control shows. */
@@ -25,8 +26,11 @@ const BAD = /^(rework|scrap|implausible|out)/;
 
 /** What was made of the measured text: what follows from it, or what is wrong with it; neither where there is none. */
 interface Evaluated {
+  /** That of the last part. */
   found?: Measurement;
   errors?: Finding[];
+  /** Those of all parts of a series, or of the one. */
+  parts?: Measurement[];
 }
 
 /** What the control will have measured on the virtual part, and the same from what a machine measured. */
@@ -54,7 +58,7 @@ class ResultsPart extends Part {
 
   override render(): TemplateResult {
     const { plan, stale, units } = this.store;
-    const { found, errors } = this.evaluated();
+    const { found, errors, parts } = this.evaluated();
     const rows = found ? new Map(found.results.map((row) => [this.store.ofCycle(row.cycle, row.code), row])) : null;
     const stored = this.store.bare ? w("What the touches will give") : w("What the control will have stored");
     const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
@@ -84,19 +88,79 @@ class ResultsPart extends Part {
         <button type="button" ?disabled=${stale} @click=${this.fill}>${this.t("Fill in the points shown")}</button>
         <div role="status">${[...(errors ?? []), ...(found?.findings ?? [])].map((f) => html`<p class="problem ${f.level}">${this.message(f)}</p>`)}</div>
         ${found?.block ? this.block(found.block) : nothing}
+        ${parts && this.reports ? this.report(parts) : nothing}
       </details>
     `;
   }
 
   /** What follows from the measured text. */
   private evaluated(): Evaluated {
-    if (this.store.measured.trim() === "") return {};
+    const { measured, plan, stale } = this.store;
+    if (measured.trim() === "") return {};
+    this.load();
+    const runs = stale || !this.reports ? [measured] : this.reports.runsOf(measured, plan);
     try {
-      return { found: measure(this.store.job as unknown as Job, this.store.measured) };
+      const parts = runs.map((text) => measure(this.store.job as unknown as Job, text));
+      return { found: parts.at(-1) as Measurement, parts };
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
       return { errors: thrown.findings.filter((f) => f.level === "error") };
     }
+  }
+
+  /** What makes reports: fetched when something was measured. */
+  private reports: typeof import("../core/report.js") | null = null;
+
+  private load(): void {
+    if (this.reports) return;
+    import("../core/report.js").then(
+      (reports) => {
+        this.reports = reports;
+        this.requestUpdate();
+      },
+      () => {},
+    );
+  }
+
+  /** Who measured and where: as typed last. */
+  private by = "";
+  private machine = "";
+
+  /** The way to an inspection report. */
+  private report(parts: Measurement[]): TemplateResult {
+    const box = (label: string, value: string, take: (text: string) => void) =>
+      html`<label>${this.t(label)} <input type="text" maxlength="80" spellcheck="false" .value=${value} @change=${(e: Event) => take((e.target as HTMLInputElement).value)} /></label>`;
+    return html`<div class="report"><b>${this.t("Inspection report")}</b>${parts.length > 1 ? html` <span>${this.t("{count} parts", parts.length)}</span>` : nothing}
+      ${box(w("Name"), this.by, (text) => {
+        this.by = text;
+      })}
+      ${box(w("Machine"), this.machine, (text) => {
+        this.machine = text;
+      })}
+      <button type="button" @click=${() => this.save(parts, "html")}>${this.t("Save to print")}</button>
+      <button type="button" @click=${() => this.save(parts, "csv")}>CSV</button>
+      <button type="button" @click=${() => this.save(parts, "json")}>JSON</button></div>`;
+  }
+
+  private save(parts: Measurement[], format: "html" | "csv" | "json"): void {
+    const { reports, store } = this;
+    if (!reports || store.stale) return;
+    const of = reports.report({
+      plan: store.plan,
+      parts,
+      name: String(store.shown.name ?? ""),
+      by: this.by,
+      machine: this.machine,
+      when: new Date().toISOString().slice(0, 16).replace("T", " "),
+    });
+    const t = (template: string, ...values: string[]) => this.t(template, ...values);
+    const [text, type] =
+      format === "html"
+        ? [reports.reportHtml(of, svg(store.shown as unknown as Job, "top"), t), "text/html"]
+        : format === "csv"
+          ? [reports.reportCsv(of), "text/csv"]
+          : [`${JSON.stringify(of, null, 2)}\n`, "application/json"];
+    download(text as string, store.otherName(`-report.${format}`), type as string);
   }
 
   /** The block that states the work offset, to be typed. */

@@ -10,6 +10,7 @@ import {
   JobError,
   type Measurement,
   measure,
+  type Plan,
   type ProgramKnown,
   type ProgramMoves,
   type Programmed,
@@ -20,18 +21,22 @@ import {
   runProgram,
   svg,
 } from "../node.js";
+import { isBad, type ReportOf, report, reportCsv, reportHtml, runsOf } from "../report.js";
 import { examined, type ReportFormat } from "./examine.js";
 
 /** What is done with every job. */
 export interface Task {
-  command: "plan" | "check" | "table" | "import" | "moves" | "examine" | "evaluate" | "svg";
+  command: "plan" | "check" | "table" | "import" | "moves" | "examine" | "evaluate" | "report" | "svg";
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
-  format?: "csv" | "json" | "text" | "sarif";
+  format?: "csv" | "html" | "json" | "text" | "sarif";
   view?: "top" | "front" | "side" | "isometric";
   /** What a machine measured, as text. */
   points?: string;
+  /** Of a report, what was measured of each part, or of several one after the other, and what else it says. */
+  parts?: string[];
+  about?: Pick<ReportOf, "by" | "machine" | "when" | "note">;
   /** What is known of a program beside its text; without it `moves` only reads. */
   known?: ProgramKnown;
 }
@@ -97,9 +102,9 @@ function done(task: Task, source: string, { text, refused }: Pick<Item, "text" |
     return { output: null, control, findings, failed: findings.some((f) => f.level === "error") };
   }
   try {
-    const { ending, out, findings } = made(task, job as Job);
+    const { ending, out, findings, bad = false } = made(task, job as Job);
     const name = String((job as Job).name ?? "");
-    return { output: { name, ending, text: out }, control, findings: [...findings, ...overruled], failed: false };
+    return { output: { name, ending, text: out }, control, findings: [...findings, ...overruled], failed: bad };
   } catch (thrown) {
     if (!(thrown instanceof JobError)) throw thrown;
     return { output: null, control, findings: [...thrown.findings, ...overruled], failed: true };
@@ -134,7 +139,8 @@ const problem = (code: FindingCode, message: string): Finding => ({
   said: [message],
 });
 
-function made(task: Task, job: Job): { ending: string; out: string; findings: Finding[] } {
+/** What a command makes of a job; `bad`: a part that is reported is not good. */
+function made(task: Task, job: Job): { ending: string; out: string; findings: Finding[]; bad?: boolean } {
   if (task.command === "plan") {
     // Program and findings of one plan.
     const { program, findings } = programs([job]).next().value as Programmed;
@@ -150,16 +156,32 @@ function made(task: Task, job: Job): { ending: string; out: string; findings: Fi
       findings: check(job),
     };
   }
+  if (task.command === "report") return reported(task, job);
   const measured = measure(job, task.points ?? "");
-  const out = task.format === "json" ? `${JSON.stringify(measured.results, null, 2)}\n` : printed(measured);
-  const findings = [...plan(job).findings, ...measured.findings];
+  const planned = plan(job);
+  const out = task.format === "json" ? `${JSON.stringify(measured.results, null, 2)}\n` : printed(measured, planned);
+  const findings = [...planned.findings, ...measured.findings];
   return { ending: `-results.${task.format === "json" ? "json" : "txt"}`, out, findings };
 }
 
+/** The inspection report of one part or of a series. */
+function reported({ parts = [], about = {}, format = "html" }: Task, job: Job) {
+  const planned = plan(job);
+  const runs = parts.flatMap((text) => runsOf(text, planned)).map((text) => measure(job, text));
+  const of = report({ plan: planned, parts: runs, name: String(job.name ?? ""), ...about });
+  const out = {
+    csv: () => reportCsv(of),
+    json: () => `${JSON.stringify(of, null, 2)}\n`,
+    html: () => reportHtml(of, svg(job, "top")),
+  }[format as "csv" | "json" | "html"]();
+  const findings = [...planned.findings, ...runs.flatMap((run) => run.findings)];
+  return { ending: `-report.${format}`, out, findings, bad: isBad(of.verdict) };
+}
+
 /** Results as columns for people, how the text was read, and the block that is to be typed. */
-function printed({ results, block, findings }: Measurement): string {
+function printed({ results, block, findings }: Measurement, plan: Plan): string {
   const notes = findings.filter((f) => f.level === "info").map((f) => `${f.message}\n`);
-  return [listed(results), notes.length > 0 ? "\n" : "", ...notes, block === null ? "" : `\n${block}\n`].join("");
+  return [listed(results, plan), notes.length > 0 ? "\n" : "", ...notes, block === null ? "" : `\n${block}\n`].join("");
 }
 
 /** The job of a text, for the control that the task says; what is no JSON is a job that is refused. */
@@ -267,10 +289,12 @@ function movesAsText(read: ProgramMoves): string {
 }
 
 /** Results as columns for people. */
-function listed(rows: ResultRow[]): string {
+function listed(rows: ResultRow[], { cycles, relations }: Plan): string {
+  const named = ({ cycle, code }: ResultRow) =>
+    cycles.length > 1 && !code.startsWith("offset.") ? `${[...cycles, ...relations][cycle]}.${code}` : code;
   const number = (x: number | string | null) => (typeof x === "number" ? x.toFixed(4) : (x ?? "-"));
   const lines = rows.map((row) => [
-    row.code,
+    named(row),
     number(row.nominal),
     number(row.value),
     number(row.deviation),

@@ -24,6 +24,7 @@ const HELP = `touchpath ${version()}: touch-probe cycles as programs, tables and
   touchpath moves PROGRAM…  the moves of any program     --format text|csv|json
   touchpath examine PROGRAM…        what a program of anyone's does: safety rules, cycles, what it asks for   --format text|json|sarif
   touchpath evaluate JOB MEASURED   the results from what a machine printed: points, results, a log with [PRB:…]   --format text|json
+  touchpath report JOB MEASURED…    an inspection report of a part, or of a series: a file a part, or a log of several   --format html|csv|json
   touchpath schema          the JSON Schema of a job
   touchpath catalog         cycles, fields and controls
 
@@ -37,6 +38,7 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
   --at F          touches trigger at this fraction of their way, 0 to 1; none: never
   --positioning F the same of positioning moves that are watched
   --with FILE     a file with subprograms, as often as there are some
+  --by, --machine, --when, --note TEXT   of report: who measured, where, when (now, if left out), and what else to say
   -o, --out DIR   into files there, named after the jobs, in folders as those of the jobs; existing files are replaced
   --flat          with -o: all files into DIR itself
   --ndjson        one job per line in, one outcome per line out
@@ -47,7 +49,7 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
 source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
 Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, a
-program without moves or one that breaks a rule, 2 wrong use.
+program without moves or one that breaks a rule, or a reported part that is not good, 2 wrong use.
 `;
 
 const COMMANDS = [
@@ -58,6 +60,7 @@ const COMMANDS = [
   "moves",
   "examine",
   "evaluate",
+  "report",
   "svg",
   "schema",
   "catalog",
@@ -78,6 +81,10 @@ const OPTIONS = {
   at: { type: "string" },
   positioning: { type: "string" },
   with: { type: "string", multiple: true },
+  by: { type: "string" },
+  machine: { type: "string" },
+  when: { type: "string" },
+  note: { type: "string" },
   ndjson: { type: "boolean" },
   json: { type: "boolean" },
   help: { type: "boolean", short: "h" },
@@ -100,12 +107,13 @@ function taskOf(command: Task["command"], values: Values): Task {
     if (values[option] !== undefined && !commands.includes(command))
       throw new Refused(`--${option} is for ${commands.join(", ")}`);
   };
-  only("out", "plan", "table", "svg", "import", "moves", "evaluate");
+  only("out", "plan", "table", "svg", "import", "moves", "evaluate", "report");
   if (values.flat && values.out === undefined) throw new Refused("--flat is for files in a folder (-o)");
-  only("format", "table", "moves", "examine", "evaluate");
+  only("format", "table", "moves", "examine", "evaluate", "report");
+  for (const option of ["by", "machine", "when", "note"] as const) only(option, "report");
   for (const option of ["set", "start", "at", "positioning", "with"] as const) only(option, "moves", "examine");
   only("view", "svg");
-  const jobs = ["plan", "check", "table", "svg", "evaluate"];
+  const jobs = ["plan", "check", "table", "svg", "evaluate", "report"];
   only("post", ...jobs);
   only("form", ...jobs);
   if (values.post !== undefined)
@@ -124,7 +132,9 @@ function taskOf(command: Task["command"], values: Values): Task {
         ? ["csv", "json", "text"]
         : command === "examine"
           ? ["json", "sarif", "text"]
-          : ["json", "text"],
+          : command === "report"
+            ? ["csv", "html", "json"]
+            : ["json", "text"],
     );
   if (command === "examine" || values.set || values.start || values.at || values.positioning || values.with)
     task.known = knownOf(values);
@@ -376,6 +386,13 @@ async function run(command: Command, names: string[], values: Values): Promise<n
       throw new Refused("evaluate takes a job and a file with what was measured");
     task.points = await textOf(points);
     names.length = 1;
+  }
+  if (command === "report") {
+    const measured = names.splice(1);
+    if (measured.length === 0) throw new Refused("report takes a job and a file with what was measured of each part");
+    task.parts = await Promise.all((await filesOf(measured)).map(textOf));
+    const { by, machine, note, when = new Date().toISOString().slice(0, 16).replace("T", " ") } = values;
+    task.about = { when, ...(by ? { by } : {}), ...(machine ? { machine } : {}), ...(note ? { note } : {}) };
   }
   if (names.length === 0) throw new Refused(`${command} takes files; - is the standard input`);
   if (task.known && values.with)
