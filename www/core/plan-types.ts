@@ -309,7 +309,15 @@ export type ResultCode =
   | "table.turn";
 
 /** What a tolerance or a limit makes of a value. */
-export type Judged = "good" | "rework" | "scrap" | "undefined" | "implausible";
+export type Judged =
+  | "good"
+  | "rework"
+  | "scrap"
+  | "undefined"
+  | "implausible"
+  | "good within ±"
+  | "out"
+  | "out within ±";
 
 /** The verdict of a value, or of the whole workpiece (`Q183`), with what the control does then. */
 export type Verdict = Judged | `${Judged}: ${string}`;

@@ -255,7 +255,7 @@ export function reportHtml(of: Report, picture = "", t: Words = english): string
   const grade = (word: string | null) =>
     word === null
       ? ""
-      : `<span class="${isBad(word) ? "bad" : /±/.test(word) ? "open" : ""}">${escaped(t(word))}</span>`;
+      : `<span class="${isBad(word) ? "bad" : /±/.test(word) ? "open" : ""}">${escaped(word === NOT_MEASURED ? t("not measured") : t(word))}</span>`;
   const head = [
     t("Result"),
     t("Nominal"),
