@@ -40,7 +40,7 @@ pub fn job_schema() -> Value {
         ("title".to_owned(), text("A probing job")),
     ];
     let inch = object_of([("units", map([("const", text("inch"))]))], &["units"]);
-    let ends = [("if".to_owned(), inch), ("action".to_owned(), ranges(25.4)), ("else".to_owned(), ranges(1.0))];
+    let ends = [("if".to_owned(), inch), ("then".to_owned(), ranges(25.4)), ("else".to_owned(), ranges(1.0))];
     let either = [
         object_of([("format", map([("const", Value::Number(FORMAT))])), ("cycles", Value::Flag(false))], &["cycle"]),
         object_of([("format", map([("const", Value::Number(SET_UP_FORMAT))])), ("cycle", Value::Flag(false))], &["cycles"]),

@@ -214,6 +214,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("text-too-long", "The text is longer than the limit."),
     ("tolerance-beyond-limit", "A tolerance reaches beyond the limit of what is plausible."),
     ("tolerance-elsewhere", "A tolerance says its own nominal value, and that of the result is another."),
+    ("tolerance-unknown", "A tolerance is of a result that this job does not have."),
     ("tolerance-unsupported", "This result takes no tolerance, or the program cannot act on it."),
     ("too-far", "A measured point is farther from its touch than the touch can reach."),
     ("too-long", "A text is longer than its field takes."),

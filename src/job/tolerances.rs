@@ -33,7 +33,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
         let Some(index) = formula.results.iter().position(|result| formula.code(result).eq_ignore_ascii_case(key)) else {
             let known: Vec<_> = formula.results.iter().map(|result| formula.code(result)).collect();
             let message = text!("This job has no result \"{name}\". Its results are {codes}", printable(key), known.join(", "));
-            checker.error("unknown-key", path, message);
+            checker.error("tolerance-unknown", path, message);
             continue;
         };
         if let Some(tolerance) = one(checker, (&planned.job, &planned.path), given, index, &path) {

@@ -197,7 +197,7 @@ fn what_is_no_tolerance_is_said_at_its_place() {
         (r#"{ "diameter": { "tolerance": "H7", "action": "halt" } }"#, "unknown-value", "tolerances.diameter.action"),
         (r#"{ "diameter": { "tolerance": "H7", "else": 1 } }"#, "unknown-key", "tolerances.diameter.else"),
         (r#"{ "diameter": "H7" }"#, "wrong-type", "tolerances.diameter"),
-        (r#"{ "width": { "tolerance": "H7" } }"#, "unknown-key", "tolerances.width"),
+        (r#"{ "width": { "tolerance": "H7" } }"#, "tolerance-unknown", "tolerances.width"),
         (r#"{ "diameter": { "tolerance": "±0.6" } }"#, "tolerance-beyond-limit", "tolerances.diameter.tolerance"),
         (
             r#"{ "diameter": { "tolerance": "                                                                 H7" } }"#,

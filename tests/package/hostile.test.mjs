@@ -218,6 +218,7 @@ test("a plan is a plain object: to clone, spread, JSON and comparison", () => {
     "length",
     "time",
     "cycles",
+    "relations",
     "datum",
     "program",
     "table",

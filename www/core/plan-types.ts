@@ -168,6 +168,7 @@ export type FindingCode =
   | "text-too-long"
   | "tolerance-beyond-limit"
   | "tolerance-elsewhere"
+  | "tolerance-unknown"
   | "tolerance-unsupported"
   | "too-far"
   | "too-long"

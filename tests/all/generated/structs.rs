@@ -85,7 +85,15 @@ import type { Said } from \"./said.js\";
 /// The verdict of the whole workpiece says what the control does then.
 const VERDICT: &str = r#"
 /** What a tolerance or a limit makes of a value. */
-export type Judged = "good" | "rework" | "scrap" | "undefined" | "implausible" | "good within ±" | "out" | "out within ±";
+export type Judged =
+  | "good"
+  | "rework"
+  | "scrap"
+  | "undefined"
+  | "implausible"
+  | "good within ±"
+  | "out"
+  | "out within ±";
 
 /** The verdict of a value, or of the whole workpiece (`Q183`), with what the control does then. */
 export type Verdict = Judged | `${Judged}: ${string}`;
