@@ -1,7 +1,7 @@
 //! The safety rules: named, each with a sentence why, held against what a program does and not against how it is written.
 
 use crate::control::Request;
-use crate::control::iso::machine::{self, Outcome, Run};
+use crate::control::iso::machine::{self, Endings, Outcome, Run};
 use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
 use crate::control::rules::{
@@ -570,15 +570,21 @@ fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
     case.request.questions().into_iter().map(of).collect()
 }
 
-/// The end of the program where one result, or each, is off by this share of its limit; the others are what they should be.
-fn outcome(case: &Case<'_>, answers: &[Answer], off: Option<usize>, share: f64) -> Outcome {
+/// What runs the end of the program again.
+fn endings<'s>(case: &Case<'s>) -> Option<Endings<'s, 's>> {
     let Followed { script, tail, begin, .. } = case.followed;
+    tail.ending(script, *begin)
+}
+
+/// The end of the program where one result, or each, is off by this share of its limit; the others are what they should be.
+fn outcome(endings: &mut Option<Endings<'_, '_>>, answers: &[Answer], off: Option<usize>, share: f64) -> Outcome {
     let value = |i: usize| {
         let Answer { slot, wanted, limit, .. } = answers[i];
         (slot, wanted + if off.is_none_or(|off| off == i) { limit * share } else { 0.0 })
     };
     // Two may be about one result: what one is tried with counts.
-    tail.outcome(script, *begin, (0..answers.len()).chain(off).map(value))
+    let values = (0..answers.len()).chain(off).map(value);
+    endings.as_mut().map_or_else(Outcome::default, |endings| endings.outcome(values))
 }
 
 /// The shares of its limit that a result is tried with to be beyond it. A program that was edited is tried far beyond, too.
@@ -596,9 +602,10 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
         Err(unknown) => return vec![unknown],
     };
     asked.retain(|answer| answer.question.stops(true));
+    let mut endings = endings(case);
     // Each result by itself is beyond its limit, the others are what they should be; then all are beyond, and all a little within.
-    let writes = |off: Option<usize>, share: f64| {
-        let outcome = outcome(case, &asked, off, share);
+    let mut writes = |off: Option<usize>, share: f64| {
+        let outcome = outcome(&mut endings, &asked, off, share);
         !outcome.stops || outcome.writes
     };
     let mut breaks: Vec<Break> = Vec::new();
@@ -611,7 +618,7 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
     if !asked.is_empty() && beyond(case).iter().any(|share| writes(None, *share)) {
         breaks.push((Some(write.line), text!("This writes though every result is off by more than its limit")));
     }
-    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !outcome(case, &asked, None, *share).ends) {
+    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !outcome(&mut endings, &asked, None, *share).ends) {
         breaks
             .push((Some(write.line), text!("The program does not come to this write though every result is within its limit")));
     }
@@ -623,6 +630,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
     };
+    let mut endings = endings(case);
     let mut breaks: Vec<Break> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
         let stops = match answer.question.asked {
@@ -632,7 +640,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
         };
         // Just out of its tolerance: what is farther out may be implausible as well.
         let other = [-1.01, 1.01].iter().any(|share| {
-            let outcome = outcome(case, &asked, Some(i), *share);
+            let outcome = outcome(&mut endings, &asked, Some(i), *share);
             if stops { !outcome.stops } else { !outcome.ends }
         });
         if other {

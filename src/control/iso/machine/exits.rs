@@ -35,18 +35,24 @@ impl Machine<'_, '_> {
     /// What a probing move leads to that meets this, without making it.
     pub(super) fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
         scratch.become_like(&self.state);
+        let written = self.slots.mark();
         self.arrive(to, met);
         let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::Free);
         std::mem::swap(&mut self.state, scratch);
+        self.slots.back(written);
         ending
     }
 
     /// What the program leads to from the last motion on, which nothing watched, if the probe is still deflected there.
     pub(super) fn still_deflected(&mut self) -> Result<Ending, Trouble> {
+        let written = self.unwatched.1.written;
+        let redo = self.slots.undo(written);
         std::mem::swap(&mut self.state, &mut self.unwatched.1);
         self.state.deflected = true;
         let ending = self.ending(MOST_LIFTS, LONGEST_EXIT, Probe::StillDeflected);
         std::mem::swap(&mut self.state, &mut self.unwatched.1);
+        self.slots.back(written);
+        self.slots.redo(redo);
         ending
     }
 

@@ -1,11 +1,13 @@
 //! Follows a program as a control would: motions, jumps, arithmetic, and both ways out of every probing move.
 
 mod exits;
+mod slots;
 mod tail;
 mod values;
 
 pub use exits::deflected;
-pub use tail::{Outcome, Tail, restarted};
+use slots::{Mark, Slots};
+pub use tail::{Endings, Outcome, Tail, restarted};
 
 use std::cell::Cell;
 
@@ -59,7 +61,8 @@ pub struct Run {
 #[derive(Clone, Debug, Default)]
 struct State {
     pc: usize,
-    slots: Vec<f64>,
+    /// How far the writes to variables had come.
+    written: Mark,
     stack: Vec<Called>,
     at: Place,
     /// Which axes a block has named.
@@ -79,12 +82,11 @@ struct State {
 impl State {
     /// Becomes another one. What it has room for is used again: this is done at every probing move.
     fn become_like(&mut self, other: &State) {
-        let Self { pc, slots, stack, at, stated, trigger, contact, deflected, feed, modes, origins, reading, warned, ahead } =
+        let Self { pc, written, stack, at, stated, trigger, contact, deflected, feed, modes, origins, reading, warned, ahead } =
             self;
-        slots.clone_from(&other.slots);
         stack.clone_from(&other.stack);
         origins.clone_from(&other.origins);
-        (*pc, *at, *stated, *trigger) = (other.pc, other.at, other.stated, other.trigger);
+        (*pc, *written, *at, *stated, *trigger) = (other.pc, other.written, other.at, other.stated, other.trigger);
         (*contact, *deflected, *feed, *modes) = (other.contact, other.deflected, other.feed, other.modes);
         (*reading, *warned, *ahead) = (other.reading, other.warned, other.ahead);
     }
@@ -104,6 +106,8 @@ struct Called {
 struct Machine<'s, 't> {
     script: &'s Script<'t>,
     state: State,
+    /// The values of its variables.
+    slots: Slots,
     /// Whether the program is in millimetres, as the basic system of the control is taken to be: 1 or 0.
     metric: f64,
     /// Whether the last motion was not watched, and the state after it.
@@ -138,10 +142,10 @@ struct Fork {
 }
 
 impl Fork {
-    fn opens(&mut self, state: &State, pc: usize) {
+    fn opens(&mut self, state: &State, written: Mark, pc: usize) {
         self.open = true;
         self.state.become_like(state);
-        self.state.pc = pc;
+        (self.state.pc, self.state.written) = (pc, written);
     }
 
     fn take(&mut self) -> &State {
@@ -173,11 +177,12 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
         match &block.kind {
             BlockKind::Set(slot, _) if marks.contains(slot) => {
                 machine.spend(1 + script.slots / 8);
-                tail.keep(&machine.state);
+                tail.keep(&machine.state, machine.slots.mark());
             }
             BlockKind::JumpIf(_, target) | BlockKind::JumpUnless(_, target) => {
                 machine.spend(1 + script.slots / 8);
-                fork.opens(&machine.state, if machine.state.pc == at + 1 { *target } else { at + 1 });
+                let other = if machine.state.pc == at + 1 { *target } else { at + 1 };
+                fork.opens(&machine.state, machine.slots.mark(), other);
             }
             _ => {}
         }
@@ -192,6 +197,8 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
                 machine.spend(MOTION + script.slots / 8);
                 implausible.get_or_insert(line);
                 machine.state.become_like(fork.take());
+                tail.before(machine.state.written, &mut machine.slots);
+                machine.slots.back(machine.state.written);
             }
             Flow::Alarm => return Err(trouble(line, stops())),
             Flow::End => {
@@ -205,7 +212,7 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
                 fork.open = false;
                 let step = machine.moved(line, words, motion, &mut trace, world, &mut scratch)?;
                 trace.steps.push(step);
-                tail.moved(&machine.state);
+                tail.moved(&machine.state, machine.slots.mark());
                 if machine.is_there() {
                     return Ok((trace, tail));
                 }
@@ -213,7 +220,7 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
         }
     }
     machine.finish(&mut trace);
-    tail.end(&mut machine.state);
+    tail.end(&mut machine.slots);
     Ok((trace, tail))
 }
 
@@ -244,7 +251,6 @@ pub fn near(a: Place, b: Place, off: f64) -> bool {
 impl<'s, 't> Machine<'s, 't> {
     fn new(script: &'s Script<'t>, run: Run) -> Self {
         let state = State {
-            slots: vec![f64::NAN; script.slots],
             at: run.start,
             stated: [run.known; 3],
             trigger: [f64::NAN; 3],
@@ -258,6 +264,7 @@ impl<'s, 't> Machine<'s, 't> {
         Machine {
             script,
             state,
+            slots: Slots::of(vec![f64::NAN; script.slots]),
             metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))),
             unwatched: Default::default(),
             first: None,
@@ -374,11 +381,11 @@ impl<'s, 't> Machine<'s, 't> {
                     return Ok(Flow::Moved(words, motion));
                 }
             }
-            BlockKind::Set(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
+            BlockKind::Set(slot, node) => self.slots.set(*slot as usize, self.value(*node)),
             BlockKind::SetOther(..) | BlockKind::Elsewhere(_) if self.run.strict => {
                 return Err(self.refuse(block.line, not_in_a_proof(&block.kind)));
             }
-            BlockKind::SetOther(slot, node) => self.state.slots[*slot as usize] = self.value(*node),
+            BlockKind::SetOther(slot, node) => self.slots.set(*slot as usize, self.value(*node)),
             BlockKind::Elsewhere(axes) => {
                 (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false);
             }
@@ -428,13 +435,13 @@ impl<'s, 't> Machine<'s, 't> {
             .enumerate()
             .filter_map(|(i, node)| Some((self.script.find(ARGUMENTS.get(i)?)? as usize, self.value(*node))))
             .collect();
-        let before = values.iter().map(|(slot, _)| (*slot, self.state.slots[*slot])).collect();
+        let before = values.iter().map(|(slot, _)| (*slot, self.slots.get(*slot))).collect();
         if self.state.stack.len() >= ARGUMENTS.len() {
             return Err(trouble(line, text!("subroutines call each other too deeply")));
         }
         let called = Called { back: self.state.pc, line: self.line(line), arguments: before };
         self.state.stack.push(called);
-        values.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
+        values.into_iter().for_each(|(slot, value)| self.slots.set(slot, value));
         self.state.pc = target;
         Ok(())
     }
@@ -442,7 +449,7 @@ impl<'s, 't> Machine<'s, 't> {
     /// Comes back from a subroutine.
     fn give_back(&mut self, line: usize) -> Result<(), Trouble> {
         let called = self.state.stack.pop().ok_or_else(|| trouble(line, text!("a subroutine ends that was not called")))?;
-        called.arguments.into_iter().for_each(|(slot, value)| self.state.slots[slot] = value);
+        called.arguments.into_iter().for_each(|(slot, value)| self.slots.set(slot, value));
         self.state.pc = called.back;
         Ok(())
     }
@@ -501,6 +508,7 @@ impl<'s, 't> Machine<'s, 't> {
             self.state.at = step.to;
             self.unwatched.0 = true;
             self.unwatched.1.become_like(&self.state);
+            self.unwatched.1.written = self.slots.mark();
             return Ok(());
         }
         if std::mem::take(&mut self.unwatched.0) {

@@ -1,5 +1,6 @@
 //! What comes after the motions: the end of a program with other results than were measured, and a program that is started in its middle.
 
+use super::slots::{Mark, Slots};
 use super::{Flow, Machine, Run, State};
 use crate::control::iso::script::{BlockKind, Motion, Script, Slot};
 use crate::control::trace::{Place, Trace};
@@ -10,6 +11,8 @@ pub struct Tail {
     /// None of the marked variables has a value before it is begun.
     begun: bool,
     state: State,
+    /// What its variables held there; none while the run can still go back there.
+    values: Option<Vec<f64>>,
     end: Vec<f64>,
 }
 
@@ -25,20 +28,32 @@ pub struct Outcome {
 }
 
 impl Tail {
-    pub(super) fn keep(&mut self, state: &State) {
+    pub(super) fn keep(&mut self, state: &State, written: Mark) {
         self.begun = true;
         self.state.become_like(state);
+        self.state.written = written;
+        self.values = None;
     }
 
     /// A motion was made: where results come before it, the end of the program is what comes after.
-    pub(super) fn moved(&mut self, state: &State) {
+    pub(super) fn moved(&mut self, state: &State, written: Mark) {
         if self.begun {
-            self.state.become_like(state);
+            self.keep(state, written);
         }
     }
 
-    pub(super) fn end(&mut self, state: &mut State) {
-        self.end = std::mem::take(&mut state.slots);
+    /// The run goes back to a place before.
+    pub(super) fn before(&mut self, written: Mark, slots: &mut Slots) {
+        if self.begun && self.values.is_none() && written < self.state.written {
+            self.values = Some(slots.at(self.state.written));
+        }
+    }
+
+    pub(super) fn end(&mut self, slots: &mut Slots) {
+        self.end = slots.values().to_vec();
+        if self.begun && self.values.is_none() {
+            self.values = Some(slots.at(self.state.written));
+        }
     }
 
     /// What the variables hold at the end of the program.
@@ -46,14 +61,38 @@ impl Tail {
         &self.end
     }
 
-    /// The end of the program where variables hold these values: nothing, where the program never came to its results.
-    pub fn outcome(&self, script: &Script<'_>, run: Run, values: impl Iterator<Item = (Slot, f64)>) -> Outcome {
-        if !self.begun {
-            return Outcome::default();
-        }
+    /// What runs the end of the program again; none where the program never came to its results.
+    pub fn ending<'s, 't>(&'s self, script: &'s Script<'t>, run: Run) -> Option<Endings<'s, 't>> {
+        let values = self.values.as_ref().filter(|_| self.begun)?;
         let mut machine = Machine::new(script, run);
-        machine.state.become_like(&self.state);
-        values.for_each(|(slot, value)| machine.state.slots[slot as usize] = value);
+        machine.slots = Slots::of(values.clone());
+        Some(Endings { begin: &self.state, machine })
+    }
+}
+
+/// Runs the end of a program again and again.
+pub struct Endings<'s, 't> {
+    begin: &'s State,
+    machine: Machine<'s, 't>,
+}
+
+impl Endings<'_, '_> {
+    /// The end of the program where variables hold these values.
+    pub fn outcome(&mut self, values: impl Iterator<Item = (Slot, f64)>) -> Outcome {
+        let Endings { begin, machine } = self;
+        let written = machine.slots.mark();
+        machine.state.become_like(begin);
+        machine.left.set(super::BUDGET);
+        values.for_each(|(slot, value)| machine.slots.set(slot as usize, value));
+        let outcome = machine.to_the_end();
+        machine.slots.back(written);
+        outcome
+    }
+}
+
+impl Machine<'_, '_> {
+    fn to_the_end(&mut self) -> Outcome {
+        let machine = self;
         let mut outcome = Outcome::default();
         while machine.script.blocks.get(machine.state.pc).is_some() {
             match machine.step() {
@@ -79,7 +118,7 @@ pub fn restarted(
     left: &mut usize,
 ) -> bool {
     let mut machine = Machine::new(script, Run { strict: true, known: true, ..run });
-    machine.state.slots.copy_from_slice(values);
+    machine.slots = Slots::of(values.to_vec());
     machine.state.pc = block;
     machine.state.modes = trace.modes;
     machine.left.set(*left);
@@ -101,7 +140,7 @@ impl Machine<'_, '_> {
             // A variable that nothing has set is an error where the control does not keep them.
             if let BlockKind::Set(slot, _) = own.kind
                 && script.vacant.is_none()
-                && machine.state.slots[slot as usize].is_nan()
+                && machine.slots.get(slot as usize).is_nan()
             {
                 return false;
             }

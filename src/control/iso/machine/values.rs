@@ -68,7 +68,7 @@ impl Machine<'_, '_> {
         self.spend(1);
         match self.script.node(node) {
             Node::Number(x) => x,
-            Node::Slot(slot) => self.state.slots[slot as usize],
+            Node::Slot(slot) => self.slots.get(slot as usize),
             Node::System(system) => self.system(system),
             Node::Unary(unary, inner) => {
                 let x = self.value(inner);

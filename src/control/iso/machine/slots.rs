@@ -1,0 +1,99 @@
+//! The values of variables, with what each write replaced: a run goes back to any place that it passed at the cost of the writes since.
+
+/// The values of variables, by their slots.
+#[derive(Clone, Debug, Default)]
+pub struct Slots {
+    now: Vec<f64>,
+    /// Of each write, the slot and what it held.
+    replaced: Vec<(u32, f64)>,
+}
+
+/// A place in the course of writes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd)]
+pub struct Mark(usize);
+
+/// Writes that were taken back, to be made again.
+#[derive(Debug)]
+pub struct Redo(Vec<(u32, f64)>);
+
+impl Slots {
+    pub fn of(values: Vec<f64>) -> Self {
+        Slots { now: values, replaced: Vec::new() }
+    }
+
+    pub fn get(&self, slot: usize) -> f64 {
+        self.now[slot]
+    }
+
+    pub fn set(&mut self, slot: usize, value: f64) {
+        let before = std::mem::replace(&mut self.now[slot], value);
+        self.replaced.push((slot as u32, before));
+    }
+
+    pub fn mark(&self) -> Mark {
+        Mark(self.replaced.len())
+    }
+
+    /// Takes back all writes since a mark.
+    pub fn back(&mut self, to: Mark) {
+        while self.replaced.len() > to.0
+            && let Some((slot, before)) = self.replaced.pop()
+        {
+            self.now[slot as usize] = before;
+        }
+    }
+
+    /// The same, and gives what makes them again.
+    pub fn undo(&mut self, to: Mark) -> Redo {
+        let mut undone = Vec::new();
+        while self.replaced.len() > to.0
+            && let Some((slot, before)) = self.replaced.pop()
+        {
+            undone.push((slot, std::mem::replace(&mut self.now[slot as usize], before)));
+        }
+        Redo(undone)
+    }
+
+    /// Makes writes again that were taken back: marks among them hold again.
+    pub fn redo(&mut self, Redo(undone): Redo) {
+        undone.into_iter().rev().for_each(|(slot, value)| self.set(slot as usize, value));
+    }
+
+    /// The values at a mark.
+    pub fn at(&mut self, mark: Mark) -> Vec<f64> {
+        let redo = self.undo(mark);
+        let values = self.now.clone();
+        self.redo(redo);
+        values
+    }
+
+    /// The values as they are.
+    pub fn values(&self) -> &[f64] {
+        &self.now
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Slots;
+
+    #[test]
+    fn writes_are_taken_back_and_made_again() {
+        let mut slots = Slots::of(vec![1.0, 2.0]);
+        let begin = slots.mark();
+        slots.set(0, 5.0);
+        let middle = slots.mark();
+        slots.set(0, 6.0);
+        slots.set(1, 7.0);
+        assert_eq!(slots.at(middle), [5.0, 2.0]);
+        assert_eq!(slots.values(), [6.0, 7.0]);
+        let redo = slots.undo(begin);
+        assert_eq!(slots.values(), [1.0, 2.0]);
+        slots.set(1, 9.0);
+        slots.back(begin);
+        slots.redo(redo);
+        assert_eq!(slots.values(), [6.0, 7.0]);
+        slots.back(middle);
+        assert_eq!(slots.values(), [5.0, 2.0]);
+    }
+}
