@@ -37,7 +37,8 @@ impl Planned {
             let feeds = path.feeds.unwrap_or(job.feeds);
             let mut scene = scene::between(path, &job.setup, &feeds, run.collision, view);
             for (i, (own, member)) in members.iter().zip(&path.members).enumerate() {
-                scene.take(own.scene(view, magnify), member.moves.start, hand.is_some_and(|hand| hand != i));
+                let pale = hand.is_some_and(|hand| hand != i);
+                scene.take(own.scene(view, magnify), &member.name, member.moves.start, pale);
             }
             scene
         };

@@ -18,7 +18,7 @@ const ONE: f64 = 3.0;
 pub struct Number {
     /// The touches, as indices.
     pub touches: Vec<usize>,
-    /// What it says: `3`, `3·4`, or `3…9` of more than four.
+    /// What it says: `3`, `3·4`, or `3…9` of more than four; at the first touch of a cycle in a set-up `BORE 1`.
     pub said: String,
     /// The contact, or of a touch behind the part the ball.
     pub contact: Vec2,
@@ -56,7 +56,11 @@ impl Camera {
                 }
             } else {
                 let plate = Plate { middle: contact, along: Vec2::X, half: Vec2::ZERO };
-                numbers.push(Number { touches: vec![k], said: touch.number.to_string(), contact, plate, led: false });
+                let said = match &touch.named {
+                    Some(name) => format!("{name} {}", touch.number),
+                    None => touch.number.to_string(),
+                };
+                numbers.push(Number { touches: vec![k], said, contact, plate, led: false });
             }
         }
         let contacts: Vec<Vec2> = numbers.iter().map(|number| number.contact).collect();
@@ -74,8 +78,9 @@ impl Camera {
                 None if inward.length() < 0.1 => (Vec2::new(0.7, -0.7), OFF),
                 None => (-inward, OFF),
             };
-            // About half as wide as its text; a dot has two bytes, and is half as wide as a digit.
-            let wide = 2.8 * number.said.len() as f64 + 4.6;
+            // About half as wide as its text; a dot has two bytes, and is half as wide as a digit; letters are wider.
+            let letters = number.said.bytes().filter(u8::is_ascii_alphabetic).count();
+            let wide = 2.8 * number.said.len() as f64 + 1.7 * letters as f64 + 4.6;
             let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
             let mut least = f64::INFINITY;
             // Round about the contact, then further out.

@@ -58,12 +58,14 @@ export class Timeline {
       </div>`;
   }
 
-  /** Marks the touches on the rail, where the thumb stands at them. */
+  /** Marks the touches on the rail, where the thumb stands at them, and in a set-up where a cycle begins. */
   mark(): void {
     const { count } = this;
     const track = this.box.querySelector<HTMLElement>(".track");
     const mark = (t: number) => `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
-    const marks = count === 0 ? "" : this.touches.map(mark).join(", ");
+    const chapter = (t: number) =>
+      `var(--chapter) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 1px 100%`;
+    const marks = count === 0 ? "" : [...this.chapters.map(chapter), ...this.touches.map(mark)].join(", ");
     if (!track || marks === this.marks) return;
     this.marks = marks;
     track.style.background = marks;
@@ -103,6 +105,12 @@ export class Timeline {
   /** The touches among the moves, counted from 1. */
   private get touches(): number[] {
     return this.store().plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
+  }
+
+  /** Of a set-up, after how many moves each cycle but the first begins. */
+  private get chapters(): number[] {
+    const { moves } = this.store().plan;
+    return moves.flatMap(({ cycle }, i) => (i > 0 && cycle !== moves[i - 1]?.cycle ? [i] : []));
   }
 
   /** The seconds of the first so many moves. */

@@ -216,6 +216,7 @@ impl Look<'_> {
                 ball,
                 trigger: self.actual.run.triggers[k].map(|p| self.stretch(ball, self.spot(p))),
                 number: k + 1,
+                named: None,
                 pale: false,
                 inward: self.spot(touch.vector),
                 index: self.path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)),

@@ -107,6 +107,8 @@ pub struct TouchShape {
     pub trigger: Option<Vec2>,
     /// Its number in its cycle, from 1.
     pub number: usize,
+    /// The name of its cycle, at the first touch of each in a set-up.
+    pub named: Option<String>,
     /// Whether it is drawn pale: it is of a cycle that is not in hand.
     pub pale: bool,
     /// Where its number stands: a direction away from the material.
@@ -264,9 +266,9 @@ impl Scene {
         Scene { origin: spot(Vec3::ZERO), axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))), ..Scene::default() }
     }
 
-    /// Takes in the scene of a cycle of a set-up, whose first move has this index; `pale` where it is not the one in hand. Its dimensions, its angles and its
+    /// Takes in the scene of a cycle of a set-up with this name, whose first move has this index; `pale` where it is not the one in hand. Its dimensions, its angles and its
     /// handles come with the one in hand alone.
-    pub fn take(&mut self, own: Scene, first_move: usize, pale: bool) {
+    pub fn take(&mut self, own: Scene, name: &str, first_move: usize, pale: bool) {
         // Top sides are known by their surfaces, of which no cycle has so many.
         const APART: usize = 1000;
         self.cycles += 1;
@@ -278,7 +280,8 @@ impl Scene {
         let line =
             |line: Line| Line { behind: apart(line.behind), index: line.index + first_move, pale: line.pale || pale, ..line };
         self.lines.extend(own.lines.into_iter().map(line));
-        self.touches.extend(own.touches.into_iter().map(|touch| TouchShape {
+        self.touches.extend(own.touches.into_iter().enumerate().map(|(k, touch)| TouchShape {
+            named: (k == 0).then(|| name.to_owned()),
             behind: apart(touch.behind),
             index: touch.index.map(|index| index + first_move),
             pale,

@@ -84,14 +84,14 @@ impl Endings<'_, '_> {
         machine.state.become_like(begin);
         machine.left.set(super::BUDGET);
         values.for_each(|(slot, value)| machine.slots.set(slot as usize, value));
-        let outcome = machine.to_the_end();
+        let outcome = machine.finished();
         machine.slots.back(written);
         outcome
     }
 }
 
 impl Machine<'_, '_> {
-    fn to_the_end(&mut self) -> Outcome {
+    fn finished(&mut self) -> Outcome {
         let machine = self;
         let mut outcome = Outcome::default();
         while machine.script.blocks.get(machine.state.pc).is_some() {
