@@ -49,7 +49,10 @@ test("a series: mean, spread, trend, Cp and Cpk as by hand", async () => {
   assert.equal(of.verdict, "good within ±", "20h6 and 25H7 of nominal size end where they begin");
   assert.equal(of.program, /Blocks below: (\w+)/i.exec(plan.program.text)?.[1]);
   // A single value has no spread, and no capability.
-  const one = report({ plan, parts: parts.slice(0, 2).map(({ results }) => ({ results: results.slice(0, 3) })) });
+  const one = report({
+    plan,
+    parts: parts.slice(0, 2).map((/** @type {any} */ { results }) => ({ results: results.slice(0, 3) })),
+  });
   assert.equal(one.rows.find((/** @type {any} */ r) => r.code === "PITCH.distance").series, null);
 });
 
