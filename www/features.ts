@@ -30,6 +30,12 @@ export interface SetUpState {
   relations?: Related[];
 }
 
+/** Tolerances by the codes of their results as they are spelled: in any case a job names the same. */
+export const byCode = (tolerances: Draft): Draft =>
+  Object.fromEntries(
+    Object.entries(tolerances).map(([code, x]) => [/^Q\d/i.test(code) ? code : code.toLowerCase(), x]),
+  );
+
 /** Entries with a name in front of their keys, and those that have it, without it. */
 const prefixed = (name: string, of: Draft = {}) => Object.entries(of).map(([key, x]) => [`${name}.${key}`, x] as const);
 const ofName = (name: string, all: Draft): Draft => {
@@ -40,13 +46,13 @@ const same = (one: string, other: string) => one.toLowerCase() === other.toLower
 /** The cycle or relation that something is of: of `BORE.diameter` it is `BORE`. */
 const head = (of: string) => of.split(".")[0] ?? of;
 
-/** Whether something that was read is a relation: what it is of is checked beside. */
-const isRelation = (one: unknown): one is Related =>
-  isObject(one) &&
-  typeof one.name === "string" &&
-  typeof one.type === "string" &&
-  Array.isArray(one.of) &&
-  one.of.every((of) => typeof of === "string");
+/** A relation of whatever was read: what is wrong with it is left to the check. */
+function asRelation(given: unknown): Related {
+  const { name, type, of, tolerances } = isObject(given) ? given : {};
+  const listed = Array.isArray(of) ? of.map(String) : [];
+  const own = isObject(tolerances) ? tolerances : {};
+  return { name: String(name ?? ""), type: String(type ?? "") as Related["type"], of: listed, tolerances: own };
+}
 
 const AXES = ["x", "y", "z", "rotation"] as const;
 const MOST_NAME = 12;
@@ -117,10 +123,17 @@ export class Features {
       const sizes = ofName(called, given);
       const whole = complete({ format: 1, units: rest.units, cycle: own }, catalog).cycle as Draft;
       const named = typeof name === "string";
-      this.all.push({ name: called, named, cycle: whole, sizes, tolerances: ofName(called, limits), off: false });
+      this.all.push({
+        name: called,
+        named,
+        cycle: whole,
+        sizes,
+        tolerances: byCode(ofName(called, limits)),
+        off: false,
+      });
     }
     this.relations = Array.isArray(relations)
-      ? relations.filter(isRelation).map((one) => ({ ...one, tolerances: ofName(one.name, limits) }))
+      ? relations.map(asRelation).map((one) => ({ ...one, tolerances: byCode(ofName(one.name, limits)) }))
       : [];
     this.hand = 0;
     this.clear = typeof clear === "number" ? clear : null;
@@ -240,7 +253,8 @@ export class Features {
    * What is written from a cycle or relation, or computed of it, is so by its new name, or not any longer. A name that another one has, too, is that one's.
    */
   private refer(from: string, to: string | null): void {
-    if ([...this.all, ...this.relations].some(({ name }) => same(name, from))) return;
+    const named = (name: string) => [...this.all, ...this.relations].filter((one) => same(one.name, name)).length;
+    if (named(from) > 0 || (to !== null && named(to) > 1)) return;
     const is = (one: string) => same(head(one), from);
     const dropped = to === null ? this.relations.filter(({ of }) => of.some(is)) : [];
     this.relations = this.relations
@@ -307,14 +321,14 @@ export class Features {
   become({ all, hand, clear, datum, relations = [] }: SetUpState): void {
     // What was kept before there were tolerances has none.
     const whole = all.map((one) => ({ ...one, tolerances: one.tolerances ?? {} }));
-    Object.assign(this, { all: whole, hand, clear, datum, relations });
+    Object.assign(this, { all: whole, hand, clear, datum, relations: relations.map(asRelation) });
   }
 
   /** Whether something kept is a list of cycles; the job that they make is checked beside. */
   static fits(state: unknown): state is SetUpState {
     if (!isObject(state) || !Array.isArray(state.all) || !isObject(state.datum)) return false;
     const { all, hand, clear, relations } = state;
-    if (relations !== undefined && !(Array.isArray(relations) && relations.every(isRelation))) return false;
+    if (relations !== undefined && !Array.isArray(relations)) return false;
     const good = (one: unknown) =>
       isObject(one) &&
       typeof one.name === "string" &&

@@ -18,7 +18,7 @@ import {
 } from "./core/browser.js";
 import { programStem, stem } from "./core/names.js";
 import { Entries, type Form, steps, type Units } from "./entries.js";
-import { Features, type SetUpState } from "./features.js";
+import { byCode, Features, type SetUpState } from "./features.js";
 import { History } from "./history.js";
 import { Outside } from "./host-inputs.js";
 import { alike, complete, type Draft, isObject, ownIn } from "./job.js";
@@ -241,14 +241,16 @@ export class Store extends Entries {
   /** Where the tolerances of a result are kept: of the cycle in hand in the form. None of what is no longer in the program. */
   private toleratedOf(cycle: number): { tolerances: Draft; keep: (tolerances: Draft) => void } | undefined {
     const { features, draft, plan } = this;
-    const place = features.several ? features.placeOf(cycle) : features.hand;
-    if (cycle < Math.max(plan.cycles.length, 1) && place === features.hand) {
+    // By its name: where the form has errors, the plan may be of another order.
+    const name = [...plan.cycles, ...plan.relations][cycle]?.toLowerCase();
+    const named = (one: { name: string }) => one.name.toLowerCase() === name;
+    const own = [...features.all, ...features.relations].find(named);
+    if (!features.several || own === features.all[features.hand]) {
       const keep = (tolerances: Draft) => {
         draft.tolerances = tolerances;
       };
       return { tolerances: (draft.tolerances ?? {}) as Draft, keep };
     }
-    const own = features.all[place] ?? features.inProgram()[cycle - plan.cycles.length];
     if (!own) return undefined;
     const keep = (tolerances: Draft) => {
       own.tolerances = tolerances;
@@ -656,8 +658,12 @@ export class Store extends Entries {
 
   /** The form of a job: of a set-up that of its first cycle, and the others wait. */
   private formOf(job: Draft): Draft {
-    const single = Array.isArray(job.cycles) ? this.features.take(job, this.catalog) : job;
-    if (single === job) this.features.alone();
+    const several = Array.isArray(job.cycles);
+    const { tolerances } = job;
+    const single = several
+      ? this.features.take(job, this.catalog)
+      : { ...job, ...(isObject(tolerances) ? { tolerances: byCode(tolerances) } : {}) };
+    if (!several) this.features.alone();
     return complete(this.outside.filled(single) as Draft, this.catalog);
   }
 
@@ -804,7 +810,7 @@ export class Store extends Entries {
   /** What is said of something of a cycle, with the name of that cycle in front of it; of a job of one cycle as it is. */
   ofCycle(cycle: number, what: string): string {
     const { cycles, relations } = this.plan;
-    return cycles.length > 1 ? `${cycles[cycle] ?? relations[cycle - cycles.length]}.${what}` : what;
+    return cycles.length + relations.length > 1 ? `${cycles[cycle] ?? relations[cycle - cycles.length]}.${what}` : what;
   }
 
   /** The number of a touch in its cycle, from 1. */

@@ -220,7 +220,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: TOLERANCE,
-        says: "A result out of its tolerance stops the program, or is only marked, as the job says",
+        says: "A result out of its tolerance stops the program where the job says so, and nowhere else",
         why: "A bad part would be machined on, or a good one would stop the machine.",
         must: true,
         own_cycle: true,
@@ -643,7 +643,11 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
             let outcome = outcome(&mut endings, &asked, Some(i), *share);
             if stops { !outcome.stops } else { !outcome.ends }
         });
-        if other {
+        let good = [-0.99, 0.99].iter().all(|share| outcome(&mut endings, &asked, Some(i), *share).ends);
+        if !good {
+            let message = text!("The program stops though {code} is within its tolerance", answer.named.clone());
+            breaks.push((None, message));
+        } else if other {
             let code = answer.named.clone();
             let message = match stops {
                 true => text!("The program does not stop though {code} is out of its tolerance", code),

@@ -65,6 +65,19 @@ impl Formula {
         }
     }
 
+    /// The name of a result with that of its cycle in front also where there is only one.
+    pub fn full_code(&self, result: &ResultDef) -> Cow<'static, str> {
+        match self.cycles.get(usize::from(result.cycle)) {
+            Some(cycle) => Cow::Owned(format!("{}.{}", cycle.name, result.code)),
+            None => Cow::Borrowed(result.code),
+        }
+    }
+
+    /// Whether a result has this name, in any case; that of its only cycle may be left out.
+    pub fn is_named(&self, result: &ResultDef, name: &str) -> bool {
+        self.full_code(result).eq_ignore_ascii_case(name) || self.code(result).eq_ignore_ascii_case(name)
+    }
+
     /// Writes the name of the value of an assignment, by its index, at the end of a text: `center_x`, of a set-up `bore_center_x`.
     pub fn push_name(&self, index: usize, text: &mut String) {
         let assignment = &self.assignments[index];

@@ -4,6 +4,7 @@ use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;
 use crate::formula::plain;
 use crate::formula::{CycleSamples, Datum, Formula, Name, ResultDef, Role};
+use crate::num::wrap_degrees;
 use crate::text::words;
 
 /// What a relation computes of results.
@@ -178,6 +179,9 @@ fn role_of(known: &[Known<'_>]) -> Role {
 fn difference<'f>(f: &'f Draft, first: Known<'f>, second: Known<'f>) {
     let nominal = first.nominal - second.nominal;
     if first.role.is_angle() {
+        // Between directions the smaller turn counts.
+        let directions = first.role == Role::Direction || second.role == Role::Direction;
+        let nominal = if directions { wrap_degrees(nominal) } else { nominal };
         let value = off(f, 1, first) - off(f, 2, second) + f.number(nominal);
         let value = f.set("difference", value);
         f.result("difference.angle", Role::Angle, words!("First angle less the second"), nominal, Some(value));
@@ -189,7 +193,7 @@ fn difference<'f>(f: &'f Draft, first: Known<'f>, second: Known<'f>) {
 
 fn mean<'f>(f: &'f Draft, known: &[Known<'f>]) {
     let count = known.len() as f64;
-    let nominal = known.iter().map(|known| known.nominal).sum::<f64>() / count;
+    let nominal = mean_of(&known.iter().map(|known| known.nominal).collect::<Vec<_>>(), known[0].role == Role::Direction);
     let all = |role: Role| known.iter().all(|known| known.role == role);
     if known[0].role.is_angle() {
         let sum = f.sum(known.iter().enumerate().map(|(i, known)| off(f, i + 1, *known)));
@@ -203,9 +207,17 @@ fn mean<'f>(f: &'f Draft, known: &[Known<'f>]) {
     }
 }
 
+/// The mean of values; of directions about the first, from which none is farther than half a turn.
+fn mean_of(values: &[f64], directions: bool) -> f64 {
+    let first = values[0];
+    let near = |value: f64| if directions { first + wrap_degrees(value - first) } else { value };
+    let mean = values.iter().map(|value| near(*value)).sum::<f64>() / values.len() as f64;
+    if directions { wrap_degrees(mean) } else { mean }
+}
+
 /// What a relation comes to where its operands have these values: abscissas and ordinates of places, or single results. In the order of its results; none
-/// where that is not said by values alone. It shares nothing with what programs compute.
-pub fn related(relation: Relation, of: &[[f64; 2]]) -> Vec<Option<f64>> {
+/// where that is not said by values alone. `directions`: whether single results are directions. It shares nothing with what programs compute.
+pub fn related(relation: Relation, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
     let mean = |axis: usize| of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64;
     match (relation, of) {
         (Relation::Line, [from, to]) => {
@@ -213,7 +225,7 @@ pub fn related(relation: Relation, of: &[[f64; 2]]) -> Vec<Option<f64>> {
             vec![Some(dx.hypot(dy)), Some(dy.atan2(dx).to_degrees())]
         }
         (Relation::Difference, [first, second]) => vec![Some(first[0] - second[0])],
-        (Relation::Mean, _) => vec![Some(mean(0))],
+        (Relation::Mean, _) => vec![Some(mean_of(&of.iter().map(|value| value[0]).collect::<Vec<_>>(), directions))],
         (Relation::Center, _) => vec![Some(mean(0)), Some(mean(1))],
         (Relation::PitchCircle, _) => {
             let places: Vec<_> = of.iter().map(|[x, y]| crate::geom::Vec2::new(*x, *y)).collect();

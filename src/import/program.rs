@@ -256,11 +256,13 @@ fn of_tolerance(path: &str) -> Option<(String, &'static str)> {
     path.get(..TOLERANCES.len()).filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
     let (code, key) = path[TOLERANCES.len()..].strip_prefix('.')?.rsplit_once('.')?;
     let key = ["tolerance", "action"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?;
-    let own = RESULT_CODES.iter().find(|own| {
+    let own = RESULT_CODES.iter().filter(|own| {
         let at = code.len().checked_sub(own.len());
         let apart = |at: usize| code.is_char_boundary(at) && (at == 0 || code[..at].ends_with('.'));
         at.is_some_and(|at| apart(at) && code[at..].eq_ignore_ascii_case(own))
     });
+    // `difference.angle` ends as `angle` does.
+    let own = own.max_by_key(|own| own.len());
     Some((own.map_or_else(|| code.to_owned(), |own| format!("{}{own}", &code[..code.len() - own.len()])), key))
 }
 

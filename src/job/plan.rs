@@ -221,6 +221,8 @@ fn predicted(planned: &Planned, writes: bool, checker: &mut Checker) -> Vec<form
         report_at_start(job, path, &run.triggers, checker);
     } else {
         rows.iter_mut().for_each(unknown);
+        // Their limits are known all the same.
+        judge(job, path, &mut rows);
     }
     rows
 }

@@ -203,7 +203,7 @@ fn place(path: &Path, name: &str) -> Option<Operand> {
 /// A measured result by its name.
 fn single(path: &Path, name: &str) -> Option<Operand> {
     let formula = &path.formula;
-    let is = |result: &formula::ResultDef| result.variable.is_some() && formula.code(result).eq_ignore_ascii_case(name);
+    let is = |result: &formula::ResultDef| result.variable.is_some() && formula.is_named(result, name);
     formula.results.iter().position(is).map(Operand::Result)
 }
 
@@ -214,7 +214,7 @@ fn places(path: &Path) -> Vec<String> {
 
 fn results(path: &Path) -> Vec<String> {
     let measured = path.formula.results.iter().filter(|result| result.variable.is_some());
-    measured.map(|result| path.formula.code(result).into_owned()).collect()
+    measured.map(|result| path.formula.full_code(result).into_owned()).collect()
 }
 
 /// Adds the rows of all relations to those of the cycles. `evaluated` are the rows of the whole formula.
@@ -262,7 +262,10 @@ fn truths(whole: &Planned, relation: &Related, rows: &[ResultRow]) -> Vec<Option
         Operand::Result(index) => Some([truth(index)?, 0.0]),
     };
     match relation.of.iter().map(place).collect::<Option<Vec<_>>>() {
-        Some(of) => related(relation.relation, &of),
+        Some(of) => {
+            let is = |operand: &Operand| matches!(*operand, Operand::Result(index) if whole.path.formula.results[index].role == Role::Direction);
+            related(relation.relation, &of, relation.of.iter().any(is))
+        }
         None => vec![None; relation.results.len()],
     }
 }

@@ -27,15 +27,22 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
             return checker.error("wrong-type", TOLERANCES, message);
         }
     };
+    let mut given_to: Vec<usize> = Vec::new();
     for (key, given) in entries {
         let path = format!("{TOLERANCES}.{}", printable(key));
         let formula = &planned.path.formula;
-        let Some(index) = formula.results.iter().position(|result| formula.code(result).eq_ignore_ascii_case(key)) else {
+        let Some(index) = formula.results.iter().position(|result| formula.is_named(result, key)) else {
             let known: Vec<_> = formula.results.iter().map(|result| formula.code(result)).collect();
             let message = text!("This job has no result \"{name}\". Its results are {codes}", printable(key), known.join(", "));
             checker.error("tolerance-unknown", path, message);
             continue;
         };
+        if given_to.contains(&index) {
+            let message = text!("{name} has two tolerances: give it one", printable(key));
+            checker.error("tolerance-unknown", path, message);
+            continue;
+        }
+        given_to.push(index);
         if let Some(tolerance) = one(checker, (&planned.job, &planned.path), given, index, &path) {
             give(planned, index, tolerance);
         }

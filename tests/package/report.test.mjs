@@ -56,6 +56,34 @@ test("a series: mean, spread, trend, Cp and Cpk as by hand", async () => {
   assert.equal(one.rows.find((/** @type {any} */ r) => r.code === "PITCH.distance").series, null);
 });
 
+test("what a program says of a result is no run, equal parts have no capability, and a set-up of one cycle keeps its names", async () => {
+  const { report, runsOf } = await reports();
+  const job = /** @type {any} */ ({
+    format: 1,
+    cycle: { type: "hole", diameter: 25 },
+    tolerances: { diameter: { tolerance: "H7", action: "mark" } },
+  });
+  const plan = touchpath.plan(job);
+  const run = "center.x=0\ncenter.y=0\ndiameter=25.03\nresidual=0\ndiameter is 25.03, not 25 to 25.021";
+  assert.deepEqual(runsOf(run, plan), [run]);
+  assert.equal(runsOf(`${run}\n${run}`, plan).length, 2);
+  assert.equal(
+    runsOf("center.x=0 center.y=0 diameter=25 residual=0\ncenter.x=1 center.y=0 diameter=25 residual=0", plan).length,
+    2,
+  );
+  const equal = Array.from({ length: 3 }, () =>
+    touchpath.measure(job, "center.x=0\ncenter.y=0\ndiameter=25.0131\nresidual=0"),
+  );
+  const { cp, cpk } = report({ plan, parts: equal }).rows.find(
+    (/** @type {any} */ row) => row.code === "diameter",
+  ).series;
+  assert.deepEqual([cp, cpk], [null, null]);
+  // On a virtual part that is missed nothing is expected; what a machine did not measure is still not measured.
+  const missed = { ...job, part: { offset: [30, 0, 0] } };
+  const part = touchpath.measure(missed, "center.x=0\ncenter.y=0\nresidual=0");
+  assert.equal(report({ plan: touchpath.plan(missed), parts: [part] }).verdict, "not measured");
+});
+
 test("a missing value is not good, and a bad one is the verdict", async () => {
   const { report } = await reports();
   const plan = touchpath.plan(example());

@@ -274,3 +274,25 @@ test("what a machine printed of several parts becomes an inspection report", asy
     "the last part, and the mean of both",
   );
 });
+
+test("a relation that takes a taken name for a while keeps what is written from it", async () => {
+  await field("cycle.type").selectOption("hole");
+  await field("control.workOffset").selectOption("1");
+  await add("hole");
+  await put("cycle.origin[0]", 90);
+  await page.getByLabel("Add a relation between cycles").selectOption("line");
+  await page.getByLabel("Add a relation between cycles").selectOption("line");
+  const boxes = page.getByLabel("Name of this relation");
+  await boxes.first().fill("ROW");
+  await page.keyboard.press("Tab");
+  await page.getByLabel("rotation is written from").selectOption("REL2.rotation");
+  await boxes.nth(1).fill("ROW");
+  await page.keyboard.press("Tab");
+  await boxes.nth(1).fill("LINE");
+  await page.keyboard.press("Tab");
+  assert.notEqual(
+    await page.getByLabel("rotation is written from").inputValue(),
+    "ROW.rotation",
+    "never from the other one",
+  );
+});

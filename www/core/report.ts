@@ -90,7 +90,14 @@ const worst = (verdicts: (string | null)[]): string | null =>
   );
 
 const codeOf = ({ cycles, relations }: Plan, { cycle, code }: ResultRow) =>
-  cycles.length > 1 ? `${[...cycles, ...relations][cycle]}.${code}` : code;
+  cycles.length + relations.length > 1 ? `${[...cycles, ...relations][cycle]}.${code}` : code;
+
+/** A moment as a sheet says it, by the clock of this place: `2026-11-26 17:05`. */
+export const clock = (moment: Date): string => {
+  const two = (n: number) => String(n).padStart(2, "0");
+  const day = `${moment.getFullYear()}-${two(moment.getMonth() + 1)}-${two(moment.getDate())}`;
+  return `${day} ${two(moment.getHours())}:${two(moment.getMinutes())}`;
+};
 
 /** The report as data. */
 export function report({ plan, parts, name = "", by = "", machine = "", when = "", note = "" }: ReportOf): Report {
@@ -98,7 +105,10 @@ export function report({ plan, parts, name = "", by = "", machine = "", when = "
   const measured = parts.map(({ results }) => new Map(results.map((row) => [key(row), row])));
   // What a program writes is no feature of the part.
   const listed = plan.results.filter(({ code, unit }) => !code.startsWith("offset.") && unit !== "");
-  const found = (row: ResultRow) => row.value !== null || measured.some((part) => part.get(key(row))?.value != null);
+  const found = (row: ResultRow) =>
+    row.value !== null ||
+    row.limits !== null ||
+    measured.some((part) => part.get(key(row))?.value != null || part.get(key(row))?.limits != null);
   const rows = listed.filter(found).map((row): ReportRow => {
     const code = key(row);
     const own = measured.map((part) => part.get(code));
@@ -144,7 +154,8 @@ function seriesOf(values: (number | null)[], limits: [number, number] | null): S
   const middle = known.reduce((sum, { part }) => sum + part, 0) / count;
   const along = known.reduce((sum, { part }) => sum + (part - middle) ** 2, 0);
   const slope = known.reduce((sum, { part, value }) => sum + (part - middle) * (value - mean), 0);
-  const able = limits !== null && spread !== null && spread > 0;
+  // What is left of equal values by rounding is no spread.
+  const able = limits !== null && spread !== null && spread > 1e-9 * Math.max(1, Math.abs(mean));
   return {
     count,
     mean,
@@ -165,8 +176,9 @@ export function runsOf(text: string, plan: Plan): string[] {
   const codes = plan.results.map((row) => codeOf(plan, row).toLowerCase());
   const coded = (line: string) => {
     const plain = line.toLowerCase().replace(/[\s*_]+/g, ".");
+    // A value stands behind it: what a program says of a result is none.
     const found = codes.filter((code) =>
-      new RegExp(`(^|[^a-z0-9.])${code.replace(/\./g, "\\.")}(?![a-z0-9])`).test(plain),
+      new RegExp(`(^|[^a-z0-9.])${code.replaceAll(".", "\\.")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`).test(plain),
     );
     return found.sort((a, b) => b.length - a.length)[0];
   };
@@ -249,8 +261,8 @@ th,td{border-bottom:1px solid #bbb;padding:.25em .4em;text-align:left;vertical-a
 code{font-size:.92em}.bad{font-weight:bold;color:#a30d0d}.open{font-weight:bold}svg{width:100%;max-height:95mm}dl{display:grid;grid-template-columns:auto 1fr auto 1fr;gap:.1em .8em;margin:.6em 0}
 dt{color:#555}dd{margin:0}tr{break-inside:avoid}.verdict{font-size:1.15em}.sign{display:flex;gap:2em;margin-top:2.5em}.sign span{flex:1;border-top:1px solid #111;padding-top:.2em}`;
 
-/** The report as a page of its own, to print on A4 or Letter. `picture`: the text of an SVG, as `svg` makes it. */
-export function reportHtml(of: Report, picture = "", t: Words = english): string {
+/** The report as a page of its own, to print on A4 or Letter. `picture`: the text of an SVG, as `svg` makes it. `t` says its texts in the language `lang`. */
+export function reportHtml(of: Report, picture = "", t: Words = english, lang = "en"): string {
   const { rows, parts, verdict } = of;
   const grade = (word: string | null) =>
     word === null
@@ -293,7 +305,7 @@ export function reportHtml(of: Report, picture = "", t: Words = english): string
     [t("Note"), of.note],
   ]);
   return `<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>${escaped(`${t("Inspection report")} ${of.name}`.trim())}</title><style>${STYLE}</style></head><body>
+<html lang="${escaped(lang)}"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>${escaped(`${t("Inspection report")} ${of.name}`.trim())}</title><style>${STYLE}</style></head><body>
 <h1>${escaped(t("Inspection report"))}${of.name ? `: ${escaped(of.name)}` : ""}</h1>
 ${verdict === null ? "" : `<p class="verdict">${escaped(t("Verdict"))}: ${grade(verdict)}</p>`}
 <dl>${facts.join("")}</dl>

@@ -151,12 +151,12 @@ class ResultsPart extends Part {
       name: String(store.shown.name ?? ""),
       by: this.by,
       machine: this.machine,
-      when: new Date().toISOString().slice(0, 16).replace("T", " "),
+      when: reports.clock(new Date()),
     });
     const t = (template: string, ...values: string[]) => this.t(template, ...values);
     const [text, type] =
       format === "html"
-        ? [reports.reportHtml(of, svg(store.shown as unknown as Job, "top"), t), "text/html"]
+        ? [reports.reportHtml(of, svg(store.shown as unknown as Job, "top"), t, store.lang), "text/html"]
         : format === "csv"
           ? [reports.reportCsv(of), "text/csv"]
           : [`${JSON.stringify(of, null, 2)}\n`, "application/json"];
@@ -274,7 +274,10 @@ class ResultsPart extends Part {
     const found = store.findings.filter(({ path, level }) => path.startsWith("tolerances") && level !== "info");
     // 1411 has tolerances of its own, in its form.
     const rows = store.plan.results.filter(
-      ({ code, value, unit }) => value !== null && unit !== "" && !/^(offset\.|Q\d|form|preset|table)/.test(code),
+      ({ code, cycle, value, unit, limits }) =>
+        (value !== null || limits !== null || store.tolerance(cycle, code) !== undefined) &&
+        unit !== "" &&
+        !/^(offset\.|Q\d|form|preset|table)/.test(code),
     );
     if (rows.length === 0 && found.length === 0) return nothing;
     const any = rows.some(({ cycle, code }) => store.tolerance(cycle, code) !== undefined);

@@ -228,6 +228,7 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("plausible-before-write", "fanuc", "GT 0.5] GOTO 9061", "GT 5.] GOTO 9061"),
     ("plausible-before-write", "haas", "GT 0.5] GOTO 9062", "GT 0.05] GOTO 9062"),
     ("tolerance-obeyed", "linuxcnc stop", "(ABORT,width1 is #<width1>, not ", "(DEBUG,width1 is #<width1>, not "),
+    ("tolerance-obeyed", "linuxcnc stop", " GT 0.1]", " GT 0.01]"),
     ("tolerance-obeyed", "sinumerik stop", "<=0.1 GOTOF TP_GOOD", "<=0.2 GOTOF TP_GOOD"),
     ("tolerance-obeyed", "haas stop", "GT 0.1] GOTO", "GT 0.2] GOTO"),
     ("tolerance-obeyed", "fanuc mark", "#3006=31(WIDTH1 OUT", "#3000=31(WIDTH1 OUT"),

@@ -305,3 +305,57 @@ fn directions_near_half_a_turn_are_compared_within_half_a_turn() {
         );
     }
 }
+
+/// Two walls of a dovetail across half a turn: 179° and −179° are 2° apart, and their middle is 180°; by hand.
+#[test]
+fn directions_on_both_sides_of_half_a_turn_have_the_smaller_difference_and_the_middle_between_them() {
+    let text = |post: &str, a: f64, b: f64| {
+        format!(
+            r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "clear": 40, "limits": {{ "angle": 5 }},
+          "cycles": [ {{ "name": "ONE", "type": "wall-angle", "origin": [60, 0, -8], "rotation": {a} }},
+                      {{ "name": "TWO", "type": "wall-angle", "origin": [-60, 0, -8], "rotation": {b} }} ],
+          "relations": [ {{ "name": "APART", "type": "difference", "of": ["ONE.rotation", "TWO.rotation"] }},
+                         {{ "name": "BOTH", "type": "mean", "of": ["ONE.rotation", "TWO.rotation"] }} ],
+          "tolerances": {{ "APART.difference.angle": {{ "tolerance": "±0.1" }} }},
+          "part": {{ "rotation": 0.3 }} }}"#
+        )
+    };
+    for post in ["linuxcnc", "sinumerik", "fanuc", "grbl"] {
+        for (a, b, apart, middle) in
+            [(179.0, -179.0, -2.0, 180.0), (-179.0, 179.0, 2.0, 180.0), (170.0, -170.0, -20.0, 180.0), (10.0, 350.0, 20.0, 0.0)]
+        {
+            let plan = planned(&job(&text(post, a, b)));
+            let what = format!("{post} {a} {b}");
+            let near_turned = |x: f64, y: f64| near(((x - y + 540.0) % 360.0) - 180.0, 0.0, 2e-3, &what);
+            near(row(&plan, "APART", "difference.angle").nominal.unwrap(), apart, 1e-9, &what);
+            near(value(&plan, "APART", "difference.angle"), apart, 2e-3, &what);
+            near(row(&plan, "APART", "difference.angle").truth.unwrap(), apart, 1e-6, &what);
+            near_turned(value(&plan, "BOTH", "mean.angle"), middle + 0.3);
+            near_turned(row(&plan, "BOTH", "mean.angle").truth.unwrap(), middle + 0.3);
+            let back = import(&plan.program.text).unwrap().job;
+            if post != "grbl" {
+                assert!(back.get("tolerances").and_then(|all| all.get("APART.difference.angle")).is_some(), "{what}");
+            }
+        }
+    }
+}
+
+/// One cycle in the list has its name, too: in tolerances, and in relations of its own results.
+#[test]
+fn a_set_up_of_one_cycle_names_its_results() {
+    let text = r#"{ "format": 2, "cycles": [{ "name": "BORE", "type": "internal-rectangle", "width1": 60, "width2": 40 }],
+      "relations": [{ "name": "D", "type": "difference", "of": ["BORE.width1", "BORE.width2"] }],
+      "tolerances": { "BORE.width1": { "tolerance": "±0.1" }, "D.difference": { "tolerance": "19.9..20.1" } } }"#;
+    let plan = planned(&job(text));
+    near(value(&plan, "D", "difference"), 20.0, 1e-6, "difference");
+    assert_eq!(plan.results.iter().filter(|row| row.verdict.as_deref() == Some("good")).count(), 2);
+    let one = r#"{ "format": 2, "cycles": [{ "name": "BORE", "type": "hole", "diameter": 25 }], "tolerances": { "bore.diameter": { "tolerance": "H7" } } }"#;
+    assert!(planned(&job(one)).results.iter().any(|row| row.limits.is_some()));
+    let twice = with(
+        &job(one),
+        "tolerances",
+        job(r#"{ "BORE.diameter": { "tolerance": "H7" }, "diameter": { "tolerance": "±0.3" } }"#),
+    );
+    let Err(JobError { findings, .. }) = touchpath::job::plan(&twice) else { panic!("refused") };
+    assert!(findings.iter().any(|finding| finding.code == "tolerance-unknown"), "{findings:?}");
+}

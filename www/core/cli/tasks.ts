@@ -291,7 +291,9 @@ function movesAsText(read: ProgramMoves): string {
 /** Results as columns for people. */
 function listed(rows: ResultRow[], { cycles, relations }: Plan): string {
   const named = ({ cycle, code }: ResultRow) =>
-    cycles.length > 1 && !code.startsWith("offset.") ? `${[...cycles, ...relations][cycle]}.${code}` : code;
+    cycles.length + relations.length > 1 && !code.startsWith("offset.")
+      ? `${[...cycles, ...relations][cycle]}.${code}`
+      : code;
   const number = (x: number | string | null) => (typeof x === "number" ? x.toFixed(4) : (x ?? "-"));
   const lines = rows.map((row) => [
     named(row),

@@ -7,6 +7,7 @@ import { basename, dirname, extname, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
 import { catalog, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
+import { clock } from "../report.js";
 import { sarif } from "./examine.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { linesOf } from "./lines.js";
@@ -391,7 +392,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     const measured = names.splice(1);
     if (measured.length === 0) throw new Refused("report takes a job and a file with what was measured of each part");
     task.parts = await Promise.all((await filesOf(measured)).map(textOf));
-    const { by, machine, note, when = new Date().toISOString().slice(0, 16).replace("T", " ") } = values;
+    const { by, machine, note, when = clock(new Date()) } = values;
     task.about = { when, ...(by ? { by } : {}), ...(machine ? { machine } : {}), ...(note ? { note } : {}) };
   }
   if (names.length === 0) throw new Refused(`${command} takes files; - is the standard input`);
