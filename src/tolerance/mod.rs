@@ -229,21 +229,28 @@ pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 
     Ok(([middle + low, middle + high], size.is_some()))
 }
 
-/// The same tolerance in characters that a comment of any control takes, without blanks: `+0.02-0.02` for `±0.02`, `..` for `…`.
+/// The same tolerance in characters that a comment of any control takes, without blanks and with the numbers as they were written: `+0.02-0.02` for
+/// `±0.02`, `..` for `…`.
 pub fn plain_of_result(text: &str) -> String {
-    let plain = tidied(text);
-    let signed = |x: f64| if x < 0.0 { decimal(x, 9) } else { format!("+{}", decimal(x, 9)) };
-    match Zone::read(&plain) {
-        Some(Zone::Off(size, off)) => {
-            let size = size.map_or_else(String::new, |size| decimal(size, 9));
-            match off {
-                Deviations::Given([low, high]) => format!("{size}{}{}", signed(high), signed(low)),
-                Deviations::Class(class) => format!("{size}{class}"),
-            }
-        }
-        Some(Zone::Ends([low, high])) => format!("{}..{}", decimal(low, 9), decimal(high, 9)),
-        Some(Zone::Either(_)) | None => plain.replace(' ', "").replace(',', "."),
-    }
+    let plain = tidied(text).replace(',', ".");
+    let (size, off) = match Zone::read(&plain) {
+        Some(Zone::Off(Some(_), Deviations::Given(_))) => plain.split_at(end_of_number(&plain).unwrap_or(0)),
+        Some(Zone::Off(None, Deviations::Given(_))) => ("", plain.as_str()),
+        _ => return plain.replace(' ', ""),
+    };
+    let off = off.trim();
+    let signed = |text: &str| if text.starts_with(['+', '-']) { text.to_owned() } else { format!("+{text}") };
+    let both = if let Some(off) = off.strip_prefix('±').or_else(|| off.strip_prefix("+/-")) {
+        format!("+{off}-{off}", off = off.trim())
+    } else if let Some((one, other)) = off.split_once('/').or_else(|| off.split_once(' ')) {
+        format!("{}{}", signed(one.trim()), signed(other.trim()))
+    } else if !size.is_empty() && end_of_number(off) == Some(off.len()) {
+        // Behind a negative size a single deviation would be one of two.
+        format!("+0{}", signed(off))
+    } else {
+        off.to_owned()
+    };
+    format!("{size}{both}")
 }
 
 /// The same tolerance with every length multiplied by `by`: what is no tolerance stays as it is.
@@ -691,6 +698,12 @@ mod tests {
             "Ø25 ±0.02",
             "25+0.03/-0.01",
             "24,98 … 25.02",
+            "25 0 -0.02",
+            "-35 -0.2",
+            "-35 +0.1",
+            "-35 ± 0.1",
+            "± 0.007874015748031498",
+            "+0.007874015748031498/-0.0012345678912345",
         ] {
             let plain = plain_of_result(text);
             assert!(plain.chars().all(|c| c.is_ascii_alphanumeric() || ".+-".contains(c)), "{plain}");

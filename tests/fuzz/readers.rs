@@ -115,7 +115,10 @@ pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String>
             let same = match (shown.value, read.value) {
                 _ if shown.unit.is_empty() && moved > 2e-8 => shown.value.is_some() == read.value.is_some(),
                 // The root of what is left where sums of squares cancel.
-                (Some(a), Some(b)) if shown.code.starts_with("residual") => (a - b).abs() <= 1e-6 + noise + 1e-6 * far,
+                // A difference or a mean may be of such.
+                (Some(a), Some(b)) if ["residual", "difference", "mean"].iter().any(|code| shown.code.starts_with(code)) => {
+                    (a - b).abs() <= 1e-6 + noise + 1e-6 * far
+                }
                 (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * (1.0 + a.abs()) + noise,
                 (a, b) => a.is_some() == b.is_some(),
             };
