@@ -121,14 +121,18 @@ export class Features {
       const { name, ...own } = cycle;
       const called = typeof name === "string" ? name : this.free(own, -1, names);
       const sizes = ofName(called, given);
-      const whole = complete({ format: 1, units: rest.units, cycle: own }, catalog).cycle as Draft;
       const named = typeof name === "string";
+      // A job may leave out the name of its only cycle.
+      const bare = Object.entries(limits).filter(([key]) => !same(key.slice(0, called.length + 1), `${called}.`));
+      const alone = (cycles as Draft[]).length === 1 ? Object.fromEntries(bare) : {};
+      const limited = byCode({ ...alone, ...ofName(called, limits) });
+      const whole = complete({ format: 1, units: rest.units, cycle: own }, catalog).cycle as Draft;
       this.all.push({
         name: called,
         named,
         cycle: whole,
         sizes,
-        tolerances: byCode(ofName(called, limits)),
+        tolerances: limited,
         off: false,
       });
     }

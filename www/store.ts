@@ -17,6 +17,7 @@ import {
   type Words,
 } from "./core/browser.js";
 import { programStem, stem } from "./core/names.js";
+import { codeOf } from "./core/results.js";
 import { Entries, type Form, steps, type Units } from "./entries.js";
 import { byCode, Features, type SetUpState } from "./features.js";
 import { History } from "./history.js";
@@ -809,8 +810,7 @@ export class Store extends Entries {
 
   /** What is said of something of a cycle, with the name of that cycle in front of it; of a job of one cycle as it is. */
   ofCycle(cycle: number, what: string): string {
-    const { cycles, relations } = this.plan;
-    return cycles.length + relations.length > 1 ? `${cycles[cycle] ?? relations[cycle - cycles.length]}.${what}` : what;
+    return codeOf(this.plan, cycle, what);
   }
 
   /** The number of a touch in its cycle, from 1. */

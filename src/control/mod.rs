@@ -72,7 +72,7 @@ impl Form {
         }
     }
 
-    /// The form of a word; plain moves where it is none.
+    /// The form that a word names; moves for any other word.
     pub fn named(word: &str) -> Form {
         if word == Form::Cycle.word() { Form::Cycle } else { Form::Moves }
     }
@@ -103,7 +103,7 @@ impl Header {
         }
     }
 
-    /// The header of a word; the full one where it is none.
+    /// The header that a word names; the full one for any other word.
     pub fn named(word: &str) -> Header {
         if word == Header::Short.word() { Header::Short } else { Header::Full }
     }

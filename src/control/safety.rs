@@ -562,7 +562,7 @@ fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
         let named = formula.code(&formula.results[question.result]).into_owned();
         let found = case.followed.script.outputs().find(|(code, _)| code.eq_ignore_ascii_case(&named));
         let Some((_, slot)) = found else {
-            return Err((line, text!("This writes, and {code} is no result of the program", named)));
+            return Err((line, text!("{code} is no result of the program", named)));
         };
         let unit = if question.angle { 1.0 } else { case.request.scale };
         Ok(Answer { question, named, slot, wanted: question.wanted / unit, limit: question.limit / unit })

@@ -5,10 +5,10 @@
 
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
 use crate::form::{Field, Kind, Range, Value};
-use crate::formula::Relation;
+use crate::formula::{Consequence, Relation};
 use crate::job::{
-    CLEAR, CONSEQUENCES, DATUM, FORMAT, LONGEST_NAME, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS,
-    SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, size_reach,
+    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS, SET_UP_FORMAT,
+    STEP_ANGLE, TOLERANCES, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -51,7 +51,7 @@ pub fn job_schema() -> Value {
 
 /// The tolerances of results: which results there are depends on the cycle.
 fn tolerances() -> Value {
-    let actions = CONSEQUENCES.map(text).to_vec();
+    let actions = Consequence::ALL.map(|(word, _)| text(word)).to_vec();
     let own = object(
         [
             (

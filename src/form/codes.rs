@@ -99,10 +99,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("no-units", "A program does not say its units, or says them only below its first moves."),
     ("not-a-flag", "A value of a dump should be true or false."),
     ("not-a-number", "A value that should be a number is not one."),
-    (
-        "not-a-tolerance",
-        "The tolerance of a result is none of the texts that are known, or its class does not exist for this size.",
-    ),
+    ("not-a-tolerance", "The tolerance of a result cannot be read, or its class does not exist for this size."),
     ("not-a-value", "A nominal value is neither a number nor one of the texts that are known."),
     (
         "not-at-feed",

@@ -46,13 +46,19 @@ pub struct Limits {
 /// What a program does with a result that is out of its tolerance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Consequence {
-    /// It goes on: the result is judged afterwards.
+    /// It continues: the result is judged afterwards.
     #[default]
     Go,
-    /// It shows the result as out of tolerance and goes on.
+    /// It shows the result as out of tolerance and continues.
     Mark,
     /// It stops with an alarm and writes nothing.
     Stop,
+}
+
+impl Consequence {
+    /// Every one, with its word in a job.
+    pub const ALL: [(&'static str, Consequence); 3] =
+        [("go", Consequence::Go), ("mark", Consequence::Mark), ("stop", Consequence::Stop)];
 }
 
 /// The tolerance of a result.
@@ -68,7 +74,7 @@ pub struct Tolerance {
 pub enum Asked {
     /// Whether it is plausible: beyond that the program writes nothing.
     Plausible,
-    /// Whether it is within its tolerance: out of it the program says so and goes on.
+    /// Whether it is within its tolerance: out of it the program says so and continues.
     Marks,
     /// The same: out of it the program stops.
     Stops,

@@ -216,7 +216,7 @@ fn mean_of(values: &[f64], directions: bool) -> f64 {
 }
 
 /// What a relation comes to where its operands have these values: abscissas and ordinates of places, or single results. In the order of its results; none
-/// where that is not said by values alone. `directions`: whether single results are directions. It shares nothing with what programs compute.
+/// where that is not said by values alone. `directions`: whether single results are directions. It shares no expression with programs.
 pub fn related(relation: Relation, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
     let mean = |axis: usize| of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64;
     match (relation, of) {

@@ -67,7 +67,7 @@ pub(crate) use planned::Planned;
 pub(crate) use sections::{Job, SECTIONS, TOLERANCES, size_reach};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
-pub(crate) use tolerances::{CONSEQUENCES, LONGEST_TOLERANCE};
+pub(crate) use tolerances::LONGEST_TOLERANCE;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use units::known_units;
 

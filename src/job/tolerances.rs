@@ -14,9 +14,6 @@ use crate::tolerance;
 /// The most characters of one.
 pub const LONGEST_TOLERANCE: usize = 64;
 
-/// The words of [`Consequence`] in a job.
-pub const CONSEQUENCES: [&str; 3] = ["go", "mark", "stop"];
-
 /// Reads the tolerances of a job that is planned, and gives each to its result. Reports everything that is wrong with them.
 pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
     let entries = match value.get(TOLERANCES) {
@@ -110,15 +107,13 @@ fn one(checker: &mut Checker, (job, path_of_job): (&Job, &Path), given: &Value, 
 fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> Option<Consequence> {
     let action = match given.get("action") {
         None => Consequence::Go,
-        Some(Value::Text(word)) if CONSEQUENCES.contains(&word.as_str()) => match word.as_str() {
-            "mark" => Consequence::Mark,
-            "stop" => Consequence::Stop,
-            _ => Consequence::Go,
+        Some(Value::Text(word)) => match Consequence::ALL.into_iter().find(|(known, _)| known == word) {
+            Some((_, action)) => action,
+            None => {
+                checker.error("unknown-value", path, text!("The action of a tolerance is go, mark or stop"));
+                return None;
+            }
         },
-        Some(Value::Text(_)) => {
-            checker.error("unknown-value", path, text!("The action of a tolerance is go, mark or stop"));
-            return None;
-        }
         Some(other) => {
             checker.error("wrong-type", path, text!("{path} must be text, not {given}", path.to_owned(), other.noun()));
             return None;

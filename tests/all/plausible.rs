@@ -3,7 +3,7 @@
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{interpret_until_stop, job, number, planned, with};
+use crate::common::{ending_at, interpret_until_stop, job, number, on_virtual_part, planned, with};
 use touchpath::control::{Form, POSTS};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
@@ -83,29 +83,18 @@ fn a_chip_on_the_first_wall_stops_a_sinumerik_before_the_write() {
     assert_eq!((told.alarm, told.message.starts_with("center.x=-1.85")), (None, true), "{}", told.message);
 }
 
-/// The probe of LinuxCNC's interpreter ends where its block ends.
-fn ending_at(plan: &Plan, triggers: &[[f64; 3]]) -> String {
-    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-    for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
-        let [x, y, z] = triggers[step.touch.unwrap()];
-        lines[usize::try_from(plan.program.move_lines[index]).unwrap()] = format!("G38.2 X{x:.6} Y{y:.6} Z{z:.6} F150");
-    }
-    lines.join("\n") + "\n"
-}
-
 #[test]
 fn a_chip_on_the_first_wall_stops_linuxcnc_before_the_write() {
     let plan = planned(&hole("linuxcnc", "1", ""));
-    let (ran, error) = interpret_until_stop(&ending_at(&plan, &with_a_chip(&plan)));
+    let (ran, error) = interpret_until_stop(&ending_at(&plan, |k| with_a_chip(&plan)[k]));
     let error = error.expect("it stops");
     assert!(error.contains("diameter is 38.169") && error.contains("more than 0.5 from 40"), "{error}");
     assert_eq!(ran.offsets_after_moves.len(), 0, "nothing is written");
     let shown = ran.prints.iter().find(|(code, _)| code == "center.x").unwrap().1;
     assert!((shown - CHIP.0).abs() < 1e-4, "the results stay readable");
-    let good: Vec<[f64; 3]> = plan.triggers.iter().flatten().copied().collect();
-    assert!(interpret_until_stop(&ending_at(&plan, &good)).0.written.is_some());
+    assert!(interpret_until_stop(&on_virtual_part(&plan)).0.written.is_some());
     let measures = planned(&hole("linuxcnc", "null", ""));
-    let (_, error) = interpret_until_stop(&ending_at(&measures, &with_a_chip(&measures)));
+    let (_, error) = interpret_until_stop(&ending_at(&measures, |k| with_a_chip(&measures)[k]));
     assert_eq!(error, None, "it only says so");
 }
 

@@ -3,7 +3,7 @@
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{import, interpret_until_stop, job, planned, with};
+use crate::common::{import, interpret_until_stop, job, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, RESULT_CODES, convert_units, default_job, evaluate, plan};
 
@@ -26,12 +26,7 @@ fn text_at<'v>(job: &'v Value, keys: &[&str]) -> &'v str {
 fn run(plan: &Plan) -> (bool, bool, String) {
     match plan.program.post {
         "linuxcnc" => {
-            let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-            for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
-                let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap();
-                lines[usize::try_from(plan.program.move_lines[index]).unwrap()] = format!("G38.2 X{x:.6} Y{y:.6} Z{z:.6} F150");
-            }
-            let (ran, error) = interpret_until_stop(&(lines.join("\n") + "\n"));
+            let (ran, error) = interpret_until_stop(&on_virtual_part(plan));
             let said = error.clone().unwrap_or_else(|| format!("{:?}", ran.messages));
             (error.is_some(), !plan.program.writes.is_empty() && ran.written.is_some(), said)
         }

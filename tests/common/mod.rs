@@ -145,6 +145,21 @@ pub fn interpret_until_stop(program: &str) -> (Interpreted, Option<String>) {
     (read(&text), error.map(|why| format!("{text}{why}")))
 }
 
+/// A program for LinuxCNC whose touches end at these places, by their numbers: a probing move of its interpreter ends where its block ends.
+pub fn ending_at(plan: &Plan, place: impl Fn(usize) -> [f64; 3]) -> String {
+    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
+    for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
+        let [x, y, z] = place(step.touch.expect("a touch has its number"));
+        lines[usize::try_from(plan.program.move_lines[index]).expect("a line")] = format!("G38.2 X{x:.7} Y{y:.7} Z{z:.7} F150");
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The same on the virtual part of the plan.
+pub fn on_virtual_part(plan: &Plan) -> String {
+    ending_at(plan, |k| plan.triggers[k].expect("every touch meets the part"))
+}
+
 /// The canonical calls, a line each.
 pub fn canonical(program: &str) -> Vec<String> {
     run_interpreter(program).0.lines().map(str::to_owned).collect()

@@ -28,6 +28,7 @@ test("the package had no licence text", () => {
     "plan-types",
     "protocol",
     "report",
+    "results",
     "said",
     "types",
     "unpacked",

@@ -726,7 +726,7 @@ export interface Job {
 export interface ResultTolerance {
   /** About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. */
   tolerance: string;
-  /** The program goes on, shows the result and goes on, or stops with an alarm. Left out: `go`. */
+  /** The program continues, shows the result and continues, or stops with an alarm. Left out: `go`. */
   action?: "go" | "mark" | "stop";
 }
 

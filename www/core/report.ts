@@ -2,6 +2,7 @@
 // data, as CSV, and as a page to print.
 
 import type { Plan, ResultRow } from "./plan-types.js";
+import { codeOf, isBad, isWritten } from "./results.js";
 
 /** What a report is of. */
 export interface ReportOf {
@@ -78,19 +79,12 @@ const NOT_MEASURED = "not measured";
 /** The verdicts from good to bad. */
 const GRADES = ["good", "good within ±", "out within ±", NOT_MEASURED, "rework", "out", "scrap", "implausible"];
 
-/** Whether no good part has this verdict. */
-export const isBad = (verdict: string | null): boolean =>
-  /^(out|rework|scrap|implausible|not measured)/.test(verdict ?? "");
-
 /** The worst of several verdicts; `null` where there is none. */
 const worst = (verdicts: (string | null)[]): string | null =>
   verdicts.reduce(
     (bad, one) => (one !== null && (bad === null || GRADES.indexOf(one) > GRADES.indexOf(bad)) ? one : bad),
     null,
   );
-
-const codeOf = ({ cycles, relations }: Plan, { cycle, code }: ResultRow) =>
-  cycles.length + relations.length > 1 ? `${[...cycles, ...relations][cycle]}.${code}` : code;
 
 /** A moment as a sheet says it, by the clock of this place: `2026-11-26 17:05`. */
 export const clock = (moment: Date): string => {
@@ -101,10 +95,10 @@ export const clock = (moment: Date): string => {
 
 /** The report as data. */
 export function report({ plan, parts, name = "", by = "", machine = "", when = "", note = "" }: ReportOf): Report {
-  const key = (row: ResultRow) => codeOf(plan, row);
+  const key = ({ cycle, code }: ResultRow) => codeOf(plan, cycle, code);
   const measured = parts.map(({ results }) => new Map(results.map((row) => [key(row), row])));
   // What a program writes is no feature of the part.
-  const listed = plan.results.filter(({ code, unit }) => !code.startsWith("offset.") && unit !== "");
+  const listed = plan.results.filter((row) => !isWritten(row) && row.unit !== "");
   const found = (row: ResultRow) =>
     row.value !== null ||
     row.limits !== null ||
@@ -173,7 +167,7 @@ function seriesOf(values: (number | null)[], limits: [number, number] | null): S
  * points, or of one run, is given as it is.
  */
 export function runsOf(text: string, plan: Plan): string[] {
-  const codes = plan.results.map((row) => codeOf(plan, row).toLowerCase());
+  const codes = plan.results.map(({ cycle, code }) => codeOf(plan, cycle, code).toLowerCase());
   const coded = (line: string) => {
     const plain = line.toLowerCase().replace(/[\s*_]+/g, ".");
     // A value stands behind it: what a program says of a result is none.

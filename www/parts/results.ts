@@ -11,6 +11,7 @@ import {
   type Said,
   svg,
 } from "../core/browser.js";
+import { isBad, isWritten } from "../core/results.js";
 import { moveInWords, ofRunout, resultInWords } from "../sentences.js";
 import { w } from "../words.js";
 import { copied, copy, download } from "./download.js";
@@ -20,9 +21,6 @@ import { Part } from "./part.js";
 const places = (unit: string) => (unit === "inch" ? 4 : 3);
 const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
-
-/** Verdicts of results that no good part has. */
-const BAD = /^(rework|scrap|implausible|out)/;
 
 /** What was made of the measured text: what follows from it, or what is wrong with it; neither where there is none. */
 interface Evaluated {
@@ -203,7 +201,7 @@ class ResultsPart extends Part {
     const bounds = [this.number(low, digits), this.number(high, digits)] as const;
     const verdict: Said = said.verdict ?? ["–"];
     const says = this.t("{value}, limits {min} and {max}: {verdict}", this.number(value, digits), ...bounds, verdict);
-    const bad = BAD.test(r.verdict ?? "");
+    const bad = isBad(r.verdict);
     return html`<tr class="bar"><td colspan="6"><svg class=${bad ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
       <title>${says}</title><rect x="25" y="3" width="50" height="6"></rect>
       <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg></td></tr>`;
@@ -233,7 +231,7 @@ class ResultsPart extends Part {
     const name = html`<td role="cell" class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code>${r.stored ? html` <code title=${this.t("Where the control has it")}>${r.stored}</code>` : nothing} <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
     const verdict = (row: ResultRow | undefined) =>
       row?.said.verdict
-        ? html` <span class=${BAD.test(row.verdict ?? "") ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
+        ? html` <span class=${isBad(row.verdict) ? "bad" : ""}>${this.store.say(row.said.verdict)}</span>`
         : nothing;
     if (r.unit === "") {
       return measured
@@ -268,7 +266,7 @@ class ResultsPart extends Part {
   /** Whether the tolerances are listed: from when there are any, and as the user leaves it. */
   private tolerated: boolean | null = null;
 
-  /** The tolerance of each result, and what follows from a value out of it. */
+  /** The tolerance of each result, and what the program does with a value out of it. */
   private tolerances(): TemplateResult | typeof nothing {
     const { store } = this;
     const found = store.findings.filter(({ path, level }) => path.startsWith("tolerances") && level !== "info");
@@ -287,7 +285,7 @@ class ResultsPart extends Part {
       if (now !== open) this.tolerated = now;
     }}>
       <summary>${this.t("Tolerances")}</summary>
-      <p class="help">${this.t("As the drawing says it: H7, ±0.02, +0.021/0, 25H7 or 24.98..25.02. Out of it the program goes on, marks the result, or stops.")}</p>
+      <p class="help">${this.t("As on the drawing: H7, ±0.02, +0.021/0, 25H7 or 24.98..25.02. Out of tolerance the program continues, marks the result, or stops.")}</p>
       <ul>${rows.map((row) => this.tolerance(row))}</ul>
       ${found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)}
     </details>`;
@@ -312,7 +310,7 @@ class ResultsPart extends Part {
       store.settle();
     };
     const choices = [
-      ["go", w("go on")],
+      ["go", w("continue")],
       ["mark", w("mark it")],
       ["stop", w("stop")],
     ] as const;
@@ -326,16 +324,15 @@ class ResultsPart extends Part {
   private tables(caption: string, measured: Map<string, ResultRow> | null): TemplateResult[] {
     const { results, cycles, relations } = this.store.plan;
     if (cycles.length < 2) return [this.table(results, caption, measured)];
-    const written = (row: ResultRow) => row.code.startsWith("offset.");
     const own = cycles.map((name, i) => ({
       name: i === 0 ? `${caption}: ${name}` : name,
-      rows: results.filter((row) => row.cycle === i && !written(row)),
+      rows: results.filter((row) => row.cycle === i && !isWritten(row)),
     }));
     const between = {
       name: this.t("Relations"),
-      rows: results.filter((row) => row.cycle >= cycles.length && !written(row)),
+      rows: results.filter((row) => row.cycle >= cycles.length && !isWritten(row)),
     };
-    const last = { name: this.t("What the program writes"), rows: results.filter(written) };
+    const last = { name: this.t("What the program writes"), rows: results.filter(isWritten) };
     const shown = [...own, ...(relations.length > 0 ? [between] : []), last].filter(({ rows }) => rows.length > 0);
     return shown.map(({ name, rows }) => this.table(rows, name, measured));
   }

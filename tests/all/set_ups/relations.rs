@@ -3,7 +3,7 @@
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{import, interpret, job, planned, with};
+use crate::common::{import, interpret, job, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, ResultRow, evaluate, plan};
 
@@ -108,12 +108,7 @@ fn relations_move_with_the_part_and_agree_with_its_truth() {
 fn programs_compute_what_the_plan_says() {
     let on_screen = |post: &str| with(&displaced(post), "control.report", Value::Text("screen".to_owned()));
     let plan = planned(&on_screen("linuxcnc"));
-    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-    for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
-        let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap();
-        lines[usize::try_from(plan.program.move_lines[index]).unwrap()] = format!("G38.2 X{x:.7} Y{y:.7} Z{z:.7} F150");
-    }
-    let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
     let mut compared = 0;
     for (i, name) in plan.relations.iter().enumerate() {
         for row in plan.results.iter().filter(|row| row.cycle == plan.cycles.len() + i) {
@@ -180,12 +175,7 @@ fn a_work_offset_is_written_from_relations() {
       "part": { "offset": [0.7, -0.45, 0], "rotation": 0.8 } }"#;
     let plan = planned(&job(text));
     assert_eq!(plan.program.writes, ["X", "Y", "rotation"]);
-    let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-    for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
-        let [x, y, z] = plan.triggers[step.touch.unwrap()].unwrap();
-        lines[usize::try_from(plan.program.move_lines[index]).unwrap()] = format!("G38.2 X{x:.7} Y{y:.7} Z{z:.7} F150");
-    }
-    let ran = interpret(&(lines.join("\n") + "\n")).unwrap();
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
     let ([ox, oy, _], turn) = (*ran.offsets_after_moves.last().unwrap(), *ran.rotations_after_moves.last().unwrap());
     near(turn, 0.8, 1e-4, "rotation");
     // Where the holes are on the part, by hand, and what the written system reads there.

@@ -21,7 +21,8 @@ import {
   runProgram,
   svg,
 } from "../node.js";
-import { isBad, type ReportOf, report, reportCsv, reportHtml, runsOf } from "../report.js";
+import { type ReportOf, report, reportCsv, reportHtml, runsOf } from "../report.js";
+import { codeOf, isBad, isWritten } from "../results.js";
 import { examined, type ReportFormat } from "./examine.js";
 
 /** What is done with every job. */
@@ -289,14 +290,10 @@ function movesAsText(read: ProgramMoves): string {
 }
 
 /** Results as columns for people. */
-function listed(rows: ResultRow[], { cycles, relations }: Plan): string {
-  const named = ({ cycle, code }: ResultRow) =>
-    cycles.length + relations.length > 1 && !code.startsWith("offset.")
-      ? `${[...cycles, ...relations][cycle]}.${code}`
-      : code;
+function listed(rows: ResultRow[], plan: Plan): string {
   const number = (x: number | string | null) => (typeof x === "number" ? x.toFixed(4) : (x ?? "-"));
   const lines = rows.map((row) => [
-    named(row),
+    isWritten(row) ? row.code : codeOf(plan, row.cycle, row.code),
     number(row.nominal),
     number(row.value),
     number(row.deviation),

@@ -22,6 +22,9 @@ pub const BUDGET: usize = 20_000_000;
 /// What a motion counts for: it is kept.
 const MOTION: usize = 20;
 
+/// What a write to a variable counts for: at most 40 MB are kept of them.
+const WRITE: usize = 8;
+
 /// So many motions in other modes than the first one are kept.
 const MOST_CHANGES: usize = 20;
 
@@ -381,11 +384,11 @@ impl<'s, 't> Machine<'s, 't> {
                     return Ok(Flow::Moved(words, motion));
                 }
             }
-            BlockKind::Set(slot, node) => self.slots.set(*slot as usize, self.value(*node)),
+            BlockKind::Set(slot, node) => self.write(*slot, *node),
             BlockKind::SetOther(..) | BlockKind::Elsewhere(_) if self.run.strict => {
                 return Err(self.refuse(block.line, not_in_a_proof(&block.kind)));
             }
-            BlockKind::SetOther(slot, node) => self.slots.set(*slot as usize, self.value(*node)),
+            BlockKind::SetOther(slot, node) => self.write(*slot, *node),
             BlockKind::Elsewhere(axes) => {
                 (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false);
             }
@@ -426,6 +429,13 @@ impl<'s, 't> Machine<'s, 't> {
             BlockKind::End => return Ok(Flow::End),
         }
         Ok(Flow::Next)
+    }
+
+    /// Gives a variable a value. What it held is kept: a program that would run forever must not fill the memory with that.
+    fn write(&mut self, slot: Slot, node: NodeId) {
+        self.spend(WRITE);
+        let value = self.value(node);
+        self.slots.set(slot as usize, value);
     }
 
     /// Goes into a subroutine with these arguments.

@@ -36,22 +36,16 @@ impl Slots {
 
     /// Takes back all writes since a mark.
     pub fn back(&mut self, to: Mark) {
-        while self.replaced.len() > to.0
-            && let Some((slot, before)) = self.replaced.pop()
-        {
+        for (slot, before) in self.replaced.drain(to.0..).rev() {
             self.now[slot as usize] = before;
         }
     }
 
     /// The same, and gives what makes them again.
     pub fn undo(&mut self, to: Mark) -> Redo {
-        let mut undone = Vec::new();
-        while self.replaced.len() > to.0
-            && let Some((slot, before)) = self.replaced.pop()
-        {
-            undone.push((slot, std::mem::replace(&mut self.now[slot as usize], before)));
-        }
-        Redo(undone)
+        let now = &mut self.now;
+        let undone = self.replaced.drain(to.0..).rev();
+        Redo(undone.map(|(slot, before)| (slot, std::mem::replace(&mut now[slot as usize], before))).collect())
     }
 
     /// Makes writes again that were taken back: marks among them hold again.

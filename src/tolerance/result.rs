@@ -1,0 +1,280 @@
+//! Tolerances of results, as drawings write them: about the nominal value, or with it.
+
+use super::{end_of_number, number, shown, signed, standard};
+use crate::num::decimal;
+use crate::text::{Text, text};
+
+/// The forms that the tolerance of a result may have, for people.
+pub const RESULT_FORMS: &str = "25H7, H7, ±0.02, +0.021/0, 25 ±0.02, 24.98..25.02";
+
+/// What the tolerance of a result says.
+#[derive(Clone, Debug, PartialEq)]
+enum Zone<'t> {
+    /// Its ends.
+    Ends([f64; 2]),
+    /// Deviations, from the size in front of them where there is one.
+    Off(Option<f64>, Deviations<'t>),
+    /// Two signed numbers without a blank: deviations, but where the first is the nominal value itself.
+    Either([f64; 2]),
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Deviations<'t> {
+    /// Lower and upper.
+    Given([f64; 2]),
+    /// `H7`, `m`.
+    Class(&'t str),
+}
+
+impl<'t> Deviations<'t> {
+    /// `±0.02`, `+0.021/0`, `0 -0.1`, `+0.02-0.01`, `-0.2`, `H7`, `m`. None where it is none of these. Only a 0 has no sign.
+    fn read(text: &'t str) -> Option<Self> {
+        let given = |one: f64, other: f64| Some(Deviations::Given([one.min(other), one.max(other)]));
+        let signed_or_0 = |text: &str| number(text).filter(|x| *x == 0.0 || text.starts_with(['+', '-']));
+        if let Some(off) = text.strip_prefix('±').or_else(|| text.strip_prefix("+/-")) {
+            let off = number(off.trim()).filter(|off| *off > 0.0)?;
+            return given(-off, off);
+        }
+        if let Some((one, other)) = text.split_once('/').or_else(|| text.split_once(' ')) {
+            return given(signed_or_0(one.trim())?, signed_or_0(other.trim())?);
+        }
+        if text.starts_with(['+', '-']) {
+            return signed(text).and_then(|(low, high)| given(low, high));
+        }
+        let class = text.starts_with(|c: char| c.is_ascii_alphabetic()) && text.bytes().all(|b| b.is_ascii_alphanumeric());
+        class.then_some(Deviations::Class(text))
+    }
+
+    /// Lower and upper deviation, in the units of the size; `to_mm` is millimetres in one. An error of a class that does not exist for it.
+    fn of(&self, size: f64, to_mm: Option<f64>) -> Option<Result<[f64; 2], Text>> {
+        match *self {
+            Deviations::Given(off) => Some(Ok(off)),
+            Deviations::Class(class) => {
+                let to_mm = to_mm?;
+                Some(standard(class, size * to_mm).map(|(low, high)| [low / to_mm, high / to_mm]))
+            }
+        }
+    }
+}
+
+/// A text without what says nothing: one blank for several, signs as they are typed.
+fn tidied(text: &str) -> String {
+    let plain = text.replace('\u{2212}', "-").replace('…', "..");
+    let plain = plain.trim().trim_start_matches(['Ø', 'ø', '⌀']);
+    plain.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+impl<'t> Zone<'t> {
+    fn read(text: &'t str) -> Option<Self> {
+        if let Some((low, high)) = text.split_once("..") {
+            let ends = [number(low.trim())?, number(high.trim_start_matches('.').trim())?];
+            return (ends[0] < ends[1]).then_some(Zone::Ends(ends));
+        }
+        let Some(end) = end_of_number(text).filter(|_| !text.starts_with("+/-")) else {
+            return Deviations::read(text).map(|off| Zone::Off(None, off));
+        };
+        let (first, rest) = (number(&text[..end])?, &text[end..]);
+        let relative = text.starts_with(['+', '-']);
+        match (relative, rest) {
+            (true, "") => Deviations::read(text).map(|off| Zone::Off(None, off)),
+            // A fraction: `+0.021/0`.
+            (true, _) if rest.trim_start().starts_with('/') => Deviations::read(text).map(|off| Zone::Off(None, off)),
+            (true, _) if rest.starts_with(['+', '-']) && end_of_number(rest) == Some(rest.len()) => {
+                Some(Zone::Either([first, number(rest)?]))
+            }
+            _ => Deviations::read(rest.trim()).map(|off| Zone::Off(Some(first), off)),
+        }
+    }
+}
+
+/// The smallest and the largest value that a tolerance of a result allows, and whether the text says the nominal value itself. A text that begins with a
+/// sign or a letter is about the nominal value: `±0.02`, `+0.021/0`, `-0.1-0.2`, `H7`. One that begins with a number has it: `25H7`, `25 ±0.02`,
+/// `24.98..25.02`; a negative one with a blank behind it, with two deviations, or where it is the nominal value: `-35 ±0.1`, `-35+0.1-0.2`. `to_mm` is
+/// millimetres in the unit; none of what has no classes.
+pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 2], bool), Text> {
+    let wrong = || text!("\"{value}\" is no tolerance: the forms are {forms}", shown(text), RESULT_FORMS.to_owned());
+    let plain = tidied(text);
+    let (size, off) = match Zone::read(&plain).ok_or_else(wrong)? {
+        Zone::Ends(ends) => return Ok((ends, true)),
+        Zone::Off(size, off) => (size, off.of(size.unwrap_or(nominal), to_mm).ok_or_else(wrong)??),
+        Zone::Either([first, second]) if (first - nominal).abs() < 1e-9 && nominal != 0.0 => {
+            (Some(first), [second.min(0.0), second.max(0.0)])
+        }
+        Zone::Either([one, other]) => (None, [one.min(other), one.max(other)]),
+    };
+    let [low, high] = off;
+    if low >= high {
+        return Err(wrong());
+    }
+    let middle = size.unwrap_or(nominal);
+    Ok(([middle + low, middle + high], size.is_some()))
+}
+
+/// The same tolerance in characters that a comment of any control takes, without blanks and with the numbers as they were written: `+0.02-0.02` for
+/// `±0.02`, `..` for `…`.
+pub fn plain_of_result(text: &str) -> String {
+    let plain = tidied(text).replace(',', ".");
+    let (size, off) = match Zone::read(&plain) {
+        Some(Zone::Off(Some(_), Deviations::Given(_))) => plain.split_at(end_of_number(&plain).unwrap_or(0)),
+        Some(Zone::Off(None, Deviations::Given(_))) => ("", plain.as_str()),
+        _ => return plain.replace(' ', ""),
+    };
+    let off = off.trim();
+    let signed = |text: &str| if text.starts_with(['+', '-']) { text.to_owned() } else { format!("+{text}") };
+    let both = if let Some(off) = off.strip_prefix('±').or_else(|| off.strip_prefix("+/-")) {
+        format!("+{off}-{off}", off = off.trim())
+    } else if let Some((one, other)) = off.split_once('/').or_else(|| off.split_once(' ')) {
+        format!("{}{}", signed(one.trim()), signed(other.trim()))
+    } else if !size.is_empty() && end_of_number(off) == Some(off.len()) {
+        // Behind a negative size a single deviation would be one of two.
+        format!("+0{}", signed(off))
+    } else {
+        off.to_owned()
+    };
+    format!("{size}{both}")
+}
+
+/// The same tolerance with every length multiplied by `by`: what is no tolerance stays as it is.
+pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
+    if Zone::read(&tidied(text)).is_none() {
+        return text.to_owned();
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let digits = rest.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ',')).unwrap_or(rest.len());
+        // Two points stand between the ends of a zone.
+        let digits = rest[..digits].find("..").unwrap_or(digits);
+        if digits == 0 || out.ends_with('.') && first == '.' {
+            out.push(first);
+            rest = &rest[first.len_utf8()..];
+            continue;
+        }
+        // The grade of a class is no length.
+        match number(&rest[..digits]).filter(|_| !out.ends_with(|c: char| c.is_ascii_alphabetic())) {
+            Some(x) => out.push_str(&decimal(by(x), 9)),
+            None => out.push_str(&rest[..digits]),
+        }
+        rest = &rest[digits..];
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tolerance_of_a_result_is_about_its_nominal_value_or_says_one() {
+        // ISO 286-2: H7 of 25 mm is +0.021/0, F8 +0.053/+0.020; ISO 2768-1 m of 25 mm is ±0.2.
+        for (text, nominal, limits, says) in [
+            ("H7", 25.0, [25.0, 25.021], false),
+            ("H7 ", 25.0, [25.0, 25.021], false),
+            ("F8", 25.0, [25.02, 25.053], false),
+            ("m", 25.0, [24.8, 25.2], false),
+            ("±0.02", -35.0, [-35.02, -34.98], false),
+            ("± 0.02", 25.0, [24.98, 25.02], false),
+            ("+/-0,02", 25.0, [24.98, 25.02], false),
+            ("+0.021/0", 25.0, [25.0, 25.021], false),
+            ("+0.021 / 0", 25.0, [25.0, 25.021], false),
+            ("+0.03-0.01", 25.0, [24.99, 25.03], false),
+            ("-0.2", 25.0, [24.8, 25.0], false),
+            ("-0.1-0.2", 25.0, [24.8, 24.9], false),
+            ("-0.1/-0.2", 25.0, [24.8, 24.9], false),
+            ("25H7", 25.0105, [25.0, 25.021], true),
+            ("Ø25 H7", 25.0, [25.0, 25.021], true),
+            ("Ø25 ±0.02", 25.0, [24.98, 25.02], true),
+            ("25 0 -0.02", 25.0, [24.98, 25.0], true),
+            ("25 0/-0.02", 25.0, [24.98, 25.0], true),
+            ("25 +0.021", 25.0, [25.0, 25.021], true),
+            ("35 -0.2", 35.0, [34.8, 35.0], true),
+            // A negative nominal value: a blank, two deviations, or that it is the nominal value say so.
+            ("-35 ±0.1", -35.0, [-35.1, -34.9], true),
+            ("-35±0.1", -35.0, [-35.1, -34.9], true),
+            ("-35+0.1-0.2", -35.0, [-35.2, -34.9], true),
+            ("-35 -0.2", -35.0, [-35.2, -35.0], true),
+            ("-35 +0.1", -35.0, [-35.0, -34.9], true),
+            ("-35 0/-0.2", -35.0, [-35.2, -35.0], true),
+            ("-35-0.2", -35.0, [-35.2, -35.0], true),
+            ("24.98..25.02", 25.0, [24.98, 25.02], true),
+            ("-0.02 … 0.02", 0.0, [-0.02, 0.02], true),
+        ] {
+            let (found, own) = of_result(text, nominal, Some(1.0)).unwrap_or_else(|e| panic!("{text}: {e}"));
+            assert!((0..2).all(|i| (found[i] - limits[i]).abs() < 1e-9), "{text}: {found:?}");
+            assert_eq!(own, says, "{text}");
+        }
+        for text in [
+            "",
+            "25",
+            "0.02",
+            "±",
+            "H",
+            "H 7",
+            "2 5H7",
+            "25H 7",
+            "25..25",
+            "25.02..24.98",
+            "±0",
+            "q7",
+            "25H7x",
+            "±-1",
+            "..",
+            "+",
+            "0.1/0.2",
+            "25 0.02",
+            "25 1/2",
+            "0/-0.1/2",
+            "-",
+            "1 2 3",
+        ] {
+            assert!(of_result(text, 25.0, Some(1.0)).is_err(), "{text}: {:?}", of_result(text, 25.0, Some(1.0)));
+        }
+        // An angle has no classes.
+        assert!(of_result("H7", 25.0, None).is_err());
+        assert_eq!(of_result("±0.5", 90.0, None).unwrap().0, [89.5, 90.5]);
+        let inch = of_result("H7", 1.0, Some(25.4)).unwrap().0;
+        assert!((inch[1] - 1.0 - 0.021 / 25.4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_tolerance_of_a_result_in_plain_characters_is_the_same_zone() {
+        for text in [
+            "H7",
+            "25 H7",
+            "±0.02",
+            "+/-0,02",
+            "+0.021/0",
+            "-0.1/-0.2",
+            "+0.1/+0.2",
+            "Ø25 ±0.02",
+            "25+0.03/-0.01",
+            "24,98 … 25.02",
+            "25 0 -0.02",
+            "-35 -0.2",
+            "-35 +0.1",
+            "-35 ± 0.1",
+            "± 0.007874015748031498",
+            "+0.007874015748031498/-0.0012345678912345",
+        ] {
+            let plain = plain_of_result(text);
+            assert!(plain.chars().all(|c| c.is_ascii_alphanumeric() || ".+-".contains(c)), "{plain}");
+            assert_eq!(of_result(&plain, 25.0, Some(1.0)), of_result(text, 25.0, Some(1.0)), "{text}: {plain}");
+            assert!(of_result(text, 25.0, Some(1.0)).is_ok(), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_tolerance_of_a_result_in_other_units_is_the_same_zone() {
+        for (text, doubled) in [
+            ("25H7", "50H7"),
+            ("±0.02", "±0.04"),
+            ("+.5/-.25", "+1/-0.5"),
+            ("24.98..25.02", "49.96..50.04"),
+            ("-1…2,5", "-2…5"),
+            ("js6", "js6"),
+            ("what", "what"),
+        ] {
+            assert_eq!(convert_of_result(text, |x| 2.0 * x), doubled);
+        }
+    }
+}
