@@ -80,7 +80,7 @@ impl Camera {
             };
             // About half as wide as its text; a dot has two bytes, and is half as wide as a digit; letters are wider.
             let letters = number.said.bytes().filter(u8::is_ascii_alphabetic).count();
-            let wide = 2.8 * number.said.len() as f64 + 1.7 * letters as f64 + 4.6;
+            let wide = 2.8 * number.said.len() as f64 + 2.2 * letters as f64 + 4.6;
             let half = Vec2::new((wide * radius / DISC[0]).max(radius), radius);
             let mut least = f64::INFINITY;
             // Round about the contact, then further out.
