@@ -46,6 +46,16 @@ const same = (one: string, other: string) => one.toLowerCase() === other.toLower
 /** The cycle or relation that something is of: of `BORE.diameter` it is `BORE`. */
 const head = (of: string) => of.split(".")[0] ?? of;
 
+/** A cycle whose place may follow results of another one, by its new name. */
+function following(cycle: Draft, from: string, to: string): Draft {
+  if (!Array.isArray(cycle.origin) || !cycle.origin.some((x) => typeof x === "string")) return cycle;
+  const renamed = (x: unknown) => {
+    const [, equals = "", name, rest] = (typeof x === "string" && /^(\s*=\s*)(\w+)(\..*)$/.exec(x)) || [];
+    return name !== undefined && same(name, from) ? `${equals}${to}${rest}` : x;
+  };
+  return { ...cycle, origin: cycle.origin.map(renamed) };
+}
+
 /** A relation of whatever was read: what is wrong with it is left to the check. */
 function asRelation(given: unknown): Related {
   const { name, type, of, tolerances } = isObject(given) ? given : {};
@@ -216,18 +226,20 @@ export class Features {
     this.hand = this.all.indexOf(inHand as Feature);
   }
 
-  /** Another name, and whatever is written from it. */
-  rename(index: number, name: string, named: boolean): void {
+  /** Another name, and whatever is written from it or follows it. */
+  rename(form: Draft, index: number, name: string, named: boolean): void {
+    this.stow(form);
     const one = this.all[index];
     if (!one) return;
     this.all[index] = { ...one, name, named };
     this.refer(one.name, name);
+    form.cycle = this.all[this.hand]?.cycle ?? form.cycle;
   }
 
   /** The one in hand measures something else now: it is called so, where nobody has named it. */
-  called(cycle: Draft): void {
+  called(form: Draft): void {
     const one = this.all[this.hand];
-    if (one && !one.named) this.rename(this.hand, this.free(cycle, this.hand), false);
+    if (one && !one.named) this.rename(form, this.hand, this.free(form.cycle as Draft, this.hand), false);
   }
 
   /** Adds a relation of these. */
@@ -265,6 +277,8 @@ export class Features {
       .filter((one) => !dropped.includes(one))
       .map((one) => ({ ...one, of: one.of.map((of) => (is(of) ? `${to}${of.slice(from.length)}` : of)) }));
     for (const { name } of dropped) this.refer(name, null);
+    // What follows a cycle that is gone is left to the check: nobody else knows where it is to be.
+    if (to !== null) this.all = this.all.map((one) => ({ ...one, cycle: following(one.cycle, from, to) }));
     for (const axis of AXES) {
       const said = this.datum[axis];
       if (typeof said !== "string" || !said.toLowerCase().startsWith(`${from.toLowerCase()}.`)) continue;

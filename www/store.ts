@@ -205,7 +205,7 @@ export class Store extends Entries {
   }
 
   renameFeature(index: number, name: string): void {
-    this.arrange(() => this.features.rename(index, name, true));
+    this.arrange(() => this.features.rename(this.draft, index, name, true));
   }
 
   /** Leaves one out of the program, or takes it in again. One stays in. */

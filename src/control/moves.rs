@@ -48,6 +48,11 @@ pub trait Moves {
         false
     }
 
+    /// What a program calls the value of an assignment.
+    fn value(&self, _formula: &Formula, _index: usize) -> String {
+        String::new()
+    }
+
     /// The way back from a touch.
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>);
 
@@ -99,8 +104,15 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
-        if let Some(member) = path.begins_member(index) {
+        if let Some(begins) = path.begins_member(index) {
+            let member = &path.members[begins];
             w.comment(&format!("{}: {}", member.name, member.title));
+            for question in path.asked_before(begins, &request.limits) {
+                hooks.ask(&mut w, formula, &question);
+            }
+        }
+        if !path.shifts.is_empty() {
+            w.shifts_by(path.shifts(index).map(|shift| shift.map_or_else(String::new, |by| hooks.value(formula, by.index()))));
         }
         match step.purpose {
             _ if own.iter().any(|own| own.contains(&index)) => {

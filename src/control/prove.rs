@@ -7,7 +7,7 @@ use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
 use crate::formula::{Asked, Dual, Role, Variable};
 use crate::geom::Vec3;
-use crate::path::{Arc, Move, Purpose, Touch};
+use crate::path::{Arc, Follow, Move, Purpose, Touch, WAY};
 use crate::text::{Text, text, words};
 
 /// What was proven of a program. There is no way to make one but [`prove`].
@@ -77,6 +77,32 @@ pub struct Followed<'t> {
     expected: Expected,
 }
 
+impl Followed<'_> {
+    /// How far a move of the path is shifted in it, mm.
+    pub fn shift(&self, index: usize) -> Vec3 {
+        self.expected.shift(index)
+    }
+
+    /// Whether the program stops, having written nothing, before it moves to a cycle where a result that the cycle follows is `off` its nominal value by
+    /// so much, mm.
+    pub fn stops_before(&self, request: &Request<'_>, member: usize, (result, off): (usize, f64)) -> bool {
+        let mut triggers = self.triggers.clone();
+        let Ok(shifts) = shifted(request, &mut triggers, Some((result, off))) else { return true };
+        let expected = Expected::of(request, shifts);
+        let made = request.path.members[member].moves.start;
+        let ways = request.path.moves[..made].iter().rev().take_while(|step| step.step == WAY).count();
+        let mut next = 0;
+        let stop = machine::until_alarm(&self.script, self.begin, &mut |step: &Step| expected.next(step, &triggers, &mut next));
+        let before = expected.touches.iter().filter(|(k, _)| request.path.member_of_touch(*k) < Some(member)).count();
+        let Some(last) = (made - ways).checked_sub(1) else { return false };
+        let stands = expected.place(request.path.moves[last].to + expected.shift(last));
+        // What puts one result off may put another one off that is asked about earlier.
+        let in_time =
+            |stop: machine::Stopped| stop.touches < before || stop.touches == before && expected.near(stop.at, stands);
+        stop.is_some_and(|stop| !stop.writes && in_time(stop))
+    }
+}
+
 /// What a program is followed on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
@@ -95,12 +121,13 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     let script = read(text).map_err(faults)?;
     let mut triggers = vec![Vec3::ZERO; request.path.touches.len()];
     for (k, from, step) in request.path.searches() {
-        triggers[k] = trigger(request, k, from.map_or(0.0, |from| from.distance(step.to)));
+        triggers[k] = trigger(request, k, from.map_or(0.0, |from| from.distance(step.to)), 1.0);
     }
+    let shifts = if request.path.shifts.is_empty() { Shifted::default() } else { shifted(request, &mut triggers, None)? };
     // Where nothing is written and no tolerance is asked about, the end of the program does not depend on its results.
     let asks = request.corrects() || request.questions().iter().any(|question| question.asked != Asked::Plausible);
     let marks: Vec<Slot> = if asks { script.outputs().map(|(_, slot)| slot).collect() } else { Vec::new() };
-    let expected = Expected::of(request);
+    let expected = Expected::of(request, shifts);
     let first = request.path.moves.first().map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
     let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
@@ -117,12 +144,7 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
             if part == Part::Unknown {
                 return expected.meets(step, &triggers).unwrap_or(Met::Unknown);
             }
-            let Some((k, (begin, end))) = expected.touches.get(next) else { return Met::Nothing };
-            if !(expected.near(step.to, *end) && expected.near(step.from, *begin)) {
-                return Met::Nothing;
-            }
-            next += 1;
-            expected.contact(step, triggers[*k])
+            expected.next(step, &triggers, &mut next)
         },
         &marks,
     )
@@ -163,11 +185,71 @@ pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usi
 }
 
 /// What touch `k` reads in the proof: anywhere along its search and a little aside, another place for each; but not before half of its `way` to
-/// the nominal contact.
-fn trigger(request: &Request<'_>, k: usize, way: f64) -> Vec3 {
+/// the nominal contact. `share`: of how far it is from there, for results that must stay within a limit.
+fn trigger(request: &Request<'_>, k: usize, way: f64, share: f64) -> Vec3 {
     let touch = &request.path.touches[k];
-    let along = (touch.search * (0.55 * spread(k) - 0.05)).max(-way / 2.0);
+    let along = (touch.search * (0.55 * spread(k) - 0.05)).max(-way / 2.0) * share;
     touch.contact(request.setup.radius) - touch.vector * along + aside(k)
+}
+
+/// By how much each move is shifted on the triggers of the proof, mm, where cycles follow results. The triggers move along, and those of a cycle that is
+/// followed stay so near that its results are within the limit; but for one result that is to be `off` its nominal value by so much.
+fn shifted(request: &Request<'_>, triggers: &mut [Vec3], off: Option<(usize, f64)>) -> Result<Shifted, Vec<Fault>> {
+    /// Halved so often, a trigger is as near as it is put aside.
+    const HALVED: usize = 14;
+    let (path, formula) = (request.path, &request.path.formula);
+    let ways: Vec<(usize, f64)> =
+        path.searches().map(|(k, from, step)| (k, from.map_or(0.0, |from| from.distance(step.to)))).collect();
+    let limit = request.limits.position.unwrap_or(0.0);
+    let evaluated = |triggers: &[Vec3]| {
+        let (samples, directions) = sampled(request, triggers);
+        formula.evaluate(&samples, &directions)
+    };
+    let far = |values: &[Dual], result: usize| {
+        let def = &formula.results[result];
+        def.variable.map_or(0.0, |variable| values[variable.index()].value - def.nominal)
+    };
+    let mut values = evaluated(triggers);
+    for member in &path.members {
+        let by = |follow: Option<Follow>| follow.map_or(0.0, |follow| values[follow.shift.index()].value);
+        let by = Vec3::from_array(member.follows.map(by));
+        let is_followed = |result: &usize| path.members.iter().any(|m| m.follows.iter().flatten().any(|f| f.result == *result));
+        let followed: Vec<usize> = member.results.clone().filter(is_followed).collect();
+        let own = |share: f64, triggers: &mut [Vec3]| {
+            for (k, way) in ways.iter().filter(|(k, _)| member.touches.contains(k)) {
+                triggers[*k] = trigger(request, *k, *way, share) + by;
+            }
+        };
+        let mut shares = (0..HALVED).map(|halved| 0.5f64.powi(halved as i32));
+        let near = |share: &f64| {
+            own(*share, triggers);
+            let values = evaluated(triggers);
+            followed.iter().all(|result| far(&values, *result).abs() < 0.9 * limit)
+        };
+        if shares.find(near).is_none() {
+            return Err(vec![Fault::of(text!("the limit of a place that a cycle follows is too small to be proven"))]);
+        }
+        values = evaluated(triggers);
+        if let Some((result, wanted)) = off.filter(|(result, _)| member.results.contains(result)) {
+            // All touches of the cycle lie elsewhere along the axis: how far, one trial says.
+            let axis =
+                path.members.iter().find_map(|m| (0..3).find(|axis| m.follows[*axis].is_some_and(|f| f.result == result)));
+            let mut way = Vec3::ZERO;
+            way[axis.unwrap_or(0)] = 1.0;
+            let displaced = |far: f64, triggers: &mut [Vec3]| {
+                triggers[member.touches.clone()].iter_mut().for_each(|trigger| *trigger += way * far);
+            };
+            let before = far(&values, result);
+            displaced(1.0, triggers);
+            let each = far(&evaluated(triggers), result) - before;
+            displaced((wanted - before) / each - 1.0, triggers);
+            values = evaluated(triggers);
+        }
+    }
+    let by = |shift: Option<Variable>| shift.map_or(0.0, |shift| values[shift.index()].value);
+    let reaches = path.members.iter().flat_map(|member| member.follows.into_iter().flatten());
+    let reach = reaches.map(|follow| values[follow.shift.index()].reach()).fold(0.0, f64::max);
+    Ok(Shifted { by: (0..path.moves.len()).map(|i| Vec3::from_array(path.shifts(i).map(by))).collect(), reach })
 }
 
 /// By how much the trigger of touch `k` reads aside of where the axes stop: no coordinate is a round number, so that no term of a formula
@@ -195,21 +277,55 @@ struct Expected {
     size: f64,
     /// The touches in the order of the path: which one, and begin and end of its probing move.
     touches: Vec<(usize, (Place, Place))>,
+    /// By how much each move is shifted, mm; empty where none is.
+    shifts: Vec<Vec3>,
+    /// By how much rounded constants may move a place that is shifted, in units of the program.
+    slack: f64,
+}
+
+/// How far the moves of a program are shifted, and how exactly that is known.
+#[derive(Debug, Default)]
+struct Shifted {
+    /// Of each move, mm.
+    by: Vec<Vec3>,
+    /// What errors of the triggers are multiplied by.
+    reach: f64,
 }
 
 impl Expected {
-    fn of(request: &Request<'_>) -> Self {
+    fn of(request: &Request<'_>, Shifted { by: shifts, reach }: Shifted) -> Self {
         let path = request.path;
         let far = path.touches.iter().map(|touch| touch.point.length()).fold(100.0, f64::max);
         let size = 1e-9 + 10.0 * request.post.constant_error * far;
         let digit = request.post.half_digit(request.scale);
         let steps = 10f64.powi(request.post.decimals(request.scale) as i32);
-        let mut expected = Expected { scale: request.scale, digit, steps, far, size, touches: Vec::new() };
-        for (k, from, step) in path.searches() {
-            let end = expected.place(search_end(step, &path.touches[k]));
-            expected.touches.push((k, (expected.place(from.unwrap_or(Vec3::NAN)), end)));
+        let slack = if shifts.is_empty() { 0.0 } else { size * (1.0 + reach) / request.scale };
+        let mut expected = Expected { scale: request.scale, digit, steps, far, size, touches: Vec::new(), shifts, slack };
+        let mut from = path.start;
+        for (i, step) in path.moves.iter().enumerate() {
+            let shift = expected.shift(i);
+            if let Purpose::Touch(k) = step.purpose {
+                let end = expected.place(search_end(step, &path.touches[k]) + shift);
+                // A touch begins in its own cycle, which is shifted as a whole.
+                expected.touches.push((k, (expected.place(from.map_or(Vec3::NAN, |from| from + shift)), end)));
+            }
+            from = Some(step.to);
         }
         expected
+    }
+
+    fn shift(&self, index: usize) -> Vec3 {
+        self.shifts.get(index).copied().unwrap_or(Vec3::ZERO)
+    }
+
+    /// What a motion meets where it is the next of the touches: `next` counts them.
+    fn next(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Met {
+        let Some((k, (begin, end))) = self.touches.get(*next) else { return Met::Nothing };
+        if !(self.near(step.to, *end) && self.near(step.from, *begin)) {
+            return Met::Nothing;
+        }
+        *next += 1;
+        self.contact(step, triggers[*k])
     }
 
     fn place(&self, place: Vec3) -> Place {
@@ -239,7 +355,7 @@ impl Expected {
     /// Equal but for the last digit.
     fn near(&self, a: Place, b: Place) -> bool {
         // A number of a million has no more digits than that after the point.
-        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= self.digit + 1e-12 * b[axis].abs())
+        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= self.digit + self.slack + 1e-12 * b[axis].abs())
     }
 
     /// Every move of the path is in the program, in order, and no other.
@@ -247,17 +363,19 @@ impl Expected {
         let mut steps = trace.steps.iter();
         let mut from = request.path.start;
         for (i, step) in request.path.moves.iter().enumerate() {
-            let wanted = self.place(match step.purpose {
+            let nominal = match step.purpose {
                 Purpose::Touch(k) | Purpose::Search(k) => search_end(step, &request.path.touches[k]),
                 Purpose::Position | Purpose::Back(_) => step.to,
-            });
+            };
+            let arc = step.arc.map(|arc| Arc { center: arc.center + self.shift(i), ..arc });
+            let wanted = self.place(nominal + self.shift(i));
             let mut first = None;
             // The first place is reached in steps, an arc may be made of straight pieces; any other move is one motion.
             let last = loop {
                 let made = steps.next().ok_or_else(|| Fault::of(text!("move {number} is missing", i + 1)))?;
                 first = first.or(Some(made.line));
                 let there = self.near(made.to, wanted);
-                match (step.arc, from) {
+                match (arc, from) {
                     _ if there => {}
                     (_, None) => {}
                     (Some(arc), Some(_)) => self.on_arc(i, &arc, made)?,
@@ -313,7 +431,7 @@ impl Expected {
         }
         match (step.arc, made.arc) {
             (Some(arc), Some((center, clockwise))) => {
-                if clockwise != (arc.sweep < 0.0) || !self.near_arc(center, self.place(arc.center)) {
+                if clockwise != (arc.sweep < 0.0) || !self.near_arc(center, self.place(arc.center + self.shift(i))) {
                     return Err(Fault::at(made.line, text!("move {number} is another arc than in the path", number)));
                 }
             }
@@ -335,7 +453,7 @@ impl Expected {
 
     /// A centre is counted from where the arc begins, which is rounded itself.
     fn near_arc(&self, a: Place, b: Place) -> bool {
-        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= 2.0 * self.digit + 1e-12 * b[axis].abs())
+        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= 2.0 * self.digit + self.slack + 1e-12 * b[axis].abs())
     }
 
     /// A straight piece of an arc ends on it, and leaves it by no more than chords may.
@@ -346,7 +464,8 @@ impl Expected {
         let radius = out(made.to);
         let begin = out(made.from);
         let sag = crate::control::CHORD_SAG / self.scale;
-        if (radius - begin).abs() > 4.0 * self.digit || radius - out(middle) > sag + 4.0 * self.digit {
+        let rounded = 4.0 * (self.digit + self.slack);
+        if (radius - begin).abs() > rounded || radius - out(middle) > sag + rounded {
             return Err(Fault::at(made.line, text!("move {number} leaves its arc", i + 1)));
         }
         Ok(())

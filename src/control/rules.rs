@@ -16,6 +16,8 @@ pub const ONE_WRITE: &str = "one-write";
 pub const PLAUSIBLE: &str = "plausible-before-write";
 /// What follows from a result that is out of its tolerance.
 pub const TOLERANCE: &str = "tolerance-obeyed";
+/// A cycle that follows a result goes no farther than the limit of that.
+pub const PLACE: &str = "place-within-limit";
 /// A restart in the middle writes nothing.
 pub const RESTART: &str = "restart-writes-nothing";
 /// A work offset is written last.

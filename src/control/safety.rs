@@ -5,7 +5,7 @@ use crate::control::iso::machine::{self, Endings, Outcome, Run};
 use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
 use crate::control::rules::{
-    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLAUSIBLE, RESTART, TOLERANCE, WATCHED, WRITE_LAST,
+    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE, RESTART, TOLERANCE, WATCHED, WRITE_LAST,
 };
 use crate::control::trace::{Ending, Kind, Step};
 use crate::formula::{Asked, Question};
@@ -228,6 +228,15 @@ pub static RULES: &[Rule] = &[
         breaks: tolerance_obeyed,
     },
     Rule {
+        name: PLACE,
+        says: "A result that gives the place of a later cycle and is off by more than its limit ends the program before it moves to that cycle",
+        why: "A chip under the first touch would send the probe into the part.",
+        must: true,
+        own_cycle: true,
+        about: About::Last,
+        breaks: place_within_limit,
+    },
+    Rule {
         name: RESTART,
         says: "Started again in its middle, with variables empty or as the last run left them, the program writes nothing",
         why: "After an alarm operators start the last block again: touches that were not made would be written.",
@@ -252,7 +261,7 @@ pub fn not_followed() -> Vec<Verdict> {
     let message = text!("The control's own cycle makes every move itself");
     RULES
         .iter()
-        .filter(|rule| rule.name != TOLERANCE)
+        .filter(|rule| ![TOLERANCE, PLACE].contains(&rule.name))
         .map(|rule| Verdict {
             rule: rule.name,
             holds: None,
@@ -269,7 +278,10 @@ pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts)
     let case = Case { request, followed, restarts };
     // Where the job lets a program act on no tolerance, nothing is said of it.
     let tolerates = request.questions().iter().any(|question| question.asked != Asked::Plausible);
-    RULES.iter().filter(|rule| tolerates || rule.name != TOLERANCE).map(|rule| verdict(rule, &case)).collect()
+    let follows = !request.path.shifts.is_empty();
+    // What no job asks for needs no word.
+    let asked = |rule: &&Rule| (tolerates || rule.name != TOLERANCE) && (follows || rule.name != PLACE);
+    RULES.iter().filter(asked).map(|rule| verdict(rule, &case)).collect()
 }
 
 fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
@@ -634,7 +646,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
     let mut breaks: Vec<Break> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
         let stops = match answer.question.asked {
-            Asked::Plausible => continue,
+            Asked::Plausible | Asked::Leads => continue,
             Asked::Marks => false,
             Asked::Stops => true,
         };
@@ -654,6 +666,23 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
                 false => text!("The program stops though {code} is only to be marked", code),
             };
             breaks.push((None, message));
+        }
+    }
+    breaks
+}
+
+fn place_within_limit(case: &Case<'_>) -> Vec<Break> {
+    let path = case.request.path;
+    let mut breaks = Vec::new();
+    for (m, member) in path.members.iter().enumerate() {
+        for question in path.asked_before(m, &case.request.limits) {
+            let stops = |share: &f64| case.followed.stops_before(case.request, m, (question.result, question.limit * share));
+            if !beyond(case).iter().all(stops) {
+                let code = path.formula.code(&path.formula.results[question.result]).into_owned();
+                let message =
+                    text!("This goes to {cycle} though {code} is off by more than its limit", member.name.clone(), code);
+                breaks.push((None, message));
+            }
         }
     }
     breaks
@@ -711,7 +740,9 @@ fn ends_above(case: &Case<'_>) -> Vec<Break> {
     }
     let Some(last) = trace.steps.last() else { return Vec::new() };
     // 1411 may end where its last touch began: as high as the path itself does.
-    let end = case.request.path.moves.last().map_or(f64::NEG_INFINITY, |step| case.level(step.to));
+    let moves = &case.request.path.moves;
+    let shift = moves.len().checked_sub(1).map_or(Vec3::ZERO, |index| case.followed.shift(index));
+    let end = moves.last().map_or(f64::NEG_INFINITY, |step| case.level(step.to + shift));
     if last.to[case.tool()] < end - case.digit() {
         return vec![(Some(last.line), text!("The program ends lower than its path"))];
     }

@@ -7,8 +7,8 @@ use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, P
 use crate::form::{Field, Kind, Range, Value};
 use crate::formula::{Consequence, Relation};
 use crate::job::{
-    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS, SET_UP_FORMAT,
-    STEP_ANGLE, TOLERANCES, size_reach,
+    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS,
+    SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -82,6 +82,25 @@ fn tolerances() -> Value {
     ]))
 }
 
+/// The same cycle in a set-up: each coordinate of its origin may follow a result.
+fn following(mut cycle: Value) -> Value {
+    let inner = |value: &mut Value, key: &str, change: &dyn Fn(&mut Value)| {
+        if let Value::Map(entries) = value {
+            entries.iter_mut().filter(|(known, _)| known == key).for_each(|(_, value)| change(value));
+        }
+    };
+    let place = map([
+        ("type", Value::List(["number", "string"].map(text).to_vec())),
+        ("pattern", text("^\\s*=")),
+        ("maxLength", Value::Number(LONGEST_PLACE as f64)),
+        ("description", text("A number, or a place that an earlier cycle measures with a number added: `=TOP.z-5`.")),
+    ]);
+    inner(&mut cycle, "properties", &|properties| {
+        inner(properties, "origin", &|origin| inner(origin, "items", &|items| items.clone_from(&place)));
+    });
+    cycle
+}
+
 /// What a job of several cycles has.
 fn set_up() -> [(String, Value); 4] {
     let pattern = format!("^[A-Za-z][A-Za-z0-9]{{0,{}}}$", LONGEST_NAME - 1);
@@ -91,7 +110,7 @@ fn set_up() -> [(String, Value); 4] {
         ("description", text("Its name, which programs print in front of its results. Left out: what it measures.")),
     ]);
     let measures = CYCLES.iter().filter(|def| def.most_touches > 0);
-    let cycles = measures.map(|def| cycle(def, vec![("name".to_owned(), name.clone())])).collect();
+    let cycles = measures.map(|def| following(cycle(def, vec![("name".to_owned(), name.clone())]))).collect();
     let list = map([
         ("type", text("array")),
         ("items", map([("oneOf", Value::List(cycles))])),

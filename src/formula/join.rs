@@ -31,6 +31,15 @@ impl Formula {
         variable
     }
 
+    /// Adds how far a result is from its nominal value, as the way that the next cycle is shifted by; `name` tells it from its other ones.
+    pub fn shift(&mut self, result: usize, name: &'static str) -> Option<Variable> {
+        let (measured, nominal) = (self.results[result].variable?, self.results[result].nominal);
+        let own = self.push(Node::Variable(measured));
+        let wanted = (nominal != 0.0).then(|| self.push(Node::Length(nominal)));
+        let off = wanted.map_or(own, |wanted| self.push(Node::Binary(Op::Subtract, own, wanted)));
+        Some(self.assign(name, self.cycles.len() as u16, off))
+    }
+
     /// Adds how far a measured direction is from its nominal value, degrees, as a value that a work offset can be turned by.
     pub fn turn(&mut self, direction: Variable, nominal: f64) -> Variable {
         let cycle = self.assignments[direction.index()].cycle;

@@ -78,6 +78,8 @@ pub enum Asked {
     Marks,
     /// The same: out of it the program stops.
     Stops,
+    /// Whether a cycle whose place it gives stays where its path was checked: beyond that the program stops before that cycle.
+    Leads,
 }
 
 /// A value this little beyond a limit is on it, mm or degrees.
@@ -106,7 +108,7 @@ impl Question {
         match self.asked {
             Asked::Plausible => writes,
             Asked::Marks => false,
-            Asked::Stops => true,
+            Asked::Stops | Asked::Leads => true,
         }
     }
 
@@ -116,7 +118,7 @@ impl Question {
         let number = |x: f64| decimal(x / unit, 12);
         let (limit, wanted) = (self.limit, self.wanted);
         match self.asked {
-            Asked::Plausible => format!(", more than {} from {}", number(limit), number(wanted)),
+            Asked::Plausible | Asked::Leads => format!(", more than {} from {}", number(limit), number(wanted)),
             Asked::Marks | Asked::Stops => {
                 let end = |x: f64| decimal(tidy(x / unit), 9);
                 format!(", not {} to {}", end(wanted - limit), end(wanted + limit))
@@ -389,6 +391,13 @@ impl Formula {
             Some(Question { asked, result, variable, wanted, limit, angle: def.role.is_angle() })
         }));
         questions
+    }
+
+    /// What is asked of a result before a cycle that it gives the place of.
+    pub fn leads(&self, result: usize, limits: &Limits) -> Option<Question> {
+        let def = &self.results[result];
+        let (variable, limit) = (def.variable?, limits.position?);
+        Some(Question { asked: Asked::Leads, result, variable, wanted: def.nominal, limit, angle: false })
     }
 
     /// Of each assignment, whether it depends on a touch.

@@ -12,6 +12,7 @@ mod cycles;
 mod datum;
 mod defaults;
 mod examine;
+mod follows;
 mod inertia;
 mod judge;
 mod lentoax;
@@ -53,6 +54,7 @@ pub(crate) use defaults::{default_job_in, resolved, section_defaults_in, typed_i
 pub(crate) use examine::examine;
 #[cfg(test)]
 pub(crate) use examine::{proves, released};
+pub(crate) use follows::LONGEST_PLACE;
 pub(crate) use lentoax::{MOST_STEPS, STEP_ANGLE};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use measure::points;

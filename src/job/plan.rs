@@ -16,7 +16,7 @@ use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
 use crate::job::rows::{Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows, triple};
 use crate::job::stylus::{report_stylus, report_unknown};
-use crate::job::{Job, JobError, datum, relations, resolved, set_up, tolerances};
+use crate::job::{Job, JobError, datum, follows, relations, resolved, set_up, tolerances};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault};
@@ -215,7 +215,7 @@ fn predicted(planned: &Planned, writes: bool, checker: &mut Checker) -> Vec<form
     if path.own.is_none() {
         job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
     }
-    if run.collision.is_none() {
+    if run.collision.is_none() && run.halt.is_none() {
         let off = judge(job, path, &mut rows);
         report_judged(job, &rows, &off, writes, checker);
         report_at_start(job, path, &run.triggers, checker);
@@ -277,7 +277,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     set_up::report_crossing(planned, checker);
     let failed = checker.failed() || own.iter().any(Checker::failed);
     // Nothing of a cycle is stored where the program does not come to its end.
-    let stopped = planned.run.collision.is_some();
+    let stopped = planned.run.collision.is_some() || planned.run.halt.is_some();
     let mut results = Vec::new();
     for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
         if !failed {
@@ -303,6 +303,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     merged.give(checker);
     said.into_iter().for_each(|finding| checker.adopt(set_up::of_whole(finding)));
     report_rotation(job, path, checker);
+    follows::report(planned, checker);
     if checker.failed() {
         return Err(JobError { findings: std::mem::take(checker).findings() });
     }
@@ -471,6 +472,9 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         report_stylus(job, path, &nominal, Some((surfaces, run)), checker);
     }
     report_unknown(job, path, checker);
+    if run.halt.is_some() {
+        return;
+    }
     if let Some(collision) = run.collision {
         report_collision(path, collision, &run.triggers, field, checker);
         return;

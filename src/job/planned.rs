@@ -70,8 +70,7 @@ fn own_path(job: &Job, path: Path) -> (Path, Refused) {
 /// Runs the calls of a path on the actual part.
 fn own_run(path: &Path, own: &Own, cycles: &OwnCycles, surfaces: &[Surface], radius: f64) -> part::Run {
     let (made, alarm) = (cycles.rerun)(own, radius, &meets(surfaces, path.frame.w, radius));
-    let mut run =
-        part::Run { triggers: vec![None; path.touches.len()], strays: Vec::new(), edges: Vec::new(), collision: None };
+    let mut run = part::Run { triggers: vec![None; path.touches.len()], ..part::Run::default() };
     // A move that the nominal part does not ask for is not part of the path.
     let index = |count: usize| own.counts.partition_point(|known| *known < count) + 1;
     for made in &made {

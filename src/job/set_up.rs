@@ -8,12 +8,16 @@ use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names};
+use crate::job::follows::{self, Earlier, Follows};
 use crate::job::planned::{Planned, several};
 use crate::job::rows::ResultRow;
 use crate::job::{Job, datum, relations};
 use crate::part::{self, Run};
-use crate::path::{Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, WAY, WayBlock};
+use crate::path::{Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, Single, WAY, WayBlock};
 use crate::text::text;
+
+/// How far below the height between cycles a cycle begins at least that follows a height, mm: longer than the shortest move that can be watched. Ours.
+const SHORTEST_WAY: f64 = 1.0;
 
 /// What a set-up is called in a program.
 static WHOLE: CycleDef = CycleDef { title: "Set-up", source: "Touchpath", ..crate::cycle::NONE };
@@ -24,14 +28,17 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let names = names(cycles);
     check_names(checker, cycles, &names);
     let mut merged = Merged::new(&names);
-    let mut jobs = Vec::new();
+    let mut jobs: Vec<Option<Job>> = Vec::new();
+    let mut follows: Vec<Follows> = Vec::new();
     let mut whole = None;
     for (i, name) in names.iter().enumerate() {
-        let Some(single) = alone(value, i) else {
+        let Some(mut single) = alone(value, i) else {
             let message = text!("cycles[{index}] must be an object, not {given}", i, cycles[i].noun());
             checker.error("wrong-type", format!("cycles[{i}]"), message);
+            jobs.push(None);
             continue;
         };
+        follows.push(follows::take(checker, &mut single, i, &Earlier { names: &names, jobs: &jobs }));
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
         if i == 0 {
@@ -45,11 +52,12 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
             own.error("set-up-unsupported", "cycle.type", message);
         }
         merged.take(i, own.findings());
-        jobs.extend(job);
+        jobs.push(job);
     }
     merged.give(checker);
     check_sizes(checker, value, &names);
     let clear = read_clear(checker, value);
+    let jobs: Vec<Job> = jobs.into_iter().flatten().collect();
     if checker.failed() || jobs.len() != names.len() {
         return None;
     }
@@ -64,13 +72,14 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let work_offset = |i: usize| offset.filter(|_| several.is_some() && i + 1 == count);
     let members = jobs.into_iter().enumerate().map(|(i, job)| Planned::of(Job { work_offset: work_offset(i), ..job }));
     let members: Vec<Planned> = members.collect();
-    let mut whole = join(Job { def: &WHOLE, ..whole? }, members, names, clear);
+    let mut whole = join(Job { def: &WHOLE, ..whole? }, members, (names, follows), clear);
     relations::read(checker, value, &mut whole.path, several.is_some());
     let source = datum::read(checker, value, &whole, offset.is_some())?;
     whole.path.write_from(&source);
     if !whole.job.post.rotates {
         whole.path.formula.without_rotation();
     }
+    follows::run(&mut whole);
     whole.run = run(&whole, On::Actual);
     if let Some(Ok(Several { kept: (first, last), .. })) = several {
         let kept = whole.path.own.iter().flat_map(|own| &own.blocks).filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
@@ -173,8 +182,13 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 }
 
 /// The whole of these cycles, not run yet.
-fn join(job: Job, mut members: Vec<Planned>, names: Vec<String>, clear: Option<f64>) -> Planned {
-    let highest = members.iter().flat_map(|planned| ends(&planned.path)).fold(f64::NEG_INFINITY, f64::max);
+fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec<Follows>), clear: Option<f64>) -> Planned {
+    // A cycle whose height follows a result may begin higher by the limit of that, and the way down to it is one.
+    let limit = job.limits.position.unwrap_or(0.0);
+    let tool = job.setup.plane.axes()[2];
+    let higher = |follows: &Follows| if follows[tool].is_some() { 2.0 * limit + SHORTEST_WAY } else { 0.0 };
+    let ends = members.iter().zip(&follows).flat_map(|(planned, own)| ends(&planned.path).map(move |end| end + higher(own)));
+    let highest = ends.fold(f64::NEG_INFINITY, f64::max);
     let several = several(&job).and_then(Result::ok).filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
     if let Some(Several { kept: (first, _), .. }) = several {
         let (mut kept, count) = (0, members.len());
@@ -184,11 +198,11 @@ fn join(job: Job, mut members: Vec<Planned>, names: Vec<String>, clear: Option<f
             }
         }
     }
-    let single = |(planned, name): (&Planned, String)| {
+    let single = |((planned, name), follows): ((&Planned, String), Follows)| {
         let title = format!("{}: {}", planned.job.def.source, planned.job.def.title);
-        (name, title, planned.path.clone())
+        Single { name, title, path: planned.path.clone(), follows }
     };
-    let cycles = members.iter().zip(names).map(single).collect();
+    let cycles = members.iter().zip(names).zip(follows).map(single).collect();
     let own = members.iter().find_map(|planned| planned.path.feeds);
     let feeds = match (several, own) {
         (Some(_), Some(own)) => own,
@@ -240,6 +254,7 @@ fn run(whole: &Planned, on: On) -> Run {
         (Some(own), Some(other)) => Some(if other.0 < own.0 { other } else { own }),
         (own, other) => own.or(other),
     };
+    all.halt = whole.members.iter().find_map(|planned| planned.run.halt).filter(|_| on == On::Actual);
     if let Some((index, _)) = all.collision {
         // Nothing after it is run.
         for step in &path.moves[index..] {
@@ -259,7 +274,13 @@ fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
             let standing = part::crossing(&whole.path, &whole.path.surfaces, radius);
             standing.or_else(|| part::through_contacts(&whole.path, radius))
         }
-        On::Actual => part::crossing(&whole.path, &whole.surfaces, radius),
+        On::Actual => {
+            let shifted = follows::actual(whole);
+            let (path, halt) = (shifted.as_ref().unwrap_or(&whole.path), whole.members.iter().find_map(|own| own.run.halt));
+            // What is not reached meets nothing.
+            let reached = |found: &(usize, Vec3)| halt.is_none_or(|(m, _)| path.member_of_move(found.0) < Some(m));
+            part::crossing(path, &whole.surfaces, radius).filter(reached)
+        }
     }
 }
 
@@ -279,6 +300,7 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
         );
         checker.error("clear-too-low", "clear", message);
     }
+    follows::check_ways(whole, job.post.shortest_probe, checker);
     if path.members.len() > 1
         && members.iter().any(|planned| planned.path.feeds.is_some())
         && job.form == crate::control::Form::Moves

@@ -4,6 +4,7 @@ use crate::cycle;
 use crate::form::{Field, Finding, Level, Value};
 use crate::job::JobError;
 use crate::job::cycles::{alone, is_set_up, name_of};
+use crate::job::follows;
 use crate::job::sections::{SECTIONS, TOLERANCES, Units};
 use crate::text::text;
 use crate::tolerance;
@@ -177,7 +178,8 @@ fn convert(value: &mut Value, to: Target) {
     match value {
         Value::Number(x) => *x = to.number(*x),
         Value::Text(text) => {
-            if let Some(converted) = tolerance::convert(text, |x| to.printed(x)) {
+            let followed = follows::convert(text, |x| to.number(x));
+            if let Some(converted) = followed.or_else(|| tolerance::convert(text, |x| to.printed(x))) {
                 *text = converted;
             }
         }

@@ -84,6 +84,11 @@ pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
     datum.place.map(|place| place?.measured.and_then(of))
 }
 
+/// The value of an assignment, mm or degrees; none where a touch that it needs met nothing.
+pub fn value(path: &Path, triggers: &[Option<Vec3>], variable: Variable) -> Option<f64> {
+    Some(values(path, &samples(path, triggers))[variable.index()].value).filter(|value| value.is_finite())
+}
+
 /// The value of every assignment of the formula.
 fn values(path: &Path, samples: &[Sample]) -> Vec<Dual> {
     let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();

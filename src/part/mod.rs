@@ -7,7 +7,7 @@ mod measured;
 mod stylus;
 
 pub use contact::Obstacles;
-pub use evaluate::{Scatter, add_truth, datum, evaluate, stated, write_offset};
+pub use evaluate::{Scatter, add_truth, datum, evaluate, stated, value, write_offset};
 pub use inertia::Machine;
 pub use measured::{Expected, Stand, check as check_measured, read as read_measured};
 pub use stylus::{Above, Shape, Struck, struck};
@@ -41,6 +41,9 @@ pub struct Run {
     /// The first move that is not a touch and yet meets the part: its index, and where the ball centre is then. The machine
     /// stops there, or breaks; nothing after it is run.
     pub collision: Option<(usize, Vec3)>,
+    /// Before which cycle of a set-up the program stops, because this result is off by more than its limit: by their places in the list of cycles and of
+    /// results. What comes after it is not reached.
+    pub halt: Option<(usize, usize)>,
 }
 
 /// The surfaces of the actual part: `surfaces` of the resized feature, where they really lie.
@@ -206,7 +209,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
                 let mut stand = from;
                 for way_point in step.pieces(from, up, 1.0) {
                     if let Some(contact) = obstacles.first_contact(setup.radius, stand, way_point) {
-                        return Run { triggers, strays, edges, collision: Some((index, contact.center)) };
+                        return Run { triggers, strays, edges, collision: Some((index, contact.center)), halt: None };
                     }
                     stand = way_point;
                 }
@@ -214,5 +217,5 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
             }
         }
     }
-    Run { triggers, strays, edges, collision: None }
+    Run { triggers, strays, edges, ..Run::default() }
 }

@@ -15,7 +15,7 @@ pub use feature::{
 };
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Measuring, Member, Related, WAY, WayBlock};
+pub use set_up::{DatumSource, Follow, Measuring, Member, Related, Shifts, Single, WAY, WayBlock};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 
@@ -211,6 +211,8 @@ pub struct Path {
     pub relations: Vec<Related>,
     /// What a set-up writes.
     pub datum_source: DatumSource,
+    /// By which values each move is shifted; empty where no cycle follows a result of another.
+    pub shifts: Vec<Shifts>,
 }
 
 /// What is wrong with a touch of a path.

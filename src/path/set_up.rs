@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::formula::{Coordinate, Datum, Formula, Operand, Relation};
+use crate::formula::{Coordinate, Datum, Formula, Limits, Operand, Question, Relation, Variable};
 use crate::geom::Vec3;
 use crate::path::{Feature, Feed, Feeds, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
 
@@ -26,9 +26,23 @@ pub struct Member {
     pub surfaces: Range<usize>,
     /// Its results in the whole.
     pub results: Range<usize>,
+    /// Along X, Y and Z, the result that its place follows.
+    pub follows: [Option<Follow>; 3],
     /// How much later than alone its variables are found in the whole.
     later: u32,
 }
+
+/// A result of an earlier cycle that the place of a cycle follows along an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Follow {
+    /// Index of the result in the whole.
+    pub result: usize,
+    /// By how much it is off its nominal value: the cycle is shifted by that.
+    pub shift: Variable,
+}
+
+/// By which value a move is shifted along X, Y and Z.
+pub type Shifts = [Option<Variable>; 3];
 
 /// A relation between results of cycles, as a part of the whole path.
 #[derive(Clone, Debug)]
@@ -62,8 +76,18 @@ pub struct DatumSource {
     pub rotation: Option<usize>,
 }
 
-/// A cycle that becomes a member: name, title and path.
-type Single = (String, String, Path);
+/// A cycle that becomes a member.
+#[derive(Debug)]
+pub struct Single {
+    pub name: String,
+    pub title: String,
+    pub path: Path,
+    /// Along X, Y and Z, the cycle and the code of the result that its place follows.
+    pub follows: [Option<(usize, &'static str)>; 3],
+}
+
+/// What the values that shift an axis are called.
+const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 
 /// Makes the block of a way to a place, along these axes.
 pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
@@ -72,9 +96,9 @@ impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
     /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own.
     pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>) -> Path {
-        let (_, _, first) = cycles.first().expect("a set-up has a cycle");
+        let first = &cycles.first().expect("a set-up has a cycle").path;
         let (start, frame) = (first.start, first.frame);
-        let tops: Option<Vec<f64>> = cycles.iter().map(|(_, _, path)| path.top).collect();
+        let tops: Option<Vec<f64>> = cycles.iter().map(|single| single.path.top).collect();
         let mut whole = Path {
             touches: Vec::new(),
             moves: Vec::new(),
@@ -91,25 +115,55 @@ impl Path {
             members: Vec::new(),
             relations: Vec::new(),
             datum_source: DatumSource::default(),
+            shifts: Vec::new(),
         };
         let mut sample = 0;
-        for (name, title, path) in cycles {
+        for Single { name, title, path, follows } in cycles {
             let before = whole.moves.len();
-            whole.leads_to(&path, clear);
+            let follows = whole.following(follows);
+            whole.leads_to(&path, clear, follows.map(|follow| follow.map(|follow| follow.shift)));
             if let Some(way) = way {
                 whole.take_calls(&path, before, way);
             }
             let begin = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
             whole.take_moves(&path);
+            whole.shifts.resize(whole.moves.len(), follows.map(|follow| follow.map(|follow| follow.shift)));
             whole.take_touches(&path, sample);
             whole.take_surfaces(&path);
             let later = whole.formula.join(&name, &path.formula, sample);
             sample += path.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
             let end = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
             let [moves, touches, surfaces, results] = [0, 1, 2, 3].map(|i| begin[i]..end[i]);
-            whole.members.push(Member { name, title, path, moves, touches, surfaces, results, later });
+            whole.members.push(Member { name, title, path, moves, touches, surfaces, results, follows, later });
+        }
+        if whole.members.iter().all(|member| member.follows == [None; 3]) {
+            whole.shifts.clear();
         }
         whole
+    }
+
+    /// What the next cycle follows, with the values that shift it.
+    fn following(&mut self, follows: [Option<(usize, &'static str)>; 3]) -> [Option<Follow>; 3] {
+        [0, 1, 2].map(|axis| {
+            let (cycle, code) = follows[axis]?;
+            let own = self.members.get(cycle)?.results.clone();
+            let result = own.clone().find(|result| self.formula.results[*result].code == code)?;
+            Some(Follow { result, shift: self.formula.shift(result, SHIFTS[axis])? })
+        })
+    }
+
+    /// What is asked of results before a cycle that follows them: of each once, in the whole.
+    pub fn asked_before(&self, member: usize, limits: &Limits) -> Vec<Question> {
+        let followed = |member: &Member| member.follows.into_iter().flatten().map(|follow| follow.result);
+        let known: Vec<usize> = self.members[..member].iter().flat_map(followed).collect();
+        let mut results: Vec<usize> = followed(&self.members[member]).filter(|result| !known.contains(result)).collect();
+        results.dedup();
+        results.into_iter().filter_map(|result| self.formula.leads(result, limits)).collect()
+    }
+
+    /// By which values a move is shifted.
+    pub fn shifts(&self, index: usize) -> Shifts {
+        self.shifts.get(index).copied().unwrap_or_default()
     }
 
     /// Adds a relation between results.
@@ -136,8 +190,8 @@ impl Path {
         cycles.chain(relations.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum }))
     }
 
-    /// The way to the next cycle; to the first one the stylus comes from anywhere.
-    fn leads_to(&mut self, next: &Path, clear: f64) {
+    /// The way to the next cycle, which is shifted by `shifts`; to the first one the stylus comes from anywhere.
+    fn leads_to(&mut self, next: &Path, clear: f64, shifts: Shifts) {
         let (Some(last), Some(to)) =
             (self.moves.last().map(|step| step.to), next.start.or(next.moves.first().map(|step| step.to)))
         else {
@@ -147,10 +201,15 @@ impl Path {
         let at = |place: Vec3| place + w * (clear - place.dot(w));
         // A cycle that does not say where it begins goes to its first place by itself: down, or across where that is as high.
         let across = Some(at(to)).filter(|over| next.start.is_some() || over.distance(to) > ZERO_LENGTH);
-        for to in [Some(at(last)), across, next.start].into_iter().flatten() {
+        let before = self.shifts.last().copied().unwrap_or_default();
+        // The height between cycles follows nothing.
+        let level = |shifts: Shifts| [0, 1, 2].map(|axis| shifts[axis].filter(|_| w[axis].abs() < 0.5));
+        let ways = [(Some(at(last)), level(before)), (across, level(shifts)), (next.start, shifts)];
+        for (to, shifts) in ways.into_iter().filter_map(|(to, shifts)| Some((to?, shifts))) {
             let from = self.moves.last().map_or(to, |step| step.to);
-            if from.distance(to) > ZERO_LENGTH {
+            if from.distance(to) > ZERO_LENGTH || self.shifts.last().copied().unwrap_or_default() != shifts {
                 self.moves.push(Move { to, feed: Feed::Approach, purpose: Purpose::Position, step: WAY, arc: None });
+                self.shifts.push(shifts);
             }
         }
     }
@@ -223,9 +282,9 @@ impl Path {
     }
 
     /// The member to which the way begins with this move.
-    pub fn begins_member(&self, index: usize) -> Option<&Member> {
+    pub fn begins_member(&self, index: usize) -> Option<usize> {
         let begin = |m: usize| m.checked_sub(1).map_or(0, |before| self.members[before].moves.end);
-        (0..self.members.len()).find(|m| begin(*m) == index).map(|m| &self.members[m])
+        (0..self.members.len()).find(|m| begin(*m) == index)
     }
 
     /// The member that a move is of, or that it leads to; none where the path is of one cycle.

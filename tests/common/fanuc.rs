@@ -172,7 +172,8 @@ impl Control {
             };
             match word.as_bytes()[0] {
                 b'X' | b'Y' | b'Z' => {
-                    to[usize::from(word.as_bytes()[0] - b'X')] = number(word)?;
+                    let sum = word[1..].starts_with('[') && word.contains('.');
+                    to[usize::from(word.as_bytes()[0] - b'X')] = if sum { self.value(&word[1..])? } else { number(word)? };
                     axes += 1;
                 }
                 b'F' => feed = Some(number(word)?),

@@ -102,6 +102,11 @@ impl Machine {
                 }
                 Statement::Motion(motion) => {
                     let mut to = [0, 1, 2].map(|axis| motion.axes[axis].unwrap_or(at[axis]));
+                    for (axis, sum) in motion.sums.iter().enumerate() {
+                        if let Some(sum) = sum {
+                            to[axis] = self.value(sum, at)?;
+                        }
+                    }
                     let deflected = self.is_deflected();
                     if motion.measuring {
                         // MEAS waits for the edge of the signal: of a probe that is deflected already it sees nothing.

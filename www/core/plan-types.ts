@@ -126,6 +126,8 @@ export type FindingCode =
   | "path-not-above"
   | "picks-differ"
   | "picks-out-of-range"
+  | "place-of-result"
+  | "place-too-far"
   | "places-computed"
   | "places-transformed"
   | "plane-from-dump"
@@ -242,6 +244,7 @@ export type RuleName =
   | "one-write"
   | "plausible-before-write"
   | "tolerance-obeyed"
+  | "place-within-limit"
   | "restart-writes-nothing"
   | "ends-above";
 

@@ -39,7 +39,7 @@ export abstract class FieldPart extends Part {
   protected override follows = ["change"];
 
   /** A field's value as text, with its unit in the box. */
-  protected number(field: FieldEntry, path: string, name?: string): TemplateResult {
+  protected number(field: FieldEntry, path: string, name?: string, proposed: string[] = []): TemplateResult {
     const value = this.store.get(path);
     const stand = this.store.standIn(field);
     const index = /\[(\d)\]$/.exec(path)?.[1];
@@ -52,7 +52,7 @@ export abstract class FieldPart extends Part {
     // Beside a box for null there is less room.
     const crowded = unit !== "" && text.length + unit.length > (field.null === null ? 14 : 12);
     return html`<span class=${`number ${this.level(path)} ${crowded ? "crowded" : ""}`}><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
-        aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text}
+        aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text} list=${proposed.length > 0 ? `l-${path}` : nothing}
         @focus=${(e: Event) => {
           (e.target as HTMLInputElement).select();
           this.entry = (e.target as HTMLInputElement).value;
@@ -62,7 +62,19 @@ export abstract class FieldPart extends Part {
         @keydown=${(e: KeyboardEvent) => this.key(e, field, path)}
         @input=${(e: Event) => this.typed(field, path, (e.target as HTMLInputElement).value)} />${
           unit ? html`<span class=${unit.length > 4 ? "unit long" : "unit"} id=${`u-${path}`}>${unit}</span>` : nothing
-        }</span>`;
+        }${proposed.length > 0 ? html`<datalist id=${`l-${path}`}>${proposed.map((one) => html`<option value=${one}></option>`)}</datalist>` : nothing}</span>`;
+  }
+
+  /** What the place of a cycle can follow along an axis: results of the cycles before it. */
+  protected places(path: string, axis: number): string[] {
+    const { features, plan } = this.store;
+    if (path !== "cycle.origin" || !features.several) return [];
+    // Abscissa, ordinate and tool axis in each plane.
+    const axes = { G17: [0, 1, 2], G18: [2, 0, 1], G19: [1, 2, 0] }[String(this.store.get("plane"))] ?? [0, 1, 2];
+    const key = ["x", "y", "z"][axes.indexOf(axis)];
+    const before = plan.cycles.slice(0, features.inJob).map((name) => `${name}.`);
+    const choices = plan.datum.find((row) => row.axis === key)?.choices ?? [];
+    return choices.filter((one) => before.some((name) => one.startsWith(name))).map((one) => `=${one}`);
   }
 
   /** What the field that has the focus held when it got it. */

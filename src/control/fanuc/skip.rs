@@ -120,6 +120,10 @@ impl Skip<'_> {
                 sum.push('-');
                 sum.push_str(&place);
             }
+            if !w.shift(axis).is_empty() {
+                sum.push('-');
+                sum.push_str(w.shift(axis));
+            }
             sum.push(']');
         }
         sum
@@ -313,6 +317,10 @@ impl Moves for Skip<'_> {
         true
     }
 
+    fn value(&self, _formula: &Formula, index: usize) -> String {
+        variable(self.registers.variables[index])
+    }
+
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         w.makes_move();
         w.straight("G1", step.step.to, true, Some(self.rate(step.step)));
@@ -350,7 +358,7 @@ impl Moves for Skip<'_> {
             text => format!("{}-{text}", variable(register)),
         };
         let result = &formula.results[question.result];
-        let off_or_out = if question.asked == Asked::Plausible { "OFF" } else { "OUT" };
+        let off_or_out = if matches!(question.asked, Asked::Plausible | Asked::Leads) { "OFF" } else { "OUT" };
         let says = |code: &str| format!("{} {off_or_out}, SEE {}", code.to_ascii_uppercase(), variable(register));
         // The variable says of which cycle it is, where there is no room for both.
         let whole = says(&formula.code(result));

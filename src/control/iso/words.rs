@@ -1,7 +1,7 @@
 //! Blocks of words: `G1 X10 F100`.
 
 use crate::control::iso::codes::{Effect, effect};
-use crate::control::iso::parse::{Cursor, Grammar, Parsed, fault};
+use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, fault};
 use crate::control::iso::script::{BlockKind, Modes, Motion, NodeId, Script, Words};
 use crate::text::text;
 
@@ -55,8 +55,11 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
         let begin = cursor.at();
         cursor.advance(1);
         let named = cursor.next().is_some_and(|next| next.is_ascii_alphabetic());
+        // `X=10+R5`: a place that is computed.
+        let sum = grammar.names == Names::Words && matches!(letter, b'X'..=b'Z') && cursor.eat("=");
         // A word of more letters is named as a whole.
-        let value = cursor.operand(grammar, script).map_err(|why| match named {
+        let value = if sum { cursor.value(grammar, script) } else { cursor.operand(grammar, script) };
+        let value = value.map_err(|why| match named {
             true => Box::new(text!("\"{left}\" is not understood", cursor.from(begin))),
             false => why,
         })?;

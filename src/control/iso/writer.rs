@@ -30,6 +30,8 @@ pub struct Dialect {
     pub modes: &'static str,
     /// Whether a program that is read back must state exact stop by G61.
     pub exact_stop: bool,
+    /// What stands before and behind a place that is a sum: `X[10+#<top_z>]`, `X=10+R5`.
+    pub shifted: (&'static str, &'static str),
     /// What says that centres of arcs are counted from where the arc begins, where a program has arcs.
     pub arcs: &'static str,
 }
@@ -48,6 +50,7 @@ pub const PLAIN: Dialect = Dialect {
     units: ("G21", "G20"),
     modes: "G40 G80 G90",
     exact_stop: false,
+    shifted: ("[", "]"),
     arcs: "",
 };
 
@@ -68,6 +71,10 @@ pub struct Writer<'a> {
     last_rate: (f64, Digits),
     /// Which axes a block has named.
     stated: [bool; 3],
+    /// What is added to the places of the next block along each axis: the name of a value; empty where nothing is.
+    shifts: [String; 3],
+    /// What the last block has added to each.
+    last_shifts: [String; 3],
 }
 
 impl<'a> Writer<'a> {
@@ -84,6 +91,8 @@ impl<'a> Writer<'a> {
             last_mm: Vec3::NAN,
             last_rate: (f64::NAN, Digits::NONE),
             stated: [false; 3],
+            shifts: Default::default(),
+            last_shifts: Default::default(),
         };
         if let Some(start) = request.path.start {
             writer.last = writer.numbers(start);
@@ -148,6 +157,16 @@ impl<'a> Writer<'a> {
         });
     }
 
+    /// What is added to the places of the blocks that follow, along X, Y and Z: the names of values.
+    pub fn shifts_by(&mut self, shifts: [String; 3]) {
+        self.shifts = shifts;
+    }
+
+    /// What is added to a place along an axis; empty where nothing is.
+    pub fn shift(&self, axis: usize) -> &str {
+        &self.shifts[axis]
+    }
+
     /// A length or feed in the program's units, with the decimals the control takes.
     pub fn number(&self, mm: f64) -> Digits {
         let digits = Digits::of(mm / self.request.scale, self.decimals());
@@ -156,12 +175,12 @@ impl<'a> Writer<'a> {
 
     /// A place by its axis words: `X0 Y0 Z30`.
     pub fn place_words(&self, place: Vec3) -> String {
-        axis_words(&self.numbers(place), [true; 3]).split_off(1)
+        axis_words(&self.numbers(place), [true; 3], &NO_SHIFTS).split_off(1)
     }
 
     /// The axis word of the tool axis: `Z30`.
     pub fn height_word(&self, place: Vec3) -> String {
-        axis_words(&self.numbers(place), self.tool()).split_off(1)
+        axis_words(&self.numbers(place), self.tool(), &NO_SHIFTS).split_off(1)
     }
 
     /// The tool axis alone.
@@ -324,7 +343,8 @@ impl<'a> Writer<'a> {
     fn changed(&self, target: Vec3, all: bool) -> ([Digits; 3], [bool; 3]) {
         let [a, o, _] = self.request.plane.axes();
         let numbers = self.numbers(target);
-        let mut wanted = [0, 1, 2].map(|i| numbers[i] != self.last[i] || (all && self.stated[i]));
+        let moves = |i: usize| numbers[i] != self.last[i] || self.shifts[i] != self.last_shifts[i];
+        let mut wanted = [0, 1, 2].map(|i| moves(i) || (all && self.stated[i]));
         let in_plane = wanted[a] || wanted[o];
         if in_plane && !(self.stated[a] && self.stated[o]) {
             (wanted[a], wanted[o]) = (true, true);
@@ -341,7 +361,7 @@ impl<'a> Writer<'a> {
     }
 
     fn named(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) -> String {
-        let block = axis_words(&numbers, wanted);
+        let block = axis_words(&numbers, wanted, &self.shift_words());
         self.keep(place, numbers, wanted);
         block
     }
@@ -357,19 +377,30 @@ impl<'a> Writer<'a> {
             self.last[i] = number;
             self.last_mm[i] = place[i];
             self.stated[i] = true;
+            if self.shifts[i] != self.last_shifts[i] {
+                self.last_shifts[i].clone_from(&self.shifts[i]);
+            }
         }
     }
 
     /// A block of a word, axis words, and a feed where there is one.
     fn block(&mut self, word: &str, to: Vec3, (numbers, wanted): ([Digits; 3], [bool; 3]), rate: Option<f64>) {
         let (sign, feed) = self.feed(rate);
+        let shifts = std::mem::take(&mut self.shifts);
+        let (before, behind) = self.dialect.shifted;
         self.build(|text| {
             text.push_str(word);
-            push_axis_words(text, &numbers, wanted);
+            push_axis_words(text, &numbers, wanted, &ShiftWords { of: &shifts, before, behind });
             text.push_str(sign);
             text.push_str(&feed);
         });
+        self.shifts = shifts;
         self.keep(to, numbers, wanted);
+    }
+
+    fn shift_words(&self) -> ShiftWords<'_> {
+        let (before, behind) = self.dialect.shifted;
+        ShiftWords { of: &self.shifts, before, behind }
     }
 
     /// The word of a feed in two parts; nothing if it has no feed.
@@ -394,18 +425,32 @@ impl<'a> Writer<'a> {
 /// The words of the incremental centre of an arc.
 const CENTER: [&str; 3] = [" I", " J", " K"];
 
+/// What is added to the numbers of a block along each axis, and what stands before and behind such a sum.
+struct ShiftWords<'a> {
+    of: &'a [String; 3],
+    before: &'static str,
+    behind: &'static str,
+}
+
+const NO_SHIFTS: ShiftWords<'_> = ShiftWords { of: &[const { String::new() }; 3], before: "", behind: "" };
+
 /// The wanted axis words, each after a space.
-fn axis_words(numbers: &[Digits; 3], wanted: [bool; 3]) -> String {
+fn axis_words(numbers: &[Digits; 3], wanted: [bool; 3], shifts: &ShiftWords<'_>) -> String {
     let mut words = String::with_capacity(40);
-    push_axis_words(&mut words, numbers, wanted);
+    push_axis_words(&mut words, numbers, wanted, shifts);
     words
 }
 
-fn push_axis_words(text: &mut String, numbers: &[Digits; 3], wanted: [bool; 3]) {
+fn push_axis_words(text: &mut String, numbers: &[Digits; 3], wanted: [bool; 3], shifts: &ShiftWords<'_>) {
     for (i, number) in numbers.iter().enumerate().filter(|(i, _)| wanted[*i]) {
         text.push(' ');
         text.push_str(AXIS_NAMES[i]);
-        text.push_str(number);
+        let shift = shifts.of[i].as_str();
+        if shift.is_empty() {
+            text.push_str(number);
+        } else {
+            [shifts.before, number, "+", shift, shifts.behind].into_iter().for_each(|part| text.push_str(part));
+        }
     }
 }
 

@@ -155,6 +155,12 @@ impl Moves for LinuxCnc<'_> {
         true
     }
 
+    fn value(&self, formula: &Formula, index: usize) -> String {
+        let mut text = String::new();
+        print::Rs274.variable(formula, index, &mut text);
+        text
+    }
+
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         w.makes_move();
         plain(w, self.request, step);

@@ -131,7 +131,8 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     begin(request, own, calls, &mut w);
     let probes = !request.path.moves.is_empty();
     let names = |w: &mut Writer<'_>, index: usize| {
-        if let Some(member) = request.path.begins_member(index) {
+        if let Some(begins) = request.path.begins_member(index) {
+            let member = &request.path.members[begins];
             w.comment(&format!("{}: {}", member.name, member.title));
         }
     };

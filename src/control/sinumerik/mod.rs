@@ -60,6 +60,7 @@ const DIALECT: Dialect = Dialect {
     longest_block: 512,
     units: ("G71", "G70"),
     modes: "G40 G60 G90",
+    shifted: ("=", ""),
     ..PLAIN
 };
 
@@ -239,6 +240,12 @@ impl Moves for Sinumerik<'_> {
         print::trigger_name(sample, axis).push_to(&mut stored.comment);
         (stored.group, stored.whole) = (("(", ")"), ("", ""));
         true
+    }
+
+    fn value(&self, formula: &Formula, index: usize) -> String {
+        let mut text = String::new();
+        self.notation().variable(formula, index, &mut text);
+        text
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

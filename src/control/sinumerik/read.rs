@@ -156,7 +156,7 @@ fn block<'t>(
         code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name.as_bytes()))
     {
         return call(script, line, name, arguments);
-    } else if code.starts_with(['R', '$', 'T']) || code.split_once('=').is_some() {
+    } else if !begins_with_code(code) && (code.starts_with(['R', '$', 'T']) || code.contains('=')) {
         assignment(script, code, &mut cursor, declared)?
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {
@@ -169,6 +169,11 @@ fn block<'t>(
     cursor.end()?;
     script.push(line, what);
     Ok(())
+}
+
+/// Whether a block begins with a G code: what stands there with an equals sign is the place of an axis.
+fn begins_with_code(code: &str) -> bool {
+    code.strip_prefix('G').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
 }
 
 /// The words after `MEAS=1`.

@@ -239,6 +239,7 @@ impl Cycle for Ency {
             members: Vec::new(),
             relations: Vec::new(),
             datum_source: DatumSource::default(),
+            shifts: Vec::new(),
             lift: Some(FEED_DISTANCE),
             touches: on.touches,
         }

@@ -54,8 +54,13 @@ export interface ResultTolerance {
 
 /// A job of several cycles.
 const SET_UP: &str = r#"
+/** A coordinate of a cycle of a set-up: a number, or a place that an earlier cycle measures with a number added, as `=TOP.z-5`. */
+export type Coordinate = number | `=${string}`;
+
+type Following<C> = C extends { origin?: Vec3 } ? Omit<C, "origin"> & { origin?: [Coordinate, Coordinate, Coordinate] } : C;
+
 /** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */
-export type NamedCycle = Cycle & { name?: string };
+export type NamedCycle = Following<Cycle> & { name?: string };
 
 /** What lies between the features of a set-up. A later one may be of an earlier one. */
 export interface Relation {

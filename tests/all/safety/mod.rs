@@ -46,7 +46,10 @@ fn every_rule_holds_for_every_control_and_cycle() {
                         .unwrap_or_else(|e| panic!("{} {}: {e}", post.key, def.key));
                     let names: Vec<&str> = plan.safety.iter().map(|row| row.rule).collect();
                     // Without a tolerance nothing can follow from one.
-                    let asked = RULES.iter().map(|rule| rule.name).filter(|rule| *rule != "tolerance-obeyed");
+                    let asked = RULES
+                        .iter()
+                        .map(|rule| rule.name)
+                        .filter(|rule| !["tolerance-obeyed", "place-within-limit"].contains(rule));
                     assert_eq!(names, asked.collect::<Vec<_>>());
                     assert_eq!(plan.program.proof.is_some(), form == Form::Moves, "{} {}", post.key, def.key);
                     if let Some(proof) = &plan.program.proof {
@@ -232,6 +235,12 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("tolerance-obeyed", "sinumerik stop", "<=0.1 GOTOF TP_GOOD", "<=0.2 GOTOF TP_GOOD"),
     ("tolerance-obeyed", "haas stop", "GT 0.1] GOTO", "GT 0.2] GOTO"),
     ("tolerance-obeyed", "fanuc mark", "#3006=31(WIDTH1 OUT", "#3000=31(WIDTH1 OUT"),
+    ("place-within-limit", "linuxcnc follows", "(ABORT,TOP.point.z is", "(DEBUG,TOP.point.z is"),
+    ("place-within-limit", "linuxcnc follows", "[ABS[#<top_point_z>] GT 1]", "[ABS[#<top_point_z>] GT 1.5]"),
+    ("place-within-limit", "linuxcnc follows", "[ABS[#<bore_center_x>] GT 1]", "[ABS[#<bore_center_y>] GT 1]"),
+    ("place-within-limit", "sinumerik follows", "IF ABS(R3)<=1 GOTOF TP_GOOD_1", "IF ABS(R3)<=2 GOTOF TP_GOOD_1"),
+    ("place-within-limit", "fanuc follows", "IF [ABS[#103] GT 1.] GOTO 9061\n", ""),
+    ("place-within-limit", "haas follows", "IF [ABS[#105] GT 1.] GOTO 9062\n", ""),
     ("restart-writes-nothing", "fanuc", "IF [#109 NE 4] GOTO 9006\n", ""),
     ("restart-writes-nothing", "haas", "#109=0\n#5221=", "#5221="),
     ("restart-writes-nothing", "sinumerik", "R10=0\n$P_UIFR", "$P_UIFR"),
@@ -250,6 +259,7 @@ fn each_rule_catches_a_program_that_breaks_it() {
         let job = job_for("internal-rectangle-protected", post, Form::Moves, known.work_offsets > 0);
         let job = with(&job, "control.protection", text(if how == "unwatched" { "none" } else { "checked" }));
         let job = match how {
+            "follows" => with(&crate::common::job(crate::tests::set_ups::follows::STEPS), "control.post", text(post)),
             "stop" | "mark" => {
                 let width = [("tolerance".to_owned(), text("±0.1")), ("action".to_owned(), text(how))];
                 with(&job, "tolerances", Value::Map(vec![("width1".to_owned(), Value::Map(width.to_vec()))]))

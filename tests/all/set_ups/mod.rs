@@ -1,6 +1,7 @@
 //! Jobs of several cycles: one program, safe ways between, one write at the end.
 
 mod examples;
+pub mod follows;
 mod refused;
 mod relations;
 

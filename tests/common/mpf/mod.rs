@@ -77,8 +77,10 @@ pub struct Motion {
     pub measuring: bool,
     /// `G0`: as fast as the control can.
     pub rapid: bool,
-    /// X, Y, Z.
+    /// X, Y, Z; of a sum its number.
     pub axes: [Option<f64>; 3],
+    /// `X=10+R5`.
+    pub sums: [Option<Term>; 3],
     /// F.
     pub feed: Option<f64>,
 }
@@ -277,7 +279,23 @@ fn words(code: &str) -> Result<Statement, String> {
         match letter {
             "X" | "Y" | "Z" => {
                 let axis = AXIS_NAMES.iter().position(|name| *name == letter).unwrap_or(0);
-                motion.axes[axis] = Some(number().ok_or_else(|| format!("{word} is no axis word"))?);
+                let sum = word[1..].strip_prefix('=').map(term).transpose()?;
+                if let Some(Term::Binary("+", nominal, _)) = &sum {
+                    motion.axes[axis] = match nominal.as_ref() {
+                        Term::Number(x) => Some(*x),
+                        Term::Minus(x) => {
+                            if let Term::Number(x) = x.as_ref() {
+                                Some(-x)
+                            } else {
+                                None
+                            }
+                        }
+                        _ => None,
+                    };
+                    motion.sums[axis] = sum;
+                }
+                let plain = motion.axes[axis].filter(|_| motion.sums[axis].is_some()).or_else(number);
+                motion.axes[axis] = Some(plain.ok_or_else(|| format!("{word} is no axis word"))?);
                 moves = true;
             }
             "F" => motion.feed = Some(number().ok_or_else(|| format!("{word} is no feed"))?),

@@ -227,6 +227,40 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
     Ok((trace, tail))
 }
 
+/// What a program has done when it stops with an alarm.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stopped {
+    /// Where the ball is.
+    pub at: Place,
+    pub touches: usize,
+    /// Whether it has written to a work offset.
+    pub writes: bool,
+}
+
+/// Follows a program to its alarm; none where it comes to none, or to something that no control does.
+pub fn until_alarm(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Option<Stopped> {
+    let mut machine = Machine::new(script, run);
+    let (mut trace, mut scratch) = (Trace::default(), State::default());
+    let mut stopped = Stopped::default();
+    while let Some(block) = script.blocks.get(machine.state.pc) {
+        let line = machine.line(block.line);
+        if matches!(block.kind, BlockKind::Words(_)) {
+            machine.spend(MOTION + script.slots / 8);
+        }
+        match machine.step().ok()? {
+            Flow::Next | Flow::Output(..) => {}
+            Flow::Wrote(..) => stopped.writes = true,
+            Flow::Alarm => return Some(Stopped { at: machine.state.at, ..stopped }),
+            Flow::Moved(words, motion) => {
+                let step = machine.moved(line, words, motion, &mut trace, world, &mut scratch).ok()?;
+                stopped.touches += usize::from(step.kind == Kind::Touch);
+            }
+            Flow::End | Flow::Native => return None,
+        }
+    }
+    None
+}
+
 fn stops() -> Text {
     text!("the program stops here with an alarm though nothing is wrong")
 }

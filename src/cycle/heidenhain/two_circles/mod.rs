@@ -310,6 +310,7 @@ impl Cycle for TwoCircles {
             members: Vec::new(),
             relations: Vec::new(),
             datum_source: DatumSource::default(),
+            shifts: Vec::new(),
             lift: None,
             frame: Self::frame(setup),
             formula: self.computed(setup),

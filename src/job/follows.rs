@@ -1,0 +1,314 @@
+//! Places that follow a result of an earlier cycle: `"=TOP.z-5"` in the origin of a cycle of a set-up.
+
+use crate::control::Form;
+use crate::form::{Checker, Value, printable};
+use crate::formula::{Formula, Role, Variable};
+use crate::geom::Vec3;
+use crate::job::Job;
+use crate::job::planned::{Planned, several};
+use crate::num::{decimal, tidy};
+use crate::part::Run;
+use crate::path::{Path, Purpose};
+use crate::text::text;
+use crate::{formula, part};
+
+/// The most characters of such a text.
+pub const LONGEST_PLACE: usize = 64;
+
+/// Along X, Y and Z, the cycle and the code of the result that a cycle follows.
+pub type Follows = [Option<(usize, &'static str)>; 3];
+
+/// A text that begins with a result: its name, and what is added to it in the job's units.
+struct Sum<'t> {
+    name: &'t str,
+    added: f64,
+}
+
+impl<'t> Sum<'t> {
+    fn of(text: &'t str) -> Option<Sum<'t>> {
+        let inner = text.trim().strip_prefix('=').filter(|_| text.len() <= LONGEST_PLACE)?;
+        let (name, added) = inner.split_at(inner.find(['+', '-']).unwrap_or(inner.len()));
+        let added: String = added.chars().filter(|c| *c != ' ').map(|c| if c == ',' { '.' } else { c }).collect();
+        let plain = added.bytes().skip(1).all(|b| b.is_ascii_digit() || b == b'.');
+        let added = match added.as_str() {
+            "" => Some(0.0),
+            text if plain => crate::num::read(text.strip_prefix('+').unwrap_or(text)).filter(|x| x.is_finite()),
+            _ => None,
+        };
+        Some(Sum { name: name.trim(), added: added? }).filter(|sum| !sum.name.is_empty())
+    }
+}
+
+/// Such a text with what it adds to the result changed, as in other units; none where it is no such text.
+pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
+    let Sum { name, added } = Sum::of(text)?;
+    let added = change(added);
+    let sign = if added < 0.0 { "-" } else { "+" };
+    Some(if added == 0.0 { format!("={name}") } else { format!("={name}{sign}{}", decimal(added.abs(), 6)) })
+}
+
+/// The cycles that were read before the one that follows: their names, and of each that has no error its job.
+pub struct Earlier<'a> {
+    pub names: &'a [String],
+    pub jobs: &'a [Option<Job>],
+}
+
+/// Puts the nominal value of each result that the origin of cycle `index` follows in its place. Reports what is wrong with it; the cycle is read on with a
+/// zero there.
+pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &Earlier<'_>) -> Follows {
+    let mut follows = [None; 3];
+    let Some(Value::List(origin)) = origin_of(single) else { return follows };
+    for (axis, item) in origin.iter_mut().enumerate().take(3) {
+        let Value::Text(text) = item else { continue };
+        if !text.trim_start().starts_with('=') {
+            continue;
+        }
+        let path = format!("cycles[{index}].origin[{axis}]");
+        let followed = one(checker, text, (axis, &path), earlier);
+        let nominal = followed.as_ref().map_or(0.0, |(_, nominal)| *nominal);
+        follows[axis] = followed.map(|(follow, _)| follow);
+        *item = Value::Number(nominal);
+    }
+    follows
+}
+
+fn origin_of(single: &mut Value) -> Option<&mut Value> {
+    let Value::Map(entries) = single else { return None };
+    let (_, cycle) = entries.iter_mut().rev().find(|(key, _)| key == "cycle")?;
+    let Value::Map(entries) = cycle else { return None };
+    entries.iter_mut().rev().find(|(key, _)| key == "origin").map(|(_, origin)| origin)
+}
+
+/// What one place follows, and where it is on the nominal part, in the job's units.
+fn one(
+    checker: &mut Checker,
+    text: &str,
+    (axis, path): (usize, &str),
+    earlier: &Earlier<'_>,
+) -> Option<((usize, &'static str), f64)> {
+    let refuse = |checker: &mut Checker, message| {
+        checker.error("place-of-result", path, message);
+        None
+    };
+    let Some(Sum { name, added }) = Sum::of(text) else {
+        let message = text!(
+            "\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5",
+            printable(text).chars().take(LONGEST_PLACE).collect::<String>()
+        );
+        return refuse(checker, message);
+    };
+    // What is wrong with an earlier cycle is said there.
+    if earlier.jobs.iter().any(Option::is_none) {
+        return None;
+    }
+    let jobs: Vec<&Job> = earlier.jobs.iter().flatten().collect();
+    let known: Vec<(usize, Place)> =
+        jobs.iter().enumerate().flat_map(|(cycle, job)| places(job).into_iter().map(move |place| (cycle, place))).collect();
+    let (of, code) = name.split_once('.').unwrap_or((name, ""));
+    let is = |cycle: usize| earlier.names[cycle].eq_ignore_ascii_case(of);
+    let short = ["x", "y", "z"].iter().position(|letter| code.eq_ignore_ascii_case(letter));
+    let mut found = known.iter().filter(|(cycle, place)| {
+        is(*cycle) && (place.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| letter == place.letter))
+    });
+    let (cycle, place) = match (found.next(), found.next()) {
+        (Some(one), None) => one,
+        (None, _) => {
+            let names: Vec<String> =
+                known.iter().map(|(cycle, place)| format!("{}.{}", earlier.names[*cycle], place.code)).collect();
+            let name = printable(name);
+            let message = if names.is_empty() {
+                text!("No cycle before this one measures a place \"{name}\"", name)
+            } else {
+                text!("No cycle before this one measures a place \"{name}\". There are {known}", name, names.join(", "))
+            };
+            return refuse(checker, message);
+        }
+        (Some(_), Some(_)) => {
+            let message = text!("\"{name}\" is more than one result: write its whole code", printable(name));
+            return refuse(checker, message);
+        }
+    };
+    let job = jobs[*cycle];
+    if place.axis != axis {
+        let names = crate::geom::AXIS_NAMES;
+        let message = text!(
+            "{name} is a place along {axis}, and this one is along {other}",
+            printable(name),
+            names[place.axis],
+            names[axis]
+        );
+        return refuse(checker, message);
+    }
+    if several(job).is_some() || job.form == Form::Cycle {
+        let message = text!(
+            "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
+        );
+        checker.error("set-up-unsupported", path, message);
+        return None;
+    }
+    if !job.post.computes {
+        let message =
+            text!("{control} cannot compute: the place of a cycle cannot follow a result there", job.post.title.to_owned());
+        checker.error("set-up-unsupported", path, message);
+        return None;
+    }
+    if job.limits.position.is_none() {
+        let message = text!(
+            "A place that follows a result needs limits.position: how far from the nominal place the path may be shifted"
+        );
+        checker.error("place-of-result", path, message);
+        return None;
+    }
+    Some(((*cycle, place.code), tidy(place.nominal / job.scale + added)))
+}
+
+/// A place that a cycle measures along an axis.
+struct Place {
+    code: &'static str,
+    /// 0, 1, 2: abscissa, ordinate, tool axis.
+    letter: usize,
+    /// The axis of the machine.
+    axis: usize,
+    /// What it is on the nominal part, mm.
+    nominal: f64,
+}
+
+/// The places that a cycle measures.
+fn places(job: &Job) -> Vec<Place> {
+    let formula: Formula = job.cycle.formula(&job.setup);
+    let axes = job.setup.plane.axes();
+    let datum = formula.datum.map(|datum| datum.place.map(|place| place.and_then(|place| place.measured)));
+    let in_datum =
+        |variable: Option<Variable>| (0..3).find(|i| variable.is_some() && datum.is_some_and(|datum| datum[*i] == variable));
+    let of = |result: &formula::ResultDef| {
+        let letter = match result.role {
+            Role::Abscissa => 0,
+            Role::Ordinate => 1,
+            Role::Level => 2,
+            // Along a surface nothing is measured.
+            Role::Reading => in_datum(result.variable)?,
+            _ => return None,
+        };
+        result.variable?;
+        Some(Place { code: result.code, letter, axis: axes[letter], nominal: result.nominal })
+    };
+    formula.results.iter().filter_map(of).collect()
+}
+
+/// Runs the cycles that follow results again, on the virtual part: shifted by what the control measures there. Before a cycle that would be shifted beyond
+/// the limit the program stops: it and all behind it are not reached.
+pub fn run(whole: &mut Planned) {
+    if whole.path.shifts.is_empty() {
+        return;
+    }
+    for m in 0..whole.members.len() {
+        let triggers = triggers(whole);
+        let asked = whole.path.asked_before(m, &whole.job.limits);
+        let off = asked.iter().find(|question| {
+            let value = part::value(&whole.path, &triggers, question.variable);
+            !value.is_some_and(|value| question.holds(value))
+        });
+        if let Some(question) = off {
+            for planned in &mut whole.members[m..] {
+                let triggers = vec![None; planned.path.touches.len()];
+                planned.run = Run { triggers, halt: Some((m, question.result)), ..Run::default() };
+            }
+            return;
+        }
+        let begin = whole.path.members[m].moves.start;
+        let by = shift(&whole.path, &triggers, begin);
+        if by != Vec3::ZERO {
+            let planned = &mut whole.members[m];
+            planned.run = part::run(&moved(&planned.path, |_| by), &planned.surfaces, &planned.job.setup);
+        }
+    }
+}
+
+/// The triggers of all cycles as they were run.
+fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
+    whole.members.iter().flat_map(|planned| planned.run.triggers.iter().copied()).collect()
+}
+
+/// How far a move is shifted, mm; not at all where that is not known.
+fn shift(path: &Path, triggers: &[Option<Vec3>], index: usize) -> Vec3 {
+    let by = |shift: Option<Variable>| shift.and_then(|shift| part::value(path, triggers, shift)).unwrap_or(0.0);
+    Vec3::from_array(path.shifts(index).map(by))
+}
+
+/// The whole path as it runs on the virtual part; none where it is that of the drawing.
+pub fn actual(whole: &Planned) -> Option<Path> {
+    if whole.path.shifts.is_empty() || whole.job.placement.nominal {
+        return None;
+    }
+    let triggers = triggers(whole);
+    Some(moved(&whole.path, |index| shift(&whole.path, &triggers, index)))
+}
+
+/// Says before which cycle the program stops on the virtual part, and why.
+pub fn report(whole: &Planned, checker: &mut Checker) {
+    let Some((m, result)) = whole.run.halt else { return };
+    let Some(question) = whole.path.formula.leads(result, &whole.job.limits) else { return };
+    // Where a touch meets nothing, that is said.
+    let Some(value) = part::value(&whole.path, &whole.run.triggers, question.variable) else { return };
+    let message = text!(
+        "On this part the program stops before {cycle}: {result} is {value}, more than {limit} from {wanted}",
+        whole.path.members[m].name.clone(),
+        whole.path.formula.full_code(&whole.path.formula.results[result]).into_owned(),
+        checker.length(value),
+        checker.length(question.limit),
+        checker.length(question.wanted)
+    );
+    checker.warning("place-too-far", if whole.job.placement.nominal { "limits" } else { "part" }, message);
+}
+
+/// Checks the ways on which one end follows a result and the other does not: a shift must neither turn them nor make them too short to be watched.
+pub fn check_ways(whole: &Planned, shortest: f64, checker: &mut Checker) {
+    let path = &whole.path;
+    let Some(limit) = whole.job.limits.position.filter(|_| !path.shifts.is_empty()) else { return };
+    let w = path.frame.w;
+    for (index, pair) in path.moves.windows(2).enumerate() {
+        let (before, now) = (path.shifts(index), path.shifts(index + 1));
+        let shifted = |axis: usize| {
+            let both = usize::from(before[axis].is_some()) + usize::from(now[axis].is_some());
+            if before[axis] == now[axis] { 0.0 } else { both as f64 * limit }
+        };
+        let far = Vec3::from_array([0, 1, 2].map(shifted)).length();
+        let way = pair[1].to - pair[0].to;
+        if far == 0.0 || way.length() >= far + shortest - 1e-9 {
+            continue;
+        }
+        let name = path.member_of_move(index + 1).map_or("", |member| path.members[member].name.as_str()).to_owned();
+        let (way_text, least) = (checker.length(way.length()), checker.length(far + shortest));
+        let along = way.cross(w).length() <= 1e-9;
+        let message = text!(
+            "Move {move}, a way to {cycle}, is {way} long: where a place follows a result it needs {least}, the limit of that and the shortest move that can be watched",
+            index + 2,
+            name,
+            way_text,
+            least
+        );
+        return checker.error(
+            if along { "clear-too-low" } else { "place-of-result" },
+            if along { "clear" } else { "cycles" },
+            message,
+        );
+    }
+}
+
+/// The same path, each move elsewhere.
+fn moved(path: &Path, by: impl Fn(usize) -> Vec3) -> Path {
+    let mut path = path.clone();
+    for index in 0..path.moves.len() {
+        let by = by(index);
+        let step = &mut path.moves[index];
+        step.to += by;
+        if let Some(arc) = &mut step.arc {
+            arc.center += by;
+        }
+        if let Purpose::Touch(k) = step.purpose {
+            path.touches[k].point += by;
+        }
+    }
+    path.start = path.start.map(|start| start + if path.members.is_empty() { by(0) } else { Vec3::ZERO });
+    path
+}

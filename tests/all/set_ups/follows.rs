@@ -1,0 +1,259 @@
+//! Cycles whose place follows a result of an earlier one, held against LinuxCNC's interpreter, the tests' machines and hand calculations.
+
+use super::{Draws, cycle};
+use crate::common::fanuc::Control;
+use crate::common::mpf::read;
+use crate::common::sinumerik::Machine;
+use crate::common::{ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
+use touchpath::form::{Level, Value};
+use touchpath::job::{Plan, check, convert_units, plan};
+
+/// A top, a bore that hangs on it, and a stud 60 mm beside the bore, 2 mm below the top.
+pub const STEPS: &str = r#"{ "format": 2, "name": "STEPS", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" }, "limits": { "position": 1 },
+  "cycles": [
+    { "name": "TOP", "type": "surface", "origin": [-35, 0, 0] },
+    { "name": "BORE", "type": "hole", "diameter": 25, "origin": [0, 0, "=TOP.z"] },
+    { "name": "STUD", "type": "boss", "diameter": 20, "origin": ["=BORE.center.x+60", 0, "=TOP.point.z - 2"] }
+  ],
+  "part": { "offset": [0.2, 0.1, 0.3] } }"#;
+
+fn on(post: &str) -> Value {
+    with(&job(STEPS), "control.post", Value::Text(post.to_owned()))
+}
+
+/// The part lies by this elsewhere.
+fn at(job: &Value, offset: [f64; 3]) -> Value {
+    with(job, "part.offset", Value::List(offset.map(Value::Number).to_vec()))
+}
+
+fn near(a: f64, b: f64, within: f64, what: &str) {
+    assert!((a - b).abs() <= within, "{what}: {a} and {b}");
+}
+
+/// The results that a plan shows, by the names that programs print.
+fn shown(plan: &Plan) -> Vec<(String, f64)> {
+    let rows = plan.results.iter().filter(|row| !row.code.starts_with("offset."));
+    rows.filter_map(|row| Some((format!("{}.{}", plan.cycles[row.cycle], row.code), row.value?))).collect()
+}
+
+/// How far each cycle is shifted on the part of [`STEPS`], by hand.
+const BY_HAND: [[f64; 3]; 3] = [[0.0; 3], [0.0, 0.0, 0.3], [0.2, 0.0, 0.3]];
+
+/// LinuxCNC's interpreter moves each cycle by what was measured before it, and prints what the plan shows.
+#[test]
+fn the_interpreter_goes_where_the_results_say() {
+    let plan = planned(&job(STEPS));
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    assert_eq!(ran.prints.len(), shown(&plan).len());
+    for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
+        assert_eq!(*code, name);
+        near(*printed, value, 3e-6, code);
+    }
+    // Every place that a move of a cycle names is the nominal one, shifted.
+    let mut compared = [0; 3];
+    for step in plan.moves.iter().filter(|step| step.step > 0 && step.kind != "touch") {
+        let wanted = [0, 1, 2].map(|axis| step.to[axis] + BY_HAND[step.cycle][axis]);
+        let found = ran.moves.iter().any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 2e-6));
+        assert!(found, "{} goes to {wanted:?}: {:?}", plan.cycles[step.cycle], ran.moves);
+        compared[step.cycle] += 1;
+    }
+    assert!(compared.iter().all(|count| *count > 1), "{compared:?}");
+    // Between them the height follows nothing.
+    let across: Vec<f64> = plan.moves.iter().filter(|step| step.step == 0).map(|step| step.to[2]).collect();
+    near(
+        across.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        33.0,
+        1e-9,
+        "30 above the part, twice the limit and a millimetre",
+    );
+}
+
+/// A top that is found 1.1 mm too high: nothing of the bore is touched, nothing is written.
+#[test]
+fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
+    let high = at(&job(STEPS), [0.0, 0.0, 1.1]);
+    for (post, how) in [("linuxcnc", 1.1), ("linuxcnc", -1.1), ("sinumerik", 1.1), ("fanuc", 1.1), ("haas", -1.1)] {
+        let job = at(&with(&high, "control.post", Value::Text(post.to_owned())), [0.0, 0.0, how]);
+        let plan = planned(&job);
+        let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post}"));
+        assert!(said.message.contains("before BORE: TOP.point.z is"), "{}", said.message);
+        assert!(plan.results.iter().all(|row| row.value.is_none()), "{post}");
+        assert_eq!(plan.triggers.iter().filter(|trigger| trigger.is_some()).count(), 1);
+        assert!(plan.findings.iter().all(|f| !["no-contact", "collision"].contains(&f.code.as_str())), "{:?}", plan.findings);
+        match post {
+            "linuxcnc" => {
+                let (ran, why) = interpret_until_stop(&ending_at(&plan, |k| plan.triggers[k].unwrap_or_default()));
+                let why = why.expect("it stops");
+                assert!(why.contains("TOP.point.z is"), "{why}");
+                assert_eq!(ran.written, None);
+                assert!(
+                    ran.moves.iter().skip_while(|made| made.to[0] > -35.0).all(|made| made.to[0] == -35.0),
+                    "nothing goes to the bore: {:?}",
+                    ran.moves
+                );
+            }
+            "sinumerik" => {
+                let mut machine = Machine::new(plan.triggers.clone());
+                machine.run(&read(&plan.program.text).unwrap()).unwrap();
+                assert!(machine.alarm.is_some() && machine.message.contains("TOP.point.z"), "{}", machine.message);
+            }
+            _ => {
+                let mut control = Control::new(post == "haas", false);
+                control.contacts = plan.triggers.iter().flatten().copied().collect();
+                control.run(&plan.program.text).unwrap();
+                assert!(
+                    control.alarm.as_ref().is_some_and(|alarm| format!("{alarm:?}").contains("TOP.POINT.Z")),
+                    "{:?}",
+                    control.alarm
+                );
+            }
+        }
+    }
+    // A little within it all is measured.
+    let within = planned(&at(&job(STEPS), [0.0, 0.0, 0.99]));
+    assert!(within.triggers.iter().all(Option::is_some));
+}
+
+/// The tests' machines run the programs of the other controls: each touch is met where the virtual part says, from the shifted places.
+#[test]
+fn the_other_controls_measure_what_the_plan_shows() {
+    let plan = planned(&on("sinumerik"));
+    let mut machine = Machine::new(plan.triggers.clone());
+    machine.run(&read(&plan.program.text).unwrap()).unwrap();
+    assert_eq!(machine.alarm, None, "{}", machine.message);
+    let said: String = machine.messages.join(" ");
+    for (name, value) in shown(&plan).into_iter().filter(|(name, _)| !name.ends_with("residual")) {
+        let word = format!("{name}=");
+        let behind = said.split(&word).nth(1).unwrap_or_else(|| panic!("{word} in {said}"));
+        let end = behind.find(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).unwrap_or(behind.len());
+        near(behind[..end].parse().unwrap(), value, 2e-5, &name);
+    }
+    for post in ["fanuc", "haas"] {
+        let plan = planned(&on(post));
+        let mut control = Control::new(post == "haas", false);
+        control.contacts = plan.triggers.iter().flatten().copied().collect();
+        control.variables.extend((5221..=5223).map(|origin| (origin, 0.0)));
+        control.run(&plan.program.text).unwrap();
+        assert_eq!(control.alarm, None, "{post}");
+        for (i, (name, value)) in shown(&plan).into_iter().enumerate() {
+            near(control.variables[&(101 + i as i64)], value, 2e-4, &format!("{post} {name}"));
+        }
+    }
+}
+
+/// The text of a place comes back from every header, and through other units.
+#[test]
+fn places_that_follow_come_back_from_headers_and_units() {
+    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+        let plan = planned(&on(post));
+        let back = import(&plan.program.text).unwrap();
+        assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+        assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
+    }
+    let inch = convert_units(&job(STEPS), "inch").unwrap();
+    let Some(Value::List(cycles)) = inch.get("cycles") else { unreachable!() };
+    let Some(Value::List(origin)) = cycles[2].get("origin") else { unreachable!() };
+    assert_eq!(origin[0], Value::Text("=BORE.center.x+2.362205".to_owned()));
+    assert_eq!(origin[2], Value::Text("=TOP.point.z-0.07874".to_owned()));
+    let (mm, inch) = (planned(&job(STEPS)), planned(&inch));
+    for (a, b) in mm.triggers.iter().zip(&inch.triggers) {
+        let (a, b) = (a.unwrap(), b.unwrap());
+        (0..3).for_each(|axis| near(a[axis], b[axis] * 25.4, 1e-4, "the same contacts"));
+    }
+}
+
+#[test]
+fn a_place_that_cannot_follow_is_refused_at_its_place() {
+    let errors = |job: &Value| {
+        let errors = check(job).into_iter().filter(|f| f.level == Level::Error);
+        errors.map(|f| format!("{} {}", f.code, f.path)).collect::<Vec<_>>()
+    };
+    let text = |given: &str| STEPS.replace("=TOP.point.z - 2", given);
+    for given in [
+        "=",
+        "= ",
+        "TOP.z",
+        "=TOP",
+        "=TOP.",
+        "=TOP.y",
+        "=TOP.point.x",
+        "=TOP.deviation",
+        "=BORE.diameter",
+        "=STUD.center.x",
+        "=NONE.z",
+        "=BORE.x",
+        "=TOP.z*2",
+        "=TOP.z-",
+        "=TOP.z--2",
+        "=TOP.z-2)\\nG0 Z-99",
+        "=TOP.z+1e3",
+        "=TOP.z-2-3",
+        "=TOP.z - two",
+    ] {
+        let wanted = if given == "TOP.z" { "wrong-type cycles[2].origin[2]" } else { "place-of-result cycles[2].origin[2]" };
+        assert_eq!(errors(&job(&text(given))), [wanted], "{given}");
+    }
+    for given in ["=top.Z-2", "=TOP.z", "= TOP.point.z +0", "=TOP.z-0,5"] {
+        assert!(errors(&job(&text(given))).is_empty(), "{given}: {:?}", errors(&job(&text(given))));
+    }
+    // The first cycle has none before it; a job of one cycle has none at all.
+    let first = STEPS.replace("[-35, 0, 0]", "[-35, 0, \"=BORE.z\"]");
+    assert!(errors(&job(&first)).contains(&"place-of-result cycles[0].origin[2]".to_owned()));
+    let alone = job(r#"{ "format": 1, "cycle": { "type": "hole", "origin": [0, 0, "=TOP.z"] } }"#);
+    assert_eq!(errors(&alone), ["wrong-type cycle.origin[2]"]);
+    // Without a limit nobody says how far it may go.
+    let limitless = with(&job(STEPS), "limits.position", Value::Null);
+    assert!(errors(&limitless).iter().all(|error| error.starts_with("place-of-result")) && errors(&limitless).len() == 3);
+    let grbl = with(&with(&job(STEPS), "control.post", Value::Text("grbl".to_owned())), "control.workOffset", Value::Null);
+    assert!(errors(&grbl).contains(&"set-up-unsupported cycles[1].origin[2]".to_owned()), "{:?}", errors(&grbl));
+    let own = with(&on("haas"), "control.form", Value::Text("cycle".to_owned()));
+    assert!(errors(&own).contains(&"set-up-unsupported cycles[1].origin[2]".to_owned()), "{:?}", errors(&own));
+    // A way between that a shift could make shorter than nothing.
+    let low = with(&job(STEPS), "clear", Value::Number(30.5));
+    assert_eq!(errors(&low), ["clear-too-low clear"]);
+    let beside = job(&STEPS.replace("=BORE.center.x+60", "=BORE.center.x+1"));
+    assert!(errors(&beside).contains(&"place-of-result cycles".to_owned()), "{:?}", errors(&beside));
+}
+
+/// Two to five cycles, each of which follows any that came before it, on parts that lie anywhere within the limit.
+#[test]
+fn random_chains_measure_their_part_wherever_it_lies() {
+    let mut draws = Draws(77);
+    let mut followed = 0;
+    for round in 0..16 {
+        let count = 2 + draws.below(4);
+        let cycles: Vec<Value> = (0..count)
+            .map(|i| {
+                let key = if i == 0 { "hole" } else { ["surface", "hole", "boss"][draws.below(3)] };
+                let mut at: Vec<Value> = [150.0 * i as f64, 10.0, -1.0].map(Value::Number).to_vec();
+                for axis in 0..2 {
+                    if i > 0 && draws.next() < 0.6 {
+                        let (name, nominal) = ("C0.center", [0.0, 10.0][axis]);
+                        let Value::Number(own) = at[axis] else { unreachable!() };
+                        at[axis] = Value::Text(format!("={name}.{}{:+}", ["x", "y"][axis], own - nominal));
+                        followed += 1;
+                    }
+                }
+                with(&with(&cycle(key, 0.0), "origin", Value::List(at)), "name", Value::Text(format!("C{i}")))
+            })
+            .collect();
+        let text = format!(
+            r#"{{ "format": 2, "control": {{ "post": "linuxcnc" }}, "limits": {{ "position": 1.5 }}, "part": {{ "offset": [{:.4}, {:.4}, {:.4}] }}, "cycles": [] }}"#,
+            draws.of(-1.4, 1.4),
+            draws.of(-1.4, 1.4),
+            draws.of(-0.4, 0.4)
+        );
+        let whole = with(&job(&text), "cycles", Value::List(cycles));
+        let plan = plan(&whole).unwrap_or_else(|e| panic!("round {round}: {e:?}"));
+        assert!(plan.triggers.iter().all(Option::is_some), "round {round}: {:?}", plan.findings);
+        let ran = interpret(&on_virtual_part(&plan)).unwrap_or_else(|e| panic!("round {round}: {e}"));
+        for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
+            assert_eq!(*code, name);
+            near(*printed, value, 3e-6, code);
+        }
+        for row in plan.results.iter().filter(|row| row.code.starts_with("center")) {
+            near(row.value.unwrap(), row.truth.unwrap(), 1e-5, &format!("round {round}"));
+        }
+    }
+    assert!(followed > 20, "{followed}");
+}
