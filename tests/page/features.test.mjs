@@ -296,3 +296,29 @@ test("a relation that takes a taken name for a while keeps what is written from 
     "never from the other one",
   );
 });
+
+test("a place follows a result of an earlier cycle, and keeps to it when that is renamed", async () => {
+  await field("cycle.type").selectOption("surface");
+  await field("control.workOffset").selectOption("1");
+  await put("cycle.origin[0]", -40);
+  await add("hole");
+  await put("limits.position", 1);
+  const z = field("cycle.origin[2]");
+  assert.deepEqual(
+    await page.locator("datalist[id='l-cycle.origin[2]'] option").evaluateAll((all) => all.map((one) => one.value)),
+    ["=SURFACE.point.z"],
+  );
+  await z.fill("=SURFACE.z-2");
+  await page.keyboard.press("Tab");
+  assert.equal(await z.inputValue(), "=SURFACE.z-2");
+  assert.match(await program(), /G38\.3 X0 Y0 Z\[-12\+#<bore_shift_z>\]/);
+  await list().first().click();
+  await page.getByLabel("Name of this cycle").fill("TOP");
+  await page.keyboard.press("Tab");
+  await list().nth(1).click();
+  assert.equal(await z.inputValue(), "=TOP.z-2");
+  assert.match(await program(), /TOP\.point\.z is #<top_point_z>, more than 1 from 0/);
+  // A number stands there again as any other does.
+  await put("cycle.origin[2]", -2);
+  assert.doesNotMatch(await program(), /shift_z/);
+});
