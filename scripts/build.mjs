@@ -54,6 +54,9 @@ async function buildWasm() {
     "-o",
     wasm,
   ]);
+  // For servers that are bundled into one file.
+  writeFileSync(`${out}/inline.js`, `export const base64 = "${readFileSync(wasm, "base64")}";\n`);
+  writeFileSync(`${out}/inline.d.ts`, "export const base64: string;\n");
 }
 
 function buildPackage() {
@@ -61,9 +64,8 @@ function buildPackage() {
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), { recursive: true });
   writeFileSync(at("dist", "licences.txt"), crateLicences());
-  for (const name of ["embed.html", "frame.schema.json", "react.d.ts"]) cpSync(at("www", name), at("dist", name));
-  // Types alone: what imports them imports nothing.
-  writeFileSync(at("dist", "react.js"), "export {};\n");
+  for (const name of ["embed.html", "frame.schema.json", "react.d.ts", "react.js"])
+    cpSync(at("www", name), at("dist", name));
   cpSync(at("www", "page.css"), at("dist", "embed.css"));
   mkdirSync(at("dist", "words"));
   for (const name of readdirSync(at("www", "words")).filter((name) => name !== "core.json"))

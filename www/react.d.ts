@@ -1,10 +1,10 @@
-// What React's TSX knows of <touch-path>: `import type {} from "touchpath/react"` in any file of a project.
-import type { DetailedHTMLProps, HTMLAttributes } from "react";
-import type { TouchPath, TouchPathEvents } from "./element/element.js";
+// <touch-path> as a component, and what React's TSX knows of the bare tag: `import type {} from "touchpath/react"` in any file of a project.
+import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
+import type { TouchPath as TouchPathElement, TouchPathEvents } from "./element/element.js";
 import type { Cycle, Job, PostId } from "./types.js";
 
-/** The properties of `<touch-path>` in React 19, which sets properties and listens to events by itself. */
-export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPath>, TouchPath> & {
+/** The properties of `<touch-path>`. */
+export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPathElement>, TouchPathElement> & {
   job?: Job | string | null;
   cycle?: Cycle["type"] | null;
   post?: PostId | null;
@@ -17,6 +17,12 @@ export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPath>, TouchP
   links?: boolean;
   name?: string;
 } & { [K in keyof TouchPathEvents as `on${K}`]?: (event: TouchPathEvents[K]) => void };
+
+/**
+ * `<touch-path>` as a component, for React 19. In a tree that a server rendered React sets neither the properties nor the listeners of a custom element; this
+ * sets them, and loads the element in the browser.
+ */
+export function TouchPath(props: TouchPathProps): ReactElement;
 
 declare module "react" {
   namespace JSX {

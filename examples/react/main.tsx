@@ -1,4 +1,4 @@
-// React 19 sets properties of custom elements and listens to their events by itself: no wrapper is needed.
+// Rendered by the browser alone: React 19 sets the properties of the tag and listens to its events. For a tree that a server renders there is `TouchPath` of touchpath/react.
 import { useState } from "react";
 import { createRoot } from "react-dom/client";
 import type { Job } from "touchpath";

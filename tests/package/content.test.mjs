@@ -20,6 +20,8 @@ test("the package had no licence text", () => {
     "coded",
     "embed",
     "frame",
+    "init",
+    "inline",
     "instance",
     "job-types",
     "layout",
@@ -32,6 +34,7 @@ test("the package had no licence text", () => {
     "said",
     "types",
     "unpacked",
+    "workerd",
   ];
   const modules = core.flatMap((name) => [`dist/${name}.d.ts`, `dist/${name}.js`]);
   // What the element loads is cut into pieces as the bundler likes: their number may change, their kind may not.
@@ -41,9 +44,14 @@ test("the package had no licence text", () => {
     pieces.length < 21 && pieces.every((/** @type {string} */ name) => /\/[a-zA-Z-]+(\.d\.ts|\.js)$/.test(name)),
     pieces.join(),
   );
-  const wasm = ["touchpath.d.ts", "touchpath.js", "touchpath_bg.wasm", "touchpath_bg.wasm.d.ts"].map(
-    (f) => `dist/wasm/${f}`,
-  );
+  const wasm = [
+    "inline.d.ts",
+    "inline.js",
+    "touchpath.d.ts",
+    "touchpath.js",
+    "touchpath_bg.wasm",
+    "touchpath_bg.wasm.d.ts",
+  ].map((f) => `dist/wasm/${f}`);
   // The manual, which README, types and catalog point to, without its pictures.
   const manual = readdirSync(join(cwd, "docs"), { recursive: true, encoding: "utf8" })
     .filter((name) => name.endsWith(".md"))

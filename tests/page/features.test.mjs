@@ -305,7 +305,9 @@ test("a place follows a result of an earlier cycle, and keeps to it when that is
   await put("limits.position", 1);
   const z = field("cycle.origin[2]");
   assert.deepEqual(
-    await page.locator("datalist[id='l-cycle.origin[2]'] option").evaluateAll((all) => all.map((one) => one.value)),
+    await page
+      .locator("datalist[id='l-cycle.origin[2]'] option")
+      .evaluateAll((all) => all.map((one) => one.getAttribute("value"))),
     ["=SURFACE.point.z"],
   );
   await z.fill("=SURFACE.z-2");

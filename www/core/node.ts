@@ -6,5 +6,7 @@ export * from "./api.js";
 export { say } from "./said.js";
 export type * from "./types.js";
 
-raw.initSync({ module: readFileSync(new URL("./wasm/touchpath_bg.wasm", import.meta.url)) });
+// Said so that no bundler takes it for an asset of a page, and replaces the address.
+const beside = (path: string) => new URL(path, import.meta.url);
+raw.initSync({ module: readFileSync(beside("./wasm/touchpath_bg.wasm")) });
 attach(raw, raw.__wbg_reset_state);
