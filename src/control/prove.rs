@@ -87,7 +87,7 @@ impl Followed<'_> {
     /// so much, mm.
     pub fn stops_before(&self, request: &Request<'_>, member: usize, (result, off): (usize, f64)) -> bool {
         let mut triggers = self.triggers.clone();
-        let Ok(shifts) = shifted(request, &mut triggers, Some((result, off))) else { return true };
+        let Ok(shifts) = shifted(request, &mut triggers, Some((result, off, member))) else { return false };
         let expected = Expected::of(request, shifts);
         let made = request.path.members[member].moves.start;
         let ways = request.path.moves[..made].iter().rev().take_while(|step| step.step == WAY).count();
@@ -96,9 +96,13 @@ impl Followed<'_> {
         let before = expected.touches.iter().filter(|(k, _)| request.path.member_of_touch(*k) < Some(member)).count();
         let Some(last) = (made - ways).checked_sub(1) else { return false };
         let stands = expected.place(request.path.moves[last].to + expected.shift(last));
-        // What puts one result off may put another one off that is asked about earlier.
-        let in_time =
-            |stop: machine::Stopped| stop.touches < before || stop.touches == before && expected.near(stop.at, stands);
+        // As many moves as the cycle before it has behind its last touch lead nowhere else; that touch itself may miss. What puts one result off may put
+        // another one off that is asked about earlier.
+        let moves = request.path.moves[..=last].iter().rev();
+        let own = moves.take_while(|step| !matches!(step.purpose, Purpose::Touch(_))).count();
+        let in_time = |stop: machine::Stopped| {
+            stop.touches < before || stop.touches == before && (stop.since <= own || expected.near(stop.at, stands))
+        };
         stop.is_some_and(|stop| !stop.writes && in_time(stop))
     }
 }
@@ -189,14 +193,15 @@ pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usi
 fn trigger(request: &Request<'_>, k: usize, way: f64, share: f64) -> Vec3 {
     let touch = &request.path.touches[k];
     let along = (touch.search * (0.55 * spread(k) - 0.05)).max(-way / 2.0) * share;
-    touch.contact(request.setup.radius) - touch.vector * along + aside(k)
+    touch.contact(request.setup.radius) - touch.vector * along + aside(k) * share
 }
 
 /// By how much each move is shifted on the triggers of the proof, mm, where cycles follow results. The triggers move along, and those of a cycle that is
-/// followed stay so near that its results are within the limit; but for one result that is to be `off` its nominal value by so much.
-fn shifted(request: &Request<'_>, triggers: &mut [Vec3], off: Option<(usize, f64)>) -> Result<Shifted, Vec<Fault>> {
-    /// Halved so often, a trigger is as near as it is put aside.
-    const HALVED: usize = 14;
+/// followed stay so near that its results are within the limit; but for one result that is to be `off` its nominal value by so much, and for the cycles from
+/// this one on, to which the program then must not come.
+fn shifted(request: &Request<'_>, triggers: &mut [Vec3], off: Option<(usize, f64, usize)>) -> Result<Shifted, Vec<Fault>> {
+    /// Halved so often, a trigger is nominal to the last digit.
+    const HALVED: usize = 24;
     let (path, formula) = (request.path, &request.path.formula);
     let ways: Vec<(usize, f64)> =
         path.searches().map(|(k, from, step)| (k, from.map_or(0.0, |from| from.distance(step.to)))).collect();
@@ -210,7 +215,7 @@ fn shifted(request: &Request<'_>, triggers: &mut [Vec3], off: Option<(usize, f64
         def.variable.map_or(0.0, |variable| values[variable.index()].value - def.nominal)
     };
     let mut values = evaluated(triggers);
-    for member in &path.members {
+    for (m, member) in path.members.iter().enumerate() {
         let by = |follow: Option<Follow>| follow.map_or(0.0, |follow| values[follow.shift.index()].value);
         let by = Vec3::from_array(member.follows.map(by));
         let is_followed = |result: &usize| path.members.iter().any(|m| m.follows.iter().flatten().any(|f| f.result == *result));
@@ -224,13 +229,13 @@ fn shifted(request: &Request<'_>, triggers: &mut [Vec3], off: Option<(usize, f64
         let near = |share: &f64| {
             own(*share, triggers);
             let values = evaluated(triggers);
-            followed.iter().all(|result| far(&values, *result).abs() < 0.9 * limit)
+            off.is_some_and(|(.., until)| m >= until) || followed.iter().all(|result| far(&values, *result).abs() < 0.9 * limit)
         };
         if shares.find(near).is_none() {
             return Err(vec![Fault::of(text!("the limit of a place that a cycle follows is too small to be proven"))]);
         }
         values = evaluated(triggers);
-        if let Some((result, wanted)) = off.filter(|(result, _)| member.results.contains(result)) {
+        if let Some((result, wanted, _)) = off.filter(|(result, ..)| member.results.contains(result)) {
             // All touches of the cycle lie elsewhere along the axis: how far, one trial says.
             let axis =
                 path.members.iter().find_map(|m| (0..3).find(|axis| m.follows[*axis].is_some_and(|f| f.result == result)));
@@ -242,7 +247,9 @@ fn shifted(request: &Request<'_>, triggers: &mut [Vec3], off: Option<(usize, f64
             let before = far(&values, result);
             displaced(1.0, triggers);
             let each = far(&evaluated(triggers), result) - before;
-            displaced((wanted - before) / each - 1.0, triggers);
+            if each != 0.0 {
+                displaced((wanted - before) / each - 1.0, triggers);
+            }
             values = evaluated(triggers);
         }
     }

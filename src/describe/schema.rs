@@ -91,7 +91,7 @@ fn following(mut cycle: Value) -> Value {
     };
     let place = map([
         ("type", Value::List(["number", "string"].map(text).to_vec())),
-        ("pattern", text("^\\s*=")),
+        ("pattern", text("^ *=")),
         ("maxLength", Value::Number(LONGEST_PLACE as f64)),
         ("description", text("A number, or a place that an earlier cycle measures with a number added: `=TOP.z-5`.")),
     ]);

@@ -8,7 +8,7 @@ use crate::job::Job;
 use crate::job::planned::{Planned, several};
 use crate::num::{decimal, tidy};
 use crate::part::Run;
-use crate::path::{Path, Purpose};
+use crate::path::{Path, Purpose, Shifts, far_apart};
 use crate::text::text;
 use crate::{formula, part};
 
@@ -26,7 +26,8 @@ struct Sum<'t> {
 
 impl<'t> Sum<'t> {
     fn of(text: &'t str) -> Option<Sum<'t>> {
-        let inner = text.trim().strip_prefix('=').filter(|_| text.len() <= LONGEST_PLACE)?;
+        // Other white space does not come back from a header.
+        let inner = text.trim_matches(' ').strip_prefix('=').filter(|_| text.len() <= LONGEST_PLACE)?;
         let (name, added) = inner.split_at(inner.find(['+', '-']).unwrap_or(inner.len()));
         let added: String = added.chars().filter(|c| *c != ' ').map(|c| if c == ',' { '.' } else { c }).collect();
         let plain = added.bytes().skip(1).all(|b| b.is_ascii_digit() || b == b'.');
@@ -35,7 +36,7 @@ impl<'t> Sum<'t> {
             text if plain => crate::num::read(text.strip_prefix('+').unwrap_or(text)).filter(|x| x.is_finite()),
             _ => None,
         };
-        Some(Sum { name: name.trim(), added: added? }).filter(|sum| !sum.name.is_empty())
+        Some(Sum { name: name.trim_matches(' '), added: added? }).filter(|sum| !sum.name.is_empty())
     }
 }
 
@@ -60,7 +61,7 @@ pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &E
     let Some(Value::List(origin)) = origin_of(single) else { return follows };
     for (axis, item) in origin.iter_mut().enumerate().take(3) {
         let Value::Text(text) = item else { continue };
-        if !text.trim_start().starts_with('=') {
+        if !text.trim_start_matches(' ').starts_with('=') {
             continue;
         }
         let path = format!("cycles[{index}].origin[{axis}]");
@@ -219,7 +220,8 @@ pub fn run(whole: &mut Planned) {
         let by = shift(&whole.path, &triggers, begin);
         if by != Vec3::ZERO {
             let planned = &mut whole.members[m];
-            planned.run = part::run(&moved(&planned.path, |_| by), &planned.surfaces, &planned.job.setup);
+            let run = part::run(&moved(&planned.path, |_| by), &planned.surfaces, &planned.job.setup);
+            planned.run = Run { shift: by, ..run };
         }
     }
 }
@@ -261,42 +263,36 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
     checker.warning("place-too-far", if whole.job.placement.nominal { "limits" } else { "part" }, message);
 }
 
-/// Checks the ways on which one end follows a result and the other does not: a shift must neither turn them nor make them too short to be watched.
+/// Checks the ways on which one end follows a result and the other does not: a shift must neither turn them upwards nor make them too short to be watched.
 pub fn check_ways(whole: &Planned, shortest: f64, checker: &mut Checker) {
     let path = &whole.path;
-    let Some(limit) = whole.job.limits.position.filter(|_| !path.shifts.is_empty()) else { return };
     let w = path.frame.w;
+    let along_tool = |shifts: Shifts| [0, 1, 2].map(|axis| shifts[axis].filter(|_| w[axis].abs() > 0.5));
     for (index, pair) in path.moves.windows(2).enumerate() {
         let (before, now) = (path.shifts(index), path.shifts(index + 1));
-        let shifted = |axis: usize| {
-            let both = usize::from(before[axis].is_some()) + usize::from(now[axis].is_some());
-            if before[axis] == now[axis] { 0.0 } else { both as f64 * limit }
-        };
-        let far = Vec3::from_array([0, 1, 2].map(shifted)).length();
         let way = pair[1].to - pair[0].to;
-        if far == 0.0 || way.length() >= far + shortest - 1e-9 {
+        let [up, whole_way] =
+            [far_apart(along_tool(before), along_tool(now), path.most_shift), far_apart(before, now, path.most_shift)];
+        let needed = if up > 0.0 && way.dot(w).abs() < up + shortest { up } else { whole_way };
+        let length = if needed == up { way.dot(w).abs() } else { way.length() };
+        if needed == 0.0 || length >= needed + shortest - 1e-9 {
             continue;
         }
         let name = path.member_of_move(index + 1).map_or("", |member| path.members[member].name.as_str()).to_owned();
-        let (way_text, least) = (checker.length(way.length()), checker.length(far + shortest));
-        let along = way.cross(w).length() <= 1e-9;
         let message = text!(
-            "Move {move}, a way to {cycle}, is {way} long: where a place follows a result it needs {least}, the limit of that and the shortest move that can be watched",
+            "Move {move}, a way to {cycle}, is {way} long, and a result may shift its end by {far}: raise the height between cycles until it is at least {least}",
             index + 2,
             name,
-            way_text,
-            least
+            checker.length(length),
+            checker.length(needed),
+            checker.length(needed + shortest)
         );
-        return checker.error(
-            if along { "clear-too-low" } else { "place-of-result" },
-            if along { "clear" } else { "cycles" },
-            message,
-        );
+        return checker.error("clear-too-low", "clear", message);
     }
 }
 
-/// The same path, each move elsewhere.
-fn moved(path: &Path, by: impl Fn(usize) -> Vec3) -> Path {
+/// The same path, each move elsewhere; of a set-up where it begins stays, since its first cycle follows nothing.
+pub fn moved(path: &Path, by: impl Fn(usize) -> Vec3) -> Path {
     let mut path = path.clone();
     for index in 0..path.moves.len() {
         let by = by(index);

@@ -132,9 +132,9 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
 }
 
 /// A touch that triggers so near to its start that the program takes it for a probe that is still deflected.
-fn report_at_start(job: &Job, path: &Path, triggers: &[Option<Vec3>], checker: &mut Checker) {
+fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     let near = |k: usize, from: Vec3| {
-        let way = (triggers[k]? - from).abs();
+        let way = (run.triggers[k]? - run.shift - from).abs();
         (way.x + way.y + way.z <= job.post.nearest_trigger).then_some(way.length())
     };
     let found = path.searches().find_map(|(k, from, _)| Some((k, near(k, from?)?)));
@@ -199,8 +199,8 @@ fn report_predefined(job: &Job, checker: &mut Checker) {
 }
 
 /// What the control will have stored, for the virtual part. A run that ends in the part ends before the results: nothing is stored. `writes`: whether an
-/// implausible result keeps the program from writing.
-fn predicted(planned: &Planned, writes: bool, checker: &mut Checker) -> Vec<formula::ResultRow> {
+/// implausible result keeps the program from writing; none where the program stops before it asks.
+fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> Vec<formula::ResultRow> {
     let Planned { job, path, run, .. } = planned;
     let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
@@ -217,8 +217,11 @@ fn predicted(planned: &Planned, writes: bool, checker: &mut Checker) -> Vec<form
     }
     if run.collision.is_none() && run.halt.is_none() {
         let off = judge(job, path, &mut rows);
-        report_judged(job, &rows, &off, writes, checker);
-        report_at_start(job, path, &run.triggers, checker);
+        // Where the program stops before a cycle that follows, it asks nothing more.
+        if writes.is_some() {
+            report_judged(job, &rows, &off, writes == Some(true), checker);
+        }
+        report_at_start(job, path, run, checker);
     } else {
         rows.iter_mut().for_each(unknown);
         // Their limits are known all the same.
@@ -260,7 +263,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         if checker.failed() {
             return Err(JobError { findings: std::mem::take(checker).findings() });
         }
-        let rows = predicted(planned, planned.writes(), checker);
+        let rows = predicted(planned, Some(planned.writes()), checker);
         let results = result_rows(job, path, rows);
         report_results(planned, &results, checker);
         return Ok(results);
@@ -281,7 +284,8 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     let mut results = Vec::new();
     for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
         if !failed {
-            let mut rows = predicted(member, planned.writes(), &mut checker);
+            let asks = planned.run.halt.is_none().then(|| planned.writes());
+            let mut rows = predicted(member, asks, &mut checker);
             if stopped {
                 rows.iter_mut().for_each(unknown);
             }
@@ -469,7 +473,10 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         if let Some(collision) = nominal.collision {
             report_collision(path, collision, &nominal.triggers, "cycle", checker);
         }
-        report_stylus(job, path, &nominal, Some((surfaces, run)), checker);
+        let shifted = follows::moved(path, |_| run.shift);
+        // What is not reached meets nothing.
+        let actual = Some((&shifted, surfaces.as_slice(), run)).filter(|_| run.halt.is_none());
+        report_stylus(job, path, &nominal, actual, checker);
     }
     report_unknown(job, path, checker);
     if run.halt.is_some() {

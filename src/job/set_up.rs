@@ -183,7 +183,7 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 
 /// The whole of these cycles, not run yet.
 fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec<Follows>), clear: Option<f64>) -> Planned {
-    // A cycle whose height follows a result may begin higher by the limit of that, and the way down to it is one.
+    // A cycle whose height follows a result may begin higher by the limit of that; the cycle before it may follow another one, and end as much higher.
     let limit = job.limits.position.unwrap_or(0.0);
     let tool = job.setup.plane.axes()[2];
     let higher = |follows: &Follows| if follows[tool].is_some() { 2.0 * limit + SHORTEST_WAY } else { 0.0 };
@@ -213,7 +213,7 @@ fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec
     let radius = job.setup.radius;
     let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
-    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way);
+    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way, (limit, job.post.shortest_probe));
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
     Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members }
 }

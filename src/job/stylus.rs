@@ -7,18 +7,18 @@ use crate::part::{self, Above, Run, Struck};
 use crate::path::{Path, Purpose, Surface};
 use crate::text::{Text, text};
 
-/// Where the stylus meets the nominal part above its ball, or else the virtual one. `nominal` and `actual` are what happens to the ball on both.
-pub fn report_stylus(job: &Job, path: &Path, nominal: &Run, actual: Option<(&[Surface], &Run)>, checker: &mut Checker) {
-    let struck = |surfaces: &[Surface], run: &Run| part::struck(path, surfaces, &job.shape, job.setup.radius, run);
-    if let Some(struck) = struck(&path.surfaces, nominal) {
+/// Where the stylus meets the nominal part above its ball, or else the virtual one. `nominal` and `actual` are what happens to the ball on both; the path may run elsewhere on the latter.
+pub fn report_stylus(job: &Job, path: &Path, nominal: &Run, actual: Option<(&Path, &[Surface], &Run)>, checker: &mut Checker) {
+    let struck = |path: &Path, surfaces: &[Surface], run: &Run| part::struck(path, surfaces, &job.shape, job.setup.radius, run);
+    if let Some(struck) = struck(path, &path.surfaces, nominal) {
         let field = match struck.part {
             Above::Shank => "stylus.shank",
             Above::Body => "stylus.length",
         };
         return report_struck(job, path, &path.surfaces, struck, field, checker);
     }
-    let Some((surfaces, run)) = actual else { return };
-    if let Some(struck) = struck(surfaces, run) {
+    let Some((path, surfaces, run)) = actual else { return };
+    if let Some(struck) = struck(path, surfaces, run) {
         report_struck(job, path, surfaces, struck, "part", checker);
     }
 }

@@ -44,6 +44,8 @@ pub struct Run {
     /// Before which cycle of a set-up the program stops, because this result is off by more than its limit: by their places in the list of cycles and of
     /// results. What comes after it is not reached.
     pub halt: Option<(usize, usize)>,
+    /// How far the path was shifted by results of earlier cycles, mm.
+    pub shift: Vec3,
 }
 
 /// The surfaces of the actual part: `surfaces` of the resized feature, where they really lie.
@@ -209,7 +211,7 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
                 let mut stand = from;
                 for way_point in step.pieces(from, up, 1.0) {
                     if let Some(contact) = obstacles.first_contact(setup.radius, stand, way_point) {
-                        return Run { triggers, strays, edges, collision: Some((index, contact.center)), halt: None };
+                        return Run { triggers, strays, edges, collision: Some((index, contact.center)), ..Run::default() };
                     }
                     stand = way_point;
                 }

@@ -15,7 +15,7 @@ pub use feature::{
 };
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Follow, Measuring, Member, Related, Shifts, Single, WAY, WayBlock};
+pub use set_up::{DatumSource, Follow, Measuring, Member, Related, Shifts, Single, WAY, WayBlock, far_apart};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 
@@ -213,6 +213,8 @@ pub struct Path {
     pub datum_source: DatumSource,
     /// By which values each move is shifted; empty where no cycle follows a result of another.
     pub shifts: Vec<Shifts>,
+    /// How far a result may shift a move along an axis, mm.
+    pub most_shift: f64,
 }
 
 /// What is wrong with a touch of a path.

@@ -86,6 +86,16 @@ pub struct Single {
     pub follows: [Option<(usize, &'static str)>; 3],
 }
 
+/// How far the ends of a way may be apart from where they nominally are to each other, mm, where they are shifted by these values.
+pub fn far_apart(from: Shifts, to: Shifts, most: f64) -> f64 {
+    let along = |axis: usize| match (from[axis], to[axis]) {
+        (a, b) if a == b => 0.0,
+        (Some(_), Some(_)) => 2.0 * most,
+        _ => most,
+    };
+    Vec3::new(along(0), along(1), along(2)).length()
+}
+
 /// What the values that shift an axis are called.
 const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 
@@ -94,8 +104,9 @@ pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 
 impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
-    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own.
-    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>) -> Path {
+    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `bounds`: how far a result may shift a cycle
+    /// along an axis, and the shortest move that can be watched, mm.
+    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>, bounds: (f64, f64)) -> Path {
         let first = &cycles.first().expect("a set-up has a cycle").path;
         let (start, frame) = (first.start, first.frame);
         let tops: Option<Vec<f64>> = cycles.iter().map(|single| single.path.top).collect();
@@ -116,12 +127,13 @@ impl Path {
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
+            most_shift: bounds.0,
         };
         let mut sample = 0;
         for Single { name, title, path, follows } in cycles {
             let before = whole.moves.len();
             let follows = whole.following(follows);
-            whole.leads_to(&path, clear, follows.map(|follow| follow.map(|follow| follow.shift)));
+            whole.leads_to(&path, clear, (follows.map(|follow| follow.map(|follow| follow.shift)), bounds.1));
             if let Some(way) = way {
                 whole.take_calls(&path, before, way);
             }
@@ -191,7 +203,7 @@ impl Path {
     }
 
     /// The way to the next cycle, which is shifted by `shifts`; to the first one the stylus comes from anywhere.
-    fn leads_to(&mut self, next: &Path, clear: f64, shifts: Shifts) {
+    fn leads_to(&mut self, next: &Path, clear: f64, (shifts, shortest): (Shifts, f64)) {
         let (Some(last), Some(to)) =
             (self.moves.last().map(|step| step.to), next.start.or(next.moves.first().map(|step| step.to)))
         else {
@@ -200,10 +212,15 @@ impl Path {
         let w = self.frame.w;
         let at = |place: Vec3| place + w * (clear - place.dot(w));
         // A cycle that does not say where it begins goes to its first place by itself: down, or across where that is as high.
-        let across = Some(at(to)).filter(|over| next.start.is_some() || over.distance(to) > ZERO_LENGTH);
-        let before = self.shifts.last().copied().unwrap_or_default();
-        // The height between cycles follows nothing.
+        // The height between cycles follows nothing: there it goes across, whatever the heights of the cycles follow.
         let level = |shifts: Shifts| [0, 1, 2].map(|axis| shifts[axis].filter(|_| w[axis].abs() < 0.5));
+        let before = self.shifts.last().copied().unwrap_or_default();
+        let follows_height = level(shifts) != shifts;
+        let aside = far_apart(level(before), level(shifts), self.most_shift);
+        // What a shift may make too short to be watched is done by the way down.
+        let short = aside > 0.0 && at(to).distance(at(last)) < aside + shortest;
+        let over = Some(at(to)).filter(|_| !short);
+        let across = over.filter(|over| next.start.is_some() || follows_height || over.distance(to) > ZERO_LENGTH);
         let ways = [(Some(at(last)), level(before)), (across, level(shifts)), (next.start, shifts)];
         for (to, shifts) in ways.into_iter().filter_map(|(to, shifts)| Some((to?, shifts))) {
             let from = self.moves.last().map_or(to, |step| step.to);
@@ -212,6 +229,11 @@ impl Path {
                 self.shifts.push(shifts);
             }
         }
+    }
+
+    /// How far a move may be shifted, mm.
+    pub fn farthest_shift(&self, index: usize) -> f64 {
+        far_apart([None; 3], self.shifts(index), self.most_shift)
     }
 
     /// The calls of the next cycle, behind those of the way to it: its moves from this index on, and its own first one.

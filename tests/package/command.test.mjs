@@ -70,7 +70,7 @@ test("wrong use: one line, exit code 2, nothing written", () => {
     [["plan", name, "--post", "mazatrol"], /--post is one of linuxcnc/],
     [["plan", name, "--form", "dance"], /--form is one of/],
     [["table", name, "--format", "xml"], /--format is one of csv/],
-    [["plan", name, "--format", "csv"], /--format is for table, moves, examine, evaluate/],
+    [["plan", name, "--format", "csv"], /--format is for table, moves, examine, verify, evaluate/],
     [["check", name, "--view", "top"], /--view is for svg/],
     [["plan", name, other], /need a folder/],
     [["plan", name, "--jobs", "0"], /--jobs is a whole number/],
@@ -188,4 +188,43 @@ test("a log of grbl becomes results and the block to type; without the work offs
   const asked = run(["evaluate", name, file("asked.log", touches.join(""))]);
   assert.equal(asked.status, 1);
   assert.match(asked.stderr, /error: measured: .*Type \$#.* \[work-offset-needed\]/);
+});
+
+test("verify: programs still are those of the jobs in their headers, or the lines are named that are not", () => {
+  const own = /** @type {any} */ (job("hole"));
+  const programs = join(folder, "programs", "shop");
+  mkdirSync(programs, { recursive: true });
+  const put = (/** @type {string} */ name, /** @type {string} */ text) => file(join("programs", "shop", name), text);
+  const { text } = touchpath.program(own);
+  put("same.ngc", text.replaceAll("\n", "\r\n"));
+  const good = run(["verify", join(folder, "programs")]);
+  assert.equal(good.status, 0, good.stderr);
+  assert.match(good.stdout, /same\.ngc: is its job's program\n$/);
+
+  const touch = text.split("\n").findIndex((line) => line.startsWith("G38.2"));
+  const line = /** @type {string} */ (text.split("\n")[touch]);
+  put("edited.ngc", text.replace(line, line.replace("F150", "F1500")));
+  put("older.ngc", text.replace(`Made by Touchpath ${touchpath.version()}`, "Made by Touchpath 0.2.0"));
+  put("other.ngc", "G21\nG0 X5\nM2\n");
+  put("refused.ngc", text.replace(/cycle\.diameter=[\d.]+/, "cycle.diameter=5"));
+  put("longer.ngc", text.replace(line, `${line}\nM5`));
+  put("strange.ngc", text.replace(line, `${line}\nG4 P1`));
+  const bad = run(["verify", join(folder, "programs")]);
+  assert.equal(bad.status, 1);
+  assert.match(bad.stdout, /older\.ngc: is its job's program; version 0\.2\.0 wrote it\n/);
+  assert.match(bad.stdout, /other\.ngc: its header says no job\n/);
+  assert.match(bad.stdout, /strange\.ngc: has lines that are not of its job's program\n/);
+  assert.match(bad.stderr, /strange\.ngc: error: Line \d+: this code is not understood: "G4"/);
+  assert.match(bad.stdout, /refused\.ngc: this version refuses its job\n/);
+  assert.ok(
+    bad.stdout.includes(
+      `edited.ngc: a line differs from its job's program\n  line ${touch + 1}: ${line.replace("F150", "F1500")}\n         should be: ${line}\n`,
+    ),
+    bad.stdout,
+  );
+  const listed = run(["verify", join(programs, "longer.ngc"), "--format", "json"]);
+  assert.equal(listed.status, 1);
+  const { state, lines } = JSON.parse(listed.stdout);
+  assert.deepEqual([state, lines], ["changed", [{ line: touch + 2, is: "M5", wanted: null }]]);
+  assert.equal(run(["verify", join(folder, "nothing-there")]).status, 2);
 });

@@ -211,8 +211,119 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
     // A way between that a shift could make shorter than nothing.
     let low = with(&job(STEPS), "clear", Value::Number(30.5));
     assert_eq!(errors(&low), ["clear-too-low clear"]);
-    let beside = job(&STEPS.replace("=BORE.center.x+60", "=BORE.center.x+1"));
-    assert!(errors(&beside).contains(&"place-of-result cycles".to_owned()), "{:?}", errors(&beside));
+    // As high as the cycle begins there is no way across that follows no height.
+    let level = r#"{ "format": 2, "overtravel": 10, "control": { "post": "linuxcnc", "protection": "none" }, "clear": 30, "limits": { "position": 9 },
+        "cycles": [{ "name": "TOP", "type": "surface", "origin": [-60, 0, 0], "clearance": 13, "feedDistance": 17 },
+                   { "name": "BORE", "type": "hole", "diameter": 25, "origin": [20, 0, "=TOP.z"] }] }"#;
+    assert_eq!(errors(&job(level)), ["clear-too-low clear"]);
+    for given in ["\\t=TOP.z", "=TOP.z\\n", "=\u{a0}TOP.z-2"] {
+        assert_eq!(errors(&job(&text(given))).len(), 1, "white space that a header does not keep");
+    }
+}
+
+/// Across at the height between the cycles, which follows nothing; then down, to a place that does.
+#[test]
+fn no_way_goes_across_and_down_at_once() {
+    for post in ["linuxcnc", "sinumerik", "fanuc"] {
+        let plan = planned(&on(post));
+        let mut from = plan.moves[0].to;
+        for step in &plan.moves[1..] {
+            let across = (0..2).any(|axis| (step.to[axis] - from[axis]).abs() > 1e-9);
+            assert!(step.step != 0 || !across || (step.to[2] - from[2]).abs() < 1e-9, "{post}: {step:?}");
+            from = step.to;
+        }
+    }
+    // A bore in a bore: nothing lies between them but what the first one finds, and the way down takes it along.
+    let counterbore = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 0.5 }, "part": { "offset": [0.4, -0.3, 0] },
+        "cycles": [{ "name": "A", "type": "hole", "diameter": 40 }, { "name": "B", "type": "hole", "diameter": 20, "origin": ["=A.center.x", "=A.center.y", -10] }] }"#;
+    let plan = planned(&job(counterbore));
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    let printed = |code: &str| ran.prints.iter().find(|(known, _)| known == code).unwrap().1;
+    near(printed("B.center.x"), 0.4, 1e-5, "B");
+    near(printed("B.center.y"), -0.3, 1e-5, "B");
+    near(printed("B.diameter"), 20.0, 1e-5, "B");
+}
+
+/// Chains of holes, each beside the one before it, at limits from far below what touches scatter to millimetres: every one is proven.
+#[test]
+fn chains_are_proven_at_any_limit() {
+    for (post, count, limits) in
+        [("linuxcnc", 10, [0.001, 0.02, 0.1, 2.0]), ("haas", 3, [0.001, 2.95, 3.0, 3.35]), ("fanuc", 2, [0.01, 0.5, 3.35, 3.0])]
+    {
+        for limit in limits {
+            let cycles: Vec<String> = (0..count)
+                .map(|i| match i {
+                    0 => r#"{ "name": "C0", "type": "hole" }"#.to_owned(),
+                    _ => format!(
+                        r#"{{ "name": "C{i}", "type": "hole", "origin": ["=C{0}.center.x+60", "=C{0}.center.y", 0] }}"#,
+                        i - 1
+                    ),
+                })
+                .collect();
+            let text = format!(
+                r#"{{ "format": 2, "control": {{ "post": "{post}", "workOffset": 1 }}, "limits": {{ "position": {limit} }}, "cycles": [{}] }}"#,
+                cycles.join(", ")
+            );
+            let plan = plan(&job(&text)).unwrap_or_else(|e| panic!("{post} {count} {limit}: {e:?}"));
+            assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+        }
+    }
+}
+
+/// In a chain, too, a question that asks one side only is found.
+#[test]
+fn a_chain_whose_first_question_is_one_sided_breaks_the_rule() {
+    let text = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 1 },
+        "cycles": [{ "name": "C0", "type": "hole" }, { "name": "C1", "type": "hole", "origin": ["=C0.center.x+60", 0, 0] },
+                   { "name": "C2", "type": "hole", "origin": ["=C1.center.x+60", 0, 0] }] }"#;
+    let program = planned(&job(text)).program.text;
+    for (sure, bare) in
+        [("[ABS[#<c0_center_x>] GT 1]", "[#<c0_center_x> GT 1]"), ("[ABS[#<c1_center_x>-60] GT 1]", "[#<c1_center_x> LT 59]")]
+    {
+        assert!(program.contains(sure), "{sure}");
+        let rows = touchpath::job::examine(&job(text), &program.replacen(sure, bare, 1)).unwrap().unwrap();
+        let row = rows.iter().find(|row| row.rule == "place-within-limit").unwrap();
+        assert_eq!(row.holds, Some(false), "{bare}");
+    }
+}
+
+/// What happens to a cycle that is shifted is said of where it is: shank, starts of touches, measured points.
+#[test]
+fn a_shifted_cycle_is_judged_where_it_is() {
+    let deep = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 1 }, "stylus": { "diameter": 6, "length": 10.5, "shank": 4, "body": 40 },
+        "cycles": [{ "name": "TOP", "type": "surface", "origin": [-35, 0, 0] }, { "name": "BORE", "type": "hole", "diameter": 25, "origin": [0, 0, "=TOP.z"] }],
+        "part": { "offset": [0, 0, 0.9] } }"#;
+    for high in [0.9, 3.0] {
+        let found = check(&at(&job(deep), [0.0, 0.0, high]));
+        assert!(found.iter().all(|f| f.code != "shank-collision"), "{high}: {found:?}");
+    }
+    let still = job(&deep.replace("\"=TOP.z\"", "0"));
+    assert!(check(&still).iter().any(|f| f.code == "shank-collision"), "that does not follow goes 10.9 mm deep");
+
+    let near_start =
+        with(&with(&job(STEPS), "control.post", Value::Text("fanuc".to_owned())), "limits.position", Value::Number(1.2));
+    let near_start = at(&near_start, [0.99, 0.0, 0.0]);
+    let Some(Value::List(cycles)) = near_start.get("cycles") else { unreachable!() };
+    let mut cycles = cycles.clone();
+    cycles[2] = with(&cycles[2], "sideClearance", Value::Number(3.99));
+    let near_start = with(&near_start, "cycles", Value::List(cycles));
+    assert!(check(&near_start).iter().all(|f| f.code != "contact-at-start"), "{:?}", check(&near_start));
+
+    let far = r#"{ "format": 2, "overtravel": 3, "control": { "post": "linuxcnc" }, "limits": { "position": 8 },
+        "cycles": [{ "name": "A", "type": "surface", "elevation": 0, "origin": [0, 0, -5], "clearance": 15 },
+                   { "name": "B", "type": "hole", "diameter": 20, "origin": ["=A.x-60", 0, 0] }], "part": { "offset": [7, 0, 0] } }"#;
+    let plan = planned(&job(far));
+    let points: Vec<Value> = plan.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
+    let rows = touchpath::job::evaluate(&job(far), &Value::List(points)).unwrap();
+    near(rows.iter().find(|row| row.code == "center.x").unwrap().value.unwrap(), -53.0, 1e-5, "measured again");
+
+    // One stop, one finding.
+    let stopped = check(&at(&job(STEPS), [1.2, 0.0, 0.0]));
+    assert_eq!(
+        stopped.iter().filter(|f| ["implausible", "place-too-far"].contains(&f.code.as_str())).count(),
+        1,
+        "{stopped:?}"
+    );
 }
 
 /// Two to five cycles, each of which follows any that came before it, on parts that lie anywhere within the limit.

@@ -24,10 +24,11 @@ import {
 import { type ReportOf, report, reportCsv, reportHtml, runsOf } from "../report.js";
 import { codeOf, isBad, isWritten } from "../results.js";
 import { examined, type ReportFormat } from "./examine.js";
+import { verified, verifiedText } from "./verify.js";
 
 /** What is done with every job. */
 export interface Task {
-  command: "plan" | "check" | "table" | "import" | "moves" | "examine" | "evaluate" | "report" | "svg";
+  command: "plan" | "check" | "table" | "import" | "moves" | "examine" | "verify" | "evaluate" | "report" | "svg";
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
@@ -82,6 +83,13 @@ function done(task: Task, source: string, { text, refused }: Pick<Item, "text" |
   if (refused !== undefined) throw new JobError(refused, [problem("too-long", refused)]);
   if (task.command === "import") return imported(text);
   if (task.command === "moves") return moves(text, task, source);
+  if (task.command === "verify") {
+    const said = verified(text);
+    const out = task.format === "json" ? `${JSON.stringify({ source, ...said })}\n` : verifiedText(source, said);
+    const failed = !["same", "version"].includes(said.state);
+    const findings = task.format === "json" ? [] : said.findings;
+    return { output: { name: nameOf(source), ending: "-verified.txt", text: out }, control: null, findings, failed };
+  }
   if (task.command === "examine") {
     const {
       run,

@@ -3,7 +3,7 @@
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { availableParallelism, constants } from "node:os";
-import { basename, dirname, extname, relative, resolve, sep } from "node:path";
+import { basename, dirname, extname, join, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
 import { catalog, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
@@ -24,6 +24,7 @@ const HELP = `touchpath ${version()}: touch-probe cycles as programs, tables and
   touchpath import TEXT…    a job from a dump or a program
   touchpath moves PROGRAM…  the moves of any program     --format text|csv|json
   touchpath examine PROGRAM…        what a program of anyone's does: safety rules, cycles, what it asks for   --format text|json|sarif
+  touchpath verify PROGRAM…         whether programs, or all in a folder, still are those of the jobs in their headers   --format text|json
   touchpath evaluate JOB MEASURED   the results from what a machine printed: points, results, a log with [PRB:…]   --format text|json
   touchpath report JOB MEASURED…    an inspection report of a part, or of a series: a file a part, or a log of several   --format html|csv|json
   touchpath schema          the JSON Schema of a job
@@ -50,7 +51,7 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
 source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
 Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, a
-program without moves or one that breaks a rule, or a reported part that is not good, 2 wrong use.
+program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use.
 `;
 
 const COMMANDS = [
@@ -60,6 +61,7 @@ const COMMANDS = [
   "import",
   "moves",
   "examine",
+  "verify",
   "evaluate",
   "report",
   "svg",
@@ -110,7 +112,7 @@ function taskOf(command: Task["command"], values: Values): Task {
   };
   only("out", "plan", "table", "svg", "import", "moves", "evaluate", "report");
   if (values.flat && values.out === undefined) throw new Refused("--flat is for files in a folder (-o)");
-  only("format", "table", "moves", "examine", "evaluate", "report");
+  only("format", "table", "moves", "examine", "verify", "evaluate", "report");
   for (const option of ["by", "machine", "when", "note"] as const) only(option, "report");
   for (const option of ["set", "start", "at", "positioning", "with"] as const) only(option, "moves", "examine");
   only("view", "svg");
@@ -171,10 +173,16 @@ function knownOf(values: Values): ProgramKnown {
 }
 
 /** The files that the arguments name, each once, in order. A pattern that matches nothing is a mistake, not nothing to do. */
-async function filesOf(names: string[]): Promise<string[]> {
+async function filesOf(names: string[], folders = false): Promise<string[]> {
   const files: string[] = [];
   for (const name of names) {
     const there = name === "-" ? undefined : await stat(name).catch(() => null);
+    if (there?.isDirectory() && folders) {
+      const found = await glob("**/*", { cwd: name, dot: false, onlyFiles: true });
+      if (found.length === 0) throw new Refused(`There is no file in ${name}`);
+      files.push(...found.sort().map((file) => join(name, file)));
+      continue;
+    }
     if (there?.isDirectory())
       throw new Refused(`${name} is a folder: name its files, as '${name.replace(/[/\\]+$/, "")}/**/*.json'`);
     if (there !== null) files.push(name);
@@ -400,16 +408,21 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     task.known.files = Object.fromEntries(
       await Promise.all(values.with.map(async (file) => [basename(file), await textOf(file)] as const)),
     );
-  const files = await filesOf(names);
+  const files = await filesOf(names, command === "verify");
   const byLine = files.some((file) => isLines(file, values));
-  if (files.length > 1 && !byLine && values.out === undefined && !["check", "import", "examine"].includes(command))
+  if (
+    files.length > 1 &&
+    !byLine &&
+    values.out === undefined &&
+    !["check", "import", "examine", "verify"].includes(command)
+  )
     throw new Refused("Several jobs need a folder (-o): one after the other they are no program");
   const cores = byLine ? Math.min(availableParallelism(), 8) : 1;
   const threads = values.jobs === undefined ? cores : Number(values.jobs);
   if (!Number.isInteger(threads) || threads < 1 || threads > 64)
     throw new Refused("--jobs is a whole number from 1 to 64");
   const { longestText, longestProgram } = catalog();
-  const longest = command === "moves" || command === "examine" ? longestProgram : longestText;
+  const longest = ["moves", "examine", "verify"].includes(command) ? longestProgram : longestText;
   const progress = new Progress(process.stderr, byLine || files.length > 1);
   for (const file of files) if (file !== "-") progress.expect((await stat(file)).size);
   const folder = values.out === undefined ? null : await folderOf(values.out, files, values.flat === true);

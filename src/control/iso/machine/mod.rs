@@ -233,6 +233,8 @@ pub struct Stopped {
     /// Where the ball is.
     pub at: Place,
     pub touches: usize,
+    /// How many motions came after the last of these.
+    pub since: usize,
     /// Whether it has written to a work offset.
     pub writes: bool,
 }
@@ -253,7 +255,9 @@ pub fn until_alarm(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Opti
             Flow::Alarm => return Some(Stopped { at: machine.state.at, ..stopped }),
             Flow::Moved(words, motion) => {
                 let step = machine.moved(line, words, motion, &mut trace, world, &mut scratch).ok()?;
-                stopped.touches += usize::from(step.kind == Kind::Touch);
+                let touch = step.kind == Kind::Touch;
+                stopped.touches += usize::from(touch);
+                stopped.since = if touch { 0 } else { stopped.since + 1 };
             }
             Flow::End | Flow::Native => return None,
         }
