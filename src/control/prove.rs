@@ -7,7 +7,7 @@ use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
 use crate::formula::{Asked, Dual, Role, Variable};
 use crate::geom::Vec3;
-use crate::path::{Arc, Follow, Move, Purpose, Touch, WAY};
+use crate::path::{Arc, Move, Path, Purpose, Shifts, Touch, WAY};
 use crate::text::{Text, text, words};
 
 /// What was proven of a program. There is no way to make one but [`prove`].
@@ -75,6 +75,8 @@ pub struct Followed<'t> {
     triggers: Vec<Vec3>,
     /// What the path asks of it.
     expected: Expected,
+    /// What it was followed on, where cycles follow results.
+    triggered: Option<Triggered>,
 }
 
 impl Followed<'_> {
@@ -86,13 +88,17 @@ impl Followed<'_> {
     /// Whether the program stops, having written nothing, before it moves to a cycle where a result that the cycle follows is `off` its nominal value by
     /// so much, mm.
     pub fn stops_before(&self, request: &Request<'_>, member: usize, (result, off): (usize, f64)) -> bool {
-        let mut triggers = self.triggers.clone();
-        let Ok(shifts) = shifted(request, &mut triggers, Some((result, off, member))) else { return false };
-        let expected = Expected::of(request, shifts);
+        let path = request.path;
+        let axis = (0..3).find(|axis| path.members[member].follows[*axis].is_some_and(|follow| follow.result == result));
+        let displaced = axis.zip(self.triggered.as_ref());
+        let displaced = displaced.and_then(|(axis, own)| own.displaced(request, (result, off), axis, member));
+        let Some(displaced) = displaced else { return false };
+        let expected = Expected::of(request, displaced.shifted(path));
+        let triggers = &displaced.triggers;
         let made = request.path.members[member].moves.start;
         let ways = request.path.moves[..made].iter().rev().take_while(|step| step.step == WAY).count();
         let mut next = 0;
-        let stop = machine::until_alarm(&self.script, self.begin, &mut |step: &Step| expected.next(step, &triggers, &mut next));
+        let stop = machine::until_alarm(&self.script, self.begin, &mut |step: &Step| expected.next(step, triggers, &mut next));
         let before = expected.touches.iter().filter(|(k, _)| request.path.member_of_touch(*k) < Some(member)).count();
         let Some(last) = (made - ways).checked_sub(1) else { return false };
         let stands = expected.place(request.path.moves[last].to + expected.shift(last));
@@ -127,7 +133,12 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
     for (k, from, step) in request.path.searches() {
         triggers[k] = trigger(request, k, from.map_or(0.0, |from| from.distance(step.to)), 1.0);
     }
-    let shifts = if request.path.shifts.is_empty() { Shifted::default() } else { shifted(request, &mut triggers, None)? };
+    let follows = !request.path.shifts.is_empty();
+    let triggered = if follows { Some(Triggered::of(request, triggers.clone())?) } else { None };
+    let shifts = triggered.as_ref().map_or_else(Shifted::default, |triggered| triggered.shifted(request.path));
+    if let Some(triggered) = &triggered {
+        triggers.clone_from(&triggered.triggers);
+    }
     // Where nothing is written and no tolerance is asked about, the end of the program does not depend on its results.
     let asks = request.corrects() || request.questions().iter().any(|question| question.asked != Asked::Plausible);
     let marks: Vec<Slot> = if asks { script.outputs().map(|(_, slot)| slot).collect() } else { Vec::new() };
@@ -164,7 +175,7 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         }
         None => Vec::new(),
     };
-    Ok(Followed { begin: run, script, trace, tail, below, triggers, expected })
+    Ok(Followed { begin: run, script, trace, tail, below, triggers, expected, triggered })
 }
 
 /// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves stand in.
@@ -196,67 +207,120 @@ fn trigger(request: &Request<'_>, k: usize, way: f64, share: f64) -> Vec3 {
     touch.contact(request.setup.radius) - touch.vector * along + aside(k) * share
 }
 
-/// By how much each move is shifted on the triggers of the proof, mm, where cycles follow results. The triggers move along, and those of a cycle that is
-/// followed stay so near that its results are within the limit; but for one result that is to be `off` its nominal value by so much, and for the cycles from
-/// this one on, to which the program then must not come.
-fn shifted(request: &Request<'_>, triggers: &mut [Vec3], off: Option<(usize, f64, usize)>) -> Result<Shifted, Vec<Fault>> {
-    /// Halved so often, a trigger is nominal to the last digit.
-    const HALVED: usize = 24;
-    let (path, formula) = (request.path, &request.path.formula);
-    let ways: Vec<(usize, f64)> =
-        path.searches().map(|(k, from, step)| (k, from.map_or(0.0, |from| from.distance(step.to)))).collect();
-    let limit = request.limits.position.unwrap_or(0.0);
-    let evaluated = |triggers: &[Vec3]| {
-        let (samples, directions) = sampled(request, triggers);
-        formula.evaluate(&samples, &directions)
-    };
-    let far = |values: &[Dual], result: usize| {
-        let def = &formula.results[result];
-        def.variable.map_or(0.0, |variable| values[variable.index()].value - def.nominal)
-    };
-    let mut values = evaluated(triggers);
-    for (m, member) in path.members.iter().enumerate() {
-        let by = |follow: Option<Follow>| follow.map_or(0.0, |follow| values[follow.shift.index()].value);
-        let by = Vec3::from_array(member.follows.map(by));
-        let is_followed = |result: &usize| path.members.iter().any(|m| m.follows.iter().flatten().any(|f| f.result == *result));
-        let followed: Vec<usize> = member.results.clone().filter(is_followed).collect();
-        let own = |share: f64, triggers: &mut [Vec3]| {
-            for (k, way) in ways.iter().filter(|(k, _)| member.touches.contains(k)) {
-                triggers[*k] = trigger(request, *k, *way, share) + by;
-            }
-        };
-        let mut shares = (0..HALVED).map(|halved| 0.5f64.powi(halved as i32));
-        let near = |share: &f64| {
-            own(*share, triggers);
-            let values = evaluated(triggers);
-            off.is_some_and(|(.., until)| m >= until) || followed.iter().all(|result| far(&values, *result).abs() < 0.9 * limit)
-        };
-        if shares.find(near).is_none() {
-            return Err(vec![Fault::of(text!("the limit of a place that a cycle follows is too small to be proven"))]);
-        }
-        values = evaluated(triggers);
-        if let Some((result, wanted, _)) = off.filter(|(result, ..)| member.results.contains(result)) {
-            // All touches of the cycle lie elsewhere along the axis: how far, one trial says.
-            let axis =
-                path.members.iter().find_map(|m| (0..3).find(|axis| m.follows[*axis].is_some_and(|f| f.result == result)));
-            let mut way = Vec3::ZERO;
-            way[axis.unwrap_or(0)] = 1.0;
-            let displaced = |far: f64, triggers: &mut [Vec3]| {
-                triggers[member.touches.clone()].iter_mut().for_each(|trigger| *trigger += way * far);
-            };
-            let before = far(&values, result);
-            displaced(1.0, triggers);
-            let each = far(&evaluated(triggers), result) - before;
-            if each != 0.0 {
-                displaced((wanted - before) / each - 1.0, triggers);
-            }
-            values = evaluated(triggers);
-        }
+/// What the proof is followed on where cycles follow results: triggers, and the values that the formula gives for them.
+#[derive(Clone, Debug)]
+struct Triggered {
+    triggers: Vec<Vec3>,
+    samples: Vec<Option<Vec3>>,
+    directions: Vec<Vec3>,
+    values: Vec<Dual>,
+}
+
+impl Triggered {
+    /// The triggers move with their cycles, and those of a cycle that is followed stay so near that its results are within the limit.
+    fn of(request: &Request<'_>, triggers: Vec<Vec3>) -> Result<Self, Vec<Fault>> {
+        let (samples, directions) = sampled(request, &triggers);
+        let mut own = Triggered { triggers, samples, directions, values: Vec::new() };
+        own.values = Vec::with_capacity(request.path.formula.assignments.len());
+        let begin = request.path.computed_by(0).start;
+        request.path.formula.evaluate_on(&mut own.values, begin, &own.samples, &own.directions);
+        (0..request.path.members.len()).try_for_each(|member| own.touch(request, member))?;
+        Ok(own)
     }
-    let by = |shift: Option<Variable>| shift.map_or(0.0, |shift| values[shift.index()].value);
-    let reaches = path.members.iter().flat_map(|member| member.follows.into_iter().flatten());
-    let reach = reaches.map(|follow| values[follow.shift.index()].reach()).fold(0.0, f64::max);
-    Ok(Shifted { by: (0..path.moves.len()).map(|i| Vec3::from_array(path.shifts(i).map(by))).collect(), reach })
+
+    /// The touches of a member, whose shifts are known: farther and farther from where the search ends, until its results are within the limit where a
+    /// cycle follows them.
+    fn touch(&mut self, request: &Request<'_>, member: usize) -> Result<(), Vec<Fault>> {
+        /// Halved so often, a trigger is nominal to the last digit.
+        const HALVED: i32 = 24;
+        let path = request.path;
+        let by = self.shift(path.members[member].follows.map(|follow| follow.map(|follow| follow.shift)));
+        let limit = request.limits.position.unwrap_or(0.0);
+        let own = path.members[member].results.clone();
+        let follows = path.members[member + 1..].iter().flat_map(|later| later.follows.into_iter().flatten());
+        let followed: Vec<usize> = follows.map(|follow| follow.result).filter(|result| own.contains(result)).collect();
+        for halved in 0..HALVED {
+            for (k, from, step) in searches_of(path, member) {
+                let way = from.map_or(0.0, |from| from.distance(step.to));
+                self.triggers[k] = trigger(request, k, way, 0.5f64.powi(halved)) + by;
+            }
+            self.compute(request, member);
+            if followed.iter().all(|result| self.off(request, *result).abs() < 0.9 * limit) {
+                return Ok(());
+            }
+        }
+        Err(vec![Fault::of(text!("the limit of a place that a cycle follows is too small to be proven"))])
+    }
+
+    /// The values that follow from the touches of a member.
+    fn compute(&mut self, request: &Request<'_>, member: usize) {
+        let path = request.path;
+        let touches = &path.touches[path.members[member].touches.clone()];
+        let triggers = &self.triggers[path.members[member].touches.clone()];
+        for touch in touches {
+            let same = touches.iter().zip(triggers).filter(|(other, _)| other.sample == touch.sample);
+            let (sum, count) = same.fold((Vec3::ZERO, 0.0), |(sum, count), (_, trigger)| (sum + *trigger, count + 1.0));
+            self.samples[touch.sample] = Some(sum / count);
+        }
+        let assignments = path.computed_by(member);
+        self.values.truncate(assignments.start);
+        path.formula.evaluate_on(&mut self.values, assignments.end, &self.samples, &self.directions);
+    }
+
+    /// How far a result is off its nominal value.
+    fn off(&self, request: &Request<'_>, result: usize) -> f64 {
+        let def = &request.path.formula.results[result];
+        def.variable.map_or(0.0, |variable| self.values[variable.index()].value - def.nominal)
+    }
+
+    /// By how much these values shift a place, mm.
+    fn shift(&self, shifts: Shifts) -> Vec3 {
+        let value = |shift: Variable| self.values.get(shift.index()).map_or(0.0, |value| value.value);
+        Vec3::from_array(shifts.map(|shift| shift.map_or(0.0, value)))
+    }
+
+    /// The same where all touches of the cycle of a result lie elsewhere along `axis`, so that the result is off by so much; and the cycles up to a member
+    /// lie where that leads them.
+    fn displaced(&self, request: &Request<'_>, (result, off): (usize, f64), axis: usize, until: usize) -> Option<Self> {
+        let path = request.path;
+        let source = path.members.iter().position(|member| member.results.contains(&result))?;
+        let mut own = self.clone();
+        let mut way = Vec3::ZERO;
+        way[axis] = 1.0;
+        let move_by = |own: &mut Self, far: f64| {
+            own.triggers[path.members[source].touches.clone()].iter_mut().for_each(|trigger| *trigger += way * far);
+            own.compute(request, source);
+        };
+        let before = own.off(request, result);
+        // How far, one trial says.
+        move_by(&mut own, 1.0);
+        let each = own.off(request, result) - before;
+        if each == 0.0 {
+            return None;
+        }
+        move_by(&mut own, (off - before) / each - 1.0);
+        for member in source + 1..until {
+            own.touch(request, member).ok()?;
+        }
+        Some(own)
+    }
+
+    /// By how much each move is shifted.
+    fn shifted(&self, path: &Path) -> Shifted {
+        let shifts = path.members.iter().flat_map(|member| member.follows.into_iter().flatten());
+        let known = shifts.filter_map(|follow| self.values.get(follow.shift.index()));
+        let reach = known.map(Dual::reach).fold(0.0, f64::max);
+        Shifted { by: (0..path.moves.len()).map(|i| self.shift(path.shifts(i))).collect(), reach }
+    }
+}
+
+/// The touches of a member: which, from where, and the move.
+fn searches_of(path: &Path, member: usize) -> impl Iterator<Item = (usize, Option<Vec3>, &Move)> {
+    let moves = path.members[member].moves.clone();
+    moves.filter_map(|i| match path.moves[i].purpose {
+        Purpose::Touch(k) => Some((k, i.checked_sub(1).map_or(path.start, |i| Some(path.moves[i].to)), &path.moves[i])),
+        Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
+    })
 }
 
 /// By how much the trigger of touch `k` reads aside of where the axes stop: no coordinate is a round number, so that no term of a formula

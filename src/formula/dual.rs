@@ -151,16 +151,24 @@ impl Formula {
     /// Evaluates every assignment for ball centres at these triggers. A missing trigger makes everything that needs it NaN.
     /// `directions` are the probing directions: the derivative of touch k is by a shift of its trigger along direction k.
     pub fn evaluate(&self, triggers: &[Option<Vec3>], directions: &[Vec3]) -> Vec<Dual> {
-        let values = Vec::with_capacity(self.assignments.len());
+        let mut values = Vec::with_capacity(self.assignments.len());
+        self.evaluate_on(&mut values, self.assignments.len(), triggers, directions);
+        values
+    }
+
+    /// The same from the values of the first assignments on, up to one that is not evaluated any more.
+    pub fn evaluate_on(&self, known: &mut Vec<Dual>, until: usize, triggers: &[Option<Vec3>], directions: &[Vec3]) {
+        let values = std::mem::take(known);
+        let begin = values.len();
         let mut run = Run { nodes: &self.nodes, values, triggers, directions, cycle: 0, first: 0 };
-        for assignment in &self.assignments {
+        for assignment in &self.assignments[begin..until] {
             run.cycle = assignment.cycle;
             run.first = self.cycles.get(usize::from(assignment.cycle)).map_or(0, |cycle| cycle.first_sample);
             let mut value = Dual::constant(0.0);
             run.put(assignment.node, &mut value);
             run.values.push(value);
         }
-        run.values
+        *known = run.values;
     }
 }
 

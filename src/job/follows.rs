@@ -103,19 +103,19 @@ fn one(
         return None;
     }
     let jobs: Vec<&Job> = earlier.jobs.iter().flatten().collect();
-    let known: Vec<(usize, Place)> =
-        jobs.iter().enumerate().flat_map(|(cycle, job)| places(job).into_iter().map(move |place| (cycle, place))).collect();
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
-    let is = |cycle: usize| earlier.names[cycle].eq_ignore_ascii_case(of);
     let short = ["x", "y", "z"].iter().position(|letter| code.eq_ignore_ascii_case(letter));
-    let mut found = known.iter().filter(|(cycle, place)| {
-        is(*cycle) && (place.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| letter == place.letter))
-    });
+    let own = earlier.names.iter().take(jobs.len()).position(|name| name.eq_ignore_ascii_case(of));
+    let own = own.into_iter().flat_map(|cycle| places(jobs[cycle]).into_iter().map(move |place| (cycle, place)));
+    let is = |place: &Place| place.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| letter == place.letter);
+    let mut found = own.filter(|(_, place)| is(place));
     let (cycle, place) = match (found.next(), found.next()) {
         (Some(one), None) => one,
         (None, _) => {
-            let names: Vec<String> =
-                known.iter().map(|(cycle, place)| format!("{}.{}", earlier.names[*cycle], place.code)).collect();
+            let of = |(job, name): (&&Job, &String)| {
+                places(job).into_iter().map(|place| format!("{name}.{}", place.code)).collect::<Vec<_>>()
+            };
+            let names: Vec<String> = jobs.iter().zip(earlier.names).flat_map(of).collect();
             let name = printable(name);
             let message = if names.is_empty() {
                 text!("No cycle before this one measures a place \"{name}\"", name)
@@ -129,7 +129,7 @@ fn one(
             return refuse(checker, message);
         }
     };
-    let job = jobs[*cycle];
+    let job = jobs[cycle];
     if place.axis != axis {
         let names = crate::geom::AXIS_NAMES;
         let message = text!(
@@ -160,7 +160,7 @@ fn one(
         checker.error("place-of-result", path, message);
         return None;
     }
-    Some(((*cycle, place.code), tidy(place.nominal / job.scale + added)))
+    Some(((cycle, place.code), tidy(place.nominal / job.scale + added)))
 }
 
 /// A place that a cycle measures along an axis.
@@ -203,21 +203,20 @@ pub fn run(whole: &mut Planned) {
         return;
     }
     for m in 0..whole.members.len() {
-        let triggers = triggers(whole);
+        // What a cycle is asked about, and shifted by, comes from those before it.
         let asked = whole.path.asked_before(m, &whole.job.limits);
-        let off = asked.iter().find(|question| {
-            let value = part::value(&whole.path, &triggers, question.variable);
-            !value.is_some_and(|value| question.holds(value))
-        });
-        if let Some(question) = off {
+        if whole.path.members[m].follows == [None; 3] {
+            continue;
+        }
+        let values = part::numbers(&whole.path, &triggers(whole));
+        if let Some(question) = asked.iter().find(|question| !question.holds(values[question.variable.index()])) {
             for planned in &mut whole.members[m..] {
                 let triggers = vec![None; planned.path.touches.len()];
                 planned.run = Run { triggers, halt: Some((m, question.result)), ..Run::default() };
             }
             return;
         }
-        let begin = whole.path.members[m].moves.start;
-        let by = shift(&whole.path, &triggers, begin);
+        let by = shift(&whole.path, &values, whole.path.members[m].moves.start);
         if by != Vec3::ZERO {
             let planned = &mut whole.members[m];
             let run = part::run(&moved(&planned.path, |_| by), &planned.surfaces, &planned.job.setup);
@@ -232,8 +231,8 @@ fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
 }
 
 /// How far a move is shifted, mm; not at all where that is not known.
-fn shift(path: &Path, triggers: &[Option<Vec3>], index: usize) -> Vec3 {
-    let by = |shift: Option<Variable>| shift.and_then(|shift| part::value(path, triggers, shift)).unwrap_or(0.0);
+fn shift(path: &Path, values: &[f64], index: usize) -> Vec3 {
+    let by = |shift: Option<Variable>| shift.map(|shift| values[shift.index()]).filter(|by| by.is_finite()).unwrap_or(0.0);
     Vec3::from_array(path.shifts(index).map(by))
 }
 
@@ -242,8 +241,8 @@ pub fn actual(whole: &Planned) -> Option<Path> {
     if whole.path.shifts.is_empty() || whole.job.placement.nominal {
         return None;
     }
-    let triggers = triggers(whole);
-    Some(moved(&whole.path, |index| shift(&whole.path, &triggers, index)))
+    let values = part::numbers(&whole.path, &triggers(whole));
+    Some(moved(&whole.path, |index| shift(&whole.path, &values, index)))
 }
 
 /// Says before which cycle the program stops on the virtual part, and why.
@@ -251,7 +250,10 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
     let Some((m, result)) = whole.run.halt else { return };
     let Some(question) = whole.path.formula.leads(result, &whole.job.limits) else { return };
     // Where a touch meets nothing, that is said.
-    let Some(value) = part::value(&whole.path, &whole.run.triggers, question.variable) else { return };
+    let value = part::numbers(&whole.path, &whole.run.triggers)[question.variable.index()];
+    if !value.is_finite() {
+        return;
+    }
     let message = text!(
         "On this part the program stops before {cycle}: {result} is {value}, more than {limit} from {wanted}",
         whole.path.members[m].name.clone(),

@@ -84,9 +84,9 @@ pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
     datum.place.map(|place| place?.measured.and_then(of))
 }
 
-/// The value of an assignment, mm or degrees; none where a touch that it needs met nothing.
-pub fn value(path: &Path, triggers: &[Option<Vec3>], variable: Variable) -> Option<f64> {
-    Some(values(path, &samples(path, triggers))[variable.index()].value).filter(|value| value.is_finite())
+/// The values of all assignments, mm or degrees; no number where a touch that it needs met nothing.
+pub fn numbers(path: &Path, triggers: &[Option<Vec3>]) -> Vec<f64> {
+    values(path, &samples(path, triggers)).into_iter().map(|value| value.value).collect()
 }
 
 /// The value of every assignment of the formula.

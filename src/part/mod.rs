@@ -7,7 +7,7 @@ mod measured;
 mod stylus;
 
 pub use contact::Obstacles;
-pub use evaluate::{Scatter, add_truth, datum, evaluate, stated, value, write_offset};
+pub use evaluate::{Scatter, add_truth, datum, evaluate, numbers, stated, write_offset};
 pub use inertia::Machine;
 pub use measured::{Expected, Stand, check as check_measured, read as read_measured};
 pub use stylus::{Above, Shape, Struck, struck};

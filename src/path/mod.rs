@@ -15,7 +15,7 @@ pub use feature::{
 };
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Follow, Measuring, Member, Related, Shifts, Single, WAY, WayBlock, far_apart};
+pub use set_up::{DatumSource, Measuring, Member, Related, Shifts, Single, WAY, WayBlock, far_apart};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 

@@ -173,6 +173,12 @@ impl Path {
         results.into_iter().filter_map(|result| self.formula.leads(result, limits)).collect()
     }
 
+    /// The assignments that can be computed once the touches of a member are made: from its own first one on, with those that shift the next member.
+    pub fn computed_by(&self, member: usize) -> Range<usize> {
+        let begin = |m: usize| self.members.get(m).map(|member| member.later as usize);
+        begin(member).unwrap_or(0)..begin(member + 1).unwrap_or(self.formula.assignments.len())
+    }
+
     /// By which values a move is shifted.
     pub fn shifts(&self, index: usize) -> Shifts {
         self.shifts.get(index).copied().unwrap_or_default()

@@ -248,7 +248,7 @@ fn no_way_goes_across_and_down_at_once() {
 #[test]
 fn chains_are_proven_at_any_limit() {
     for (post, count, limits) in
-        [("linuxcnc", 10, [0.001, 0.02, 0.1, 2.0]), ("haas", 3, [0.001, 2.95, 3.0, 3.35]), ("fanuc", 2, [0.01, 0.5, 3.35, 3.0])]
+        [("linuxcnc", 40, [0.001, 0.02, 0.1, 2.0]), ("haas", 3, [0.001, 2.95, 3.0, 3.35]), ("fanuc", 2, [0.01, 0.5, 3.35, 3.0])]
     {
         for limit in limits {
             let cycles: Vec<String> = (0..count)
