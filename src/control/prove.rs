@@ -91,8 +91,13 @@ impl Followed<'_> {
         let path = request.path;
         let axis = (0..3).find(|axis| path.members[member].follows[*axis].is_some_and(|follow| follow.result == result));
         let displaced = axis.zip(self.triggered.as_ref());
-        let displaced = displaced.and_then(|(axis, own)| own.displaced(request, (result, off), axis, member));
-        let Some(displaced) = displaced else { return false };
+        let Some((axis, own)) = displaced else { return false };
+        let displaced = match own.displaced(request, (result, off), axis, member) {
+            Ok(Some(displaced)) => displaced,
+            // What no place of the part changes is never off.
+            Ok(None) => return true,
+            Err(_) => return false,
+        };
         let expected = Expected::of(request, displaced.shifted(path));
         let triggers = &displaced.triggers;
         let made = request.path.members[member].moves.start;
@@ -280,10 +285,18 @@ impl Triggered {
     }
 
     /// The same where all touches of the cycle of a result lie elsewhere along `axis`, so that the result is off by so much; and the cycles up to a member
-    /// lie where that leads them.
-    fn displaced(&self, request: &Request<'_>, (result, off): (usize, f64), axis: usize, until: usize) -> Option<Self> {
+    /// lie where that leads them. None where the place of the cycle does not change the result.
+    fn displaced(
+        &self,
+        request: &Request<'_>,
+        (result, off): (usize, f64),
+        axis: usize,
+        until: usize,
+    ) -> Result<Option<Self>, Vec<Fault>> {
+        /// A coordinate that changes by less than this for each mm is that of a wall across another axis.
+        const STILL: f64 = 1e-6;
         let path = request.path;
-        let source = path.members.iter().position(|member| member.results.contains(&result))?;
+        let source = path.members.partition_point(|member| member.results.end <= result);
         let mut own = self.clone();
         let mut way = Vec3::ZERO;
         way[axis] = 1.0;
@@ -295,14 +308,14 @@ impl Triggered {
         // How far, one trial says.
         move_by(&mut own, 1.0);
         let each = own.off(request, result) - before;
-        if each == 0.0 {
-            return None;
+        if each.abs() < STILL {
+            return Ok(None);
         }
         move_by(&mut own, (off - before) / each - 1.0);
         for member in source + 1..until {
-            own.touch(request, member).ok()?;
+            own.touch(request, member)?;
         }
-        Some(own)
+        Ok(Some(own))
     }
 
     /// By how much each move is shifted.

@@ -368,3 +368,13 @@ fn random_chains_measure_their_part_wherever_it_lies() {
     }
     assert!(followed > 20, "{followed}");
 }
+
+/// A web that is turned by a millionth of a degree says nothing of its place along its walls, and what follows that is never off.
+#[test]
+fn a_coordinate_that_nothing_changes_stops_nothing() {
+    let text = r#"{ "format": 2, "control": { "post": "linuxcnc", "workOffset": 1 }, "limits": { "position": 0.05 },
+        "cycles": [{ "name": "WEB", "type": "web-three-points", "origin": [0, 20, 0], "rotation": -359.999999 },
+                   { "name": "TOP", "type": "surface", "origin": [200, "=WEB.y-10", 0] }] }"#;
+    let plan = planned(&job(text));
+    assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+}
