@@ -49,6 +49,7 @@ const BEYOND = [
   "pairs-not-square",
   "path-not-above",
   "picks-out-of-range",
+  "place-of-result",
   "plane-unsupported",
   "probe-move-too-short",
   "protection-unsupported",
