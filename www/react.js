@@ -6,15 +6,15 @@ const PROPERTIES = ["job", "cycle", "post", "units", "theme", "readonly", "panel
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"];
 const isOwn = (key) => PROPERTIES.includes(key) || EVENTS.some((event) => key === `on${event}`);
 
-/** On a server there is no layout. */
-const useSet = typeof document === "undefined" ? useEffect : useLayoutEffect;
+/** On a server there is no layout, and React warns of the effect. */
+const useClientLayoutEffect = typeof document === "undefined" ? useEffect : useLayoutEffect;
 
 /** `<touch-path>` as a component: its properties and listeners hold after server rendering, too, and it loads the element by itself. */
 export function TouchPath({ ref, ...props }) {
   const own = useRef(null);
   const now = useRef(props);
   const last = useRef({});
-  useSet(() => {
+  useClientLayoutEffect(() => {
     now.current = props;
     for (const name of PROPERTIES)
       // What a render leaves out is as it was before it was ever set.
@@ -22,7 +22,7 @@ export function TouchPath({ ref, ...props }) {
         own.current[name] = props[name] ?? (name === "readonly" || name === "links" ? false : null);
     last.current = Object.fromEntries(PROPERTIES.filter((name) => name in props).map((name) => [name, props[name]]));
   });
-  useSet(() => {
+  useClientLayoutEffect(() => {
     const element = own.current;
     const heard = EVENTS.map((event) => [event, (said) => now.current[`on${event}`]?.(said)]);
     for (const [event, listener] of heard) element.addEventListener(event, listener);

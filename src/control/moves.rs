@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::control::iso::registers::{When, needed_touches};
 use crate::control::iso::writer::{Writer, pieces, start_unknown};
 use crate::control::{Program, Request};
-use crate::formula::{Datum, Formula, Question, Used};
+use crate::formula::{Datum, Formula, Question, Used, Variable};
 use crate::geom::Vec3;
 use crate::num::format_count;
 use crate::path::{Move, Path, Purpose, Touch};
@@ -48,8 +48,8 @@ pub trait Moves {
         false
     }
 
-    /// What a program calls the value of an assignment.
-    fn value(&self, _formula: &Formula, _index: usize) -> String {
+    /// What a program calls the value of an assignment, on a control that computes.
+    fn value(&self, _formula: &Formula, _variable: Variable) -> String {
         String::new()
     }
 
@@ -112,7 +112,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
             }
         }
         if !path.shifts.is_empty() {
-            w.shifts_by(path.shifts(index).map(|shift| shift.map_or_else(String::new, |by| hooks.value(formula, by.index()))));
+            w.shifts_by(path.shifts(index).map(|shift| shift.map_or_else(String::new, |by| hooks.value(formula, by))));
         }
         match step.purpose {
             _ if own.iter().any(|own| own.contains(&index)) => {

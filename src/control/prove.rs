@@ -162,7 +162,7 @@ pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Fo
         run,
         &mut |step: &Step| {
             if part == Part::Unknown {
-                return expected.meets(step, &triggers).unwrap_or(Met::Unknown);
+                return expected.meets(step, &triggers, &mut next).unwrap_or(Met::Unknown);
             }
             expected.next(step, &triggers, &mut next)
         },
@@ -233,8 +233,8 @@ impl Triggered {
         Ok(own)
     }
 
-    /// The touches of a member, whose shifts are known: farther and farther from where the search ends, until its results are within the limit where a
-    /// cycle follows them.
+    /// Places the touches of a member, whose shifts are known. Where a later cycle follows its results, the triggers come nearer and nearer to the nominal
+    /// contacts until those results are within the limit.
     fn touch(&mut self, request: &Request<'_>, member: usize) -> Result<(), Vec<Fault>> {
         /// Halved so often, a trigger is nominal to the last digit.
         const HALVED: i32 = 24;
@@ -285,7 +285,7 @@ impl Triggered {
     }
 
     /// The same where all touches of the cycle of a result lie elsewhere along `axis`, so that the result is off by so much; and the cycles up to a member
-    /// lie where that leads them. None where the place of the cycle does not change the result.
+    /// lie where that leads them. `None` if the place of the cycle does not change the result.
     fn displaced(
         &self,
         request: &Request<'_>,
@@ -416,11 +416,14 @@ impl Expected {
         (place / self.scale).to_array()
     }
 
-    /// What a motion of a program that may be another one meets, where it is one of the touches.
-    fn meets(&self, step: &Step, triggers: &[Vec3]) -> Option<Met> {
-        let own = |touch: &&(usize, (Place, Place))| self.near(step.to, touch.1.1) && self.near(step.from, touch.1.0);
-        let (k, _) = self.touches.iter().find(own)?;
-        Some(self.contact(step, triggers[*k]))
+    /// What a motion of a program that may be another one meets, where it is one of the touches. Of several in one place, to the last digit, it is the one
+    /// that comes next.
+    fn meets(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Option<Met> {
+        let own = |touch: &(usize, (Place, Place))| self.near(step.to, touch.1.1) && self.near(step.from, touch.1.0);
+        let later = self.touches.iter().skip(*next).position(own).map(|i| *next + i);
+        let found = later.or_else(|| self.touches.iter().position(own))?;
+        *next = found + 1;
+        Some(self.contact(step, triggers[self.touches[found].0]))
     }
 
     /// A contact: the axes stop on the line that the program commands, rounded as it is.
@@ -492,13 +495,15 @@ impl Expected {
             Purpose::Position | Purpose::Back(_) => (request.post.rate)(request, from, step),
         };
         let way = (0..3).map(|axis| (made.to[axis] - made.from[axis]).powi(2)).sum::<f64>().sqrt() * self.scale;
+        // A way to a cycle that lies over the one before it is as long as the result shifts it.
+        let nominal = from.map_or(f64::INFINITY, |from| from.distance(step.to));
         let plain = if made.feed.is_some() { Kind::Feed } else { Kind::Rapid };
         let wanted = match step.purpose {
             Purpose::Touch(_) | Purpose::Search(_) => Kind::Touch,
             Purpose::Back(_) => plain,
             Purpose::Position if !(request.protected && request.post.watches) => plain,
             // Too short for a probe move.
-            Purpose::Position if made.kind == plain && way < request.shortest_watched() => plain,
+            Purpose::Position if made.kind == plain && way.min(nominal) < request.shortest_watched() => plain,
             Purpose::Position => Kind::Watched,
         };
         if made.kind != wanted {

@@ -8,7 +8,7 @@ use crate::job::Job;
 use crate::job::planned::{Planned, several};
 use crate::num::{decimal, tidy};
 use crate::part::Run;
-use crate::path::{Path, Purpose, Shifts, far_apart};
+use crate::path::{Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
 use crate::text::text;
 use crate::{formula, part};
 
@@ -30,17 +30,19 @@ impl<'t> Sum<'t> {
         let inner = text.trim_matches(' ').strip_prefix('=').filter(|_| text.len() <= LONGEST_PLACE)?;
         let (name, added) = inner.split_at(inner.find(['+', '-']).unwrap_or(inner.len()));
         let added: String = added.chars().filter(|c| *c != ' ').map(|c| if c == ',' { '.' } else { c }).collect();
-        let plain = added.bytes().skip(1).all(|b| b.is_ascii_digit() || b == b'.');
+        let digits = added.strip_prefix(['+', '-']).unwrap_or(&added);
         let added = match added.as_str() {
             "" => Some(0.0),
-            text if plain => crate::num::read(text.strip_prefix('+').unwrap_or(text)).filter(|x| x.is_finite()),
+            text if digits.bytes().all(|b| b.is_ascii_digit() || b == b'.') => {
+                crate::num::read(text.strip_prefix('+').unwrap_or(text)).filter(|x| x.is_finite())
+            }
             _ => None,
         };
         Some(Sum { name: name.trim_matches(' '), added: added? }).filter(|sum| !sum.name.is_empty())
     }
 }
 
-/// Such a text with what it adds to the result changed, as in other units; none where it is no such text.
+/// The text with another number added, as in other units. `None` for a text that is not a sum of a result and a number.
 pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
     let Sum { name, added } = Sum::of(text)?;
     let added = change(added);
@@ -98,7 +100,7 @@ fn one(
         );
         return refuse(checker, message);
     };
-    // What is wrong with an earlier cycle is said there.
+    // An error in an earlier cycle is reported there.
     if earlier.jobs.iter().any(Option::is_none) {
         return None;
     }
@@ -236,7 +238,7 @@ fn shift(path: &Path, values: &[f64], index: usize) -> Vec3 {
     Vec3::from_array(path.shifts(index).map(by))
 }
 
-/// The whole path as it runs on the virtual part; none where it is that of the drawing.
+/// The whole path as it runs on the virtual part. `None` if that is the path of the drawing.
 pub fn actual(whole: &Planned) -> Option<Path> {
     if whole.path.shifts.is_empty() || whole.job.placement.nominal {
         return None;
@@ -265,31 +267,46 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
     checker.warning("place-too-far", if whole.job.placement.nominal { "limits" } else { "part" }, message);
 }
 
-/// Checks the ways on which one end follows a result and the other does not: a shift must neither turn them upwards nor make them too short to be watched.
-pub fn check_ways(whole: &Planned, shortest: f64, checker: &mut Checker) {
-    let path = &whole.path;
+/// Checks the ways of which one end follows a result and the other does not: the shift must neither turn a way down upwards, nor make one too short to be
+/// watched. Where one cycle lies over the other, the way across is nothing but the shift: it is not watched.
+pub fn check_ways(whole: &Planned, checker: &mut Checker) {
+    let Planned { job, path, .. } = whole;
     let w = path.frame.w;
-    let along_tool = |shifts: Shifts| [0, 1, 2].map(|axis| shifts[axis].filter(|_| w[axis].abs() > 0.5));
+    let only = |shifts: Shifts, tool: bool| [0, 1, 2].map(|axis| shifts[axis].filter(|_| (w[axis].abs() > 0.5) == tool));
     for (index, pair) in path.moves.windows(2).enumerate() {
         let (before, now) = (path.shifts(index), path.shifts(index + 1));
         let way = pair[1].to - pair[0].to;
-        let [up, whole_way] =
-            [far_apart(along_tool(before), along_tool(now), path.most_shift), far_apart(before, now, path.most_shift)];
-        let needed = if up > 0.0 && way.dot(w).abs() < up + shortest { up } else { whole_way };
-        let length = if needed == up { way.dot(w).abs() } else { way.length() };
-        if needed == 0.0 || length >= needed + shortest - 1e-9 {
-            continue;
+        let far = |tool: bool| far_apart(only(before, tool), only(now, tool), path.most_shift);
+        let along = way.dot(w);
+        let ways = [(far(true), along.abs(), true), (far(false), (way - w * along).length(), job.protected)];
+        let short = ways.into_iter().enumerate().find(|(k, (far, length, asked))| {
+            let over = *k == 1 && *length <= ZERO_LENGTH;
+            *asked && *far > 0.0 && !over && *length < far + job.post.shortest_probe - 1e-9
+        });
+        let Some((k, (far, length, _))) = short else { continue };
+        let member = path.member_of_move(index + 1).unwrap_or(0);
+        let (name, least) = (path.members[member].name.clone(), checker.length(far + job.post.shortest_probe));
+        let (number, length, far) = (index + 2, checker.length(length), checker.length(far));
+        if k == 0 {
+            let message = text!(
+                "Move {move}, the way down to {cycle}, is {way} long, and a result may shift its end by {far}: raise the height between cycles until it is at least {least}",
+                number,
+                name,
+                length,
+                far,
+                least
+            );
+            return checker.error("clear-too-low", "clear", message);
         }
-        let name = path.member_of_move(index + 1).map_or("", |member| path.members[member].name.as_str()).to_owned();
         let message = text!(
-            "Move {move}, a way to {cycle}, is {way} long, and a result may shift its end by {far}: raise the height between cycles until it is at least {least}",
-            index + 2,
+            "Move {move}, the way across to {cycle}, is {way} long, and a result may shift its end by {far}: it must be at least {least}, or limits.position smaller",
+            number,
             name,
-            checker.length(length),
-            checker.length(needed),
-            checker.length(needed + shortest)
+            length,
+            far,
+            least
         );
-        return checker.error("clear-too-low", "clear", message);
+        return checker.error("place-of-result", format!("cycles[{member}].origin"), message);
     }
 }
 

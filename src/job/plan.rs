@@ -199,7 +199,7 @@ fn report_predefined(job: &Job, checker: &mut Checker) {
 }
 
 /// What the control will have stored, for the virtual part. A run that ends in the part ends before the results: nothing is stored. `writes`: whether an
-/// implausible result keeps the program from writing; none where the program stops before it asks.
+/// implausible result keeps the program from writing. `None` if the program stops before it asks.
 fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> Vec<formula::ResultRow> {
     let Planned { job, path, run, .. } = planned;
     let mut rows = part::evaluate(path, &run.triggers, job.scatter());
@@ -474,7 +474,7 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
             report_collision(path, collision, &nominal.triggers, "cycle", checker);
         }
         let shifted = follows::moved(path, |_| run.shift);
-        // What is not reached meets nothing.
+        // A cycle that the program does not reach cannot collide.
         let actual = Some((&shifted, surfaces.as_slice(), run)).filter(|_| run.halt.is_none());
         report_stylus(job, path, &nominal, actual, checker);
     }

@@ -183,7 +183,7 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 
 /// The whole of these cycles, not run yet.
 fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec<Follows>), clear: Option<f64>) -> Planned {
-    // A cycle whose height follows a result may begin higher by the limit of that; the cycle before it may follow another one, and end as much higher.
+    // A way from one cycle to the next has the limit twice where both follow a height, each its own.
     let limit = job.limits.position.unwrap_or(0.0);
     let tool = job.setup.plane.axes()[2];
     let higher = |follows: &Follows| if follows[tool].is_some() { 2.0 * limit + SHORTEST_WAY } else { 0.0 };
@@ -213,7 +213,7 @@ fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec
     let radius = job.setup.radius;
     let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
-    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way, (limit, job.post.shortest_probe));
+    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way, limit);
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
     Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members }
 }
@@ -277,7 +277,7 @@ fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
         On::Actual => {
             let shifted = follows::actual(whole);
             let (path, halt) = (shifted.as_ref().unwrap_or(&whole.path), whole.members.iter().find_map(|own| own.run.halt));
-            // What is not reached meets nothing.
+            // A cycle that the program does not reach cannot collide.
             let reached = |found: &(usize, Vec3)| halt.is_none_or(|(m, _)| path.member_of_move(found.0) < Some(m));
             part::crossing(path, &whole.surfaces, radius).filter(reached)
         }
@@ -300,7 +300,7 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
         );
         checker.error("clear-too-low", "clear", message);
     }
-    follows::check_ways(whole, job.post.shortest_probe, checker);
+    follows::check_ways(whole, checker);
     if path.members.len() > 1
         && members.iter().any(|planned| planned.path.feeds.is_some())
         && job.form == crate::control::Form::Moves

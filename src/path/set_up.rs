@@ -104,9 +104,9 @@ pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 
 impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
-    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `bounds`: how far a result may shift a cycle
-    /// along an axis, and the shortest move that can be watched, mm.
-    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>, bounds: (f64, f64)) -> Path {
+    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `most_shift`: how far a result may
+    /// shift a cycle along an axis, mm.
+    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>, most_shift: f64) -> Path {
         let first = &cycles.first().expect("a set-up has a cycle").path;
         let (start, frame) = (first.start, first.frame);
         let tops: Option<Vec<f64>> = cycles.iter().map(|single| single.path.top).collect();
@@ -127,13 +127,13 @@ impl Path {
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
-            most_shift: bounds.0,
+            most_shift,
         };
         let mut sample = 0;
         for Single { name, title, path, follows } in cycles {
             let before = whole.moves.len();
             let follows = whole.following(follows);
-            whole.leads_to(&path, clear, (follows.map(|follow| follow.map(|follow| follow.shift)), bounds.1));
+            whole.leads_to(&path, clear, follows.map(|follow| follow.map(|follow| follow.shift)));
             if let Some(way) = way {
                 whole.take_calls(&path, before, way);
             }
@@ -209,7 +209,7 @@ impl Path {
     }
 
     /// The way to the next cycle, which is shifted by `shifts`; to the first one the stylus comes from anywhere.
-    fn leads_to(&mut self, next: &Path, clear: f64, (shifts, shortest): (Shifts, f64)) {
+    fn leads_to(&mut self, next: &Path, clear: f64, shifts: Shifts) {
         let (Some(last), Some(to)) =
             (self.moves.last().map(|step| step.to), next.start.or(next.moves.first().map(|step| step.to)))
         else {
@@ -222,11 +222,8 @@ impl Path {
         let level = |shifts: Shifts| [0, 1, 2].map(|axis| shifts[axis].filter(|_| w[axis].abs() < 0.5));
         let before = self.shifts.last().copied().unwrap_or_default();
         let follows_height = level(shifts) != shifts;
-        let aside = far_apart(level(before), level(shifts), self.most_shift);
-        // What a shift may make too short to be watched is done by the way down.
-        let short = aside > 0.0 && at(to).distance(at(last)) < aside + shortest;
-        let over = Some(at(to)).filter(|_| !short);
-        let across = over.filter(|over| next.start.is_some() || follows_height || over.distance(to) > ZERO_LENGTH);
+        let apart = |over: &Vec3| next.start.is_some() || follows_height || over.distance(to) > ZERO_LENGTH;
+        let across = Some(at(to)).filter(apart);
         let ways = [(Some(at(last)), level(before)), (across, level(shifts)), (next.start, shifts)];
         for (to, shifts) in ways.into_iter().filter_map(|(to, shifts)| Some((to?, shifts))) {
             let from = self.moves.last().map_or(to, |step| step.to);

@@ -51,7 +51,7 @@ export abstract class FieldPart extends Part {
     const unit = this.unit(field);
     // Beside a box for null there is less room.
     const crowded = unit !== "" && text.length + unit.length > (field.null === null ? 14 : 12);
-    return html`<span class=${`number ${this.level(path)} ${crowded ? "crowded" : ""}`}><input id=${`f-${path}`} type="text" inputmode=${words ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
+    return html`<span class=${`number ${this.level(path)} ${crowded ? "crowded" : ""}`}><input id=${`f-${path}`} type="text" inputmode=${words || (typeof held === "string" && held !== "") ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
         aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text} list=${proposed.length > 0 ? `l-${path}` : nothing}
         @focus=${(e: Event) => {
           (e.target as HTMLInputElement).select();

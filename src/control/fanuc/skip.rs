@@ -7,7 +7,7 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{Program, Report, Request, does, number, orientation_line};
-use crate::formula::{Asked, Coordinate, Datum, Formula, Node, NodeId, Op, Question};
+use crate::formula::{Asked, Coordinate, Datum, Formula, Node, NodeId, Op, Question, Variable};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
 use crate::path::{Move, Touch};
@@ -317,8 +317,8 @@ impl Moves for Skip<'_> {
         true
     }
 
-    fn value(&self, _formula: &Formula, index: usize) -> String {
-        variable(self.registers.variables[index])
+    fn value(&self, formula: &Formula, variable: Variable) -> String {
+        print::variable(&Variables(self.registers), formula, variable)
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

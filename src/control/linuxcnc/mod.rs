@@ -155,10 +155,8 @@ impl Moves for LinuxCnc<'_> {
         true
     }
 
-    fn value(&self, formula: &Formula, index: usize) -> String {
-        let mut text = String::new();
-        print::Rs274.variable(formula, index, &mut text);
-        text
+    fn value(&self, formula: &Formula, variable: Variable) -> String {
+        print::variable(&print::Rs274, formula, variable)
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

@@ -242,10 +242,8 @@ impl Moves for Sinumerik<'_> {
         true
     }
 
-    fn value(&self, formula: &Formula, index: usize) -> String {
-        let mut text = String::new();
-        self.notation().variable(formula, index, &mut text);
-        text
+    fn value(&self, formula: &Formula, variable: Variable) -> String {
+        print::variable(&self.notation(), formula, variable)
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

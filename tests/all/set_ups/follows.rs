@@ -211,6 +211,16 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
     // A way between that a shift could make shorter than nothing.
     let low = with(&job(STEPS), "clear", Value::Number(30.5));
     assert_eq!(errors(&low), ["clear-too-low clear"]);
+    // Across farther than nothing, and not as far as the limits and the shortest probe move: with a limit that is as large as the way is short.
+    let beside = |limit: f64, protection: &str| {
+        format!(
+            r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "protection": "{protection}" }}, "limits": {{ "position": {limit} }},
+            "cycles": [{{ "name": "A", "type": "hole", "diameter": 12 }}, {{ "name": "B", "type": "hole", "diameter": 12, "origin": ["=A.center.x+15", 0, 0] }}] }}"#
+        )
+    };
+    assert_eq!(errors(&job(&beside(15.0, "checked"))), ["place-of-result cycles[1].origin"]);
+    assert!(errors(&job(&beside(15.0, "none"))).is_empty(), "nothing is to be watched");
+    assert!(errors(&job(&beside(14.0, "checked"))).is_empty());
     // As high as the cycle begins there is no way across that follows no height.
     let level = r#"{ "format": 2, "overtravel": 10, "control": { "post": "linuxcnc", "protection": "none" }, "clear": 30, "limits": { "position": 9 },
         "cycles": [{ "name": "TOP", "type": "surface", "origin": [-60, 0, 0], "clearance": 13, "feedDistance": 17 },
@@ -233,10 +243,18 @@ fn no_way_goes_across_and_down_at_once() {
             from = step.to;
         }
     }
-    // A bore in a bore: nothing lies between them but what the first one finds, and the way down takes it along.
+    // A bore in a bore: the way across is nothing but what the first one finds. It stays level, and nothing watches what may be shorter than a probe move.
     let counterbore = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 0.5 }, "part": { "offset": [0.4, -0.3, 0] },
         "cycles": [{ "name": "A", "type": "hole", "diameter": 40 }, { "name": "B", "type": "hole", "diameter": 20, "origin": ["=A.center.x", "=A.center.y", -10] }] }"#;
+    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+        let plan = planned(&with(&job(counterbore), "control.post", Value::Text(post.to_owned())));
+        let watched = plan.findings.iter().all(|f| f.code != "positioning-not-watched");
+        assert_eq!(watched, post == "sinumerik", "{post}");
+    }
     let plan = planned(&job(counterbore));
+    let way = plan.moves.iter().position(|step| step.step == 0).unwrap();
+    let line = plan.program.text.lines().nth(plan.program.move_lines[way] as usize).unwrap();
+    assert_eq!(line, "G1 X[0+#<b_shift_x>] Y[0+#<b_shift_y>] Z30 F2000");
     let ran = interpret(&on_virtual_part(&plan)).unwrap();
     let printed = |code: &str| ran.prints.iter().find(|(known, _)| known == code).unwrap().1;
     near(printed("B.center.x"), 0.4, 1e-5, "B");
@@ -377,4 +395,16 @@ fn a_coordinate_that_nothing_changes_stops_nothing() {
                    { "name": "TOP", "type": "surface", "origin": [200, "=WEB.y-10", 0] }] }"#;
     let plan = planned(&job(text));
     assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+}
+
+/// Touches a micrometre apart are written in one place: read back as anyone's program, each is still met where it is, and what follows has a value.
+#[test]
+fn touches_in_one_place_are_told_apart_by_their_order() {
+    let text = r#"{ "format": 2, "plane": "G18", "control": { "post": "sinumerik", "protection": "none", "workOffset": 1 }, "limits": { "position": 0.05 },
+        "cycles": [{ "name": "C1", "type": "double-wall-internal-corner", "origin": [-86, -68, 15], "rotation": -191.83171055084767,
+                     "clearance1": 42.74643950160657, "clearance2": 180.90110915230505, "count1": 8, "step2": 0.001000001 },
+                   { "name": "C3", "type": "triple-wall-internal-corner", "origin": ["=C1.y+1336", 91, 49], "angle": 52.5, "clearance2": 25.5 }] }"#;
+    let plan = planned(&job(text));
+    let back = import(&plan.program.text).unwrap();
+    assert!(back.findings.iter().all(|f| f.code != "unsafe-program"), "{:?}", back.findings);
 }

@@ -14,7 +14,7 @@ export interface Verified {
 /** So many lines that differ are listed. */
 const LISTED = 5;
 /** What every version writes by itself. */
-const STAMP = /Made by Touchpath (\S+)|Blocks below: [0-9A-F]+|^\s*$/i;
+const STAMP = /Made by Touchpath |Blocks below: |^\s*$/i;
 
 const linesOf = (text: string) => text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
 /** The blocks below the header, each with its line; all of them where there is no header. */

@@ -239,7 +239,7 @@ pub struct Stopped {
     pub writes: bool,
 }
 
-/// Follows a program to its alarm; none where it comes to none, or to something that no control does.
+/// Follows a program to its alarm. `None` if it ends without one, or a block cannot be carried out.
 pub fn until_alarm(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Option<Stopped> {
     let mut machine = Machine::new(script, run);
     let (mut trace, mut scratch) = (Trace::default(), State::default());
