@@ -38,13 +38,18 @@ export const SIZES = [
   [390, 844],
 ];
 
-/** A page of its own for every test of a file; a problem on it fails the test. */
-export function setUp(viewport = { width: 1280, height: 800 }) {
+/**
+ * A page of its own for every test of a file; a problem on it fails the test. Without the service worker, which fetches every
+ * file again in the background: only what is asked without a network needs it.
+ * @param {{ width: number, height: number }} viewport
+ * @param {"allow" | "block"} serviceWorkers
+ */
+export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = "block") {
   before(async () => {
     server = await serve(0);
     browser = await launch();
   });
-  beforeEach(() => open({ viewport }));
+  beforeEach(() => open({ viewport, serviceWorkers }));
   afterEach(() => assert.deepEqual(problems, [], "nothing is complained about on the console"));
   after(async () => {
     await browser?.close();
@@ -60,7 +65,12 @@ export async function open(options) {
   await context?.close();
   // Where people measure in inch a first job is in inch: here it is in mm.
   const locale = "en-GB";
-  context = await browser.newContext({ permissions: ["clipboard-read", "clipboard-write"], locale, ...options });
+  context = await browser.newContext({
+    permissions: ["clipboard-read", "clipboard-write"],
+    locale,
+    serviceWorkers: "block",
+    ...options,
+  });
   problems = [];
   page = await openTab();
 }

@@ -1,7 +1,20 @@
 // Nothing sticks out, nothing covers what has the focus, and a warning is seen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, field, focusedId, open, page, problems, put, SIZES, settles, setUp, textOf } from "./common.mjs";
+import {
+  boxOf,
+  field,
+  focusedId,
+  framed,
+  open,
+  page,
+  problems,
+  put,
+  SIZES,
+  settles,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp();
 
@@ -405,10 +418,11 @@ for (const locale of ["en-US", "de-DE", "ru-RU", "zh-TW"])
       [320, 700],
       [390, 844],
       [1024, 768],
-    ])
+    ]) {
+      await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true, isMobile: true, locale });
       for (const type of ["internal-rectangle-protected", "probing-two-circles"]) {
-        await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true, isMobile: true, locale });
         await put("cycle.type", type);
+        await framed();
         await page.evaluate(() =>
           /** @type {any} */ (document.querySelector("touch-path"))?.shadowRoot.querySelector("tp-form").unfold(),
         );
@@ -421,6 +435,7 @@ for (const locale of ["en-US", "de-DE", "ru-RU", "zh-TW"])
         });
         assert.deepEqual(beyond, [], `${width} ${type}`);
       }
+    }
   });
 
 test("a phone that was turned lost the field that had the focus", async () => {

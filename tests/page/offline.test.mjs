@@ -21,7 +21,7 @@ import {
   setUp,
 } from "./common.mjs";
 
-setUp();
+setUp(undefined, "allow");
 
 /** Until the page's files are kept, and the page has loaded the parts that it loads after it stands: without the worker, as every first visit. */
 const kept = (tab = page) =>
