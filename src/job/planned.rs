@@ -42,7 +42,7 @@ fn meets<'s>(surfaces: &'s [Surface], up: Vec3, radius: f64) -> impl Fn(Vec3, Ve
 }
 
 /// The path that the control's own cycles make of a documented one, where a job asks for them; else that one, and why.
-fn own_path(job: &Job, path: Path) -> (Path, Refused) {
+fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
     let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else { return (path, Vec::new()) };
     let request = OwnRequest {
         path: &path,
@@ -59,6 +59,7 @@ fn own_path(job: &Job, path: Path) -> (Path, Refused) {
             .any(|row| row.value == crate::path::ParameterValue::Flag(true)),
         report: job.report,
         set_up: job.set_up,
+        clear,
     };
     let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
     match own {
@@ -112,7 +113,12 @@ pub struct Planned {
 impl Planned {
     /// Plans the path of a checked job and runs it.
     pub fn of(job: Job) -> Self {
-        let (path, refused) = own_path(&job, path_of(&job));
+        Self::at(job, None)
+    }
+
+    /// The same in a set-up whose cycles go to the next one by themselves, at this height.
+    pub fn at(job: Job, clear: Option<f64>) -> Self {
+        let (path, refused) = own_path(&job, path_of(&job), clear);
         let surfaces = actual_surfaces(&job, &path);
         let run = match (&path.own, job.post.own) {
             (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),

@@ -71,7 +71,21 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     // One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
     let work_offset = |i: usize| offset.filter(|_| several.is_some() && i + 1 == count);
     let members = jobs.into_iter().enumerate().map(|(i, job)| Planned::of(Job { work_offset: work_offset(i), ..job }));
-    let members: Vec<Planned> = members.collect();
+    let mut members: Vec<Planned> = members.collect();
+    if let Some(Ok(several)) = several {
+        let own_program = members.iter().position(|planned| planned.path.own.is_none() && planned.refused.is_empty());
+        if let Some(i) = own_program {
+            let message = text!("{cycle}: this cycle has a program of its own: it cannot be one of several", names[i].clone());
+            checker.error("set-up-unsupported", format!("cycles[{i}].type"), message);
+            return None;
+        }
+        if several.comes_itself {
+            let highest = members.iter().flat_map(|planned| ends(&planned.path)).fold(f64::NEG_INFINITY, f64::max);
+            check_clear(checker, clear.unwrap_or(highest), highest);
+            let at = Some(clear.unwrap_or(highest));
+            members = members.into_iter().map(|planned| Planned::at(planned.job, at)).collect();
+        }
+    }
     let mut whole = join(Job { def: &WHOLE, ..whole? }, members, (names, follows), clear);
     relations::read(checker, value, &mut whole.path, several.is_some());
     let source = datum::read(checker, value, &whole, offset.is_some())?;
@@ -292,14 +306,7 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
     let least = least.fold(f64::NEG_INFINITY, f64::max);
     let ways = path.moves.iter().filter(|step| step.step == WAY).map(|step| step.to.dot(w));
     let clear = ways.fold(f64::NEG_INFINITY, f64::max);
-    if clear.is_finite() && clear < least - 1e-6 {
-        let message = text!(
-            "Between the cycles the ball centre goes across at {clear}: it must be no lower than {least}, where the highest of them begins and ends",
-            checker.length(clear),
-            checker.length(least)
-        );
-        checker.error("clear-too-low", "clear", message);
-    }
+    check_clear(checker, clear, least);
     follows::check_ways(whole, checker);
     if path.members.len() > 1
         && members.iter().any(|planned| planned.path.feeds.is_some())
@@ -309,6 +316,18 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
         checker.info("feeds-of-set-up", "feeds", message);
     }
     report_order(whole, checker);
+}
+
+/// Whether the height between the cycles is at least that of the highest of them.
+fn check_clear(checker: &mut Checker, clear: f64, least: f64) {
+    if clear.is_finite() && clear < least - 1e-6 {
+        let message = text!(
+            "Between the cycles the ball centre goes across at {clear}: it must be no lower than {least}, where the highest of them begins and ends",
+            checker.length(clear),
+            checker.length(least)
+        );
+        checker.error("clear-too-low", "clear", message);
+    }
 }
 
 /// A feature whose height hangs on a top side that is measured later.

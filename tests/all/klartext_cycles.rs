@@ -202,6 +202,68 @@ fn the_judge_touches_where_the_plan_does() {
     assert!(touches > 180, "{touches}");
 }
 
+/// Several cycles in one program of a TNC. By hand: the highest cycle begins at 8 + 20, so that each goes to the next one at 28, which is its own clearance
+/// height; what the next cycle overwrites is assigned before it; on a shifted part each touches where it would alone.
+#[test]
+fn several_cycles_keep_their_results_and_cross_at_one_height() {
+    let text = |clear: &str| {
+        format!(
+            r#"{{ "format": 2, "units": "mm", "control": {{ "post": "heidenhain", "form": "cycle" }}, "clear": {clear}, "part": {{ "offset": [0.4, -0.3, 0.2] }},
+            "cycles": [{{ "name": "TOP", "type": "surface", "origin": [-150, 0, 0], "clearance": 5, "feedDistance": 10 }},
+                {{ "name": "BORE", "type": "hole", "diameter": 40, "topClearance": 8, "feedDistance": 20 }},
+                {{ "name": "RIB", "type": "web", "width": 30, "origin": [150, 0, 0] }}] }}"#
+        )
+    };
+    let of = |clear: &str| plan(&touchpath::job::from_json(&text(clear)).unwrap());
+    let whole = of("null").unwrap();
+    let found = blocks(&whole.program.text);
+    assert_eq!(found.iter().map(|(number, _)| *number).collect::<Vec<u32>>(), [427, 421, 426]);
+    for (number, given) in &found {
+        assert_eq!(given.iter().find(|(q, _)| *q == 260).unwrap().1, 28.0, "{number}");
+    }
+    let kept: Vec<&str> =
+        whole.program.text.lines().filter_map(|line| line.split_once(" FN 0: ").map(|(_, kept)| kept)).collect();
+    assert_eq!(kept, ["Q1600 = +Q160", "Q1601 = +Q151", "Q1602 = +Q152", "Q1603 = +Q153"]);
+    let stored = whole.results.iter().filter_map(|row| Some((row.cycle, row.code.as_str(), row.stored.as_deref()?)));
+    let expected = [
+        (0, "point.z", "Q1600"),
+        (1, "center.x", "Q1601"),
+        (1, "center.y", "Q1602"),
+        (1, "diameter", "Q1603"),
+        (2, "center.x", "Q157"),
+        (2, "width", "Q156"),
+    ];
+    assert_eq!(stored.collect::<Vec<_>>(), expected);
+    let faces = |first: usize| match first {
+        0 => vec![Face::Top(0.2)],
+        1 => vec![Face::Circle([0.4, -0.3], 20.0)],
+        _ => vec![Face::Wall([1.0, 0.0], 165.4), Face::Wall([-1.0, 0.0], -135.4)],
+    };
+    let blocks_of = |number: u32| {
+        let at = whole.program.text.find(&format!("TCH PROBE {number}")).unwrap();
+        let rest = &whole.program.text[at..];
+        rest[..rest[3..].find("TCH PROBE").map_or(rest.len(), |end| end + 3)].to_owned()
+    };
+    let made: Vec<[f64; 3]> = (0..3).flat_map(|cycle| judged(&blocks_of([427, 421, 426][cycle]), &faces(cycle), 0.0)).collect();
+    let touched = of_plan(&whole);
+    assert_eq!(made.len(), touched.len());
+    for (a, b) in made.iter().zip(&touched) {
+        assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-3), "{a:?} and {b:?}");
+    }
+    // Between the cycles, and at their ends, the ball is at that height; a greater one is the clearance height of all.
+    for clear in ["null", "35"] {
+        let whole = of(clear).unwrap();
+        let high = if clear == "null" { 28.0 } else { 35.0 };
+        for cycle in 0..3 {
+            let own: Vec<_> = whole.moves.iter().filter(|step| step.cycle == cycle).collect();
+            assert_eq!([own[0].to[2], own[own.len() - 1].to[2]], [high; 2], "{clear} {cycle}");
+        }
+    }
+    let refused = of("20").unwrap_err();
+    assert_eq!(refused.findings.iter().filter(|f| f.level == Level::Error).count(), 1);
+    assert!(refused.findings.iter().any(|f| f.code == "clear-too-low" && f.path == "clear"), "{:?}", refused.findings);
+}
+
 /// Parameters in the order of the posts, as the reference sheets list them; values by hand.
 #[test]
 fn each_block_has_its_parameters_in_their_order() {

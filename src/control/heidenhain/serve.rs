@@ -4,13 +4,13 @@ use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
-use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, degrees_of};
+use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of};
 use crate::control::{Program, Report, Request, check_write, does, own};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{Bore, Entry, Feature, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
-use crate::text::{Text, text, words};
+use crate::text::{Text, text};
 
 /// How nearly directions and places must agree.
 const NEAR: f64 = 1e-6;
@@ -24,10 +24,11 @@ pub static CYCLES: OwnCycles = OwnCycles {
     name: |stored| match stored {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
-    several: Err(words!(
-        "each cycle of {control} overwrites the results of the one before it, and no source at hand shows a program that keeps them: make a program of each cycle"
-    )),
+    several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: true, kept: FREE }),
 };
+
+/// The Q parameters that the manuals leave to programs [S: TNC 620, TNC 640]: none of them is a cycle's.
+const FREE: (usize, usize) = (1600, 1999);
 
 /// The path that the cycles make of a job's feature, with the calls. 1411 is the documented path itself.
 fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
@@ -78,8 +79,13 @@ impl Plan<'_> {
         self.request.work_offset.map(f64::from)
     }
 
-    /// Where the ball crosses between touches, and where the cycles end: as high as the documented path crosses, or begins.
+    /// Where the ball crosses between touches, and where the cycles end: as high as the documented path crosses, or begins; in a set-up as high as
+    /// the ways between its cycles, which they make themselves.
     fn high(&self) -> f64 {
+        self.own_high().max(self.request.clear.unwrap_or(f64::NEG_INFINITY))
+    }
+
+    fn own_high(&self) -> f64 {
         let path = self.request.path;
         let level = path.touches.iter().map(|touch| touch.point.z).fold(f64::NEG_INFINITY, f64::max);
         let crosses = made::start(path).filter(|start| start.z > level + NEAR);
@@ -170,6 +176,7 @@ impl Plan<'_> {
         let entry = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
         let set_up = self.set_up(entry)?;
         let high = path.moves.first().map_or(start.z, |step| step.to.z);
+        let high = high.max(self.request.clear.unwrap_or(high));
         self.touches_surface(touch.point, touch.vector, set_up, high, point.elevation)
     }
 
@@ -514,7 +521,8 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
         unit.to_ascii_lowercase(),
         length(reach(request))
     ));
-    let names: Vec<String> = own.stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();
+    let stored = request.path.stored();
+    let names: Vec<String> = stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();
     if !names.is_empty() {
         w.comment(&format!("Results: {}", names.join(", ")));
     }
@@ -530,8 +538,11 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
         for _ in 0..*moves {
             w.leaves_move();
         }
-        if let OwnBlock::Cycle(number, parameters) = block {
-            blocks::write(&mut w, request, *number, parameters);
+        match block {
+            OwnBlock::Cycle(number, parameters) => blocks::write(&mut w, request, *number, parameters),
+            OwnBlock::Keep(variable, output) => w.line(&format!("FN 0: Q{variable} = +Q{output}")),
+            // The next cycle goes there by itself.
+            OwnBlock::Goes(..) | OwnBlock::Call(..) => {}
         }
     }
     w.parts(&["END PGM ", name, " ", unit]);

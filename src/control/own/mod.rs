@@ -30,6 +30,8 @@ pub struct OwnRequest<'a> {
     pub report: Report,
     /// What the probe table adds to each clearance, mm.
     pub set_up: f64,
+    /// The height between the cycles of a set-up, where the cycles themselves go there.
+    pub clear: Option<f64>,
 }
 
 /// Why a job is refused: code, field, words.
@@ -65,6 +67,8 @@ pub struct OwnCycles {
 pub struct Several {
     /// The block of a way between two cycles: to a place, along these axes, for a ball of this radius, at a feed of this rate (mm/min).
     pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> OwnBlock,
+    /// Whether a cycle goes there by itself, as high as its own clearance height: the block stands for that.
+    pub comes_itself: bool,
     /// The first and the last of the variables that keep what the next cycle empties.
     pub kept: (usize, usize),
 }

@@ -54,7 +54,7 @@ fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(
 }
 
 /// Between two cycles by protected moves; what the next macro empties is kept.
-pub const SEVERAL: Several = Several { way: protected, kept: (FIRST_KEPT, LAST_KEPT) };
+pub const SEVERAL: Several = Several { way: protected, comes_itself: false, kept: (FIRST_KEPT, LAST_KEPT) };
 
 /// A protected move to a place along these axes. A height is of the stylus tip.
 fn protected(to: Vec3, axes: [bool; 3], radius: f64, (_, rate): (Feed, f64)) -> OwnBlock {

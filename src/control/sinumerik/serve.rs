@@ -39,7 +39,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Output(entry) => format!("_OVR[{entry}]"),
         Stored::Kept(register) => format!("R{register}"),
     },
-    several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), kept: (1, LAST_REGISTER) }),
+    several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: false, kept: (1, LAST_REGISTER) }),
 };
 
 /// The path that the cycles make of a job's feature, with the calls.
