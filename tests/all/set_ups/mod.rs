@@ -5,6 +5,7 @@ pub mod follows;
 mod refused;
 mod relations;
 
+use crate::common::fanuc::Control;
 use crate::common::{import, interpret, job, number_at, planned, with};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
@@ -277,6 +278,41 @@ fn a_control_without_a_rotation_says_the_block_for_it() {
     let last = plan.program.text.lines().rfind(|line| line.starts_with(&format!("{register}="))).unwrap();
     assert!(last.contains('#'), "{last}");
     assert!(plan.findings.iter().any(|f| f.code == "rotation-not-written"));
+}
+
+/// The block run behind its program: in the system that was written and turned, each feature of the drawing is where the part has it. By hand: the part is
+/// shifted by 0.3 and -0.2 and turned by 0.4° about the old origin.
+#[test]
+fn the_block_of_the_rotation_puts_the_drawing_on_the_part() {
+    for post in ["fanuc", "haas"] {
+        let text = VISE.replace("linuxcnc", post).replace("\"diameter\": 25", "\"origin\": [12, -7, 0], \"diameter\": 25");
+        let plan = planned(&job(&text));
+        let mut control = Control::new(post == "haas", false);
+        control.contacts = plan.triggers.iter().flatten().copied().collect();
+        // G54 was 0.
+        for axis in 0..3 {
+            control.variables.insert(5221 + axis, 0.0);
+        }
+        control.run(&plan.program.text).unwrap();
+        assert_eq!(control.alarm, None);
+        let block = plan.program.text.lines().find_map(|line| line.split_once("G68 X")).expect("a block").1;
+        let mut words = block.trim_end_matches(')').split([' ', 'Y', 'R']).filter(|word| !word.is_empty());
+        let [cx, cy] = [(); 2].map(|()| words.next().unwrap().parse::<f64>().unwrap());
+        let register = words.next().unwrap().trim_start_matches('#').parse::<i64>().unwrap();
+        let turn = control.variables[&register].to_radians();
+        let origin = [5221, 5222, 5223].map(|variable| control.variables[&variable]);
+        let turned = |[x, y]: [f64; 2], angle: f64, [cx, cy]: [f64; 2]| {
+            let ((sin, cos), dx, dy) = (angle.sin_cos(), x - cx, y - cy);
+            [cx + dx * cos - dy * sin, cy + dx * sin + dy * cos]
+        };
+        for place in [[12.0, -7.0], [80.0, 10.0], [-30.0, 0.0]] {
+            let [x, y] = turned(place, turn, [cx, cy]);
+            let [ax, ay] = turned(place, 0.4f64.to_radians(), [0.0; 2]);
+            let off = [x + origin[0] - (ax + 0.3), y + origin[1] - (ay - 0.2)];
+            assert!(off.iter().all(|off| off.abs() < 3e-3), "{post} {place:?}: {off:?}");
+        }
+        assert!((origin[2] - 0.15).abs() < 2e-3, "{post}: {origin:?}");
+    }
 }
 
 /// By hand: two touches 60 apart on a part that is turned by half a degree; and what scatters by 1 µm a touch is √2 µm over 60 mm.

@@ -164,6 +164,52 @@ fn uncertainties_go_through_relations() {
     near(row(&plan, "MID", "center.x").uncertainty.unwrap(), 0.0005, 1e-6, "middle");
 }
 
+/// Touches scattered along their directions, on a turned part: the spread of what lies between features is its stated uncertainty.
+#[test]
+fn uncertainties_of_relations_agree_with_draws() {
+    let mut job = with(&job(PLATE), "part.rotation", Value::Number(0.3));
+    job = with(&job, "stylus.repeatability", Value::Number(0.001));
+    let plan = planned(&job);
+    let path = touchpath::job::planned(&job).unwrap().path;
+    let mut state = 0x9e37_79b9_7f4a_7c15u64;
+    let mut uniform = move || {
+        state ^= state >> 12;
+        state ^= state << 25;
+        state ^= state >> 27;
+        (state.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut normal = move || (-2.0 * (1.0 - uniform()).ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos();
+    // Those of the relations: the residual of a circle is no linear function.
+    let between: Vec<usize> = (0..plan.results.len())
+        .filter(|i| plan.results[*i].cycle >= plan.cycles.len() && plan.results[*i].code != "residual")
+        .collect();
+    let mut sums = vec![(0.0, 0.0); between.len()];
+    let count = 5_000;
+    for _ in 0..count {
+        let scattered: Vec<_> = plan
+            .triggers
+            .iter()
+            .zip(&path.touches)
+            .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal())))
+            .collect();
+        let rows =
+            touchpath::part::evaluate(&path, &scattered, touchpath::part::Scatter { repeatability: 0.001, runout: None });
+        for (sum, i) in sums.iter_mut().zip(&between) {
+            let off = rows[*i].value.unwrap() - plan.results[*i].value.unwrap();
+            *sum = (sum.0 + off, sum.1 + off * off);
+        }
+    }
+    for ((sum, squares), i) in sums.iter().zip(&between) {
+        let n = f64::from(count);
+        let spread = ((squares - sum * sum / n) / (n - 1.0)).sqrt();
+        let row = &plan.results[*i];
+        let stated = row.uncertainty.unwrap();
+        // Of 5,000 draws a spread is known to one percent.
+        assert!((spread / stated - 1.0).abs() < 0.04, "{} {}: drawn {spread}, stated {stated}", row.cycle, row.code);
+    }
+    assert_eq!(between.len(), 11);
+}
+
 /// A fixture of two holes: the origin in the middle between them, the rotation from the line through both. Probed again after the write, all is nominal.
 #[test]
 fn a_work_offset_is_written_from_relations() {
