@@ -14,7 +14,7 @@ use crate::path::{Stored, Subject};
 use crate::text::{text, words};
 
 /// The macros that no source shows on a Brother or an Okuma.
-const NOT_SEEN: &[u32] = &[9821, 9822, 9834];
+const NOT_SEEN: &[u32] = &[9821, 9822, 9834, 9835];
 
 /// Mazak, programs in EIA/ISO.
 pub(super) static MAZAK: PostDef = PostDef {

@@ -50,7 +50,16 @@ impl Request<'_> {
         if let Some(preset) = self.preset() {
             return preset.does();
         }
-        let Some(number) = self.work_offset else { return text!("measures only") };
+        let Some(number) = self.work_offset else {
+            let tools = self.path.own.as_ref().map_or_else(Vec::new, |own| own.tools());
+            return match tools.as_slice() {
+                [] => text!("measures only"),
+                [tool] => text!("corrects tool offset {tool}", *tool),
+                tools => {
+                    text!("corrects tool offsets {tools}", tools.iter().map(i32::to_string).collect::<Vec<_>>().join(", "))
+                }
+            };
+        };
         let offset = (self.post.work_offset_word)(number);
         let writes = self.writes();
         match writes.as_slice() {
@@ -99,6 +108,9 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
     const CYCLE: &str = ": the cycle corrects the active preset by itself";
     let how = match (request.work_offset, request.preset()) {
         _ if matches!(request.path.feature, Feature::Unmoving) => "",
+        (None, None) if request.path.own.as_ref().is_some_and(|own| !own.tools().is_empty()) => {
+            ": by the macro that measures, as soon as it has. No work offset is written"
+        }
         (None, None) => ", in the work offset that is active: nothing is written",
         _ if request.writes().is_empty() => "",
         (_, Some(_)) => CYCLE,

@@ -180,6 +180,8 @@ pub struct PostEntry {
     pub watches: bool,
     /// Whether its program computes the results itself.
     pub computes: bool,
+    /// Whether its own cycles correct a tool by a size that they measure.
+    pub corrects_tools: bool,
     /// The fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
     /// What its work offsets are called, from number 1.
@@ -243,6 +245,7 @@ pub fn catalog() -> Catalog {
                 first_length: post.first_length,
                 watches: post.watches,
                 computes: post.computes,
+                corrects_tools: post.own.is_some_and(|own| own.corrects_tools),
                 unused: post.unused,
                 work_offset_words: (1..=post.work_offsets).map(post.work_offset_word).collect(),
                 cycles: CYCLES

@@ -7,8 +7,8 @@ use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, P
 use crate::form::{Field, Kind, Range, Value};
 use crate::formula::{Consequence, Relation};
 use crate::job::{
-    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS,
-    SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, size_reach,
+    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_PARTS, MOST_STEPS, MOST_TOOLS,
+    RELATIONS, SECTIONS, SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR_KEYS, WIDEST_BAND, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -72,6 +72,7 @@ fn tolerances() -> Value {
                     ),
                 ]),
             ),
+            ("wear".to_owned(), nullable(wear())),
         ],
         &["tolerance"],
     );
@@ -80,6 +81,33 @@ fn tolerances() -> Value {
         ("additionalProperties", own),
         ("description", text("The tolerance of each result by its code, as `diameter`; in a set-up `BORE.diameter`.")),
     ]))
+}
+
+/// How a tool is corrected by a size.
+fn wear() -> Value {
+    let number = |about: &str, kind: &str, low: f64, high: f64| {
+        map([
+            ("type", Value::List([kind, "null"].map(text).to_vec())),
+            ("minimum", Value::Number(low)),
+            ("maximum", Value::Number(high)),
+            ("description", text(about)),
+        ])
+    };
+    let (tools, parts) = (f64::from(MOST_TOOLS), f64::from(MOST_PARTS));
+    let [tool, share, band, count, store] = [
+        number("The number of its offset.", "integer", 1.0, tools),
+        number("The share of the error that it is corrected by. Left out: 1.", "number", 0.01, 1.0),
+        number("The error up to which it stays, in the job's units. Left out: 0.", "number", 0.0, WIDEST_BAND),
+        number("Of how many parts the mean of the errors counts. Left out: each part corrects it.", "integer", 2.0, parts),
+        number("With parts: the offset, of no tool, in which the macro keeps its values.", "integer", 1.0, tools),
+    ];
+    let Value::Map(mut own) =
+        object(WEAR_KEYS.iter().map(|key| (*key).to_owned()).zip([tool, share, band, count, store]), &["tool"])
+    else {
+        unreachable!("an object is a map")
+    };
+    own.push(("description".to_owned(), text("The tool that the macro of a Fanuc and its kin corrects by this size.")));
+    Value::Map(own)
 }
 
 /// The same cycle in a set-up: each coordinate of its origin may follow a result.

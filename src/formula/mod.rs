@@ -67,6 +67,21 @@ pub struct Tolerance {
     /// The smallest and the largest value that is good, mm or degrees.
     pub limits: [f64; 2],
     pub action: Consequence,
+    /// The tool that is corrected by it.
+    pub wear: Option<Wear>,
+}
+
+/// How a tool is corrected by what was measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wear {
+    /// The number of its offset.
+    pub tool: i32,
+    /// The share of the error, more than 0 and at most 1.
+    pub share: f64,
+    /// The error up to which nothing is corrected, mm.
+    pub dead_band: f64,
+    /// Of how many parts the mean counts, and the number of the offset that keeps them; none corrects by every part.
+    pub mean: Option<(i32, i32)>,
 }
 
 /// Why a program asks something of a result.
@@ -381,7 +396,7 @@ impl Formula {
             }
         }
         questions.extend(self.results.iter().enumerate().filter_map(|(result, def)| {
-            let (Tolerance { limits: [low, high], action }, variable) = (def.tolerance?, def.variable?);
+            let (Tolerance { limits: [low, high], action, .. }, variable) = (def.tolerance?, def.variable?);
             let asked = match action {
                 Consequence::Go => return None,
                 Consequence::Mark => Asked::Marks,

@@ -15,7 +15,9 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::signs::{self, Sign};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
-use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES};
+use crate::job::{
+    DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES, WEAR_KEYS,
+};
 use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
@@ -220,7 +222,9 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             continue;
         }
         if let Some((code, key)) = of_tolerance(path) {
-            tolerances.push((code, key, Value::Text(small_letters(text))));
+            let text = small_letters(text);
+            let given = if key.starts_with(WEAR) { value(&text.to_ascii_lowercase()) } else { Value::Text(text) };
+            tolerances.push((code, key, given));
             continue;
         }
         // On controls that know no small letters all is in capitals.
@@ -251,11 +255,18 @@ fn in_cycle(path: &str) -> Option<(usize, &str)> {
     Some((index.parse().ok()?, rest))
 }
 
-/// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.action`.
-fn of_tolerance(path: &str) -> Option<(String, &'static str)> {
+/// In front of the keys of a tool that is corrected.
+const WEAR: &str = "wear.";
+
+/// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.action`, `tolerances.width.wear.tool`.
+fn of_tolerance(path: &str) -> Option<(String, String)> {
     path.get(..TOLERANCES.len()).filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
     let (code, key) = path[TOLERANCES.len()..].strip_prefix('.')?.rsplit_once('.')?;
-    let key = ["tolerance", "action"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?;
+    let spelled = |known: &[&str]| known.iter().find(|known| known.eq_ignore_ascii_case(key)).map(|known| (*known).to_owned());
+    let (code, key) = match code.rsplit_once('.').filter(|(_, wear)| wear.eq_ignore_ascii_case("wear")) {
+        Some((code, _)) => (code, WEAR.to_owned() + &spelled(&WEAR_KEYS)?),
+        None => (code, spelled(&["tolerance", "action"])?),
+    };
     let own = RESULT_CODES.iter().filter(|own| {
         let at = code.len().checked_sub(own.len());
         let apart = |at: usize| code.is_char_boundary(at) && (at == 0 || code[..at].ends_with('.'));
@@ -280,16 +291,14 @@ fn set_relation(job: &mut Value, path: &str, given: &str) {
 }
 
 /// The tolerances by their results.
-fn grouped(given: Vec<(String, &'static str, Value)>) -> Value {
+fn grouped(given: Vec<(String, String, Value)>) -> Value {
     let mut all: Vec<(String, Value)> = Vec::new();
     for (code, key, value) in given {
         let at = all.iter().position(|(known, _)| *known == code).unwrap_or_else(|| {
             all.push((code, Value::Map(Vec::new())));
             all.len() - 1
         });
-        if let Value::Map(entries) = &mut all[at].1 {
-            entries.push((key.to_owned(), value));
-        }
+        set(&mut all[at].1, &key, value);
     }
     Value::Map(all)
 }

@@ -32,6 +32,7 @@ mod stretch;
 mod stylus;
 mod tolerances;
 mod units;
+mod wear;
 
 pub use calls::calls;
 pub use defaults::{default_job, new_job};
@@ -72,6 +73,7 @@ pub(crate) use stretch::{NumberField, with_number};
 pub(crate) use tolerances::LONGEST_TOLERANCE;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use units::known_units;
+pub(crate) use wear::{KEYS as WEAR_KEYS, MOST_PARTS, MOST_TOOLS, WIDEST_BAND};
 
 /// What `npm run bench` times. Nothing of it is promised.
 #[doc(hidden)]

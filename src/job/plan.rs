@@ -16,7 +16,7 @@ use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
 use crate::job::rows::{Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows, triple};
 use crate::job::stylus::{report_stylus, report_unknown};
-use crate::job::{Job, JobError, datum, follows, relations, resolved, set_up, tolerances};
+use crate::job::{Job, JobError, datum, follows, relations, resolved, set_up, tolerances, wear};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault};
@@ -220,6 +220,7 @@ fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> 
         // Where the program stops before a cycle that follows, it asks nothing more.
         if writes.is_some() {
             report_judged(job, &rows, &off, writes == Some(true), checker);
+            wear::report(path, &rows, checker);
         }
         report_at_start(job, path, run, checker);
     } else {

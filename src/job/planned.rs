@@ -60,6 +60,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
         report: job.report,
         set_up: job.set_up,
         clear,
+        wear: &job.wear,
     };
     let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
     match own {

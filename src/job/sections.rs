@@ -3,9 +3,10 @@
 use crate::control::{self, Form, Header, POSTS, PostDef, Report};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef};
 use crate::form::{Checker, Choice, Field, Section, Value, form};
-use crate::formula::Limits;
+use crate::formula::{Limits, Wear};
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
+use crate::job::wear;
 use crate::part::{Machine, PartPlacement, Scatter, Shape};
 use crate::path::{Feeds, Setup};
 use crate::text::text;
@@ -291,6 +292,8 @@ pub struct Job {
     pub number: Option<i32>,
     /// What the probe table adds to the set-up clearance of the control's own cycles, mm.
     pub set_up: f64,
+    /// The tools that are corrected, by the codes of the results.
+    pub wear: Vec<(String, Wear)>,
     pub placement: PartPlacement,
     /// The cycle with the actual part's sizes; none where they are nominal.
     pub actual: Option<Box<dyn Cycle>>,
@@ -406,6 +409,7 @@ impl Job {
             report: Report::named(&control.report),
             number: control.number,
             set_up: control.set_up,
+            wear: wear::of(value.get(TOLERANCES), units.scale()),
             placement: part.placement(plane, sizes.is_some()),
             actual: sizes,
         })

@@ -11,7 +11,8 @@ use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone,
 use crate::job::follows::{self, Earlier, Follows};
 use crate::job::planned::{Planned, several};
 use crate::job::rows::ResultRow;
-use crate::job::{Job, datum, relations};
+use crate::job::sections::TOLERANCES;
+use crate::job::{Job, datum, relations, wear};
 use crate::part::{self, Run};
 use crate::path::{Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, Single, WAY, WayBlock};
 use crate::text::text;
@@ -38,6 +39,9 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
             jobs.push(None);
             continue;
         };
+        if let Value::Map(entries) = &mut single {
+            entries.push((TOLERANCES.to_owned(), wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1)));
+        }
         follows.push(follows::take(checker, &mut single, i, &Earlier { names: &names, jobs: &jobs }));
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);

@@ -2,10 +2,11 @@
 
 use crate::control::Form;
 use crate::form::{Checker, Value, printable};
-use crate::formula::{self, Consequence, Formula, ResultDef, Role, Tolerance};
+use crate::formula::{self, Consequence, Formula, ResultDef, Role, Tolerance, Wear};
 use crate::job::Job;
 use crate::job::planned::Planned;
 use crate::job::sections::TOLERANCES;
+use crate::job::wear;
 use crate::num::tidy;
 use crate::path::Path;
 use crate::text::{Text, text, words};
@@ -40,7 +41,9 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
             continue;
         }
         given_to.push(index);
-        if let Some(tolerance) = one(checker, (&planned.job, &planned.path), given, index, &path) {
+        let of = planned.path.members.iter().position(|member| member.results.contains(&index));
+        let own = of.map_or(&planned.job, |cycle| &planned.members[cycle].job);
+        if let Some(tolerance) = one(checker, (&planned.job, own, &planned.path), given, index, &path) {
             give(planned, index, tolerance);
         }
     }
@@ -56,15 +59,23 @@ fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
     }
 }
 
-fn one(checker: &mut Checker, (job, path_of_job): (&Job, &Path), given: &Value, index: usize, path: &str) -> Option<Tolerance> {
+/// A tolerance of a job; `own` is that of the cycle alone that measures the result.
+fn one(
+    checker: &mut Checker,
+    (job, own, path_of_job): (&Job, &Job, &Path),
+    given: &Value,
+    index: usize,
+    at: &str,
+) -> Option<Tolerance> {
+    let path = at;
     let Value::Map(entries) = given else {
         let message = text!("{path} must be an object, not {given}", path.to_owned(), given.noun());
         checker.error("wrong-type", path, message);
         return None;
     };
-    for (key, _) in entries.iter().filter(|(key, _)| !["tolerance", "action"].contains(&key.as_str())) {
+    for (key, _) in entries.iter().filter(|(key, _)| !["tolerance", "action", "wear"].contains(&key.as_str())) {
         let shown = printable(key);
-        let message = text!("A tolerance has no \"{key}\"; it knows tolerance and action", shown.clone());
+        let message = text!("A tolerance has no \"{key}\"; it knows tolerance, action and wear", shown.clone());
         checker.error("unknown-key", format!("{path}.{shown}"), message);
     }
     let formula = &path_of_job.formula;
@@ -98,7 +109,11 @@ fn one(checker: &mut Checker, (job, path_of_job): (&Job, &Path), given: &Value, 
         return None;
     }
     let limits = limits(checker, job, text, def, &path)?;
-    let tolerance = Tolerance { limits, action: action? };
+    let wear = read_wear(checker, (own, path_of_job), given, def, at);
+    if wear.is_some() {
+        check_middle(checker, limits, def, at);
+    }
+    let tolerance = Tolerance { limits, action: action?, wear };
     check_limit(checker, job, formula, (index, &tolerance), &path);
     Some(tolerance)
 }
@@ -160,6 +175,50 @@ fn limits(checker: &mut Checker, job: &Job, text: &str, def: &ResultDef, path: &
         checker.warning("tolerance-elsewhere", path, message);
     }
     Some(limits)
+}
+
+/// The tool of a tolerance, checked: none where there is none, or where anything is wrong with it. `own` is the job of the cycle that measures the result.
+fn read_wear(checker: &mut Checker, (own, path): (&Job, &Path), given: &Value, def: &ResultDef, at: &str) -> Option<Wear> {
+    let said = given.get("wear").filter(|wear| !matches!(wear, Value::Null))?;
+    let at = format!("{at}.wear");
+    let Value::Map(entries) = said else {
+        let message = text!("{path} must be an object, not {given}", at.clone(), said.noun());
+        checker.error("wrong-type", at, message);
+        return None;
+    };
+    for (key, _) in entries.iter().filter(|(key, _)| !wear::KEYS.contains(&key.as_str())) {
+        let shown = printable(key);
+        let message = text!("wear has no \"{key}\"; it knows {keys}", shown.clone(), wear::KEYS.join(", "));
+        checker.error("unknown-key", format!("{at}.{shown}"), message);
+    }
+    let found = wear::values(checker, said, &at, own.scale)?;
+    let why = if own.form != Form::Cycle || !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
+        Some(text!("only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"))
+    } else if def.role != Role::Size || path.feature.two_circles().is_some() {
+        Some(text!("the macros correct a tool by a width or a diameter"))
+    } else if own.work_offset.is_some() {
+        Some(text!("its macro writes the work offset: no source shows that it does both in one call"))
+    } else {
+        None
+    };
+    if let Some(why) = why {
+        checker.error("wear-unsupported", at, text!("No tool can be corrected by this result: {why}", why));
+        return None;
+    }
+    Some(found)
+}
+
+/// A macro counts the error of a size from its nominal value: towards that the tool is corrected, and not towards the middle of the zone.
+fn check_middle(checker: &mut Checker, [low, high]: [f64; 2], def: &ResultDef, at: &str) {
+    let middle = f64::midpoint(low, high);
+    if (middle - def.nominal).abs() > 1e-6 {
+        let message = text!(
+            "The macro corrects the tool towards the nominal value {nominal}, and the middle of this tolerance is {middle}: enter that as the nominal value",
+            checker.length(def.nominal),
+            checker.length(middle)
+        );
+        checker.warning("wear-off-middle", format!("{at}.wear"), message);
+    }
 }
 
 /// A tolerance that reaches beyond what is plausible: the program would take a good part for a wrong measurement.

@@ -141,6 +141,9 @@ fn convert_tolerances(tolerances: Option<&mut Value>, to: Target) {
         if let Some(Value::Text(text)) = entry(given, "tolerance").filter(|_| !angle) {
             *text = tolerance::convert_of_result(text, |x| to.printed(x));
         }
+        if let Some(band) = entry(given, "wear").and_then(|wear| entry(wear, "deadBand")) {
+            convert(band, to);
+        }
     }
 }
 

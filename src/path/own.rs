@@ -42,7 +42,7 @@ impl OwnBlock {
     /// Whether it measures something: a protected move, the probe on and off, what lies between two features and a preset do not.
     pub fn measures(&self) -> bool {
         match self {
-            OwnBlock::Call(number, _) => ![9810, 9832, 9833, 9834].contains(number),
+            OwnBlock::Call(number, _) => ![9810, 9832, 9833, 9834, 9835].contains(number),
             OwnBlock::Cycle(number, _) => *number != 247,
             OwnBlock::Goes(..) | OwnBlock::Keep(..) => false,
         }
@@ -79,6 +79,20 @@ pub struct Reach {
 }
 
 impl Own {
+    /// The tool offsets that its calls correct, each once.
+    pub fn tools(&self) -> Vec<i32> {
+        let corrected = self.blocks.iter().filter_map(|(block, _)| match block {
+            OwnBlock::Call(_, letters) => {
+                letters.iter().find(|(letter, _)| *letter == 'T').map(|(_, tool)| tool.value() as i32)
+            }
+            _ => None,
+        });
+        let mut tools: Vec<i32> = corrected.collect();
+        tools.sort_unstable();
+        tools.dedup();
+        tools
+    }
+
     /// Keeps what the next cycle would empty, and counts what is kept from `kept` on, where other cycles have kept so much. How much is kept then.
     pub fn keep(&mut self, last: bool, (first, kept): (usize, usize)) -> usize {
         let shift = |variable: usize| variable + kept;

@@ -39,3 +39,4 @@ mod tolerances;
 mod toolpath;
 mod typed;
 mod wayback;
+mod wear;

@@ -101,7 +101,9 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 /// A job; the index goes through every cycle, control, plane and unit.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     let job = without_tolerances(catalog, draw, index);
-    let often = if job.get("cycles").is_some() { 2 } else { 4 };
+    // Of cycles of the control's own few are planned.
+    let own = word(&job, &["control", "form"]) == "cycle";
+    let often = if own { 1 } else { 4 - 2 * usize::from(job.get("cycles").is_some()) };
     if draw.once_in(often) { tolerated(draw, job) } else { job }
 }
 
@@ -116,7 +118,9 @@ fn tolerated(draw: &mut Draw, job: Value) -> Value {
     let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
     let mut tolerances = Vec::new();
     for row in plan.results.iter().filter(|row| row.nominal.is_some() && !row.code.starts_with("offset.")) {
-        if !draw.once_in(3) {
+        // A program of calls that writes nothing may correct a tool by any size.
+        let corrects = plan.program.own && plan.program.writes.is_empty();
+        if !draw.once_in(if corrects { 2 } else { 3 }) {
             continue;
         }
         let named = match names.get(row.cycle) {
@@ -133,11 +137,33 @@ fn tolerated(draw: &mut Draw, job: Value) -> Value {
             2 => format!("{}..{}", row.nominal.unwrap_or(0.0) - off, row.nominal.unwrap_or(0.0) + 2.0 * off),
             _ => format!("±{off}"),
         };
-        let entries =
-            [("tolerance".to_owned(), text(&tolerance)), ("action".to_owned(), text(draw.word(&["go", "mark", "stop"])))];
-        tolerances.push((named, Value::Map(entries.to_vec())));
+        let mut entries =
+            vec![("tolerance".to_owned(), text(&tolerance)), ("action".to_owned(), text(draw.word(&["go", "mark", "stop"])))];
+        if corrects && draw.once_in(if size { 1 } else { 40 }) {
+            entries[1].1 = text("go");
+            entries.push(("wear".to_owned(), wear(draw)));
+        }
+        tolerances.push((named, Value::Map(entries)));
     }
     crate::common::with(&related, "tolerances", Value::Map(tolerances))
+}
+
+/// A tool that is corrected, now and then in a way that is refused.
+fn wear(draw: &mut Draw) -> Value {
+    let mut entries = vec![("tool".to_owned(), Value::Number(draw.index(1001) as f64))];
+    let mut maybe = |key: &str, value: f64, draw: &mut Draw| {
+        if draw.once_in(2) {
+            entries.push((key.to_owned(), Value::Number(value)));
+        }
+    };
+    let (share, band) = (draw.between(0.01, 1.0), draw.between(0.0, 0.02));
+    maybe("share", share, draw);
+    maybe("deadBand", band, draw);
+    if draw.once_in(3) {
+        entries.push(("parts".to_owned(), Value::Number(2.0 + draw.index(98) as f64)));
+        entries.push(("store".to_owned(), Value::Number(1.0 + draw.index(999) as f64)));
+    }
+    Value::Map(entries)
 }
 
 /// Relations of places and results that the cycles measure.
@@ -400,6 +426,9 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
     }
     if plan.safety.iter().any(|row| row.rule == "place-within-limit") {
         asked("planned with places that follow");
+    }
+    if plan.program.does.starts_with("corrects") {
+        asked("planned with tools that are corrected");
     }
     asked(&format!("planned for {}", plan.program.post));
     if word(job, &["control", "form"]) == "cycle" {

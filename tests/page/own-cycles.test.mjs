@@ -1,7 +1,7 @@
 // A program that calls cycles of the control's own: the picture shows their path, the lines are the calls, the results have the control's names.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openText, page, setUp, textOf } from "./common.mjs";
+import { openText, page, settles, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -42,4 +42,35 @@ test("what the other form of a program has could not be seen beside it: the same
   await less.first().waitFor();
   assert.ok((await less.count()) > 8, "each move is a G31 there");
   await page.locator("tp-program .differences .more", { hasText: "G65 P9814" }).waitFor();
+});
+
+test("a tool is corrected by a size that its macro measures: typed beside the tolerance, said beside the work offset", async () => {
+  await openText(
+    JSON.stringify({
+      format: 1,
+      cycle: { type: "hole", diameter: 25 },
+      control: { post: "haas", form: "cycle" },
+      part: { sizes: { diameter: 0.03 } },
+      tolerances: { diameter: { tolerance: "±0.05" } },
+    }),
+  );
+  await page.getByRole("tab", { name: "Results" }).click();
+  const box = (/** @type {string} */ name) => page.getByRole("textbox", { name: `diameter: ${name}` });
+  const text = () =>
+    page.evaluate(() => String(/** @type {any} */ (document.querySelector("touch-path")).plan?.program.text));
+  assert.equal(await box("Dead band").count(), 0, "nothing else is asked before a tool is named");
+  await box("Tool offset").fill("5");
+  await box("Share of the error").fill("0,5");
+  await box("Dead band").fill("0.005");
+  await settles(async () => (await text()).includes("G65 P9814 D25. Q2. T5. F0.5 V0.005 H0.5"));
+  const asked = page.locator('[id="f-control.workOffset"]');
+  assert.equal(await textOf(asked.locator("option:checked")), "corrects tool offset 5");
+  // What is no number stays where it was typed, and is reported.
+  await box("Tool offset").fill("five");
+  await settles(async () => (await page.locator(".tolerances .problem.error").count()) === 1);
+  assert.equal(await box("Tool offset").inputValue(), "five");
+  // Without a tool nothing is left of it.
+  for (const name of ["Dead band", "Share of the error", "Tool offset"]) await box(name).fill("");
+  await settles(async () => (await text()).includes("G65 P9814 D25. Q2. H0.5"));
+  assert.equal(await page.locator(".tolerances .problem").count(), 0);
 });

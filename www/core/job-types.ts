@@ -728,6 +728,22 @@ export interface ResultTolerance {
   tolerance: string;
   /** The program continues, shows the result and continues, or stops with an alarm. Left out: `go`. */
   action?: "go" | "mark" | "stop";
+  /** The tool that is corrected by this size: by the macros of a Fanuc and its kin, in the form `cycle`. */
+  wear?: Wear | null;
+}
+
+/** How a macro corrects a tool by a size that it measures. */
+export interface Wear {
+  /** The number of the tool offset. */
+  tool: number;
+  /** The share of the error, 0.01 to 1. Left out: 1. */
+  share?: number | null;
+  /** The error up to which nothing is corrected, in the job's units. Left out: 0. */
+  deadBand?: number | null;
+  /** Of how many parts the mean of the errors counts. Left out: each part corrects the tool. */
+  parts?: number | null;
+  /** With `parts`: the tool offset, of no tool, in which the macro keeps its values. */
+  store?: number | null;
 }
 
 /** A coordinate of a cycle of a set-up: a number, or a place that an earlier cycle measures with a number added, as `=TOP.z-5`. */

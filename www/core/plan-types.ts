@@ -179,6 +179,7 @@ export type FindingCode =
   | "too-many-touches"
   | "tool-axis-reversed"
   | "tool-by-name"
+  | "tool-corrected"
   | "tool-length-unchecked"
   | "touch-above-top"
   | "touch-aside"
@@ -216,6 +217,8 @@ export type FindingCode =
   | "vector-wrong-way"
   | "vectors-not-opposite"
   | "walls-parallel"
+  | "wear-off-middle"
+  | "wear-unsupported"
   | "words-twice"
   | "work-offset-needed"
   | "work-offset-unclear"
@@ -704,6 +707,8 @@ export interface PostEntry {
   watches: boolean;
   /** Whether its program computes the results itself. */
   computes: boolean;
+  /** Whether its own cycles correct a tool by a size that they measure. */
+  correctsTools: boolean;
   /** The fields of the job's section `control` that change nothing on it. */
   unused: string[];
   /** What its work offsets are called, from number 1. */

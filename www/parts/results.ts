@@ -10,6 +10,7 @@ import {
   type ResultTolerance,
   type Said,
   svg,
+  type Wear,
 } from "../core/browser.js";
 import { isBad, isWritten } from "../core/results.js";
 import { moveInWords, ofRunout, resultInWords } from "../sentences.js";
@@ -317,7 +318,43 @@ class ResultsPart extends Part {
     return html`<li><code title=${label}>${name}</code>
       <input type="text" maxlength="64" spellcheck="false" autocomplete="off" aria-label=${this.t("Tolerance of {result}", label)} .value=${live(own?.tolerance ?? "")} ?disabled=${store.readonly} @input=${text} @blur=${() => store.settle()} />
       ${own ? html`<select aria-label=${this.t("What follows from {result} out of its tolerance", name)} ?disabled=${store.readonly} @change=${act}>${choices.map(([value, words]) => html`<option value=${value} ?selected=${(own.action ?? "go") === value}>${this.t(words)}</option>`)}</select>` : nothing}
-      ${own && limits && !store.stale ? html`<small>${this.number(limits[0], digits)} … ${this.number(limits[1], digits)}</small>` : nothing}</li>`;
+      ${own && limits && !store.stale ? html`<small>${this.number(limits[0], digits)} … ${this.number(limits[1], digits)}</small>` : nothing}
+      ${own && (own.wear || this.corrects(code)) ? this.wear(cycle, code, name, own) : nothing}</li>`;
+  }
+
+  /** Whether the control corrects a tool by this result. */
+  private corrects(code: string): boolean {
+    const { program } = this.store.plan;
+    const post = this.store.catalog.posts.find(({ id }) => id === program.post);
+    return program.own && !!post?.correctsTools && /^(diameter|width)/.test(code);
+  }
+
+  /** The tool that the macro corrects by this result. What is typed and no number is kept, and reported. */
+  private wear(cycle: number, code: string, name: string, own: ResultTolerance): TemplateResult {
+    const { store } = this;
+    const fields = [
+      ["tool", w("Tool offset")],
+      ["share", w("Share of the error")],
+      ["deadBand", w("Dead band")],
+      ["parts", w("Mean of parts")],
+      ["store", w("Kept in offset")],
+    ] as const;
+    const given: Record<string, unknown> = { ...own.wear };
+    const put = (key: string) => (e: Event) => {
+      const typed = (e.target as HTMLInputElement).value.trim();
+      const number = Number(typed.replace(",", "."));
+      const { [key]: _, ...rest } = given;
+      const wear = typed === "" ? rest : { ...rest, [key]: Number.isNaN(number) ? typed : number };
+      const { wear: __, ...bare } = own;
+      const none = Object.keys(wear).length === 0;
+      store.tolerate(cycle, code, none ? bare : { ...bare, wear: wear as unknown as Wear });
+    };
+    // Before a tool is named nothing else is asked.
+    const asked = own.wear ? fields : fields.slice(0, 1);
+    return html`<span class="wear">${asked.map(
+      ([key, label]) =>
+        html`<label>${this.t(label)} <input type="text" inputmode="decimal" maxlength="12" autocomplete="off" aria-label=${`${name}: ${this.t(label)}`} .value=${live(String(given[key] ?? ""))} ?disabled=${store.readonly} @input=${put(key)} @blur=${() => store.settle()} /></label>`,
+    )}</span>`;
   }
 
   /** A table of the results; of a set-up one of each cycle, and one of what is written. */

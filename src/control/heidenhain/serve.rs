@@ -24,6 +24,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
     name: |stored| match stored {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
+    corrects_tools: false,
     several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: true, kept: FREE }),
 };
 

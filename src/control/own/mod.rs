@@ -5,7 +5,7 @@ pub mod made;
 
 use self::machine::{Alarm, Made, Met};
 use crate::control::Report;
-use crate::formula::Limits;
+use crate::formula::{Limits, Wear};
 use crate::geom::Vec3;
 use crate::num::{decimal, tidy};
 use crate::path::{Feed, Feeds, Own, OwnBlock, Path, Setup, Stored};
@@ -32,6 +32,8 @@ pub struct OwnRequest<'a> {
     pub set_up: f64,
     /// The height between the cycles of a set-up, where the cycles themselves go there.
     pub clear: Option<f64>,
+    /// The tools that are corrected, by the codes of the results.
+    pub wear: &'a [(String, Wear)],
 }
 
 /// Why a job is refused: code, field, words.
@@ -58,6 +60,8 @@ pub struct OwnCycles {
     pub word: fn(u32, &str) -> String,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
+    /// Whether they correct a tool by a size that they measure.
+    pub corrects_tools: bool,
     /// How several of them stand in one program, or why they do not.
     pub several: Result<Several, &'static str>,
 }

@@ -10,5 +10,14 @@ use crate::path::Stored;
 /// The cycles of a control that names work offsets and results so.
 pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> OwnCycles {
     let word = |number, letter: &str| format!("P{number} {letter}");
-    OwnCycles { plan: serve::serve, rerun: serve::rerun, followed: false, offset, word, name, several: Ok(serve::SEVERAL) }
+    OwnCycles {
+        plan: serve::serve,
+        rerun: serve::rerun,
+        followed: false,
+        offset,
+        word,
+        name,
+        corrects_tools: true,
+        several: Ok(serve::SEVERAL),
+    }
 }

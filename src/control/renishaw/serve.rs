@@ -178,6 +178,35 @@ impl<'a> Program<'a> {
         self.calls(number, letters, self.request.work_offset);
     }
 
+    /// The same of a size, which may correct a tool; its results.
+    fn measures_size(&mut self, number: u32, mut letters: Vec<(char, Quantity)>, results: &[(&'static str, usize)]) {
+        let wear = results.iter().find_map(|(code, _)| self.request.wear.iter().find(|(known, _)| known == code));
+        let Some((_, wear)) = wear else {
+            self.measures(number, letters);
+            return self.stores(results);
+        };
+        let mut correction = vec![('T', Quantity::Plain(f64::from(wear.tool)))];
+        if let Some((parts, store)) = wear.mean {
+            correction.extend([('M', store), ('C', parts)].map(|(letter, x)| (letter, Quantity::Plain(f64::from(x)))));
+        }
+        if wear.share < 1.0 {
+            correction.push(('F', Quantity::Plain(wear.share)));
+        }
+        if wear.dead_band > 0.0 {
+            correction.push(('V', Quantity::Length(wear.dead_band)));
+        }
+        if wear.mean.is_none() {
+            letters.extend(correction);
+            self.measures(number, letters);
+            return self.stores(results);
+        }
+        self.measures(number, letters);
+        self.stores(results);
+        // What the next macro leaves of the results no source says.
+        self.keeps();
+        self.blocks.push(OwnBlock::Call(9835, correction));
+    }
+
     /// The same, into this work offset.
     fn calls(&mut self, number: u32, mut letters: Vec<(char, Quantity)>, work_offset: Option<i32>) {
         let limits = &self.request.limits;
@@ -288,8 +317,8 @@ impl<'a> Program<'a> {
             letters.extend([('Z', Quantity::Length(path.touches[0].point.z - self.radius)), ('R', r)]);
         }
         self.down(self.start(), start);
-        self.measures(if square(&angles) { 9814 } else { 9823 }, letters);
-        self.stores(&[("center.x", 0), ("center.y", 1), ("diameter", 3)]);
+        let results = [("center.x", 0), ("center.y", 1), ("diameter", 3)];
+        self.measures_size(if square(&angles) { 9814 } else { 9823 }, letters, &results);
         self.up();
         Ok(())
     }
@@ -329,16 +358,16 @@ impl<'a> Program<'a> {
             if let Some(clearance) = side.clearance {
                 letters.extend([('Z', Quantity::Length(touch.point.z - self.radius)), ('R', self.r(clearance, inside)?)]);
             }
-            self.measures(if turned { 9822 } else { 9812 }, letters);
-            match (single, turned, axis_of(touch.vector)) {
-                (true, true, _) => self.stores(&[("center.x", 0), ("center.y", 1), ("width", 3)]),
-                (true, false, Some(0)) => self.stores(&[("center.x", 0), ("width", 3)]),
-                (true, false, _) => self.stores(&[("center.y", 1), ("width", 3)]),
-                (false, true, _) => self.stores(&measured[i][1..]),
+            let results: &[(&'static str, usize)] = match (single, turned, axis_of(touch.vector)) {
+                (true, true, _) => &[("center.x", 0), ("center.y", 1), ("width", 3)],
+                (true, false, Some(0)) => &[("center.x", 0), ("width", 3)],
+                (true, false, _) => &[("center.y", 1), ("width", 3)],
+                (false, true, _) => &measured[i][1..],
                 // The pair along the first direction may lie along Y.
-                (false, false, Some(0)) => self.stores(&[("center.x", 0), measured[i][1]]),
-                (false, false, _) => self.stores(&[("center.y", 1), measured[i][1]]),
-            }
+                (false, false, Some(0)) => &[("center.x", 0), measured[i][1]],
+                (false, false, _) => &[("center.y", 1), measured[i][1]],
+            };
+            self.measures_size(if turned { 9822 } else { 9812 }, letters, results);
         }
         if single && let Some(top) = path.touches.get(2) {
             self.keeps();

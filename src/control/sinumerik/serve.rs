@@ -39,6 +39,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Output(entry) => format!("_OVR[{entry}]"),
         Stored::Kept(register) => format!("R{register}"),
     },
+    corrects_tools: false,
     several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: false, kept: (1, LAST_REGISTER) }),
 };
 

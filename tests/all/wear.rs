@@ -1,0 +1,146 @@
+//! Tools that a macro corrects by what it measures: the letters of its call, what is refused, and what the header says.
+
+use crate::common::{import, job, planned, with};
+use touchpath::form::{Level, Value};
+use touchpath::job::{convert_units, plan};
+
+/// A bore of 25 mm that is larger by `off`.
+fn bore(post: &str, wear: &str, off: f64) -> Value {
+    job(&format!(
+        r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": 25 }}, "control": {{ "post": "{post}", "form": "cycle" }},
+            "part": {{ "sizes": {{ "diameter": {off} }} }}, "tolerances": {{ "diameter": {{ "tolerance": "±0.05", "wear": {wear} }} }} }}"#
+    ))
+}
+
+/// Code and path of every error.
+fn refused(job: &Value) -> Vec<String> {
+    let error = plan(job).expect_err("refused");
+    let errors = error.findings.iter().filter(|finding| finding.level == Level::Error);
+    errors.map(|finding| format!("{} {}", finding.code, finding.path)).collect()
+}
+
+/// The letters of the reference sheets: T the offset, F the share, V the dead band; 9835 has M, the offsets that keep the values, and C, the parts.
+#[test]
+fn the_macro_gets_the_tool_in_its_own_letters() {
+    let whole = r#"{ "tool": 5, "share": 0.5, "deadBand": 0.005 }"#;
+    let calls = |post: &str, wear: &str| -> Vec<String> {
+        let text = planned(&bore(post, wear, 0.03)).program.text;
+        let measures =
+            |line: &&str| ["9814", "8814", "9835", "8835"].iter().any(|number| line.contains(number)) && !line.contains('(');
+        text.lines().filter(measures).map(str::to_owned).collect()
+    };
+    for post in ["fanuc", "haas", "mazak", "hurco"] {
+        assert_eq!(calls(post, whole), ["G65 P9814 D25. Q2. T5. F0.5 V0.005 H0.5"], "{post}");
+    }
+    assert_eq!(calls("brother", whole), ["G65 P8814 D25. Q2. T5. F0.5 V0.005 H0.5"]);
+    assert_eq!(calls("okuma", whole), ["CALL O9814 PD=25. PQ=2. PT=5. PF=0.5 PV=0.005 PH=0.5"]);
+    assert_eq!(calls("haas", r#"{ "tool": 12 }"#), ["G65 P9814 D25. Q2. T12. H0.5"], "the whole error, without a dead band");
+    let mean = r#"{ "tool": 5, "share": 0.25, "parts": 4, "store": 20 }"#;
+    assert_eq!(calls("haas", mean), ["G65 P9814 D25. Q2. H0.5", "G65 P9835 T5. M20. C4. F0.25"]);
+    // The mean may empty what the measuring macro gave: it is kept before.
+    let plan = planned(&bore("haas", mean, 0.03));
+    let row = plan.results.iter().find(|row| row.code == "diameter").unwrap();
+    let kept = format!("{}=#188", row.stored.as_deref().unwrap());
+    let at = |what: &str| plan.program.text.lines().position(|line| line.starts_with(what)).unwrap_or_else(|| panic!("{what}"));
+    assert!(at("G65 P9814") < at(&kept) && at(&kept) < at("G65 P9835"), "{}", plan.program.text);
+}
+
+/// Only the call of the size that has it, in a rectangle and in a set-up.
+#[test]
+fn only_the_call_of_that_size_corrects() {
+    let text = r#"{ "format": 2, "control": { "post": "haas", "form": "cycle" },
+        "cycles": [ { "name": "BORE", "type": "hole", "diameter": 25 }, { "name": "POCKET", "type": "internal-rectangle", "origin": [0, 100, 0] } ],
+        "tolerances": { "pocket.width2": { "tolerance": "±0.1", "wear": { "tool": 8 } }, "BORE.diameter": { "tolerance": "±0.1" } } }"#;
+    let plan = planned(&job(text));
+    let calls: Vec<&str> =
+        plan.program.text.lines().filter(|line| line.starts_with("G65 P981") && !line.contains("P9810")).collect();
+    assert_eq!(calls, ["G65 P9814 D25. Q2. H0.5", "G65 P9812 X80. Q2. H0.5", "G65 P9812 Y50. Q2. T8. H0.5"]);
+    let alone = r#"{ "format": 2, "control": { "post": "haas", "form": "cycle" }, "cycles": [ { "name": "BORE", "type": "hole", "diameter": 25 } ],
+        "tolerances": { "diameter": { "tolerance": "±0.1", "wear": { "tool": 4 } } } }"#;
+    assert_eq!(planned(&job(alone)).program.does, "corrects tool offset 4", "the name of an only cycle may be left out");
+    assert_eq!(plan.program.does, "corrects tool offset 8");
+    assert!(plan.program.text.contains("(CORRECTS TOOL OFFSET 8: BY THE MACRO THAT MEASURES"), "{}", plan.program.text);
+}
+
+/// By hand: 0.03 too large, half of it is 0.015; 0.004 is within the dead band.
+#[test]
+fn what_becomes_of_the_offset_is_said() {
+    let said = |off: f64, wear: &str| -> String {
+        let plan = planned(&bore("haas", wear, off));
+        let mut found = plan.findings.into_iter().filter(|finding| finding.code == "tool-corrected");
+        found.next().unwrap().message
+    };
+    let band = r#"{ "tool": 5, "share": 0.5, "deadBand": 0.005 }"#;
+    assert_eq!(said(0.03, band), "Diameter is off by 0.03 mm: the macro corrects tool offset 5 by 0.5 × that, 0.015 mm");
+    assert_eq!(said(-0.02, band), "Diameter is off by -0.02 mm: the macro corrects tool offset 5 by 0.5 × that, -0.01 mm");
+    assert_eq!(said(0.004, band), "Diameter is off by 0.004 mm, no more than the dead band of 0.005 mm: tool offset 5 stays");
+    let mean = said(0.03, r#"{ "tool": 5, "parts": 3, "store": 21 }"#);
+    assert_eq!(
+        mean,
+        "Diameter is off by 0.03 mm: the macro keeps that in offset 21, and corrects tool offset 5 by 1 × the mean of 3 parts"
+    );
+}
+
+/// H7 of 25 is 0 to 0.021: corrected towards 25 the bores would lie at the edge of their zone.
+#[test]
+fn a_nominal_value_at_the_edge_of_its_zone_is_a_warning() {
+    let warned = |tolerance: &str| {
+        let job =
+            with(&bore("haas", r#"{ "tool": 5 }"#, 0.0), "tolerances.diameter.tolerance", Value::Text(tolerance.to_owned()));
+        planned(&job).findings.iter().any(|finding| finding.code == "wear-off-middle" && finding.level == Level::Warning)
+    };
+    assert!(warned("H7") && warned("+0.02/0"));
+    assert!(!warned("±0.02") && !warned("js7"));
+}
+
+#[test]
+fn what_cannot_be_corrected_is_refused() {
+    let tool = r#"{ "tool": 5 }"#;
+    for post in ["sinumerik", "heidenhain"] {
+        assert_eq!(refused(&bore(post, tool, 0.0)), ["wear-unsupported tolerances.diameter.wear"], "{post}");
+    }
+    let moves = with(&bore("haas", tool, 0.0), "control.form", Value::Text("moves".to_owned()));
+    assert_eq!(refused(&moves), ["wear-unsupported tolerances.diameter.wear"]);
+    let writes = with(&bore("haas", tool, 0.0), "control.workOffset", Value::Number(1.0));
+    assert_eq!(refused(&writes), ["wear-unsupported tolerances.diameter.wear"]);
+    let place = r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "post": "haas", "form": "cycle" },
+        "tolerances": { "center.x": { "tolerance": "±0.05", "wear": { "tool": 5 } } } }"#;
+    assert_eq!(refused(&job(place)), ["wear-unsupported tolerances.center.x.wear"]);
+    for (wear, wanted) in [
+        ("5", "wrong-type tolerances.diameter.wear"),
+        ("{}", "missing tolerances.diameter.wear.tool"),
+        (r#"{ "tool": 0 }"#, "out-of-range tolerances.diameter.wear.tool"),
+        (r#"{ "tool": 2.5 }"#, "out-of-range tolerances.diameter.wear.tool"),
+        (r#"{ "tool": "5\nM30" }"#, "wrong-type tolerances.diameter.wear.tool"),
+        (r#"{ "tool": 5, "share": 0 }"#, "out-of-range tolerances.diameter.wear.share"),
+        (r#"{ "tool": 5, "share": 1.5 }"#, "out-of-range tolerances.diameter.wear.share"),
+        (r#"{ "tool": 5, "deadBand": -0.1 }"#, "out-of-range tolerances.diameter.wear.deadBand"),
+        (r#"{ "tool": 5, "parts": 3 }"#, "missing tolerances.diameter.wear.store"),
+        (r#"{ "tool": 5, "store": 3 }"#, "missing tolerances.diameter.wear.parts"),
+        (r#"{ "tool": 5, "parts": 3, "store": 5 }"#, "out-of-range tolerances.diameter.wear.store"),
+        (r#"{ "tool": 5, "radius": 3 }"#, "unknown-key tolerances.diameter.wear.radius"),
+    ] {
+        assert_eq!(refused(&bore("haas", wear, 0.0)), [wanted], "{wear}");
+    }
+}
+
+/// The header says it, and it comes back; in inch the dead band is the same length.
+#[test]
+fn it_comes_back_from_the_header_and_is_converted() {
+    let mean = r#"{ "tool": 5, "share": 0.5, "deadBand": 0.005, "parts": 3, "store": 20 }"#;
+    for post in ["fanuc", "haas", "mazak", "brother", "hurco", "okuma"] {
+        let bored = bore(post, mean, 0.0);
+        let text = planned(&bored).program.text;
+        let back = import(&text).unwrap().job;
+        let at = |job: &Value| {
+            job.get("tolerances").and_then(|all| all.get("diameter")).and_then(|one| one.get("wear")).cloned().unwrap()
+        };
+        for key in ["tool", "share", "deadBand", "parts", "store"] {
+            assert_eq!(at(&back).get(key), at(&bored).get(key), "{post} {key}");
+        }
+        assert_eq!(planned(&back).program.text, text, "{post}");
+    }
+    let inch = convert_units(&bore("haas", mean, 0.0), "inch").unwrap();
+    let text = planned(&inch).program.text;
+    assert!(text.contains("T5. M20. C3. F0.5 V0.0002\n"), "{text}");
+}
