@@ -107,8 +107,10 @@ function writeWorker() {
   for (const file of files) hash.update(file).update(readFileSync(join(page, file)));
   const rare = ["program-editor", ...readdirSync(at("www", "words")).map((name) => name.replace(".json", ""))];
   const names = rare.map((name) => `assets/${name}-`);
-  const wanted = files.filter((file) =>
-    names.some((name) => file.startsWith(name) && file.length === `${name}01234567.js`.length),
+  const wanted = files.filter(
+    (file) =>
+      file === "licences.txt" ||
+      names.some((name) => file.startsWith(name) && file.length === `${name}01234567.js`.length),
   );
   const all = ["./", ...files.filter((file) => file !== "index.html" && !wanted.includes(file))];
   const worker = readFileSync(at("www", "sw.js"), "utf8")

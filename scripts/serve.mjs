@@ -3,6 +3,7 @@ import { open, stat } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname, join, resolve, sep } from "node:path";
 import { pipeline } from "node:stream";
+import { brotliCompress, constants } from "node:zlib";
 import { at } from "./lib.mjs";
 
 /** @type {Record<string, string>} */
@@ -34,24 +35,58 @@ function pathOf(folder, address) {
   }
 }
 
+/** Whether a file never changes: the hash of what is in it is in its name. */
+const lasts = (/** @type {string} */ file) => /-[\w-]{8}\.\w+$/.test(file);
+
+/** Files as they were compressed, by name and time. @type {Map<string, Promise<Buffer>>} */
+const packed = new Map();
+
+/**
+ * A file in brotli, compressed once.
+ * @param {import("node:fs/promises").FileHandle} handle
+ * @param {string} key
+ */
+function compressed(handle, key) {
+  let known = packed.get(key);
+  if (!known) {
+    const params = { [constants.BROTLI_PARAM_QUALITY]: 5 };
+    known = handle
+      .readFile()
+      .then(
+        (bytes) =>
+          new Promise((done, fail) => brotliCompress(bytes, { params }, (e, out) => (e ? fail(e) : done(out)))),
+      );
+    packed.set(key, known);
+  }
+  return known;
+}
+
 /**
  * Answers with the file, or a folder's index.html. Gives the status, 200 once the file is on its way.
  * @param {string | null} path
  * @param {import("node:http").ServerResponse} response
+ * @param {boolean} brotli whether the browser takes it, and it is asked of the server
  */
-async function answer(path, response) {
+async function answer(path, response, brotli) {
   if (path === null) return 404;
   try {
     const file = (await stat(path)).isDirectory() ? join(path, "index.html") : path;
     const handle = await open(file);
-    if (!(await handle.stat()).isFile()) {
+    const about = await handle.stat();
+    if (!about.isFile()) {
       await handle.close();
       return 404;
     }
-    response.writeHead(200, {
+    const head = {
       "content-type": types[extname(file)] ?? "application/octet-stream",
-      "cache-control": "no-cache",
-    });
+      "cache-control": lasts(file) ? "max-age=31536000, immutable" : "no-cache",
+    };
+    if (brotli && extname(file) !== ".png") {
+      const bytes = await compressed(handle, `${file} ${about.mtimeMs} ${about.size}`).finally(() => handle.close());
+      response.writeHead(200, { ...head, "content-encoding": "br", vary: "accept-encoding" }).end(bytes);
+      return 200;
+    }
+    response.writeHead(200, head);
     pipeline(handle.createReadStream(), response, () => {});
     return 200;
   } catch (error) {
@@ -61,14 +96,15 @@ async function answer(path, response) {
 
 /**
  * Serves a folder, the page unless another is named. Port 0 takes any free one; HOST names another interface than this
- * machine's own. Gives the server once it listens.
+ * machine's own. Gives the server once it listens. `compresses`: in brotli, for browsers elsewhere.
  * @param {number} port
  * @returns {Promise<import("node:http").Server>}
  */
-export function serve(port, folder = at("dist", "page"), host = process.env.HOST ?? "127.0.0.1") {
+export function serve(port, folder = at("dist", "page"), host = process.env.HOST ?? "127.0.0.1", compresses = false) {
   const root = resolve(folder);
   const server = createServer(async (request, response) => {
-    const status = await answer(pathOf(root, request.url ?? "/"), response);
+    const brotli = compresses && /\bbr\b/.test(String(request.headers["accept-encoding"] ?? ""));
+    const status = await answer(pathOf(root, request.url ?? "/"), response, brotli);
     if (status === 200) return;
     const words = status === 404 ? "not found" : "this file cannot be read";
     response.writeHead(status, { "content-type": "text/plain; charset=utf-8" }).end(`${words}\n`);

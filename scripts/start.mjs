@@ -5,8 +5,9 @@ import { addressOf, serve } from "./serve.mjs";
 
 await build();
 const wanted = process.env.PORT;
-const server = await serve(Number(wanted ?? 4173)).catch((error) => {
+const open = (/** @type {number} */ port) => serve(port, undefined, undefined, true);
+const server = await open(Number(wanted ?? 4173)).catch((error) => {
   if (wanted || error.code !== "EADDRINUSE") throw error;
-  return serve(0);
+  return open(0);
 });
 console.log(`\nTouchpath is at ${addressOf(server)}`);

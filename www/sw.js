@@ -3,13 +3,16 @@
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 /** @type {string[]} */
 const FILES = [];
-/** Files that not every user wants: the words of the languages, the editor of opened programs. They are kept when they are asked for. @type {string[]} */
+/** Files that not every user wants: the words of the languages, the editor of opened programs, the licences. They are kept when they are asked for. @type {string[]} */
 const WANTED = [];
 const VERSION = "";
 /** One installation a folder: another one of the same server has its own files. */
 const OWN = `touchpath ${new URL("./", location.href).pathname} `;
 const CACHE = OWN + VERSION;
 const PAGE = new URL("./", location.href).pathname;
+
+/** Whether a file has the hash of what is in it in its name: whatever was fetched under that name is right, for ever. */
+const lasts = (/** @type {string} */ name) => /-[\w-]{8}\.\w+$/.test(name);
 
 /** A file's name without the hash of what is in it: the same file of another version. */
 const stem = (/** @type {string} */ name) => name.slice(0, -"-01234567.js".length);
@@ -22,8 +25,10 @@ worker.addEventListener("install", (event) => {
     const kept = await Promise.all(before.map(async (name) => (await caches.open(name)).keys()));
     const had = new Set(kept.flat().map((request) => stem(new URL(request.url).pathname)));
     const again = WANTED.filter((file) => had.has(stem(PAGE + file)));
+    // What the page has loaded already is taken from the browser's cache and not fetched again.
+    const request = (/** @type {string} */ file) => new Request(file, { cache: lasts(file) ? "force-cache" : "reload" });
     // All of them or none: a page of two versions is worse than no page.
-    await cache.addAll([...FILES, ...again].map((file) => new Request(file, { cache: "reload" })));
+    await cache.addAll([...FILES, ...again].map(request));
   };
   event.waitUntil(install());
 });

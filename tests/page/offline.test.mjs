@@ -59,6 +59,29 @@ test("without a network the page opens, plans, draws, saves and shows its other 
   await context.setOffline(false);
 });
 
+test("a first visit fetched each file twice: the worker takes what the page has loaded", async () => {
+  const server = await serve(0);
+  /** @type {string[]} */
+  const fetched = [];
+  server.on("request", (request) => fetched.push(request.url ?? ""));
+  const tab = await context.newPage();
+  try {
+    await tab.goto(addressOf(server));
+    await ready(tab);
+    assert.equal(await kept(tab), 1);
+    const named = fetched.filter((url) => /-[\w-]{8}\.\w+$/.test(url));
+    assert.ok(named.length > 20, `${named.length} files`);
+    assert.deepEqual(
+      named.filter((url, i) => named.indexOf(url) !== i),
+      [],
+    );
+    assert.ok(!fetched.includes("/licences.txt"), "what nobody asked for is not loaded");
+  } finally {
+    await tab.close();
+    server.close();
+  }
+});
+
 test("nothing leaves the browser: every request is for a file of the page", async () => {
   /** @type {string[]} */
   const asked = [];
