@@ -14,6 +14,7 @@ use std::path::Path;
 
 use crate::common::{job, with};
 use touchpath::control::native::{Argument, SETS, Unit};
+use touchpath::control::safety::RULES;
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::catalog;
 use touchpath::form::{CODES, Default, Field, Kind, Value};
@@ -30,6 +31,21 @@ fn keep(path: &str, text: &str) {
     }
     let kept = std::fs::read_to_string(&file).unwrap_or_default();
     assert!(kept == text, "{path} is stale: run `UPDATE=1 cargo test --lib generated`");
+}
+
+/// What `touchpath explain` knows: of each finding its meaning, of each rule what it asks and why.
+fn codes_of_the_command() -> String {
+    let quoted = |text: &str| serde_json::to_string(text).unwrap();
+    let key = |name: &str| if name.contains('-') { quoted(name) } else { name.to_owned() };
+    let mut text = "// Generated: UPDATE=1 cargo test --lib generated\n\n/** What each code of a finding means. */\nexport const CODES: Record<string, string> = {\n".to_owned();
+    for (code, meaning) in CODES {
+        writeln!(text, "  {}: {},", key(code), quoted(meaning)).unwrap();
+    }
+    text.push_str("};\n\n/** What each safety rule asks, and why. */\nexport const RULES: Record<string, readonly [string, string]> = {\n");
+    for rule in RULES {
+        writeln!(text, "  {}: [{}, {}],", key(rule.name), quoted(rule.says), quoted(rule.why)).unwrap();
+    }
+    text + "};\n"
 }
 
 /// The table of calls, set by set.
@@ -308,6 +324,7 @@ fn every_code_of_a_finding_is_listed() {
         writeln!(text, "| `{code}` | {meaning} |").unwrap();
     }
     keep("docs/findings.md", &text);
+    keep("www/core/cli/codes.ts", &codes_of_the_command());
     // Also those that no test reaches.
     let is_code = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     for report in [".error(", ".warning(", ".info("] {

@@ -8,6 +8,7 @@ import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
 import { catalog, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
 import { clock } from "../report.js";
+import { converted, explain, meant, newJob, toolLengths } from "./about.js";
 import { sarif } from "./examine.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { linesOf } from "./lines.js";
@@ -15,60 +16,115 @@ import { performAll } from "./pool.js";
 import { Progress } from "./progress.js";
 import type { Item, Outcome, Task } from "./tasks.js";
 
-const HELP = `touchpath ${version()}: touch-probe cycles as programs, tables and pictures
+/** The commands: what follows each, what it gives, its formats. */
+const COMMANDS = {
+  plan: ["JOB…", "the program of every job"],
+  check: ["JOB…", "everything that is wrong, unusual or worth knowing"],
+  table: ["JOB…", "the parameter table", "text|csv|json"],
+  svg: ["JOB…", "the picture"],
+  import: ["TEXT…", "a job from a dump or a program"],
+  moves: ["PROGRAM…", "the moves of any program", "text|csv|json"],
+  examine: ["PROGRAM…", "what a program of anyone's does: safety rules, cycles, what it asks for", "text|json|sarif"],
+  verify: [
+    "PROGRAM…",
+    "whether programs, or all in a folder, still are those of the jobs in their headers",
+    "text|json",
+  ],
+  evaluate: [
+    "JOB MEASURED",
+    "the results from what a machine printed: points, results, a log with [PRB:…]",
+    "text|json",
+  ],
+  report: [
+    "JOB MEASURED…",
+    "an inspection report of a part, or of a series: a file a part, or a log of several",
+    "html|csv|json",
+  ],
+  new: ["CYCLE", "a job of a cycle with every value, ready to be changed"],
+  convert: ["JOB", "a job in other units: --units mm or inch"],
+  lentoax: ["[QUERY]", "SINUMERIK's LENTOAX: which tool length acts on which axis; a query as in the reference"],
+  explain: ["CODE", "what the code of a finding, or a safety rule, means"],
+  schema: ["", "the JSON Schema of a job"],
+  catalog: ["", "cycles, fields and controls"],
+} as const satisfies Record<string, readonly [string, string, string?]>;
+type Command = keyof typeof COMMANDS;
+const NAMES = Object.keys(COMMANDS) as Command[];
 
-  touchpath plan JOB…       the program of every job
-  touchpath check JOB…      everything that is wrong, unusual or worth knowing
-  touchpath table JOB…      the parameter table          --format text|csv|json
-  touchpath svg JOB…        the picture                  --view isometric|top|front|side
-  touchpath import TEXT…    a job from a dump or a program
-  touchpath moves PROGRAM…  the moves of any program     --format text|csv|json
-  touchpath examine PROGRAM…        what a program of anyone's does: safety rules, cycles, what it asks for   --format text|json|sarif
-  touchpath verify PROGRAM…         whether programs, or all in a folder, still are those of the jobs in their headers   --format text|json
-  touchpath evaluate JOB MEASURED   the results from what a machine printed: points, results, a log with [PRB:…]   --format text|json
-  touchpath report JOB MEASURED…    an inspection report of a part, or of a series: a file a part, or a log of several   --format html|csv|json
-  touchpath schema          the JSON Schema of a job
-  touchpath catalog         cycles, fields and controls
+/** Those that take jobs, and those that take programs. */
+const JOBS = ["plan", "check", "table", "svg", "evaluate", "report"];
+const FILES = [...JOBS, "import", "moves", "examine", "verify"];
 
-JOB is a file with a job, a pattern ('jobs/**/*.json'), or - for the standard input.
-A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each outcome is a line of the output.
+/** The options: as they are typed, what they do, the commands that take them. */
+const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[] = [
+  ["--post P", "for this control, in the place of the job's own", [...JOBS, "new"]],
+  ["--form F", "moves or cycle, in the place of the job's own", [...JOBS, "new"]],
+  ["--units U", "mm or inch", ["new", "convert"]],
+  ["--view V", "isometric, top, front or side", ["svg"]],
+  [
+    "--set NAME=X",
+    "the value of a variable, as often as there are some: --set '#3014=5' --set R1=2",
+    ["moves", "examine"],
+  ],
+  ["--start X,Y,Z", "where the stylus stands before the program", ["moves", "examine"]],
+  ["--at F", "touches trigger at this fraction of their way, 0 to 1; none: never", ["moves", "examine"]],
+  ["--positioning F", "the same of positioning moves that are watched", ["moves", "examine"]],
+  ["--with FILE", "a file with subprograms, as often as there are some", ["moves", "examine"]],
+  [
+    "--by, --machine, --when, --note TEXT",
+    "who measured, where, when (now, if left out), and what else to say",
+    ["report"],
+  ],
+  [
+    "-o, --out DIR",
+    "into files there, named after the jobs, in folders as those of the jobs; existing files are replaced",
+    ["plan", "table", "svg", "import", "moves", "evaluate", "report"],
+  ],
+  ["--flat", "with -o: all files into DIR itself", ["plan", "table", "svg", "import", "moves", "evaluate", "report"]],
+  ["--ndjson", "one job per line in, one outcome per line out", FILES],
+  ["--jobs N", "on N threads; by default one per core for jobs by the line, else 1", FILES],
+  ["--deny-warnings", "a warning ends with exit code 1, as an error does", FILES],
+  ["--json", "findings, answers and errors as JSON", NAMES],
+];
 
-  --post P        for this control, in the place of the job's own
-  --form F        moves or cycle, in the place of the job's own
-  --set NAME=X    for examine and moves: the value of a variable, as often as there are some: --set '#3014=5' --set R1=2
-  --start X,Y,Z   where the stylus stands before the program
-  --at F          touches trigger at this fraction of their way, 0 to 1; none: never
-  --positioning F the same of positioning moves that are watched
-  --with FILE     a file with subprograms, as often as there are some
-  --by, --machine, --when, --note TEXT   of report: who measured, where, when (now, if left out), and what else to say
-  -o, --out DIR   into files there, named after the jobs, in folders as those of the jobs; existing files are replaced
-  --flat          with -o: all files into DIR itself
-  --ndjson        one job per line in, one outcome per line out
-  --jobs N        on N threads; by default one per core for jobs by the line, else 1
-  --json          findings and errors as JSON
-  -h, --help      this;  -V, --version
+const INPUT = `JOB is a file with a job, a pattern ('jobs/**/*.json'), or - for the standard input.
+A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each outcome is a line of the output.`;
 
-With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
+const ENDS = `With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
 source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
 Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, a
-program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use.
-`;
+program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use.`;
 
-const COMMANDS = [
-  "plan",
-  "check",
-  "table",
-  "import",
-  "moves",
-  "examine",
-  "verify",
-  "evaluate",
-  "report",
-  "svg",
-  "schema",
-  "catalog",
-] as const;
-type Command = (typeof COMMANDS)[number];
+/** A line of the help for each command, and what it gives. */
+function usage(command: Command): string {
+  const [after, about, formats]: readonly [string, string, string?] = COMMANDS[command];
+  const head = `  touchpath ${`${command} ${after}`.trim()}`;
+  return `${head.padEnd(34)} ${about}${formats ? `   --format ${formats}` : ""}`;
+}
+
+const options = (list: typeof HELP_OF_OPTIONS) =>
+  list.map(([flag, about]) => `  ${flag.padEnd(17)} ${about}`).join("\n");
+
+/** The help: of one command with the options that it takes, or of all. */
+function help(command?: Command): string {
+  if (command) {
+    const own = HELP_OF_OPTIONS.filter(([, , commands]) => commands.includes(command));
+    return `${usage(command)}\n\n${JOBS.includes(command) ? `${INPUT}\n\n` : ""}${options(own)}\n`;
+  }
+  const of = (commands: readonly string[]) => (commands.length < 5 ? `of ${commands.join(", ")}: ` : "");
+  const all = HELP_OF_OPTIONS.map(([flag, about, commands]) => [flag, of(commands) + about, commands] as const);
+  return `touchpath ${version()}: touch-probe cycles as programs, tables and pictures
+
+${NAMES.map(usage).join("\n")}
+
+${INPUT}
+
+${options(all)}
+  -h, --help        this, or of one command: touchpath plan --help;  -V, --version
+
+${ENDS}
+`;
+}
+
 const VIEWS = ["isometric", "top", "front", "side"] as const;
 
 const OPTIONS = {
@@ -90,6 +146,8 @@ const OPTIONS = {
   note: { type: "string" },
   ndjson: { type: "boolean" },
   json: { type: "boolean" },
+  units: { type: "string" },
+  "deny-warnings": { type: "boolean" },
   help: { type: "boolean", short: "h" },
   version: { type: "boolean", short: "V" },
 } as const;
@@ -99,7 +157,7 @@ type Values = ReturnType<typeof parseArgs<{ options: typeof OPTIONS }>>["values"
 /** One of a list, or wrong use. */
 function oneOf<T extends string>(what: string, value: string, list: readonly T[]): T {
   const found = list.find((one) => one === value);
-  if (!found) throw new Refused(`${what} is one of ${list.join(", ")}, not ${value}`);
+  if (!found) throw new Refused(`${what} is one of ${list.join(", ")}, not ${value}${meant(value, list)}`);
   return found;
 }
 
@@ -116,9 +174,9 @@ function taskOf(command: Task["command"], values: Values): Task {
   for (const option of ["by", "machine", "when", "note"] as const) only(option, "report");
   for (const option of ["set", "start", "at", "positioning", "with"] as const) only(option, "moves", "examine");
   only("view", "svg");
-  const jobs = ["plan", "check", "table", "svg", "evaluate", "report"];
-  only("post", ...jobs);
-  only("form", ...jobs);
+  only("post", ...JOBS);
+  only("form", ...JOBS);
+  only("units", "new", "convert");
   if (values.post !== undefined)
     task.post = oneOf(
       "--post",
@@ -302,6 +360,10 @@ async function report(task: Task, values: Values, { source, output, findings, fa
       await write(to, said(source, finding));
 }
 
+/** Whether a warning counts as an error, and there is one. */
+const isDenied = (values: Values, { findings }: Outcome) =>
+  values["deny-warnings"] === true && findings.some(({ level }) => level === "warning");
+
 /** Hands out what became of every job; whether there was an error in any. */
 async function handOut(
   task: Task,
@@ -313,7 +375,7 @@ async function handOut(
   let failed = false;
   const results: string[] = [];
   for await (const outcome of outcomes) {
-    failed ||= outcome.failed;
+    failed ||= outcome.failed || isDenied(values, outcome);
     progress.count();
     if (task.format === "sarif" && outcome.output) {
       results.push(outcome.output.text);
@@ -348,7 +410,7 @@ async function fileAway(
   const json = byLine || values.json === true;
   let failed = false;
   for await (const outcome of outcomes) {
-    failed ||= outcome.failed;
+    failed ||= outcome.failed || isDenied(values, outcome);
     await folder.make();
     progress.count();
     const { source, place, output, findings } = outcome;
@@ -375,20 +437,57 @@ async function main(args: string[]): Promise<number> {
   const [word, ...names] = positionals;
   if (values.version) await write(process.stdout, `${version()}\n`);
   else if (values.help || word === undefined) {
-    await write(values.help ? process.stdout : process.stderr, HELP);
+    const command = word === undefined ? undefined : oneOf("The command", word, NAMES);
+    await write(values.help ? process.stdout : process.stderr, help(command));
     return values.help ? 0 : 2;
-  } else return run(oneOf("The command", word, COMMANDS), names, values);
+  } else return run(oneOf("The command", word, NAMES), names, values);
   return 0;
 }
 
+/** What is answered at once, without jobs to work through; undefined of the other commands. */
+async function answered(command: Command, names: string[], values: Values): Promise<string | undefined> {
+  const takes = (count: [number, number], what: string, ...allowed: string[]) => {
+    const other = Object.keys(values).find((option) => !["json", ...allowed].includes(option));
+    if (other !== undefined) throw new Refused(`--${other} is not for ${command}`);
+    if (names.length < count[0] || names.length > count[1]) throw new Refused(`${command} takes ${what}`);
+  };
+  const [given = ""] = names;
+  switch (command) {
+    case "explain":
+      takes([1, 1], "the code of a finding, or the name of a safety rule");
+      return explain(given, values.json === true);
+    case "new": {
+      takes([1, 1], "the type of a cycle", "post", "form", "units");
+      const posts = catalog().posts.map(({ id }) => id as string);
+      if (values.post !== undefined) oneOf("--post", values.post, posts);
+      if (values.form !== undefined) oneOf("--form", values.form, ["moves", "cycle"]);
+      return newJob(given, values);
+    }
+    case "convert":
+      takes([1, 1], "a job", "units");
+      if (values.units === undefined) throw new Refused("convert takes --units mm or --units inch");
+      return converted(await textOf(given), values.units);
+    case "lentoax":
+      takes([0, 1], "nothing, or a file with a query");
+      return toolLengths(names.length === 0 ? undefined : await textOf(given), values.json === true);
+    default:
+      return undefined;
+  }
+}
+
 async function run(command: Command, names: string[], values: Values): Promise<number> {
+  const answer = await answered(command, names, values);
+  if (answer !== undefined) {
+    await write(process.stdout, answer);
+    return 0;
+  }
   if (command === "schema" || command === "catalog") {
     const given = Object.keys(values).find((option) => option !== "json");
     if (names.length > 0 || given) throw new Refused(`${command} takes no files and no options`);
     await write(process.stdout, `${JSON.stringify(command === "schema" ? jobSchema() : catalog(), null, 2)}\n`);
     return 0;
   }
-  const task = taskOf(command, values);
+  const task = taskOf(command as Task["command"], values);
   if (command === "evaluate") {
     const [, points] = names;
     if (names.length !== 2 || points === undefined || (names[0] === "-" && points === "-"))
@@ -459,7 +558,9 @@ const json = process.argv.includes("--json");
 for (const stream of [process.stdout, process.stderr])
   stream.on("error", (error: NodeJS.ErrnoException) => {
     if (stream === process.stderr) process.exit(2);
-    refuse(error.code === "EPIPE" ? "The output was closed: the rest was not written" : error.message, json);
+    // Whoever reads has enough: `| head -1`.
+    if (error.code === "EPIPE") process.exit(0);
+    refuse(error.message, json);
   });
 try {
   process.exitCode = await main(process.argv.slice(2));

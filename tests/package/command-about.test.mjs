@@ -1,0 +1,102 @@
+// The command's answers: what a code means, a new job, tool lengths, other units, help for one command; and how a pipe ends.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { at } from "../../scripts/lib.mjs";
+import { command, file, folder, job, run, setUp, touchpath, wrong } from "./command.mjs";
+
+setUp();
+
+test("explain says what the docs say of every code, and what each rule asks", () => {
+  const listed = [...readFileSync(at("docs", "findings.md"), "utf8").matchAll(/^\| `([\w-]+)` \| (.+) \|$/gm)];
+  assert.ok(listed.length > 150);
+  for (const [, code, meaning] of [listed[0], listed.at(-1), listed[80]].map((row) => row ?? [])) {
+    assert.deepEqual(run(["explain", String(code)]), { status: 0, stdout: `${code}\n\n${meaning}\n`, stderr: "" });
+    assert.deepEqual(JSON.parse(run(["explain", String(code).toUpperCase(), "--json"]).stdout), { code, meaning });
+  }
+  const { safety } = touchpath.plan(job("hole"));
+  for (const { rule } of safety)
+    assert.match(run(["explain", rule]).stdout, new RegExp(`^${rule} \\(safety rule\\)\n\n.+\n.+\n$`));
+  const unknown = run(["explain", "ball-to-wide"]);
+  assert.deepEqual([unknown.status, unknown.stdout], [2, ""]);
+  assert.equal(
+    unknown.stderr,
+    "touchpath: There is no finding and no rule ball-to-wide: did you mean ball-too-wide?\n",
+  );
+  assert.equal(run(["explain"]).status, 2);
+});
+
+test("new gives a job that plans, for the control that is named", () => {
+  const made = run(["new", "groove", "--post", "sinumerik", "--units", "inch"]);
+  assert.equal(made.status, 0, made.stderr);
+  const expected = touchpath.defaultJob("groove", "inch");
+  assert.deepEqual(JSON.parse(made.stdout), { ...expected, control: { ...expected.control, post: "sinumerik" } });
+  assert.match(run(["plan", "-"], made.stdout).stdout, /MEAS=1/);
+  for (const { type } of touchpath.catalog().cycles)
+    assert.equal(run(["check", "-"], run(["new", type]).stdout).status, 0, type);
+  assert.match(run(["new", "grove"]).stderr, /There is no cycle grove: did you mean groove\?/);
+  assert.match(run(["new", "hole", "--units", "cm"]).stderr, /--units is mm or inch, not cm/);
+  assert.match(run(["new", "hole", "--post", "hass"]).stderr, /did you mean haas\?/);
+  assert.match(run(["new", "hole", "--flat"]).stderr, /--flat is not for new/);
+});
+
+test("convert gives the same part in other units", () => {
+  const own = file("metric.json", job("hole"));
+  const { status, stdout } = run(["convert", own, "--units", "inch"]);
+  assert.equal(status, 0);
+  assert.deepEqual(JSON.parse(stdout), touchpath.convertUnits(/** @type {any} */ (job("hole")), "inch"));
+  assert.match(run(["convert", own]).stderr, /convert takes --units/);
+  assert.match(run(["convert", "-", "--units", "mm"], "{").stderr, /This is not JSON/);
+  assert.match(run(["convert", "-", "--units", "mm"], "[]").stderr, /not an object/);
+});
+
+test("lentoax answers a query: the example of the manual", () => {
+  const query = file("query.json", { frame: [{ rot: "Z", angle: 60 }] });
+  assert.deepEqual(JSON.parse(run(["lentoax", query, "--json"]).stdout).axind, [2, -3, 1]);
+  const text = run(["lentoax", query]).stdout;
+  assert.match(text, /^L1 acts along \+1·Z, .+\n_AXIND = 2, -3, 1\n\nDEF INT _STAT\n/);
+  assert.match(run(["lentoax"]).stdout, /^L1 acts along \+Z/);
+  assert.match(run(["lentoax", "-"], '{"plane":"G20"}').stderr, /Plane must be one of/);
+});
+
+test("help for one command names its options and no others", () => {
+  const all = run(["--help"]).stdout;
+  const usages = [...all.matchAll(/^ {2}touchpath (\w+)/gm)].map(([, name]) => String(name));
+  assert.equal(usages.length, 16);
+  for (const name of usages) {
+    const { status, stdout, stderr } = run([name, "--help"]);
+    assert.deepEqual([status, stderr], [0, ""], name);
+    assert.match(stdout, new RegExp(`^ {2}touchpath ${name}\\b`));
+  }
+  assert.match(run(["svg", "--help"]).stdout, /--view/);
+  assert.doesNotMatch(run(["svg", "--help"]).stdout, /--positioning/);
+  assert.match(run(["chek", "x.json"]).stderr, /did you mean check\?/);
+});
+
+test("--deny-warnings: a warning ends as an error does, and files are written all the same", () => {
+  const warned = file("warned.json", {
+    ...job("hole"),
+    tolerances: { diameter: { tolerance: "39.7..39.75" } },
+  });
+  assert.ok(touchpath.check(JSON.parse(readFileSync(join(folder, warned), "utf8"))).some((f) => f.level === "warning"));
+  assert.equal(run(["check", warned]).status, 0);
+  assert.equal(run(["check", warned, "--deny-warnings"]).status, 1);
+  assert.equal(run(["plan", warned, "--deny-warnings", "-o", "denied"]).status, 1);
+  assert.match(readFileSync(join(folder, "denied", "PROBE.ngc"), "utf8"), /G38/);
+  assert.equal(run(["check", file("wrong-again.json", wrong()), "--deny-warnings"]).status, 1);
+});
+
+test("a reader that has enough is no error", async () => {
+  const child = spawn("sh", ["-c", `node "${command}" catalog | head -1; exit`], { cwd: folder });
+  let [out, err] = ["", ""];
+  child.stdout.on("data", (chunk) => {
+    out += chunk;
+  });
+  child.stderr.on("data", (chunk) => {
+    err += chunk;
+  });
+  const status = await new Promise((done) => child.on("close", done));
+  assert.deepEqual([status, out, err], [0, "{\n", ""]);
+});

@@ -1,0 +1,96 @@
+// What the command says without a job of its own: what a code means, a new job, tool lengths, a job in other units, help for one command.
+import {
+  catalog,
+  convertUnits,
+  defaultJob,
+  type Job,
+  JobError,
+  type LentoaxQuery,
+  lentoax,
+  lentoaxWords,
+} from "../node.js";
+import { CODES, RULES } from "./codes.js";
+import { Refused } from "./folder.js";
+
+/** How many letters have to change, come or go to make one word of another. */
+function apart(one: string, other: string): number {
+  let row = Array.from({ length: other.length + 1 }, (_, i) => i);
+  for (const [i, letter] of [...one].entries()) {
+    const next = [i + 1];
+    for (const [j, wanted] of [...other].entries())
+      next.push(Math.min((row[j] ?? 0) + Number(letter !== wanted), (row[j + 1] ?? 0) + 1, (next[j] ?? 0) + 1));
+    row = next;
+  }
+  return row.at(-1) ?? 0;
+}
+
+/** `: did you mean check?`, where a word of the list is near; else nothing. */
+export function meant(word: string, list: readonly string[]): string {
+  const near = list.map((known) => ({ known, off: apart(word.toLowerCase(), known) }));
+  const best = near.sort((a, b) => a.off - b.off)[0];
+  return best && best.off <= Math.max(1, Math.floor(word.length / 4)) ? `: did you mean ${best.known}?` : "";
+}
+
+/** What a code of a finding or a safety rule means. */
+export function explain(code: string, json: boolean): string {
+  const word = code.toLowerCase();
+  const rule = RULES[word];
+  const meaning = CODES[word];
+  if (rule === undefined && meaning === undefined)
+    throw new Refused(
+      `There is no finding and no rule ${code}${meant(word, [...Object.keys(CODES), ...Object.keys(RULES)])}`,
+    );
+  const said = rule ? { rule: word, asks: rule[0], why: rule[1] } : { code: word, meaning };
+  if (json) return `${JSON.stringify(said)}\n`;
+  return rule ? `${word} (safety rule)\n\n${rule[0]}\n${rule[1]}\n` : `${word}\n\n${meaning}\n`;
+}
+
+/** A job of a cycle with every value, ready to be changed. */
+export function newJob(type: string, given: { post?: string; form?: string; units?: string }): string {
+  const types = catalog().cycles.map((cycle) => cycle.type as string);
+  const known = types.find((one) => one === type);
+  if (!known) throw new Refused(`There is no cycle ${type}${meant(type, types)}: touchpath catalog lists them`);
+  const { units = "mm", post, form } = given;
+  if (units !== "mm" && units !== "inch") throw new Refused(`--units is mm or inch, not ${units}`);
+  const job = defaultJob(known as "hole", units);
+  const control = { ...job.control, ...(post ? { post } : {}), ...(form ? { form } : {}) };
+  return `${JSON.stringify({ ...job, control }, null, 2)}\n`;
+}
+
+/** Which tool length acts on which axis of a SINUMERIK. */
+export function toolLengths(text: string | undefined, json: boolean): string {
+  const query = text === undefined ? undefined : (objectOf(text) as LentoaxQuery);
+  try {
+    const answer = lentoax(query);
+    if (json) return `${JSON.stringify(answer)}\n`;
+    const { sentence, program } = lentoaxWords(query);
+    return `${sentence}\n_AXIND = ${answer.axind.join(", ")}\n\n${program}`;
+  } catch (thrown) {
+    throw refused(thrown);
+  }
+}
+
+/** A job in other units. */
+export function converted(text: string, units: string): string {
+  if (units !== "mm" && units !== "inch") throw new Refused(`--units is mm or inch, not ${units}`);
+  try {
+    return `${JSON.stringify(convertUnits(objectOf(text) as unknown as Job, units), null, 2)}\n`;
+  } catch (thrown) {
+    throw refused(thrown);
+  }
+}
+
+function objectOf(text: string): object {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch (thrown) {
+    throw new Refused(`This is not JSON: ${(thrown as Error).message}`);
+  }
+  if (typeof value !== "object" || value === null || Array.isArray(value))
+    throw new Refused("This is JSON, but not an object");
+  return value;
+}
+
+const refused = (thrown: unknown) =>
+  thrown instanceof JobError ? new Refused(thrown.findings.map((finding) => finding.message).join("; ")) : thrown;
