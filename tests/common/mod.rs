@@ -438,3 +438,15 @@ pub fn law<S: Strategy>(cases: u32, least: usize, strategy: S, ask: impl Fn(S::V
     result.unwrap_or_else(|why| panic!("{why}"));
     assert!(reached.get() >= least, "only {} of {cases} cases reached the assertions, at least {least} should", reached.get());
 }
+
+/// Numbers that scatter about 0 by 1, the same in every run.
+pub fn normals() -> impl FnMut() -> f64 {
+    let mut state = 0x9e37_79b9_7f4a_7c15u64;
+    let mut uniform = move || {
+        state ^= state >> 12;
+        state ^= state << 25;
+        state ^= state >> 27;
+        (state.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 11) as f64 / (1u64 << 53) as f64
+    };
+    move || (-2.0 * (1.0 - uniform()).ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos()
+}

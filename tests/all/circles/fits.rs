@@ -1,7 +1,7 @@
 //! The circle that a measured object is, from three touches and more: closed forms, spread, limits.
 
 use super::{errors, holes, near, on_linuxcnc, row, value, warnings};
-use crate::common::{interpret, number, planned, point, with};
+use crate::common::{interpret, normals, number, planned, point, with};
 use touchpath::form::Value;
 use touchpath::formula::fit_circle;
 use touchpath::geom::Vec2;
@@ -66,14 +66,7 @@ fn uncertainties_agree_with_draws() {
     job = with(&job, "part.rotation", number(0.3));
     let plan = planned(&job);
     let path = touchpath::job::planned(&job).unwrap().path;
-    let mut state = 0x9e37_79b9_7f4a_7c15u64;
-    let mut uniform = move || {
-        state ^= state >> 12;
-        state ^= state << 25;
-        state ^= state >> 27;
-        (state.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 11) as f64 / (1u64 << 53) as f64
-    };
-    let mut normal = move || (-2.0 * (1.0 - uniform()).ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos();
+    let mut normal = normals();
     let codes = ["Q950", "Q951", "Q953", "Q964", "Q966", "Q997"];
     let mut sums = [(0.0, 0.0); 6];
     let count = 100_000;

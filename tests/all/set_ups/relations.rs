@@ -3,7 +3,7 @@
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{import, interpret, job, on_virtual_part, planned, with};
+use crate::common::{import, interpret, job, normals, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, ResultRow, evaluate, plan};
 
@@ -171,14 +171,7 @@ fn uncertainties_of_relations_agree_with_draws() {
     job = with(&job, "stylus.repeatability", Value::Number(0.001));
     let plan = planned(&job);
     let path = touchpath::job::planned(&job).unwrap().path;
-    let mut state = 0x9e37_79b9_7f4a_7c15u64;
-    let mut uniform = move || {
-        state ^= state >> 12;
-        state ^= state << 25;
-        state ^= state >> 27;
-        (state.wrapping_mul(0x2545_f491_4f6c_dd1d) >> 11) as f64 / (1u64 << 53) as f64
-    };
-    let mut normal = move || (-2.0 * (1.0 - uniform()).ln()).sqrt() * (std::f64::consts::TAU * uniform()).cos();
+    let mut normal = normals();
     // Those of the relations: the residual of a circle is no linear function.
     let between: Vec<usize> = (0..plan.results.len())
         .filter(|i| plan.results[*i].cycle >= plan.cycles.len() && plan.results[*i].code != "residual")
