@@ -50,24 +50,37 @@ impl Request<'_> {
         if let Some(preset) = self.preset() {
             return preset.does();
         }
-        let Some(number) = self.work_offset else {
-            let tools = self.path.own.as_ref().map_or_else(Vec::new, |own| own.tools());
-            return match tools.as_slice() {
-                [] => text!("measures only"),
-                [tool] => text!("corrects tool offset {tool}", *tool),
-                tools => {
-                    text!("corrects tool offsets {tools}", tools.iter().map(i32::to_string).collect::<Vec<_>>().join(", "))
-                }
-            };
+        let corrects = match self.tools().as_slice() {
+            [] => None,
+            [tool] => Some(text!("corrects tool offset {tool}", *tool)),
+            tools => {
+                let tools = tools.iter().map(i32::to_string).collect::<Vec<_>>().join(", ");
+                Some(text!("corrects tool offsets {tools}", tools))
+            }
         };
+        match (self.does_to_offset(), corrects) {
+            (does, None) => does.unwrap_or_else(|| text!("measures only")),
+            (None, Some(corrects)) => corrects,
+            (Some(does), Some(corrects)) => text!("{does}, {corrects}", does, corrects),
+        }
+    }
+
+    /// The tool offsets that its macros correct.
+    fn tools(&self) -> Vec<i32> {
+        self.path.own.as_ref().map_or_else(Vec::new, |own| own.tools())
+    }
+
+    /// What it does to the work offset of the job; none where that names none.
+    fn does_to_offset(&self) -> Option<Text> {
+        let number = self.work_offset?;
         let offset = (self.post.work_offset_word)(number);
         let writes = self.writes();
-        match writes.as_slice() {
+        Some(match writes.as_slice() {
             [] => text!("selects {offset}, writes nothing", offset),
             ["rotation"] => text!("writes the rotation of {offset}", offset),
             [axes @ .., "rotation"] => text!("writes {offset} {axes} and rotation", offset, axes.join(" ")),
             axes => text!("writes {offset} {axes}", offset, axes.join(" ")),
-        }
+        })
     }
 
     /// What the control's own cycle does to the active preset; none where the program itself writes.
@@ -108,9 +121,10 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
     const CYCLE: &str = ": the cycle corrects the active preset by itself";
     let how = match (request.work_offset, request.preset()) {
         _ if matches!(request.path.feature, Feature::Unmoving) => "",
-        (None, None) if request.path.own.as_ref().is_some_and(|own| !own.tools().is_empty()) => {
+        (None, None) if !request.tools().is_empty() => {
             ": by the macro that measures, as soon as it has. No work offset is written"
         }
+        (Some(_), None) if !request.tools().is_empty() => ": by the macros that measure, as soon as each has",
         (None, None) => ", in the work offset that is active: nothing is written",
         _ if request.writes().is_empty() => "",
         (_, Some(_)) => CYCLE,

@@ -162,5 +162,6 @@ impl Planned {
 
 /// How a program of several cycles of the control's own is made, or why it is not; none of programs of moves.
 pub fn several(job: &Job) -> Option<Result<Several, &'static str>> {
-    (job.form == Form::Cycle).then(|| job.post.own.map_or(Err(words!("{control} has no cycles of its own")), |own| own.several))
+    let none = Err(words!("{control} has no cycles of its own"));
+    (job.form == Form::Cycle).then(|| job.post.own.map_or(none, |own| Ok(own.several)))
 }

@@ -47,6 +47,27 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
             give(planned, index, tolerance);
         }
     }
+    check_stores(checker, &planned.path.formula);
+}
+
+/// Offsets that keep the values of a mean: a pair each, which belongs to no tool and to no other mean.
+fn check_stores(checker: &mut Checker, formula: &Formula) {
+    let all: Vec<(usize, Wear)> =
+        formula.results.iter().enumerate().filter_map(|(i, def)| Some((i, def.tolerance?.wear?))).collect();
+    for (i, wear) in &all {
+        let Some((_, store)) = wear.mean else { continue };
+        let kept = |number: i32| (store..=store + 1).contains(&number);
+        let other_mean = |(j, other): &(usize, Wear)| j != i && other.mean.is_some_and(|(_, other)| (other - store).abs() < 2);
+        if all.iter().any(|(_, other)| kept(other.tool)) || all.iter().any(other_mean) {
+            let message = text!(
+                "The macro keeps its values in the offsets {store} and {next}: no tool and no other mean may use them",
+                store,
+                store + 1
+            );
+            let path = format!("{TOLERANCES}.{}.wear.store", formula.code(&formula.results[*i]));
+            checker.error("wear-unsupported", path, message);
+        }
+    }
 }
 
 /// The result of the whole, and the same of its own cycle.

@@ -91,10 +91,6 @@ pub fn values(checker: &mut Checker, wear: &Value, at: &str, scale: f64) -> Opti
         checker.error("missing", format!("{at}.{missing}"), message);
         return None;
     }
-    if parts.is_some() && store == tool && good {
-        checker.error("out-of-range", format!("{at}.store"), text!("store must be another offset than that of the tool"));
-        return None;
-    }
     let mean = parts.zip(store).map(|(parts, store)| (parts as i32, store as i32));
     good.then_some(Wear { tool: tool? as i32, share: share.unwrap_or(1.0), dead_band: band.unwrap_or(0.0) * scale, mean })
 }

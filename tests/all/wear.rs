@@ -59,6 +59,25 @@ fn only_the_call_of_that_size_corrects() {
         "tolerances": { "diameter": { "tolerance": "±0.1", "wear": { "tool": 4 } } } }"#;
     assert_eq!(planned(&job(alone)).program.does, "corrects tool offset 4", "the name of an only cycle may be left out");
     assert_eq!(plan.program.does, "corrects tool offset 8");
+    // Beside a work offset that the last cycle writes both are said.
+    let both =
+        text.replace("\"form\": \"cycle\"", "\"form\": \"cycle\", \"workOffset\": 1").replace("pocket.width2", "BORE.DIAMETER");
+    let both = both.replace(", \"BORE.diameter\": { \"tolerance\": \"±0.1\" }", "");
+    let said = planned(&job(&both));
+    assert_eq!(said.program.does, "writes G54 X Y, corrects tool offset 8");
+    assert!(
+        said.program.text.contains("(WRITES G54 X Y, CORRECTS TOOL OFFSET 8: BY THE MACROS THAT MEASURE"),
+        "{}",
+        said.program.text
+    );
+    // Two means in one pair of offsets would mix two features.
+    let means = text.replace("{ \"tool\": 8 }", "{ \"tool\": 8, \"parts\": 3, \"store\": 20 }").replace(
+        "{ \"tolerance\": \"±0.1\" }",
+        "{ \"tolerance\": \"±0.1\", \"wear\": { \"tool\": 9, \"parts\": 3, \"store\": 21 } }",
+    );
+    let wanted =
+        ["wear-unsupported tolerances.BORE.diameter.wear.store", "wear-unsupported tolerances.POCKET.width2.wear.store"];
+    assert_eq!(refused(&job(&means)), wanted);
     assert!(plan.program.text.contains("(CORRECTS TOOL OFFSET 8: BY THE MACRO THAT MEASURES"), "{}", plan.program.text);
 }
 
@@ -117,7 +136,8 @@ fn what_cannot_be_corrected_is_refused() {
         (r#"{ "tool": 5, "deadBand": -0.1 }"#, "out-of-range tolerances.diameter.wear.deadBand"),
         (r#"{ "tool": 5, "parts": 3 }"#, "missing tolerances.diameter.wear.store"),
         (r#"{ "tool": 5, "store": 3 }"#, "missing tolerances.diameter.wear.parts"),
-        (r#"{ "tool": 5, "parts": 3, "store": 5 }"#, "out-of-range tolerances.diameter.wear.store"),
+        (r#"{ "tool": 5, "parts": 3, "store": 5 }"#, "wear-unsupported tolerances.diameter.wear.store"),
+        (r#"{ "tool": 5, "parts": 3, "store": 4 }"#, "wear-unsupported tolerances.diameter.wear.store"),
         (r#"{ "tool": 5, "radius": 3 }"#, "unknown-key tolerances.diameter.wear.radius"),
     ] {
         assert_eq!(refused(&bore("haas", wear, 0.0)), [wanted], "{wear}");

@@ -25,7 +25,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
     corrects_tools: false,
-    several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: true, kept: FREE }),
+    several: Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: true, kept: FREE },
 };
 
 /// The Q parameters that the manuals leave to programs [S: TNC 620, TNC 640]: none of them is a cycle's.

@@ -62,8 +62,8 @@ pub struct OwnCycles {
     pub name: fn(Stored) -> String,
     /// Whether they correct a tool by a size that they measure.
     pub corrects_tools: bool,
-    /// How several of them stand in one program, or why they do not.
-    pub several: Result<Several, &'static str>,
+    /// How several of them stand in one program.
+    pub several: Several,
 }
 
 /// What a program of several cycles has between two of them.

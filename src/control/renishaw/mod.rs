@@ -18,6 +18,6 @@ pub const fn cycles(offset: fn(i32) -> f64, name: fn(Stored) -> String) -> OwnCy
         word,
         name,
         corrects_tools: true,
-        several: Ok(serve::SEVERAL),
+        several: serve::SEVERAL,
     }
 }

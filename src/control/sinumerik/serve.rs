@@ -40,7 +40,7 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Kept(register) => format!("R{register}"),
     },
     corrects_tools: false,
-    several: Ok(Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: false, kept: (1, LAST_REGISTER) }),
+    several: Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: false, kept: (1, LAST_REGISTER) },
 };
 
 /// The path that the cycles make of a job's feature, with the calls.
