@@ -15,7 +15,7 @@ const PAGE = new URL("./", location.href).pathname;
 const lasts = (/** @type {string} */ name) => /-[\w-]{8}\.\w+$/.test(name);
 
 /** A file's name without the hash of what is in it: the same file of another version. */
-const stem = (/** @type {string} */ name) => name.slice(0, -"-01234567.js".length);
+const stem = (/** @type {string} */ name) => (lasts(name) ? name.slice(0, -"-01234567.js".length) : name);
 
 worker.addEventListener("install", (event) => {
   const install = async () => {

@@ -122,9 +122,9 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
     let how = match (request.work_offset, request.preset()) {
         _ if matches!(request.path.feature, Feature::Unmoving) => "",
         (None, None) if !request.tools().is_empty() => {
-            ": by the macro that measures, as soon as it has. No work offset is written"
+            ": by the macros, as soon as the size is measured. No work offset is written"
         }
-        (Some(_), None) if !request.tools().is_empty() => ": by the macros that measure, as soon as each has",
+        (Some(_), None) if !request.tools().is_empty() => ": by the macros, as soon as each has measured",
         (None, None) => ", in the work offset that is active: nothing is written",
         _ if request.writes().is_empty() => "",
         (_, Some(_)) => CYCLE,

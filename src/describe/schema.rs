@@ -85,21 +85,32 @@ fn tolerances() -> Value {
 
 /// How a tool is corrected by a size.
 fn wear() -> Value {
-    let number = |about: &str, kind: &str, low: f64, high: f64| {
-        map([
-            ("type", Value::List([kind, "null"].map(text).to_vec())),
-            ("minimum", Value::Number(low)),
-            ("maximum", Value::Number(high)),
-            ("description", text(about)),
-        ])
+    let or_null = |kind: &str| Value::List([kind, "null"].map(text).to_vec());
+    let number = |about: &str, kind: Value, low: f64, high: f64| {
+        map([("type", kind), ("minimum", Value::Number(low)), ("maximum", Value::Number(high)), ("description", text(about))])
     };
     let (tools, parts) = (f64::from(MOST_TOOLS), f64::from(MOST_PARTS));
     let [tool, share, band, count, store] = [
-        number("The number of its offset.", "integer", 1.0, tools),
-        number("The share of the error that it is corrected by. Left out: 1.", "number", 0.01, 1.0),
-        number("The error up to which it stays, in the job's units. Left out: 0.", "number", 0.0, WIDEST_BAND),
-        number("Of how many parts the mean of the errors counts. Left out: each part corrects it.", "integer", 2.0, parts),
-        number("With parts: the offset, of no tool, in which the macro keeps its values.", "integer", 1.0, tools),
+        number("The number of its offset.", text("integer"), 1.0, tools),
+        number("The share of the error that it is corrected by. Left out: 1.", or_null("number"), 0.01, 1.0),
+        number(
+            "The error up to which it stays, in the job's units, 1 mm at most. Left out: 0.",
+            or_null("number"),
+            0.0,
+            WIDEST_BAND,
+        ),
+        number(
+            "Of how many parts the mean of the errors counts. Left out: each part corrects it.",
+            or_null("integer"),
+            2.0,
+            parts,
+        ),
+        number(
+            "With parts: the first of two offsets, of no tool, in which the macro keeps its values.",
+            or_null("integer"),
+            1.0,
+            tools - 1.0,
+        ),
     ];
     let Value::Map(mut own) =
         object(WEAR_KEYS.iter().map(|key| (*key).to_owned()).zip([tool, share, band, count, store]), &["tool"])

@@ -150,6 +150,9 @@ fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
     };
     let plain = |(key, given): &(String, Value)| {
         let mut given = given.clone();
+        if let Value::Map(entries) = &mut given {
+            entries.retain(|(key, value)| key != "wear" || !matches!(value, Value::Null));
+        }
         if let Value::Map(entries) = &mut given
             && let Some((_, Value::Text(text))) = entries.iter_mut().find(|(key, _)| key == "tolerance")
         {

@@ -25,7 +25,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
             return checker.error("wrong-type", TOLERANCES, message);
         }
     };
-    let mut given_to: Vec<usize> = Vec::new();
+    let mut given_to: Vec<(usize, &str)> = Vec::new();
     for (key, given) in entries {
         let path = format!("{TOLERANCES}.{}", printable(key));
         let formula = &planned.path.formula;
@@ -35,37 +35,37 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
             checker.error("tolerance-unknown", path, message);
             continue;
         };
-        if given_to.contains(&index) {
+        if given_to.iter().any(|(known, _)| *known == index) {
             let message = text!("{name} has two tolerances: give it one", printable(key));
             checker.error("tolerance-unknown", path, message);
             continue;
         }
-        given_to.push(index);
+        given_to.push((index, key));
         let of = planned.path.members.iter().position(|member| member.results.contains(&index));
         let own = of.map_or(&planned.job, |cycle| &planned.members[cycle].job);
         if let Some(tolerance) = one(checker, (&planned.job, own, &planned.path), given, index, &path) {
             give(planned, index, tolerance);
         }
     }
-    check_stores(checker, &planned.path.formula);
+    check_stores(checker, &planned.path.formula, &given_to);
 }
 
 /// Offsets that keep the values of a mean: a pair each, which belongs to no tool and to no other mean.
-fn check_stores(checker: &mut Checker, formula: &Formula) {
-    let all: Vec<(usize, Wear)> =
-        formula.results.iter().enumerate().filter_map(|(i, def)| Some((i, def.tolerance?.wear?))).collect();
-    for (i, wear) in &all {
+fn check_stores(checker: &mut Checker, formula: &Formula, given_to: &[(usize, &str)]) {
+    let wear_of = |(index, key): &(usize, &str)| Some((*index, formula.results[*index].tolerance?.wear?, (*key).to_owned()));
+    let all: Vec<(usize, Wear, String)> = given_to.iter().filter_map(wear_of).collect();
+    for (i, wear, key) in &all {
         let Some((_, store)) = wear.mean else { continue };
         let kept = |number: i32| (store..=store + 1).contains(&number);
-        let other_mean = |(j, other): &(usize, Wear)| j != i && other.mean.is_some_and(|(_, other)| (other - store).abs() < 2);
-        if all.iter().any(|(_, other)| kept(other.tool)) || all.iter().any(other_mean) {
+        let other_mean =
+            |(j, other, _): &(usize, Wear, String)| j != i && other.mean.is_some_and(|(_, other)| (other - store).abs() < 2);
+        if all.iter().any(|(_, other, _)| kept(other.tool)) || all.iter().any(other_mean) {
             let message = text!(
                 "The macro keeps its values in the offsets {store} and {next}: no tool and no other mean may use them",
                 store,
                 store + 1
             );
-            let path = format!("{TOLERANCES}.{}.wear.store", formula.code(&formula.results[*i]));
-            checker.error("wear-unsupported", path, message);
+            checker.error("wear-unsupported", format!("{TOLERANCES}.{}.wear.store", printable(key)), message);
         }
     }
 }
@@ -133,6 +133,12 @@ fn one(
     let wear = read_wear(checker, (own, path_of_job), given, def, at);
     if wear.is_some() {
         check_middle(checker, limits, def, at);
+        if own.limits.size.is_none() {
+            let message = text!(
+                "Without limits.size the macro corrects the tool by whatever it meets, a chip or a wrong part too: enter a limit"
+            );
+            checker.warning("wear-unlimited", format!("{at}.wear"), message);
+        }
     }
     let tolerance = Tolerance { limits, action: action?, wear };
     check_limit(checker, job, formula, (index, &tolerance), &path);
@@ -234,9 +240,11 @@ fn check_middle(checker: &mut Checker, [low, high]: [f64; 2], def: &ResultDef, a
     let middle = f64::midpoint(low, high);
     if (middle - def.nominal).abs() > 1e-6 {
         let message = text!(
-            "The macro corrects the tool towards the nominal value {nominal}, and the middle of this tolerance is {middle}: enter that as the nominal value",
+            "The macro corrects the tool towards the nominal value {nominal}, and the middle of this tolerance is {middle}: enter the middle as the nominal value, and the tolerance by its ends, {low} and {high}",
             checker.length(def.nominal),
-            checker.length(middle)
+            checker.length(middle),
+            checker.length(low),
+            checker.length(high)
         );
         checker.warning("wear-off-middle", format!("{at}.wear"), message);
     }

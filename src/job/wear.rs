@@ -15,7 +15,7 @@ pub const MOST_PARTS: i32 = 99;
 /// The keys of one.
 pub const KEYS: [&str; 5] = ["tool", "share", "deadBand", "parts", "store"];
 
-/// The most that an error may be without a correction, in the units of the job.
+/// The most that an error may be without a correction, mm.
 pub const WIDEST_BAND: f64 = 1.0;
 
 /// What the tolerances of a job say of tools, each by the code of its result: only what is sound, the rest is reported where tolerances are read.
@@ -70,9 +70,9 @@ pub fn values(checker: &mut Checker, wear: &Value, at: &str, scale: f64) -> Opti
     };
     let tool = number("tool", 1.0, f64::from(MOST_TOOLS), true);
     let share = number("share", 0.01, 1.0, false);
-    let band = number("deadBand", 0.0, WIDEST_BAND, false);
+    let band = number("deadBand", 0.0, WIDEST_BAND / scale + 1e-9, false);
     let parts = number("parts", 2.0, f64::from(MOST_PARTS), true);
-    let store = number("store", 1.0, f64::from(MOST_TOOLS), true);
+    let store = number("store", 1.0, f64::from(MOST_TOOLS - 1), true);
     let tool_missing = wear.get("tool").is_none_or(|given| matches!(given, Value::Null));
     if tool_missing {
         checker.error("missing", format!("{at}.tool"), text!("wear needs the number of the tool offset"));
@@ -95,14 +95,23 @@ pub fn values(checker: &mut Checker, wear: &Value, at: &str, scale: f64) -> Opti
     good.then_some(Wear { tool: tool? as i32, share: share.unwrap_or(1.0), dead_band: band.unwrap_or(0.0) * scale, mean })
 }
 
-/// What becomes of the tools on the virtual part.
-pub fn report(path: &Path, rows: &[ResultRow], checker: &mut Checker) {
+/// What becomes of the tools on the virtual part. `limit`: a size that is off by more stops its macro.
+pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut Checker) {
     for (row, def) in rows.iter().zip(&path.formula.results) {
         let Some(wear) = def.tolerance.and_then(|tolerance| tolerance.wear) else { continue };
         let Some(error) = row.value.map(|value| value - def.nominal) else { continue };
         let (result, tool) = (Text::words(def.meaning), wear.tool);
         let off = checker.length(error);
-        let message = if error.abs() <= wear.dead_band {
+        let message = if limit.is_some_and(|limit| error.abs() >= limit) {
+            text!(
+                "{result} is off by {error}: the macro stops with an alarm. Tool offset {tool} stays, unless the program is continued",
+                result,
+                off,
+                tool
+            )
+        } else if error.abs() < 1e-9 {
+            text!("{result} is as large as the nominal part's: tool offset {tool} stays", result, tool)
+        } else if error.abs() <= wear.dead_band {
             text!(
                 "{result} is off by {error}, no more than the dead band of {band}: tool offset {tool} stays",
                 result,

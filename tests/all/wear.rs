@@ -65,20 +65,20 @@ fn only_the_call_of_that_size_corrects() {
     let both = both.replace(", \"BORE.diameter\": { \"tolerance\": \"±0.1\" }", "");
     let said = planned(&job(&both));
     assert_eq!(said.program.does, "writes G54 X Y, corrects tool offset 8");
-    assert!(
-        said.program.text.contains("(WRITES G54 X Y, CORRECTS TOOL OFFSET 8: BY THE MACROS THAT MEASURE"),
-        "{}",
-        said.program.text
-    );
+    assert!(said.program.text.contains("(WRITES G54 X Y, CORRECTS TOOL OFFSET 8: BY THE MACROS"), "{}", said.program.text);
     // Two means in one pair of offsets would mix two features.
     let means = text.replace("{ \"tool\": 8 }", "{ \"tool\": 8, \"parts\": 3, \"store\": 20 }").replace(
         "{ \"tolerance\": \"±0.1\" }",
         "{ \"tolerance\": \"±0.1\", \"wear\": { \"tool\": 9, \"parts\": 3, \"store\": 21 } }",
     );
     let wanted =
-        ["wear-unsupported tolerances.BORE.diameter.wear.store", "wear-unsupported tolerances.POCKET.width2.wear.store"];
+        ["wear-unsupported tolerances.BORE.diameter.wear.store", "wear-unsupported tolerances.pocket.width2.wear.store"];
     assert_eq!(refused(&job(&means)), wanted);
-    assert!(plan.program.text.contains("(CORRECTS TOOL OFFSET 8: BY THE MACRO THAT MEASURES"), "{}", plan.program.text);
+    assert!(
+        plan.program.text.contains("(CORRECTS TOOL OFFSET 8: BY THE MACROS, AS SOON AS THE SIZE IS MEASURED."),
+        "{}",
+        plan.program.text
+    );
 }
 
 /// By hand: 0.03 too large, half of it is 0.015; 0.004 is within the dead band.
@@ -93,6 +93,14 @@ fn what_becomes_of_the_offset_is_said() {
     assert_eq!(said(0.03, band), "Diameter is off by 0.03 mm: the macro corrects tool offset 5 by 0.5 × that, 0.015 mm");
     assert_eq!(said(-0.02, band), "Diameter is off by -0.02 mm: the macro corrects tool offset 5 by 0.5 × that, -0.01 mm");
     assert_eq!(said(0.004, band), "Diameter is off by 0.004 mm, no more than the dead band of 0.005 mm: tool offset 5 stays");
+    assert_eq!(said(0.0, r#"{ "tool": 5 }"#), "Diameter is as large as the nominal part's: tool offset 5 stays");
+    // H0.5 is in the call: the macro stops before it corrects.
+    assert_eq!(
+        said(1.0, band),
+        "Diameter is off by 1 mm: the macro stops with an alarm. Tool offset 5 stays, unless the program is continued"
+    );
+    let unlimited = with(&bore("haas", band, 0.0), "limits.size", Value::Null);
+    assert!(planned(&unlimited).findings.iter().any(|finding| finding.code == "wear-unlimited"));
     let mean = said(0.03, r#"{ "tool": 5, "parts": 3, "store": 21 }"#);
     assert_eq!(
         mean,
@@ -135,6 +143,9 @@ fn what_cannot_be_corrected_is_refused() {
         (r#"{ "tool": 5, "share": 1.5 }"#, "out-of-range tolerances.diameter.wear.share"),
         (r#"{ "tool": 5, "deadBand": -0.1 }"#, "out-of-range tolerances.diameter.wear.deadBand"),
         (r#"{ "tool": 5, "parts": 3 }"#, "missing tolerances.diameter.wear.store"),
+        (r#"{ "tool": 5, "deadBand": 1.1 }"#, "out-of-range tolerances.diameter.wear.deadBand"),
+        (r#"{ "tool": null }"#, "missing tolerances.diameter.wear.tool"),
+        (r#"{ "tool": 5, "parts": 3, "store": 999 }"#, "out-of-range tolerances.diameter.wear.store"),
         (r#"{ "tool": 5, "store": 3 }"#, "missing tolerances.diameter.wear.parts"),
         (r#"{ "tool": 5, "parts": 3, "store": 5 }"#, "wear-unsupported tolerances.diameter.wear.store"),
         (r#"{ "tool": 5, "parts": 3, "store": 4 }"#, "wear-unsupported tolerances.diameter.wear.store"),
@@ -160,6 +171,16 @@ fn it_comes_back_from_the_header_and_is_converted() {
         }
         assert_eq!(planned(&back).program.text, text, "{post}");
     }
+    // None is none: it leaves no trace in the header.
+    let none = bore("heidenhain", "null", 0.0);
+    let text = planned(&none).program.text;
+    assert!(!text.contains("wear"), "{text}");
+    assert_eq!(planned(&import(&text).unwrap().job).program.text, text);
+    // In inch as long as in mm: a band that is good in one is good in the other.
+    let wide = convert_units(&bore("haas", r#"{ "tool": 5, "deadBand": 1 }"#, 0.0), "inch").unwrap();
+    assert!(plan(&wide).is_ok() && plan(&convert_units(&wide, "mm").unwrap()).is_ok());
+    let long = with(&wide, "tolerances.diameter.wear.deadBand", Value::Number(0.5));
+    assert_eq!(refused(&long), ["out-of-range tolerances.diameter.wear.deadBand"]);
     let inch = convert_units(&bore("haas", mean, 0.0), "inch").unwrap();
     let text = planned(&inch).program.text;
     assert!(text.contains("T5. M20. C3. F0.5 V0.0002\n"), "{text}");

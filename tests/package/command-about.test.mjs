@@ -23,9 +23,10 @@ test("explain says what the docs say of every code, and what each rule asks", ()
   assert.deepEqual([unknown.status, unknown.stdout], [2, ""]);
   assert.equal(
     unknown.stderr,
-    "touchpath: There is no finding and no rule ball-to-wide: did you mean ball-too-wide?\n",
+    "touchpath: There is no finding and no rule ball-to-wide. Did you mean ball-too-wide?\n",
   );
   assert.equal(run(["explain"]).status, 2);
+  for (const name of ["constructor", "__proto__"]) assert.equal(run(["explain", name]).status, 2, name);
 });
 
 test("new gives a job that plans, for the control that is named", () => {
@@ -36,9 +37,23 @@ test("new gives a job that plans, for the control that is named", () => {
   assert.match(run(["plan", "-"], made.stdout).stdout, /MEAS=1/);
   for (const { type } of touchpath.catalog().cycles)
     assert.equal(run(["check", "-"], run(["new", type]).stdout).status, 0, type);
-  assert.match(run(["new", "grove"]).stderr, /There is no cycle grove: did you mean groove\?/);
+  assert.match(run(["new", "grove"]).stderr, /There is no cycle grove .+\. Did you mean groove\?/);
+  // In the form that the control has; one that it does not have is refused with its reason.
+  for (const { id, cycles } of touchpath.catalog().posts) {
+    const { status, stdout } = run(["new", "hole", "--post", id]);
+    assert.equal(status, 0, id);
+    assert.equal(run(["check", "-"], stdout).status, 0, id);
+    assert.ok(
+      cycles.some(
+        ({ type, form, supported }) => type === "hole" && form === JSON.parse(stdout).control.form && supported,
+      ),
+    );
+  }
+  const grbl = run(["new", "hole", "--post", "grbl", "--form", "cycle"]);
+  assert.deepEqual([grbl.status, grbl.stdout], [2, ""]);
+  assert.match(grbl.stderr, /grbl does not take hole: cycle: /);
   assert.match(run(["new", "hole", "--units", "cm"]).stderr, /--units is mm or inch, not cm/);
-  assert.match(run(["new", "hole", "--post", "hass"]).stderr, /did you mean haas\?/);
+  assert.match(run(["new", "hole", "--post", "hass"]).stderr, /Did you mean haas\?/);
   assert.match(run(["new", "hole", "--flat"]).stderr, /--flat is not for new/);
 });
 
@@ -50,6 +65,10 @@ test("convert gives the same part in other units", () => {
   assert.match(run(["convert", own]).stderr, /convert takes --units/);
   assert.match(run(["convert", "-", "--units", "mm"], "{").stderr, /This is not JSON/);
   assert.match(run(["convert", "-", "--units", "mm"], "[]").stderr, /not an object/);
+  const bom = run(["convert", "-", "--units", "inch"], `\uFEFF${JSON.stringify(job("hole"))}`);
+  assert.equal(bom.stdout, stdout, "as a file of Windows begins");
+  assert.match(run(["convert", "-", "--units", "inch"], '{"format":1,"units":"furlong"}').stderr, /units are furlong/);
+  assert.match(run(["convert", "-", "--units", "inch"], '{"format":1,"overtravel":1e400}').stderr, /too large/);
 });
 
 test("lentoax answers a query: the example of the manual", () => {
@@ -72,7 +91,7 @@ test("help for one command names its options and no others", () => {
   }
   assert.match(run(["svg", "--help"]).stdout, /--view/);
   assert.doesNotMatch(run(["svg", "--help"]).stdout, /--positioning/);
-  assert.match(run(["chek", "x.json"]).stderr, /did you mean check\?/);
+  assert.match(run(["chek", "x.json"]).stderr, /Did you mean check\?/);
 });
 
 test("--deny-warnings: a warning ends as an error does, and files are written all the same", () => {
@@ -85,6 +104,17 @@ test("--deny-warnings: a warning ends as an error does, and files are written al
   assert.equal(run(["check", warned, "--deny-warnings"]).status, 1);
   assert.equal(run(["plan", warned, "--deny-warnings", "-o", "denied"]).status, 1);
   assert.match(readFileSync(join(folder, "denied", "PROBE.ngc"), "utf8"), /G38/);
+  // The same of a program whose header is not all understood, in either format.
+  const program = touchpath.program(job("hole")).text.replace("(job format=1", "(job format=1 nothing=1");
+  const verified = file("unknown.ngc", program);
+  for (const format of ["text", "json"]) {
+    const said = run(["verify", verified, "--format", format, "--deny-warnings"]);
+    assert.deepEqual(
+      [said.status, said.stdout.includes("header-unknown") || said.stderr.includes("header-unknown")],
+      [1, true],
+      format,
+    );
+  }
   assert.equal(run(["check", file("wrong-again.json", wrong()), "--deny-warnings"]).status, 1);
 });
 

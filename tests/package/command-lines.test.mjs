@@ -82,7 +82,7 @@ test("a reader that does not read holds the command up, and one that leaves ends
   child.stdout.destroy();
   child.stdin.end();
   const status = await new Promise((done) => child.on("close", done));
-  assert.deepEqual([status, stderr], [0, ""], "whoever reads has enough, as `head` has");
+  assert.deepEqual([status, stderr], [141, ""], "not all was judged; no word of it, as of `head`");
 });
 
 test("memory does not grow with the number of jobs", async () => {

@@ -60,8 +60,13 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
     page.evaluate(() => String(/** @type {any} */ (document.querySelector("touch-path")).plan?.program.text));
   assert.equal(await box("Dead band").count(), 0, "nothing else is asked before a tool is named");
   await box("Tool offset").fill("5");
-  await box("Share of the error").fill("0,5");
-  await box("Dead band").fill("0.005");
+  // Key by key: a decimal is on its way at every one of them.
+  await box("Share of the error").pressSequentially("0,5");
+  await box("Dead band").pressSequentially("0.005");
+  assert.deepEqual(
+    [await box("Share of the error").inputValue(), await box("Dead band").inputValue()],
+    ["0.5", "0.005"],
+  );
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. T5. F0.5 V0.005 H0.5"));
   const asked = page.locator('[id="f-control.workOffset"]');
   assert.equal(await textOf(asked.locator("option:checked")), "corrects tool offset 5");
@@ -69,6 +74,12 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
   await box("Tool offset").fill("five");
   await settles(async () => (await page.locator(".tolerances .problem.error").count()) === 1);
   assert.equal(await box("Tool offset").inputValue(), "five");
+  await box("Tool offset").fill("5");
+  // Another tolerance may be typed from nothing: the tool stays.
+  const tolerance = page.getByRole("textbox", { name: /^Tolerance of diameter/ });
+  await tolerance.fill("");
+  await tolerance.fill("±0.04");
+  await settles(async () => (await text()).includes("T5. F0.5 V0.005"));
   // Without a tool nothing is left of it.
   for (const name of ["Dead band", "Share of the error", "Tool offset"]) await box(name).fill("");
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. H0.5"));

@@ -218,6 +218,7 @@ export type FindingCode =
   | "vectors-not-opposite"
   | "walls-parallel"
   | "wear-off-middle"
+  | "wear-unlimited"
   | "wear-unsupported"
   | "words-twice"
   | "work-offset-needed"

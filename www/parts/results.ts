@@ -300,7 +300,9 @@ class ResultsPart extends Part {
     const label = `${name}: ${store.say(said.meaning)}`;
     const text = (e: Event) => {
       const tolerance = (e.target as HTMLInputElement).value;
-      store.tolerate(cycle, code, tolerance.trim() === "" ? undefined : { ...own, tolerance });
+      // With the text alone its tool would go, too.
+      const none = tolerance.trim() === "" && !own?.wear;
+      store.tolerate(cycle, code, none ? undefined : { ...own, tolerance });
     };
     const act = (e: Event) => {
       if (own)
@@ -329,6 +331,9 @@ class ResultsPart extends Part {
     return program.own && !!post?.correctsTools && /^(diameter|width)/.test(code);
   }
 
+  /** What is typed in the boxes of a tool, until they are left: `0.` is on its way to a number. */
+  private typed = new Map<string, string>();
+
   /** The tool that the macro corrects by this result. What is typed and no number is kept, and reported. */
   private wear(cycle: number, code: string, name: string, own: ResultTolerance): TemplateResult {
     const { store } = this;
@@ -341,6 +346,7 @@ class ResultsPart extends Part {
     ] as const;
     const given: Record<string, unknown> = { ...own.wear };
     const put = (key: string) => (e: Event) => {
+      this.typed.set(`${name} ${key}`, (e.target as HTMLInputElement).value);
       const typed = (e.target as HTMLInputElement).value.trim();
       const number = Number(typed.replace(",", "."));
       const { [key]: _, ...rest } = given;
@@ -349,11 +355,16 @@ class ResultsPart extends Part {
       const none = Object.keys(wear).length === 0;
       store.tolerate(cycle, code, none ? bare : { ...bare, wear: wear as unknown as Wear });
     };
+    const left = (key: string) => () => {
+      this.typed.delete(`${name} ${key}`);
+      this.requestUpdate();
+      store.settle();
+    };
     // Before a tool is named nothing else is asked.
     const asked = own.wear ? fields : fields.slice(0, 1);
     return html`<span class="wear">${asked.map(
       ([key, label]) =>
-        html`<label>${this.t(label)} <input type="text" inputmode="decimal" maxlength="12" autocomplete="off" aria-label=${`${name}: ${this.t(label)}`} .value=${live(String(given[key] ?? ""))} ?disabled=${store.readonly} @input=${put(key)} @blur=${() => store.settle()} /></label>`,
+        html`<label>${this.t(label)} <input type="text" inputmode="decimal" maxlength="12" autocomplete="off" aria-label=${`${name}: ${this.t(label)}`} .value=${live(this.typed.get(`${name} ${key}`) ?? String(given[key] ?? ""))} ?disabled=${store.readonly} @input=${put(key)} @blur=${left(key)} /></label>`,
     )}</span>`;
   }
 

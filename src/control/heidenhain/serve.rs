@@ -352,7 +352,7 @@ impl Plan<'_> {
         let lifts = side.clearance.is_some();
         if pairs.internal && lifts && row.is_none() {
             let message = text!(
-                "Only cycle 408 lifts between the walls of a groove, and it writes a preset; 425, which measures only, goes straight across. Choose a work offset"
+                "Only cycle 408 lifts between the walls of a groove, and it writes a preset; 425, which measures only, goes straight across. Choose a work offset; in a set-up the last cycle alone writes one"
             );
             return Err(own::refused("cycle-no-lift", "control.workOffset", message));
         }

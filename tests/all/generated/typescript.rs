@@ -59,11 +59,11 @@ export interface Wear {
   tool: number;
   /** The share of the error, 0.01 to 1. Left out: 1. */
   share?: number | null;
-  /** The error up to which nothing is corrected, in the job's units. Left out: 0. */
+  /** The error up to which nothing is corrected, in the job's units, 1 mm at most. Left out: 0. */
   deadBand?: number | null;
   /** Of how many parts the mean of the errors counts. Left out: each part corrects the tool. */
   parts?: number | null;
-  /** With `parts`: the tool offset, of no tool, in which the macro keeps its values. */
+  /** With `parts`: the first of two tool offsets, of no tool, in which the macro keeps its values. */
   store?: number | null;
 }
 "#;

@@ -11,6 +11,7 @@ import {
 } from "../node.js";
 import { CODES, RULES } from "./codes.js";
 import { Refused } from "./folder.js";
+import { parsed } from "./tasks.js";
 
 /** How many letters have to change, come or go to make one word of another. */
 function apart(one: string, other: string): number {
@@ -24,18 +25,18 @@ function apart(one: string, other: string): number {
   return row.at(-1) ?? 0;
 }
 
-/** `: did you mean check?`, where a word of the list is near; else nothing. */
+/** `. Did you mean check?`, where a word of the list is near; else nothing. */
 export function meant(word: string, list: readonly string[]): string {
   const near = list.map((known) => ({ known, off: apart(word.toLowerCase(), known) }));
   const best = near.sort((a, b) => a.off - b.off)[0];
-  return best && best.off <= Math.max(1, Math.floor(word.length / 4)) ? `: did you mean ${best.known}?` : "";
+  return best && best.off <= Math.max(1, Math.floor(word.length / 4)) ? `. Did you mean ${best.known}?` : "";
 }
 
 /** What a code of a finding or a safety rule means. */
 export function explain(code: string, json: boolean): string {
   const word = code.toLowerCase();
-  const rule = RULES[word];
-  const meaning = CODES[word];
+  const own = <T>(table: Record<string, T>) => (Object.hasOwn(table, word) ? table[word] : undefined);
+  const [rule, meaning] = [own(RULES), own(CODES)];
   if (rule === undefined && meaning === undefined)
     throw new Refused(
       `There is no finding and no rule ${code}${meant(word, [...Object.keys(CODES), ...Object.keys(RULES)])}`,
@@ -49,18 +50,29 @@ export function explain(code: string, json: boolean): string {
 export function newJob(type: string, given: { post?: string; form?: string; units?: string }): string {
   const types = catalog().cycles.map((cycle) => cycle.type as string);
   const known = types.find((one) => one === type);
-  if (!known) throw new Refused(`There is no cycle ${type}${meant(type, types)}: touchpath catalog lists them`);
-  const { units = "mm", post, form } = given;
+  if (!known) throw new Refused(`There is no cycle ${type} (touchpath catalog lists them)${meant(type, types)}`);
+  const { units = "mm" } = given;
   if (units !== "mm" && units !== "inch") throw new Refused(`--units is mm or inch, not ${units}`);
   const job = defaultJob(known as "hole", units);
-  const control = { ...job.control, ...(post ? { post } : {}), ...(form ? { form } : {}) };
+  const post = given.post ?? job.control.post;
+  const forms =
+    catalog()
+      .posts.find(({ id }) => id === post)
+      ?.cycles.filter(({ type }) => type === known) ?? [];
+  const wanted = forms.filter(({ form }) => given.form === undefined || form === given.form);
+  const taken = wanted.find(({ supported }) => supported);
+  if (!taken)
+    throw new Refused(
+      `${post} does not take ${known}: ${wanted.map(({ form, reason }) => `${form}: ${reason}`).join("; ")}`,
+    );
+  const control = { ...job.control, post, form: taken.form };
   return `${JSON.stringify({ ...job, control }, null, 2)}\n`;
 }
 
 /** Which tool length acts on which axis of a SINUMERIK. */
 export function toolLengths(text: string | undefined, json: boolean): string {
-  const query = text === undefined ? undefined : (objectOf(text) as LentoaxQuery);
   try {
+    const query = text === undefined ? undefined : (objectOf(text) as LentoaxQuery);
     const answer = lentoax(query);
     if (json) return `${JSON.stringify(answer)}\n`;
     const { sentence, program } = lentoaxWords(query);
@@ -74,23 +86,28 @@ export function toolLengths(text: string | undefined, json: boolean): string {
 export function converted(text: string, units: string): string {
   if (units !== "mm" && units !== "inch") throw new Refused(`--units is mm or inch, not ${units}`);
   try {
-    return `${JSON.stringify(convertUnits(objectOf(text) as unknown as Job, units), null, 2)}\n`;
+    const job = objectOf(text) as Job;
+    if (![undefined, "mm", "inch"].includes(job.units))
+      throw new Refused(`The job's units are ${job.units}: mm or inch`);
+    if (!isWritable(job)) throw new Refused("The job has a number that is too large to be written again");
+    return `${JSON.stringify(convertUnits(job, units), null, 2)}\n`;
   } catch (thrown) {
     throw refused(thrown);
   }
 }
 
 function objectOf(text: string): object {
-  let value: unknown;
-  try {
-    value = JSON.parse(text);
-  } catch (thrown) {
-    throw new Refused(`This is not JSON: ${(thrown as Error).message}`);
-  }
+  const value = parsed(text);
   if (typeof value !== "object" || value === null || Array.isArray(value))
     throw new Refused("This is JSON, but not an object");
   return value;
 }
+
+/** Whether JSON can hold every number of a value again. */
+const isWritable = (value: unknown): boolean =>
+  typeof value === "object" && value !== null
+    ? Object.values(value).every(isWritable)
+    : typeof value !== "number" || Number.isFinite(value);
 
 const refused = (thrown: unknown) =>
   thrown instanceof JobError ? new Refused(thrown.findings.map((finding) => finding.message).join("; ")) : thrown;

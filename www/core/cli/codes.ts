@@ -215,6 +215,7 @@ export const CODES: Record<string, string> = {
   "vectors-not-opposite": "Touches that should be opposite have target vectors that are not.",
   "walls-parallel": "Walls of a corner are parallel, or nearly so.",
   "wear-off-middle": "A tool is corrected towards the nominal value, and that is not the middle of the tolerance.",
+  "wear-unlimited": "A tool is corrected by a size that has no limit.",
   "wear-unsupported": "No tool can be corrected by this result, or on this control.",
   "words-twice": "A block of a program names two motions, or two places along an axis: the last is read.",
   "work-offset-needed": "A log has machine coordinates and does not say the work offset: the message says what to add.",

@@ -87,7 +87,7 @@ function done(task: Task, source: string, { text, refused }: Pick<Item, "text" |
     const said = verified(text);
     const out = task.format === "json" ? `${JSON.stringify({ source, ...said })}\n` : verifiedText(source, said);
     const failed = !["same", "version"].includes(said.state);
-    const findings = task.format === "json" ? [] : said.findings;
+    const { findings } = said;
     return { output: { name: nameOf(source), ending: "-verified.txt", text: out }, control: null, findings, failed };
   }
   if (task.command === "examine") {
@@ -193,15 +193,19 @@ function printed({ results, block, findings }: Measurement, plan: Plan): string 
   return [listed(results, plan), notes.length > 0 ? "\n" : "", ...notes, block === null ? "" : `\n${block}\n`].join("");
 }
 
-/** The job of a text, for the control that the task says; what is no JSON is a job that is refused. */
-function read(text: string, { post, form }: Task): { job: unknown; overruled: Finding[] } {
-  let job: unknown;
+/** What JSON says; what is none is a job that is refused. */
+export function parsed(text: string): unknown {
   try {
-    job = JSON.parse(text.replace(/^\uFEFF/, ""));
+    return JSON.parse(text.replace(/^\uFEFF/, ""));
   } catch (thrown) {
     const why = `This is not JSON: ${thrown instanceof Error ? thrown.message : thrown}`;
     throw new JobError(why, [problem("not-json", why)]);
   }
+}
+
+/** The job of a text, for the control that the task says. */
+function read(text: string, { post, form }: Task): { job: unknown; overruled: Finding[] } {
+  const job = parsed(text);
   if (typeof job !== "object" || job === null || (post === undefined && form === undefined))
     return { job, overruled: [] };
   const { control } = job as { control?: unknown };

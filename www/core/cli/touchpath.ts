@@ -92,7 +92,7 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 const ENDS = `With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
 source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
 Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, a
-program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use.`;
+program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use, 141 whoever reads closed the pipe before all was judged.`;
 
 /** A line of the help for each command, and what it gives. */
 function usage(command: Command): string {
@@ -392,7 +392,8 @@ async function handOut(
     }
     if (output) await write(process.stdout, output.text);
     // A report has its findings in it, but as text.
-    if (task.command !== "examine" || (task.format ?? "text") === "text") await report(task, values, outcome);
+    const within = task.command === "examine" || task.command === "verify";
+    if (!within || (task.format ?? "text") === "text") await report(task, values, outcome);
   }
   if (task.format === "sarif") await write(process.stdout, sarif(results));
   return failed;
@@ -558,8 +559,8 @@ const json = process.argv.includes("--json");
 for (const stream of [process.stdout, process.stderr])
   stream.on("error", (error: NodeJS.ErrnoException) => {
     if (stream === process.stderr) process.exit(2);
-    // Whoever reads has enough: `| head -1`.
-    if (error.code === "EPIPE") process.exit(0);
+    // Whoever reads has enough, as in `| head -1`: no word, and where jobs were judged the code of a closed pipe, since not all were.
+    if (error.code === "EPIPE") process.exit(FILES.some((name) => process.argv.includes(name)) ? 141 : 0);
     refuse(error.message, json);
   });
 try {
