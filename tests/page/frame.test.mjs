@@ -15,6 +15,7 @@ import {
   put,
   ready,
   saveButton,
+  settles,
   setUp,
   textOf,
   undo,
@@ -270,8 +271,8 @@ test("the timeline: play, pause, touch by touch, and the move in words with its 
   await page.keyboard.press("Space");
   await page.getByRole("button", { name: "Pause" }).waitFor();
   const one = await pixels();
-  await page.waitForTimeout(400);
-  assert.notEqual((await pixels()).sum, one.sum, "the ball is on its way");
+  // The ball is on its way.
+  await settles(async () => (await pixels()).sum !== one.sum);
   await page.getByRole("button", { name: "Pause" }).click();
   const still = await pixels();
   await page.waitForTimeout(200);
