@@ -137,7 +137,7 @@ if (tools && !only) {
   const { chromium, firefox, webkit } = tools;
   const browser = {
     env: {
-      CHROMIUM: chromium.browser,
+      CHROMIUM: chromium.shell,
       FIREFOX: firefox.browser,
       GECKODRIVER: firefox.driver,
       WEBKITDRIVER: webkit.driver,
