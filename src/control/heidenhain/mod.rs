@@ -51,7 +51,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
             "our sources do not document the control's low-level probing blocks well enough to write these moves: use its own cycle",
         ),
         (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, Form::Cycle) => Err(
-            "no source shows the whole block of the corner cycles 414 and 415, and one cycle 427 a touch would need arithmetic in Q parameters, which no source shows either",
+            "no source shows the whole block of the corner cycles 414 and 415, and programs of one cycle 427 a touch with arithmetic in Q parameters are not made",
         ),
         (Subject::Wall, Form::Cycle) => Err("no source shows the whole block of cycle 420"),
         (_, Form::Cycle) => Ok(()),
