@@ -7,8 +7,8 @@ use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, P
 use crate::form::{Field, Kind, Range, Value};
 use crate::formula::{Consequence, Relation};
 use crate::job::{
-    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_PARTS, MOST_STEPS, MOST_TOOLS,
-    RELATIONS, SECTIONS, SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR_KEYS, WIDEST_BAND, size_reach,
+    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS,
+    SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -72,7 +72,7 @@ fn tolerances() -> Value {
                     ),
                 ]),
             ),
-            ("wear".to_owned(), nullable(wear())),
+            (WEAR.key.to_owned(), wear()),
         ],
         &["tolerance"],
     );
@@ -83,42 +83,12 @@ fn tolerances() -> Value {
     ]))
 }
 
-/// How a tool is corrected by a size.
+/// The tool that is corrected by a size: a form inside.
 fn wear() -> Value {
-    let or_null = |kind: &str| Value::List([kind, "null"].map(text).to_vec());
-    let number = |about: &str, kind: Value, low: f64, high: f64| {
-        map([("type", kind), ("minimum", Value::Number(low)), ("maximum", Value::Number(high)), ("description", text(about))])
-    };
-    let (tools, parts) = (f64::from(MOST_TOOLS), f64::from(MOST_PARTS));
-    let [tool, share, band, count, store] = [
-        number("The number of its offset.", text("integer"), 1.0, tools),
-        number("The share of the error that it is corrected by. Left out: 1.", or_null("number"), 0.01, 1.0),
-        number(
-            "The error up to which it stays, in the job's units, 1 mm at most. Left out: 0.",
-            or_null("number"),
-            0.0,
-            WIDEST_BAND,
-        ),
-        number(
-            "Of how many parts the mean of the errors counts. Left out: each part corrects it.",
-            or_null("integer"),
-            2.0,
-            parts,
-        ),
-        number(
-            "With parts: the first of two offsets, of no tool, in which the macro keeps its values.",
-            or_null("integer"),
-            1.0,
-            tools - 1.0,
-        ),
-    ];
-    let Value::Map(mut own) =
-        object(WEAR_KEYS.iter().map(|key| (*key).to_owned()).zip([tool, share, band, count, store]), &["tool"])
-    else {
-        unreachable!("an object is a map")
-    };
+    let own = WEAR.fields.iter().map(|f| (f.key.to_owned(), field(f)));
+    let Value::Map(mut own) = object(own, &["tool"]) else { unreachable!("an object is a map") };
     own.push(("description".to_owned(), text("The tool that the macro of a Fanuc and its kin corrects by this size.")));
-    Value::Map(own)
+    nullable(Value::Map(own))
 }
 
 /// The same cycle in a set-up: each coordinate of its origin may follow a result.
@@ -231,6 +201,8 @@ fn ranges(scale: f64) -> Value {
     properties.push(("cycle".to_owned(), map([("allOf", Value::List(cycles.clone()))])));
     properties.push(("cycles".to_owned(), map([("items", map([("allOf", Value::List(cycles))]))])));
     properties.extend(ends(&[CLEAR], scale));
+    let own = map([("properties", Value::Map(inside(WEAR.key.to_owned(), ends(WEAR.fields, scale)).into_iter().collect()))]);
+    properties.push((TOLERANCES.to_owned(), map([("additionalProperties", own)])));
     let sizes = CYCLES.iter().map(|def| sizes(def, scale)).collect();
     map([("properties", Value::Map(properties)), ("allOf", Value::List(sizes))])
 }

@@ -15,9 +15,7 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::signs::{self, Sign};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
-use crate::job::{
-    DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES, WEAR_KEYS,
-};
+use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES, WEAR};
 use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
@@ -223,7 +221,7 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
         }
         if let Some((code, key)) = of_tolerance(path) {
             let text = small_letters(text);
-            let given = if key.starts_with(WEAR) { value(&text.to_ascii_lowercase()) } else { Value::Text(text) };
+            let given = if key.starts_with(WEAR.key) { value(&text.to_ascii_lowercase()) } else { Value::Text(text) };
             tolerances.push((code, key, given));
             continue;
         }
@@ -255,17 +253,16 @@ fn in_cycle(path: &str) -> Option<(usize, &str)> {
     Some((index.parse().ok()?, rest))
 }
 
-/// In front of the keys of a tool that is corrected.
-const WEAR: &str = "wear.";
-
 /// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.action`, `tolerances.width.wear.tool`.
 fn of_tolerance(path: &str) -> Option<(String, String)> {
     path.get(..TOLERANCES.len()).filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
     let (code, key) = path[TOLERANCES.len()..].strip_prefix('.')?.rsplit_once('.')?;
-    let spelled = |known: &[&str]| known.iter().find(|known| known.eq_ignore_ascii_case(key)).map(|known| (*known).to_owned());
-    let (code, key) = match code.rsplit_once('.').filter(|(_, wear)| wear.eq_ignore_ascii_case("wear")) {
-        Some((code, _)) => (code, WEAR.to_owned() + &spelled(&WEAR_KEYS)?),
-        None => (code, spelled(&["tolerance", "action"])?),
+    let (code, key) = match code.rsplit_once('.').filter(|(_, wear)| wear.eq_ignore_ascii_case(WEAR.key)) {
+        Some((code, _)) => {
+            let field = WEAR.fields.iter().find(|field| field.key.eq_ignore_ascii_case(key))?;
+            (code, format!("{}.{}", WEAR.key, field.key))
+        }
+        None => (code, ["tolerance", "action"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?.to_owned()),
     };
     let own = RESULT_CODES.iter().filter(|own| {
         let at = code.len().checked_sub(own.len());

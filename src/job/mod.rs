@@ -73,7 +73,7 @@ pub(crate) use stretch::{NumberField, with_number};
 pub(crate) use tolerances::LONGEST_TOLERANCE;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use units::known_units;
-pub(crate) use wear::{KEYS as WEAR_KEYS, MOST_PARTS, MOST_TOOLS, WIDEST_BAND};
+pub(crate) use wear::WEAR;
 
 /// What `npm run bench` times. Nothing of it is promised.
 #[doc(hidden)]

@@ -204,21 +204,11 @@ fn limits(checker: &mut Checker, job: &Job, text: &str, def: &ResultDef, path: &
     Some(limits)
 }
 
-/// The tool of a tolerance, checked: none where there is none, or where anything is wrong with it. `own` is the job of the cycle that measures the result.
+/// The tool that a tolerance corrects, checked; `None` without one, or with an error. `own` is the job of the cycle that measures the result.
 fn read_wear(checker: &mut Checker, (own, path): (&Job, &Path), given: &Value, def: &ResultDef, at: &str) -> Option<Wear> {
-    let said = given.get("wear").filter(|wear| !matches!(wear, Value::Null))?;
-    let at = format!("{at}.wear");
-    let Value::Map(entries) = said else {
-        let message = text!("{path} must be an object, not {given}", at.clone(), said.noun());
-        checker.error("wrong-type", at, message);
-        return None;
-    };
-    for (key, _) in entries.iter().filter(|(key, _)| !wear::KEYS.contains(&key.as_str())) {
-        let shown = printable(key);
-        let message = text!("wear has no \"{key}\"; it knows {keys}", shown.clone(), wear::KEYS.join(", "));
-        checker.error("unknown-key", format!("{at}.{shown}"), message);
-    }
-    let found = wear::values(checker, said, &at, own.scale)?;
+    let (found, findings) = wear::read(given, at, (own.scale, own.unit));
+    findings.into_iter().for_each(|finding| checker.adopt(finding));
+    let (found, at) = (found?, format!("{at}.wear"));
     let why = if own.form != Form::Cycle || !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
         Some(text!("only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"))
     } else if def.role != Role::Size || path.feature.two_circles().is_some() {

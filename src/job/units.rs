@@ -6,6 +6,7 @@ use crate::job::JobError;
 use crate::job::cycles::{alone, is_set_up, name_of};
 use crate::job::follows;
 use crate::job::sections::{SECTIONS, TOLERANCES, Units};
+use crate::job::wear::WEAR;
 use crate::text::text;
 use crate::tolerance;
 
@@ -64,7 +65,7 @@ pub(crate) fn known_units(word: &str) -> Result<Units, JobError> {
 }
 
 /// The same job in `units`, `mm` or `inch`: lengths and feeds with 4 decimals in mm and 6 in inch (three more below 0.001), angles as they are. The job
-/// may have errors: what is no number, and no text with a tolerance, stays as it is. A user's own codes are not converted: their meaning is not known.
+/// may have errors: anything but a number or a text with a tolerance stays as it is. A user's own codes are not converted: their meaning is not known.
 pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     let units = known_units(units)?;
     let mut job = job.clone();
@@ -141,9 +142,7 @@ fn convert_tolerances(tolerances: Option<&mut Value>, to: Target) {
         if let Some(Value::Text(text)) = entry(given, "tolerance").filter(|_| !angle) {
             *text = tolerance::convert_of_result(text, |x| to.printed(x));
         }
-        if let Some(band) = entry(given, "wear").and_then(|wear| entry(wear, "deadBand")) {
-            convert(band, to);
-        }
+        convert_fields(entry(given, WEAR.key), WEAR.fields, to);
     }
 }
 

@@ -1,31 +1,34 @@
-//! Tools that a macro corrects by what it measures: `wear` of a tolerance.
+//! Tool offsets that a macro corrects from a measured size: `wear` of a tolerance.
 
-use crate::form::{Checker, Value};
+use crate::form::{Checker, Field, Finding, Section, SubForm, Value, form};
 use crate::formula::{ResultRow, Wear};
 use crate::num::decimal;
 use crate::path::Path;
 use crate::text::{Text, text};
 
-/// The highest number of a tool offset.
-pub const MOST_TOOLS: i32 = 999;
+form! {
+    /// How a macro corrects a tool by a size that it measures.
+    pub struct WearForm {
+        /// The number of its offset.
+        tool: Option<i32> = Field::count("tool", "Tool offset", 1, 1, 999).null_by_default(),
+        /// How much of the error it is corrected by, percent.
+        percent: i32 = Field::count("percent", "Percent of the error", 100, 1, 100),
+        /// The error up to which it stays.
+        dead_band: f64 = Field::length("deadBand", "Dead band", 0.0).range(0.0, 1.0),
+        /// Of how many parts the mean of the errors counts. Empty: each part corrects it.
+        parts: Option<i32> = Field::count("parts", "Mean of parts", 3, 2, 99).null_by_default().null_means("each part"),
+        /// With a mean: the first of two tool offsets, of no tool, in which the macro keeps its values.
+        store: Option<i32> = Field::count("store", "Kept in offset", 1, 1, 998).null_by_default().null_means("no mean"),
+    }
+}
 
-/// The most parts of a mean.
-pub const MOST_PARTS: i32 = 99;
+/// The form inside that of a tolerance.
+pub const WEAR: SubForm = SubForm { key: "wear", fields: WearForm::FIELDS, optional: true };
 
-/// The keys of one.
-pub const KEYS: [&str; 5] = ["tool", "share", "deadBand", "parts", "store"];
-
-/// The most that an error may be without a correction, mm.
-pub const WIDEST_BAND: f64 = 1.0;
-
-/// What the tolerances of a job say of tools, each by the code of its result: only what is sound, the rest is reported where tolerances are read.
+/// The tools that the tolerances of a job correct, each with the code of its result. Wrong ones are left out: reading the tolerances reports them.
 pub fn of(tolerances: Option<&Value>, scale: f64) -> Vec<(String, Wear)> {
     let Some(Value::Map(entries)) = tolerances else { return Vec::new() };
-    let mut silent = Checker::default();
-    let one = |(code, given): &(String, Value)| {
-        let wear = given.get("wear").filter(|wear| !matches!(wear, Value::Null))?;
-        Some((code.to_ascii_lowercase(), values(&mut silent, wear, "", scale)?))
-    };
+    let one = |(code, given): &(String, Value)| Some((code.to_ascii_lowercase(), read(given, "", (scale, "")).0?));
     entries.iter().filter_map(one).collect()
 }
 
@@ -40,62 +43,41 @@ pub fn of_cycle(tolerances: Option<&Value>, name: &str, only: bool) -> Value {
     Value::Map(own.collect())
 }
 
-/// The values of one, lengths in mm. Reports what is wrong with them.
-pub fn values(checker: &mut Checker, wear: &Value, at: &str, scale: f64) -> Option<Wear> {
-    let mut good = true;
-    let mut number = |key: &str, low: f64, high: f64, whole: bool| -> Option<f64> {
-        let given = wear.get(key).filter(|given| !matches!(given, Value::Null))?;
-        let path = format!("{at}.{key}");
-        match given {
-            Value::Number(x) if (low..=high).contains(x) && (!whole || x.fract() == 0.0) => return Some(*x),
-            Value::Number(_) if whole => {
-                let message = text!(
-                    "{path} must be a whole number from {low} to {high}",
-                    path.clone(),
-                    decimal(low, 0),
-                    decimal(high, 0)
-                );
-                checker.error("out-of-range", path, message);
-            }
-            Value::Number(_) => {
-                let message = text!("{path} must be {low} to {high}", path.clone(), decimal(low, 4), decimal(high, 4));
-                checker.error("out-of-range", path, message);
-            }
-            other => {
-                checker.error("wrong-type", path.clone(), text!("{path} must be a number, not {given}", path, other.noun()))
-            }
-        }
-        good = false;
-        None
+/// The tool that a tolerance corrects, and the findings; `None` without one, or with an error. `at` is the path of the tolerance.
+pub fn read(tolerance: &Value, at: &str, (scale, unit): (f64, &'static str)) -> (Option<Wear>, Vec<Finding>) {
+    let mut checker = Checker::default();
+    (checker.scale, checker.unit) = (scale, unit);
+    let Some(form) = Section::new(&mut checker, Some(tolerance), at).sub(&WEAR, WearForm::read) else {
+        return (None, checker.findings());
     };
-    let tool = number("tool", 1.0, f64::from(MOST_TOOLS), true);
-    let share = number("share", 0.01, 1.0, false);
-    let band = number("deadBand", 0.0, WIDEST_BAND / scale + 1e-9, false);
-    let parts = number("parts", 2.0, f64::from(MOST_PARTS), true);
-    let store = number("store", 1.0, f64::from(MOST_TOOLS - 1), true);
-    let tool_missing = wear.get("tool").is_none_or(|given| matches!(given, Value::Null));
-    if tool_missing {
-        checker.error("missing", format!("{at}.tool"), text!("wear needs the number of the tool offset"));
-        return None;
+    let at = |key: &str| format!("{at}.wear.{key}");
+    if matches!(tolerance.get("wear"), Some(Value::Map(_))) && tolerance.get("wear").and_then(|wear| wear.get("tool")).is_none()
+    {
+        checker.error("missing", at("tool"), text!("wear needs the number of the tool offset"));
     }
-    if parts.is_some() != store.is_some() && good {
-        let (missing, message) = match parts {
-            Some(_) => (
-                "store",
-                text!(
-                    "The mean of several parts needs store, a tool offset that no tool has: the macro keeps its values there"
-                ),
-            ),
-            None => ("parts", text!("store keeps the values of several parts: parts says of how many")),
-        };
-        checker.error("missing", format!("{at}.{missing}"), message);
-        return None;
+    match (form.parts, form.store) {
+        _ if checker.failed() => {}
+        (Some(_), None) => {
+            let message = text!(
+                "The mean of several parts needs store, a tool offset that no tool has: the macro keeps its values there"
+            );
+            checker.error("missing", at("store"), message);
+        }
+        (None, Some(_)) => {
+            checker.error("missing", at("parts"), text!("store keeps the values of several parts: parts says of how many"));
+        }
+        _ => {}
     }
-    let mean = parts.zip(store).map(|(parts, store)| (parts as i32, store as i32));
-    good.then_some(Wear { tool: tool? as i32, share: share.unwrap_or(1.0), dead_band: band.unwrap_or(0.0) * scale, mean })
+    let wear = form.tool.filter(|_| !checker.failed()).map(|tool| Wear {
+        tool,
+        share: f64::from(form.percent) / 100.0,
+        dead_band: form.dead_band,
+        mean: form.parts.zip(form.store),
+    });
+    (wear, checker.findings())
 }
 
-/// What becomes of the tools on the virtual part. `limit`: a size that is off by more stops its macro.
+/// Reports what becomes of each tool offset on the virtual part. A size that is off by `limit` or more stops its macro.
 pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut Checker) {
     for (row, def) in rows.iter().zip(&path.formula.results) {
         let Some(wear) = def.tolerance.and_then(|tolerance| tolerance.wear) else { continue };
@@ -121,21 +103,21 @@ pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut
             )
         } else if let Some((parts, store)) = wear.mean {
             text!(
-                "{result} is off by {error}: the macro keeps that in offset {store}, and corrects tool offset {tool} by {share} × the mean of {parts} parts",
+                "{result} is off by {error}: the macro keeps that in offset {store}, and corrects tool offset {tool} by {percent} % of the mean of {parts} parts",
                 result,
                 off,
                 store,
                 tool,
-                decimal(wear.share, 4),
+                decimal(100.0 * wear.share, 0),
                 parts
             )
         } else {
             text!(
-                "{result} is off by {error}: the macro corrects tool offset {tool} by {share} × that, {correction}",
+                "{result} is off by {error}: the macro corrects tool offset {tool} by {percent} % of that, {correction}",
                 result,
                 off,
                 tool,
-                decimal(wear.share, 4),
+                decimal(100.0 * wear.share, 0),
                 checker.length(error * wear.share)
             )
         };

@@ -22,7 +22,7 @@ fn refused(job: &Value) -> Vec<String> {
 /// The letters of the reference sheets: T the offset, F the share, V the dead band; 9835 has M, the offsets that keep the values, and C, the parts.
 #[test]
 fn the_macro_gets_the_tool_in_its_own_letters() {
-    let whole = r#"{ "tool": 5, "share": 0.5, "deadBand": 0.005 }"#;
+    let whole = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005 }"#;
     let calls = |post: &str, wear: &str| -> Vec<String> {
         let text = planned(&bore(post, wear, 0.03)).program.text;
         let measures =
@@ -35,7 +35,7 @@ fn the_macro_gets_the_tool_in_its_own_letters() {
     assert_eq!(calls("brother", whole), ["G65 P8814 D25. Q2. T5. F0.5 V0.005 H0.5"]);
     assert_eq!(calls("okuma", whole), ["CALL O9814 PD=25. PQ=2. PT=5. PF=0.5 PV=0.005 PH=0.5"]);
     assert_eq!(calls("haas", r#"{ "tool": 12 }"#), ["G65 P9814 D25. Q2. T12. H0.5"], "the whole error, without a dead band");
-    let mean = r#"{ "tool": 5, "share": 0.25, "parts": 4, "store": 20 }"#;
+    let mean = r#"{ "tool": 5, "percent": 25, "parts": 4, "store": 20 }"#;
     assert_eq!(calls("haas", mean), ["G65 P9814 D25. Q2. H0.5", "G65 P9835 T5. M20. C4. F0.25"]);
     // The mean may empty what the measuring macro gave: it is kept before.
     let plan = planned(&bore("haas", mean, 0.03));
@@ -89,9 +89,9 @@ fn what_becomes_of_the_offset_is_said() {
         let mut found = plan.findings.into_iter().filter(|finding| finding.code == "tool-corrected");
         found.next().unwrap().message
     };
-    let band = r#"{ "tool": 5, "share": 0.5, "deadBand": 0.005 }"#;
-    assert_eq!(said(0.03, band), "Diameter is off by 0.03 mm: the macro corrects tool offset 5 by 0.5 × that, 0.015 mm");
-    assert_eq!(said(-0.02, band), "Diameter is off by -0.02 mm: the macro corrects tool offset 5 by 0.5 × that, -0.01 mm");
+    let band = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005 }"#;
+    assert_eq!(said(0.03, band), "Diameter is off by 0.03 mm: the macro corrects tool offset 5 by 50 % of that, 0.015 mm");
+    assert_eq!(said(-0.02, band), "Diameter is off by -0.02 mm: the macro corrects tool offset 5 by 50 % of that, -0.01 mm");
     assert_eq!(said(0.004, band), "Diameter is off by 0.004 mm, no more than the dead band of 0.005 mm: tool offset 5 stays");
     assert_eq!(said(0.0, r#"{ "tool": 5 }"#), "Diameter is as large as the nominal part's: tool offset 5 stays");
     // H0.5 is in the call: the macro stops before it corrects.
@@ -104,7 +104,7 @@ fn what_becomes_of_the_offset_is_said() {
     let mean = said(0.03, r#"{ "tool": 5, "parts": 3, "store": 21 }"#);
     assert_eq!(
         mean,
-        "Diameter is off by 0.03 mm: the macro keeps that in offset 21, and corrects tool offset 5 by 1 × the mean of 3 parts"
+        "Diameter is off by 0.03 mm: the macro keeps that in offset 21, and corrects tool offset 5 by 100 % of the mean of 3 parts"
     );
 }
 
@@ -137,14 +137,14 @@ fn what_cannot_be_corrected_is_refused() {
         ("5", "wrong-type tolerances.diameter.wear"),
         ("{}", "missing tolerances.diameter.wear.tool"),
         (r#"{ "tool": 0 }"#, "out-of-range tolerances.diameter.wear.tool"),
-        (r#"{ "tool": 2.5 }"#, "out-of-range tolerances.diameter.wear.tool"),
+        (r#"{ "tool": 2.5 }"#, "not-whole tolerances.diameter.wear.tool"),
         (r#"{ "tool": "5\nM30" }"#, "wrong-type tolerances.diameter.wear.tool"),
-        (r#"{ "tool": 5, "share": 0 }"#, "out-of-range tolerances.diameter.wear.share"),
-        (r#"{ "tool": 5, "share": 1.5 }"#, "out-of-range tolerances.diameter.wear.share"),
+        (r#"{ "tool": 5, "percent": 0 }"#, "out-of-range tolerances.diameter.wear.percent"),
+        (r#"{ "tool": 5, "percent": 150 }"#, "out-of-range tolerances.diameter.wear.percent"),
         (r#"{ "tool": 5, "deadBand": -0.1 }"#, "out-of-range tolerances.diameter.wear.deadBand"),
         (r#"{ "tool": 5, "parts": 3 }"#, "missing tolerances.diameter.wear.store"),
         (r#"{ "tool": 5, "deadBand": 1.1 }"#, "out-of-range tolerances.diameter.wear.deadBand"),
-        (r#"{ "tool": null }"#, "missing tolerances.diameter.wear.tool"),
+        (r#"{ "tool": null }"#, "wrong-type tolerances.diameter.wear.tool"),
         (r#"{ "tool": 5, "parts": 3, "store": 999 }"#, "out-of-range tolerances.diameter.wear.store"),
         (r#"{ "tool": 5, "store": 3 }"#, "missing tolerances.diameter.wear.parts"),
         (r#"{ "tool": 5, "parts": 3, "store": 5 }"#, "wear-unsupported tolerances.diameter.wear.store"),
@@ -158,7 +158,7 @@ fn what_cannot_be_corrected_is_refused() {
 /// The header says it, and it comes back; in inch the dead band is the same length.
 #[test]
 fn it_comes_back_from_the_header_and_is_converted() {
-    let mean = r#"{ "tool": 5, "share": 0.5, "deadBand": 0.005, "parts": 3, "store": 20 }"#;
+    let mean = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005, "parts": 3, "store": 20 }"#;
     for post in ["fanuc", "haas", "mazak", "brother", "hurco", "okuma"] {
         let bored = bore(post, mean, 0.0);
         let text = planned(&bored).program.text;
@@ -166,12 +166,12 @@ fn it_comes_back_from_the_header_and_is_converted() {
         let at = |job: &Value| {
             job.get("tolerances").and_then(|all| all.get("diameter")).and_then(|one| one.get("wear")).cloned().unwrap()
         };
-        for key in ["tool", "share", "deadBand", "parts", "store"] {
+        for key in ["tool", "percent", "deadBand", "parts", "store"] {
             assert_eq!(at(&back).get(key), at(&bored).get(key), "{post} {key}");
         }
         assert_eq!(planned(&back).program.text, text, "{post}");
     }
-    // None is none: it leaves no trace in the header.
+    // `null` leaves nothing in the header.
     let none = bore("heidenhain", "null", 0.0);
     let text = planned(&none).program.text;
     assert!(!text.contains("wear"), "{text}");

@@ -156,8 +156,8 @@ fn wear(draw: &mut Draw) -> Value {
             entries.push((key.to_owned(), Value::Number(value)));
         }
     };
-    let (share, band) = (draw.between(0.01, 1.0), draw.between(0.0, 0.02));
-    maybe("share", share, draw);
+    let (percent, band) = (draw.index(101) as f64, draw.between(0.0, 0.02));
+    maybe("percent", percent, draw);
     maybe("deadBand", band, draw);
     if draw.once_in(3) {
         entries.push(("parts".to_owned(), Value::Number(2.0 + draw.index(98) as f64)));

@@ -61,11 +61,11 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
   assert.equal(await box("Dead band").count(), 0, "nothing else is asked before a tool is named");
   await box("Tool offset").fill("5");
   // Key by key: a decimal is on its way at every one of them.
-  await box("Share of the error").pressSequentially("0,5");
-  await box("Dead band").pressSequentially("0.005");
+  await box("Percent of the error").pressSequentially("50");
+  await box("Dead band").pressSequentially("0,005");
   assert.deepEqual(
-    [await box("Share of the error").inputValue(), await box("Dead band").inputValue()],
-    ["0.5", "0.005"],
+    [await box("Percent of the error").inputValue(), await box("Dead band").inputValue()],
+    ["50", "0,005"],
   );
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. T5. F0.5 V0.005 H0.5"));
   const asked = page.locator('[id="f-control.workOffset"]');
@@ -81,7 +81,7 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
   await tolerance.fill("±0.04");
   await settles(async () => (await text()).includes("T5. F0.5 V0.005"));
   // Without a tool nothing is left of it.
-  for (const name of ["Dead band", "Share of the error", "Tool offset"]) await box(name).fill("");
+  for (const name of ["Dead band", "Percent of the error", "Tool offset"]) await box(name).fill("");
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. H0.5"));
   assert.equal(await page.locator(".tolerances .problem").count(), 0);
 });

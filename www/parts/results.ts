@@ -23,7 +23,7 @@ const places = (unit: string) => (unit === "inch" ? 4 : 3);
 const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
-/** What was made of the measured text: what follows from it, or what is wrong with it; neither where there is none. */
+/** What was made of the measured text: what follows from it, or what is wrong with it; neither if no text was entered. */
 interface Evaluated {
   /** That of the last part. */
   found?: Measurement;
@@ -339,7 +339,7 @@ class ResultsPart extends Part {
     const { store } = this;
     const fields = [
       ["tool", w("Tool offset")],
-      ["share", w("Share of the error")],
+      ["percent", w("Percent of the error")],
       ["deadBand", w("Dead band")],
       ["parts", w("Mean of parts")],
       ["store", w("Kept in offset")],

@@ -57,10 +57,10 @@ export interface ResultTolerance {
 export interface Wear {
   /** The number of the tool offset. */
   tool: number;
-  /** The share of the error, 0.01 to 1. Left out: 1. */
-  share?: number | null;
+  /** How much of the error it is corrected by, 1 to 100 percent. Left out: 100. */
+  percent?: number;
   /** The error up to which nothing is corrected, in the job's units, 1 mm at most. Left out: 0. */
-  deadBand?: number | null;
+  deadBand?: number;
   /** Of how many parts the mean of the errors counts. Left out: each part corrects the tool. */
   parts?: number | null;
   /** With `parts`: the first of two tool offsets, of no tool, in which the macro keeps its values. */
