@@ -1,7 +1,7 @@
 //! The circle that a measured object is, from three touches and more: closed forms, spread, limits.
 
-use super::{errors, holes, near, on_linuxcnc, row, value, warnings};
-use crate::common::{interpret, normals, number, planned, point, with};
+use super::{errors, holes, near, on_linuxcnc, row, warnings};
+use crate::common::{drawn_spreads, interpret, number, planned, point, with};
 use touchpath::form::Value;
 use touchpath::formula::fit_circle;
 use touchpath::geom::Vec2;
@@ -64,30 +64,10 @@ fn uncertainties_agree_with_draws() {
     job = with(&job, "cycle.angularLength", number(200.0));
     job = with(&job, "cycle.startingAngle", number(25.0));
     job = with(&job, "part.rotation", number(0.3));
-    let plan = planned(&job);
-    let path = touchpath::job::planned(&job).unwrap().path;
-    let mut normal = normals();
-    let codes = ["Q950", "Q951", "Q953", "Q964", "Q966", "Q997"];
-    let mut sums = [(0.0, 0.0); 6];
-    let count = 100_000;
-    for _ in 0..count {
-        let scattered: Vec<_> = plan
-            .triggers
-            .iter()
-            .zip(&path.touches)
-            .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal())))
-            .collect();
-        let rows =
-            touchpath::part::evaluate(&path, &scattered, touchpath::part::Scatter { repeatability: 0.001, runout: None });
-        for (sum, code) in sums.iter_mut().zip(codes) {
-            let off = rows.iter().find(|r| r.code == code).unwrap().value.unwrap() - value(&plan, code);
-            *sum = (sum.0 + off, sum.1 + off * off);
-        }
-    }
-    for ((sum, squares), code) in sums.iter().zip(codes) {
-        let n = f64::from(count);
-        let spread = ((squares - sum * sum / n) / (n - 1.0)).sqrt();
-        let stated = row(&plan.results, code).uncertainty.unwrap();
+    let (plan, spreads) = (planned(&job), drawn_spreads(&job, 100_000));
+    for code in ["Q950", "Q951", "Q953", "Q964", "Q966", "Q997"] {
+        let index = plan.results.iter().position(|r| r.code == code).unwrap();
+        let (spread, stated) = (spreads[index].unwrap(), plan.results[index].uncertainty.unwrap());
         assert!((spread / stated - 1.0).abs() < 0.02, "{code}: drawn {spread}, stated {stated}");
     }
 }

@@ -3,7 +3,7 @@
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{import, interpret, job, normals, on_virtual_part, planned, with};
+use crate::common::{drawn_spreads, import, interpret, job, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, ResultRow, evaluate, plan};
 
@@ -169,33 +169,13 @@ fn uncertainties_go_through_relations() {
 fn uncertainties_of_relations_agree_with_draws() {
     let mut job = with(&job(PLATE), "part.rotation", Value::Number(0.3));
     job = with(&job, "stylus.repeatability", Value::Number(0.001));
-    let plan = planned(&job);
-    let path = touchpath::job::planned(&job).unwrap().path;
-    let mut normal = normals();
+    let (plan, spreads) = (planned(&job), drawn_spreads(&job, 5_000));
     // Those of the relations: the residual of a circle is no linear function.
     let between: Vec<usize> = (0..plan.results.len())
         .filter(|i| plan.results[*i].cycle >= plan.cycles.len() && plan.results[*i].code != "residual")
         .collect();
-    let mut sums = vec![(0.0, 0.0); between.len()];
-    let count = 5_000;
-    for _ in 0..count {
-        let scattered: Vec<_> = plan
-            .triggers
-            .iter()
-            .zip(&path.touches)
-            .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal())))
-            .collect();
-        let rows =
-            touchpath::part::evaluate(&path, &scattered, touchpath::part::Scatter { repeatability: 0.001, runout: None });
-        for (sum, i) in sums.iter_mut().zip(&between) {
-            let off = rows[*i].value.unwrap() - plan.results[*i].value.unwrap();
-            *sum = (sum.0 + off, sum.1 + off * off);
-        }
-    }
-    for ((sum, squares), i) in sums.iter().zip(&between) {
-        let n = f64::from(count);
-        let spread = ((squares - sum * sum / n) / (n - 1.0)).sqrt();
-        let row = &plan.results[*i];
+    for i in &between {
+        let (row, spread) = (&plan.results[*i], spreads[*i].unwrap());
         let stated = row.uncertainty.unwrap();
         // Of 5,000 draws a spread is known to one percent.
         assert!((spread / stated - 1.0).abs() < 0.04, "{} {}: drawn {spread}, stated {stated}", row.cycle, row.code);
