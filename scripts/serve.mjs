@@ -36,7 +36,7 @@ function pathOf(folder, address) {
 }
 
 /** Whether a file never changes: the hash of what is in it is in its name. */
-const lasts = (/** @type {string} */ file) => /-[\w-]{8}\.\w+$/.test(file);
+export const lasts = (/** @type {string} */ file) => /-[\w-]{8}\.\w+$/.test(file);
 
 /** Files as they were compressed, by name and time. @type {Map<string, Promise<Buffer>>} */
 const packed = new Map();

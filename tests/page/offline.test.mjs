@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
-import { addressOf, serve } from "../../scripts/serve.mjs";
+import { addressOf, lasts, serve } from "../../scripts/serve.mjs";
 import { wordsOf } from "../../scripts/words.mjs";
 import {
   context,
@@ -69,7 +69,7 @@ test("a first visit fetched each file twice: the worker takes what the page has 
     await tab.goto(addressOf(server));
     await ready(tab);
     assert.equal(await kept(tab), 1);
-    const named = fetched.filter((url) => /-[\w-]{8}\.\w+$/.test(url));
+    const named = fetched.filter(lasts);
     assert.ok(named.length > 20, `${named.length} files`);
     assert.deepEqual(
       named.filter((url, i) => named.indexOf(url) !== i),

@@ -488,6 +488,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     await write(process.stdout, `${JSON.stringify(command === "schema" ? jobSchema() : catalog(), null, 2)}\n`);
     return 0;
   }
+  judging = true;
   const task = taskOf(command as Task["command"], values);
   if (command === "evaluate") {
     const [, points] = names;
@@ -556,11 +557,13 @@ function refuse(why: string, json: boolean): never {
 }
 
 const json = process.argv.includes("--json");
+/** Whether jobs are judged: where the output is closed before all are, the exit code must not be that of good ones. */
+let judging = false;
 for (const stream of [process.stdout, process.stderr])
   stream.on("error", (error: NodeJS.ErrnoException) => {
     if (stream === process.stderr) process.exit(2);
-    // Whoever reads has enough, as in `| head -1`: no word, and where jobs were judged the code of a closed pipe, since not all were.
-    if (error.code === "EPIPE") process.exit(FILES.some((name) => process.argv.includes(name)) ? 141 : 0);
+    // Whoever reads has enough, as in `| head -1`: no word of it.
+    if (error.code === "EPIPE") process.exit(judging ? 141 : 0);
     refuse(error.message, json);
   });
 try {
