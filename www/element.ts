@@ -464,7 +464,7 @@ export class TouchPath extends Base {
   }
 }
 
-/** The JSON of what may be anything; null where there is none. */
+/** The value as JSON; null if JSON cannot hold it. */
 function textOf(value: unknown): string | null {
   try {
     return typeof value === "string" ? value : (JSON.stringify(value) ?? null);

@@ -35,7 +35,7 @@ export abstract class Entries extends Phrases {
     return this.postOf(this.get("control.post"));
   }
 
-  /** The entry of a control; none for what is no control of the catalog. */
+  /** The entry of a control; undefined if the catalog has no such control. */
   postOf(id: unknown): PostEntry | undefined {
     return this.catalog.posts.find((post) => post.id === id);
   }
@@ -79,7 +79,7 @@ export abstract class Entries extends Phrases {
     return words.indexOf(word) + 1 || null;
   }
 
-  /** The entry of a field by its path in the job; none for what is no field of the catalog. */
+  /** The entry of a field by its path in the job; undefined if the catalog has no such field. */
   fieldAt(path: string): FieldEntry | undefined {
     const plain = path.replace(/\[\d\]$/, "");
     const keys = plain.split(".");

@@ -99,7 +99,7 @@ const THEME = "touchpath.theme.1";
 const CAM = "touchpath.cam.1";
 const LANGUAGE = "touchpath.language.1";
 
-/** A choice for the page that was kept under a name; null where there is none. */
+/** A choice for the page that was kept under a name; null if nothing was kept. */
 function choice(name: string): string | null {
   try {
     return localStorage.getItem(name);

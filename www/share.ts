@@ -23,7 +23,7 @@ export async function toFragment(state: Shared): Promise<string | null> {
 /** Whether a fragment is a link's at all. */
 export const isFragment = (hash: string): boolean => hash.startsWith("#job");
 
-/** The state of a fragment; null where there is none that can be read. At most so many characters are unpacked. */
+/** The state of a fragment; null if it cannot be read. At most so many characters are unpacked. */
 export async function fromFragment(hash: string, longest: number): Promise<Shared | null> {
   if (!hash.startsWith(KEY) || hash.length > LONGEST_LINK) return null;
   try {

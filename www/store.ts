@@ -239,7 +239,7 @@ export class Store extends Entries {
     this.arrange(() => change(this.features));
   }
 
-  /** Where the tolerances of a result are kept: of the cycle in hand in the form. None of what is no longer in the program. */
+  /** Where the tolerances of a result are kept: of the cycle in hand in the form. Undefined for a cycle that is no longer in the program. */
   private toleratedOf(cycle: number): { tolerances: Draft; keep: (tolerances: Draft) => void } | undefined {
     const { features, draft, plan } = this;
     // By its name: where the form has errors, the plan may be of another order.
@@ -686,7 +686,7 @@ export class Store extends Entries {
     this.load(job as Draft, measured);
   }
 
-  /** Takes the job of a text that was read. Throws `JobError`, and changes nothing, where there is none or it cannot be shown. */
+  /** Takes the job of a text that was read. Throws `JobError`, and changes nothing, if the text holds no job, or one that the form cannot show. */
   open({ imported, findings }: Reading): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     if (!imported) throw new JobError(findings[0]?.message ?? "", findings);

@@ -70,7 +70,7 @@ impl Request<'_> {
         self.path.own.as_ref().map_or_else(Vec::new, |own| own.tools())
     }
 
-    /// What it does to the work offset of the job; none where that names none.
+    /// What it does to the work offset of the job; `None` if the job names no offset.
     fn does_to_offset(&self) -> Option<Text> {
         let number = self.work_offset?;
         let offset = (self.post.work_offset_word)(number);

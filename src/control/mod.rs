@@ -130,7 +130,7 @@ impl Report {
         }
     }
 
-    /// The report of a word; on the screen where it is none of them.
+    /// The report that a word names; `Screen` for any other word.
     pub fn named(word: &str) -> Report {
         [Report::Log, Report::None].into_iter().find(|report| report.word() == word).unwrap_or(Report::Screen)
     }
@@ -199,7 +199,7 @@ pub struct PostDef {
 }
 
 /// What most controls have. A control is one const over it, or over that of its kin: `PostDef { key: "…", …, ..BASE }`. What every control must state
-/// for itself (key, title, `about`, extension, `serves`, `emit`) is nothing here, and a test asks for it.
+/// for itself (key, title, `about`, extension, `serves`, `emit`) is empty here; a test checks that every control states it.
 pub const BASE: PostDef = PostDef {
     key: "",
     title: "",

@@ -276,7 +276,7 @@ pub fn not_followed() -> Vec<Verdict> {
 /// What every rule says of a followed program.
 pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts) -> Vec<Verdict> {
     let case = Case { request, followed, restarts };
-    // Where the job lets a program act on no tolerance, nothing is said of it.
+    // If no tolerance has an action, the rule for tolerances is not reported.
     let tolerates = request.questions().iter().any(|question| question.asked != Asked::Plausible);
     let follows = !request.path.shifts.is_empty();
     // What no job asks for needs no word.
@@ -567,7 +567,7 @@ struct Answer {
     limit: f64,
 }
 
-/// The questions that a program asks; a break where one is of no result of it. `line` is where that is said.
+/// The checks that a program makes. A check that belongs to no result of the program breaks the rule; `line` is the line that is reported.
 fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
     let of = |question: Question| {
         let formula = &case.request.path.formula;

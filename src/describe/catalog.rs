@@ -180,7 +180,7 @@ pub struct PostEntry {
     pub watches: bool,
     /// Whether its program computes the results itself.
     pub computes: bool,
-    /// Whether its own cycles correct a tool by a size that they measure.
+    /// Whether its own cycles can correct a tool offset from a measured size.
     pub corrects_tools: bool,
     /// The fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],

@@ -396,7 +396,7 @@ mod tests {
         .unwrap();
         assert_eq!(touches(&wall), [[-55.0, 2.0, -3.0]]);
         assert_eq!(crate::job::plan(&wall).unwrap().touches[0].vector, [1.0, 0.0, 0.0]);
-        // What is not known makes no job; nor does what is no documented cycle, or is wrong.
+        // No job comes of unknown values, of a cycle that is not documented, or of a wrong call.
         assert!(job("G65 P9814", &[("D", 25.0)], [f64::NAN, 2.0, 5.0]).is_none());
         assert!(job("G65 P9812", &[("X", 5.0), ("Y", 5.0)], [0.0; 3]).is_none());
         assert!(job("G65 P9834", &[], [0.0; 3]).is_none() && job("G65 P9814", &[("D", 1.0)], [0.0; 3]).is_none());

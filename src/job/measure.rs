@@ -21,7 +21,7 @@ pub struct Measurement {
     pub results: Vec<ResultRow>,
     /// The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches.
     pub points: Vec<Option<Triple>>,
-    /// On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if there is none; a finding gives the reason.
+    /// On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if nothing has to be typed; a finding gives the reason.
     pub block: Option<String>,
     /// How the values were read, and what is missing: warnings and notes.
     pub findings: Vec<Finding>,

@@ -356,7 +356,7 @@ mod tests {
             quick += u32::from(whole(value, places).is_some());
         }
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-            assert_eq!(exactly(value, 4), library(value, 4), "what is no number is said");
+            assert_eq!(exactly(value, 4), library(value, 4), "NaN is printed");
         }
         for value in [0.0, -0.0, 1.0, -1.0, 0.1, 9.999_99, 99_999.999_95, 1e15, 1e22, 5e-324, -0.000_05, 0.5, 1.5, 2.5] {
             for places in 0..14 {

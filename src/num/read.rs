@@ -4,7 +4,7 @@
 use crate::num::whole::Whole;
 
 /// A decimal number: a sign, digits with a point anywhere, an exponent. Rounded to the nearest, ties to even; what is too large is infinite. None
-/// where the text is anything else: infinities and what is no number have no text here.
+/// where the text is anything else: infinities and NaN have no text here.
 pub fn read(text: &str) -> Option<f64> {
     let (negative, unsigned) = match text.as_bytes() {
         [b'-', rest @ ..] => (true, rest),

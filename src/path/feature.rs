@@ -172,7 +172,7 @@ pub struct TwoCircles {
     pub spread: Option<Spread>,
     /// The settings of the cycle, in the order of its block.
     pub settings: Vec<Setting>,
-    /// Those of the extrusion in front of it; empty where there is none.
+    /// The settings of the extrusion (1493) in front of it; empty without one.
     pub extrusion: Vec<Setting>,
     /// Whether the operator has to bring the probe to an object.
     pub semi_automatic: bool,

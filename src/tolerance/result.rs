@@ -134,7 +134,7 @@ pub fn plain_of_result(text: &str) -> String {
     format!("{size}{both}")
 }
 
-/// The same tolerance with every length multiplied by `by`: what is no tolerance stays as it is.
+/// The same tolerance with every length multiplied by `by`: any other text stays as it is.
 pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
     if Zone::read(&tidied(text)).is_none() {
         return text.to_owned();

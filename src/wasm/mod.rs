@@ -101,7 +101,7 @@ struct Last {
 
 impl Last {
     fn is(&self, codes: &[f64], text: &str) -> bool {
-        // As bits: what is no number is the same as itself.
+        // Compared as bits, so that NaN equals itself.
         let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits();
         self.text == text && self.codes.len() == codes.len() && self.codes.iter().zip(codes).all(same)
     }

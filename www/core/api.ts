@@ -29,7 +29,7 @@ import type { Packed } from "./unpacked.js";
 
 export { JobError };
 
-// The functions of the package. They take anything: what is no job is refused with findings.
+// The functions of the package. They accept any value: one that is not a job is refused with findings.
 
 /** Everything a form needs: cycles, their fields, the controls. */
 export function catalog(): Catalog {

@@ -544,7 +544,7 @@ export interface Measurement {
   results: ResultRow[];
   /** The ball centre at each touch, in the work coordinate system; null where it made no contact. Empty where the text gives results and no touches. */
   points: (Vec3 | null)[];
-  /** On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if there is none; a finding gives the reason. */
+  /** On grbl, which cannot write a work offset from a program: the block that the operator types before the next move. Null if nothing has to be typed; a finding gives the reason. */
   block: string | null;
   /** How the values were read, and what is missing: warnings and notes. */
   findings: Finding[];
@@ -708,7 +708,7 @@ export interface PostEntry {
   watches: boolean;
   /** Whether its program computes the results itself. */
   computes: boolean;
-  /** Whether its own cycles correct a tool by a size that they measure. */
+  /** Whether its own cycles can correct a tool offset from a measured size. */
   correctsTools: boolean;
   /** The fields of the job's section `control` that change nothing on it. */
   unused: string[];

@@ -79,7 +79,7 @@ const NOT_MEASURED = "not measured";
 /** The verdicts from good to bad. */
 const GRADES = ["good", "good within ±", "out within ±", NOT_MEASURED, "rework", "out", "scrap", "implausible"];
 
-/** The worst of several verdicts; `null` where there is none. */
+/** The worst of several verdicts; `null` without any. */
 const worst = (verdicts: (string | null)[]): string | null =>
   verdicts.reduce(
     (bad, one) => (one !== null && (bad === null || GRADES.indexOf(one) > GRADES.indexOf(bad)) ? one : bad),

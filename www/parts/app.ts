@@ -466,7 +466,7 @@ export class App extends LitElement {
     this.use("cycles");
   }
 
-  /** The help is of the field that has the focus: elsewhere there is none. */
+  /** The help belongs to the field in focus; without one, no help is shown. */
   private readonly unhelp = (event: Event): void => {
     const inside = (event.composedPath()[0] as Element).closest?.("tp-form, tp-bar, tp-help");
     if (!inside) this.store.focus(null);
@@ -493,7 +493,7 @@ export class App extends LitElement {
   /** Says what the store has done beside what it was asked for. */
   private readonly pass = (event: Event): void => this.tell((event as CustomEvent<Said>).detail, true);
 
-  /** To the field of a path, or to the first one inside it; to Checks where there is none. */
+  /** To the field of a path, or to the first one inside it; to Checks if no field is found. */
   private async go(wanted: string): Promise<void> {
     await this.use("cycles");
     // A field of a cycle that is not in the form.

@@ -169,7 +169,7 @@ class BarPart extends FieldPart {
     }`;
   }
 
-  /** The number of an offset such as G154 P12; what is no such number changes nothing. */
+  /** The number of an offset such as G154 P12; any other text changes nothing. */
   private page(box: HTMLInputElement, first: number, count: number): void {
     const page = Number(box.value);
     if (Number.isInteger(page) && page >= 1 && page <= count) this.store.put("control.workOffset", first + page - 1);

@@ -89,7 +89,7 @@ export abstract class FieldPart extends Part {
     this.store.set(path, plain ? text : readNumber(text, field.unit, this.store.units, this.store.comma, size), text);
   }
 
-  /** A sum shows what it comes to; what is no number stays as it was typed. */
+  /** A sum shows what it comes to; any other text stays as it was typed. */
   private accept(path: string): void {
     this.store.settle();
     const text = this.store.typed.get(path);

@@ -10,7 +10,7 @@ use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 use crate::path::{Arc, Reach};
 
-/// Runs a cycle by its Q parameters, lengths in mm and angles in degrees: none of one that is not known here, or whose parameters are not.
+/// Runs a cycle by its Q parameters, lengths in mm and angles in degrees: `None` if the cycle or one of its parameters is not known here.
 pub fn run(number: u16, parameters: &[(u16, f64)], reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     let mut cycle = Cycle { parameters, reach, high: f64::NAN, machine };
     let known = match number {

@@ -57,7 +57,7 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     program.finish(meets)
 }
 
-/// Runs a block: none of one that moves nothing.
+/// Runs a block; `None` if the block does not move.
 fn call(block: &OwnBlock, reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     let OwnBlock::Cycle(number, parameters) = block else { return None };
     let values: Vec<(u16, f64)> = parameters.iter().map(|(q, quantity)| (*q, quantity.value())).collect();
@@ -80,17 +80,17 @@ impl Plan<'_> {
         self.request.work_offset.map(f64::from)
     }
 
-    /// Where the ball crosses between touches, and where the cycles end: as high as the documented path crosses, or begins; in a set-up as high as
-    /// the ways between its cycles, which they make themselves.
-    fn high(&self) -> f64 {
-        self.own_high().max(self.request.clear.unwrap_or(f64::NEG_INFINITY))
+    /// The clearance height of a cycle that would be there alone: in a set-up no lower than the ways between the cycles, which they make themselves.
+    fn clearance_height(&self, alone: f64) -> f64 {
+        self.request.clear.map_or(alone, |clear| clear.max(alone))
     }
 
-    fn own_high(&self) -> f64 {
+    /// Where the ball crosses between touches, and where the cycles end: as high as the documented path crosses, or begins.
+    fn high(&self) -> f64 {
         let path = self.request.path;
         let level = path.touches.iter().map(|touch| touch.point.z).fold(f64::NEG_INFINITY, f64::max);
         let crosses = made::start(path).filter(|start| start.z > level + NEAR);
-        crosses.or(path.moves.first().map(|step| step.to)).map_or(level, |place| place.z)
+        self.clearance_height(crosses.or(path.moves.first().map(|step| step.to)).map_or(level, |place| place.z))
     }
 
     fn begins_at(&mut self, place: Vec3, high: f64) {
@@ -176,8 +176,7 @@ impl Plan<'_> {
         let start = made::begins(path).unwrap_or(touch.point);
         let entry = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
         let set_up = self.set_up(entry)?;
-        let high = path.moves.first().map_or(start.z, |step| step.to.z);
-        let high = high.max(self.request.clear.unwrap_or(high));
+        let high = self.clearance_height(path.moves.first().map_or(start.z, |step| step.to.z));
         self.touches_surface(touch.point, touch.vector, set_up, high, point.elevation)
     }
 

@@ -52,7 +52,7 @@ pub struct Argument {
     pub name: &'static str,
     pub meaning: &'static str,
     pub unit: Unit,
-    /// What the control takes, where that is known: from, to. Of one without an end the begin is none.
+    /// The smallest and largest value that the control accepts, where known. Without a largest value the smallest itself is excluded.
     pub range: Option<(f64, f64)>,
 }
 

@@ -83,7 +83,7 @@ pub fn start(path: &Path) -> Option<Vec3> {
     path.moves.iter().take_while(|step| step.step <= 1).last().map(|step| step.to)
 }
 
-/// Runs a block of a program: none of one that moves nothing.
+/// Runs a block of a program; `None` if the block does not move.
 pub type Runs = fn(&OwnBlock, Reach, &mut Machine<'_>) -> Option<Result<(), Alarm>>;
 
 /// A program of cycles that is put together.

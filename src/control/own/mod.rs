@@ -30,7 +30,7 @@ pub struct OwnRequest<'a> {
     pub report: Report,
     /// What the probe table adds to each clearance, mm.
     pub set_up: f64,
-    /// The height between the cycles of a set-up, where the cycles themselves go there.
+    /// The height between the cycles of a set-up, if the control's own cycles make the ways between them; else `None`.
     pub clear: Option<f64>,
     /// The tools that are corrected, by the codes of the results.
     pub wear: &'a [(String, Wear)],
@@ -60,7 +60,7 @@ pub struct OwnCycles {
     pub word: fn(u32, &str) -> String,
     /// The control's name of a result.
     pub name: fn(Stored) -> String,
-    /// Whether they correct a tool by a size that they measure.
+    /// Whether they can correct a tool offset from a measured size.
     pub corrects_tools: bool,
     /// How several of them stand in one program.
     pub several: Several,
@@ -71,7 +71,7 @@ pub struct OwnCycles {
 pub struct Several {
     /// The block of a way between two cycles: to a place, along these axes, for a ball of this radius, at a feed of this rate (mm/min).
     pub way: fn(Vec3, [bool; 3], f64, (Feed, f64)) -> OwnBlock,
-    /// Whether a cycle goes there by itself, as high as its own clearance height: the block stands for that.
+    /// Whether each cycle goes to the next one by itself, at its clearance height: the program then has no block for the way.
     pub comes_itself: bool,
     /// The first and the last of the variables that keep what the next cycle empties.
     pub kept: (usize, usize),

@@ -46,7 +46,7 @@ pub fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
     made::rerun(own, (radius, radius), run, meets)
 }
 
-/// Runs a block: none of one that moves nothing.
+/// Runs a block; `None` if the block does not move.
 fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     let OwnBlock::Call(number, letters) = block else { return None };
     let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
@@ -589,7 +589,7 @@ impl<'a> Program<'a> {
     }
 }
 
-/// Which axis of the plane a direction is along; none of one that is turned.
+/// The axis of the plane that a direction is parallel to; `None` if it is turned.
 fn axis_of(vector: Vec3) -> Option<usize> {
     (0..2).find(|axis| vector[*axis].abs() > 1.0 - NEAR)
 }

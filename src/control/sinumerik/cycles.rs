@@ -8,7 +8,7 @@ use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 
-/// Runs a cycle by the places of its arguments, lengths in mm and angles in degrees: none of one that is not known here, or whose arguments are not.
+/// Runs a cycle by the places of its arguments, lengths in mm and angles in degrees: `None` if the cycle or one of its arguments is not known here.
 pub fn run(number: u16, arguments: &[(u16, f64)], machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     match number {
         977 => Feature::of(arguments).map(|feature| feature.run(machine)),

@@ -71,7 +71,7 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     program.finish(meets)
 }
 
-/// Runs a block: none of one that moves nothing.
+/// Runs a block; `None` if the block does not move.
 fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     match block {
         OwnBlock::Cycle(number, arguments) => {
@@ -480,7 +480,7 @@ pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
         }
     }
     let last = arguments.iter().map(|(place, _)| *place).max().unwrap_or(0);
-    // The name of a tool, which is none.
+    // The name of a tool stays empty.
     let name = if *number == 977 { 16 } else { 11 };
     let text = |place: u16| match arguments.iter().find(|(known, _)| *known == place) {
         _ if place == name => "\"\"".to_owned(),

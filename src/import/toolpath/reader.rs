@@ -372,7 +372,7 @@ impl Reader {
         if block.offset.is_some() | block.writes {
             self.shift(block);
         }
-        // What ends a shift without naming anything changes nothing where there is none.
+        // A block that only ends a shift changes nothing if no shift is active.
         if (self.transformed.times > transformed || self.turned)
             && (block.given != 0 || block.radius.is_some() || block.offset.is_some())
         {

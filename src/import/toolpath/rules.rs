@@ -83,7 +83,7 @@ pub const RUN_RULES: [&str; 11] = [
     "modes-left",
 ];
 
-/// Asks every rule of a run that probes; none of one that does not.
+/// Checks every rule on a run that probes; a run without a touch is not checked.
 pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
     // A program that takes no notice of any has touches all the same.
     let all = log.touches.iter().all(|touch| touch.positions);

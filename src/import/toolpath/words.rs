@@ -19,7 +19,7 @@ enum Value {
 }
 
 impl Reader {
-    /// Takes the word at `at` and gives where the next one begins; none where it is none.
+    /// Takes the word at `at` and gives where the next one begins; `None` if it is not a word.
     pub(super) fn word(&mut self, line: &[u8], at: usize, block: &mut Block) -> Option<usize> {
         let letter = line[at].to_ascii_uppercase();
         let (word, end) = match self.value(line, at, letter)? {

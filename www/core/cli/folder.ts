@@ -34,7 +34,7 @@ const MOST_LINES = 1_000_000;
 /** So many mistakes are named. */
 const MOST_NAMED = 5;
 
-/** Which file a path leads to, whatever it is called; null where there is none. */
+/** Which file a path leads to, whatever it is called; null if the file does not exist. */
 export async function fileAt(path: string): Promise<string | null> {
   const there = await stat(path, { bigint: true }).catch(() => null);
   return there && `${there.dev}:${there.ino}`;

@@ -193,7 +193,7 @@ function printed({ results, block, findings }: Measurement, plan: Plan): string 
   return [listed(results, plan), notes.length > 0 ? "\n" : "", ...notes, block === null ? "" : `\n${block}\n`].join("");
 }
 
-/** What JSON says; what is none is a job that is refused. */
+/** The value of a JSON text; throws `JobError` if it is not JSON. */
 export function parsed(text: string): unknown {
   try {
     return JSON.parse(text.replace(/^\uFEFF/, ""));
