@@ -5,6 +5,7 @@ mod calls;
 mod circles;
 mod controls;
 mod does;
+mod draws;
 mod edges;
 mod family;
 mod fanuc;

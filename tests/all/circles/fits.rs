@@ -1,7 +1,8 @@
 //! The circle that a measured object is, from three touches and more: closed forms, spread, limits.
 
+use super::super::draws::drawn_spreads;
 use super::{errors, holes, near, on_linuxcnc, row, warnings};
-use crate::common::{drawn_spreads, interpret, number, planned, point, with};
+use crate::common::{interpret, number, planned, point, with};
 use touchpath::form::Value;
 use touchpath::formula::fit_circle;
 use touchpath::geom::Vec2;

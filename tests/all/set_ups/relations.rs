@@ -1,9 +1,10 @@
 //! What lies between the features of a set-up, held against hand calculations, the drawn part and LinuxCNC's interpreter.
 
+use super::super::draws::drawn_spreads;
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{drawn_spreads, import, interpret, job, on_virtual_part, planned, with};
+use crate::common::{import, interpret, job, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, ResultRow, evaluate, plan};
 
