@@ -104,9 +104,8 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
+        w.names_cycle(index);
         if let Some(begins) = path.begins_member(index) {
-            let member = &path.members[begins];
-            w.comment(&format!("{}: {}", member.name, member.title));
             for question in path.asked_before(begins, &request.limits) {
                 hooks.ask(&mut w, formula, &question);
             }

@@ -1,7 +1,7 @@
 // A program that calls cycles of the control's own: the picture shows their path, the lines are the calls, the results have the control's names.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openText, page, settles, setUp, textOf } from "./common.mjs";
+import { openText, page, program, settles, setUp, textOf } from "./common.mjs";
 
 setUp();
 
@@ -85,3 +85,38 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. H0.5"));
   assert.equal(await page.locator(".tolerances .problem").count(), 0);
 });
+
+for (const [post, calls] of /** @type {[string, string[]][]} */ ([
+  ["heidenhain", ["TCH PROBE 427", "TCH PROBE 421", "TCH PROBE 426"]],
+  ["haas", ["G65 P9811", "G65 P9814", "G65 P9812"]],
+  ["sinumerik", ["CYCLE978", "CYCLE977", "CYCLE977"]],
+]))
+  test(`in a set-up of the control's own cycles a move lit the line of another call: ${post}`, async () => {
+    await openText(
+      JSON.stringify({
+        format: 2,
+        control: { post, form: "cycle" },
+        cycles: [
+          { name: "TOP", type: "surface", origin: [-60, 0, 0] },
+          { name: "BORE", type: "hole", diameter: 25 },
+          { name: "RIB", type: "web", width: 30, origin: [100, 0, 0] },
+        ],
+      }),
+    );
+    await settles(async () => (await page.locator("tp-program .chapter").count()) === 3);
+    assert.deepEqual(await page.locator("tp-program .chapter").allTextContents(), ["TOP", "BORE", "RIB"]);
+    const touches = await page.evaluate(() => {
+      const { moves } = /** @type {any} */ (document.querySelector("touch-path")).plan;
+      return [0, 1, 2].map((cycle) =>
+        moves.findIndex((/** @type {any} */ move) => move.cycle === cycle && move.kind === "touch"),
+      );
+    });
+    const lit = page.locator("tp-program .line[aria-selected=true]");
+    for (const [cycle, move] of touches.entries()) {
+      await page.evaluate((move) => /** @type {any} */ (document.querySelector("touch-path")).store.point(move), move);
+      await settles(async () => (await textOf(lit)).includes(calls[cycle] ?? "none"));
+      const numbers = (await program()).split("\n").filter((line) => line.includes(calls[cycle] ?? "none"));
+      const nth = calls.slice(0, cycle).filter((call) => call === calls[cycle]).length;
+      assert.equal(await textOf(lit.locator(".text")), numbers[nth]?.trim(), "its own call, and no other");
+    }
+  });

@@ -36,7 +36,7 @@ const RUNS: [RegExp, string, string][] = [
 
 /** A line that a setter looks for although it makes no move: what is written, shown, called or ended. */
 const SEEN =
-  /^(?:G10 |\$P_UIFR\[\d+,\w,TR\]=\$P|#(?:52[2-9]\d|53[0-3]\d|7\d{3}|14\d{3})=#|\(DEBUG,|\(PRINT,|\(LOG,|MSG\("[a-z]|DPRNT|POPEN|M(?:0|00|1|2|30|72)$|G65 |CALL O|CYCLE\d|\d+ |%|\(READ THE)/;
+  /^(?:G10 |\$P_UIFR\[\d+,\w,TR\]=\$P|#(?:52[2-9]\d|53[0-3]\d|7\d{3}|14\d{3})=#|\(DEBUG,|\(PRINT,|\(LOG,|MSG\("[a-z]|DPRNT|POPEN|M(?:0|00|1|2|30|72)$|G65 |CALL O|CYCLE\d|\d+ | +Q|%|\(READ THE)/;
 
 /** The number of a line, as wide as the others: text alone, since a box for each is laid out at every keystroke. */
 const numberOf = (line: number) => `${String(line + 1).padStart(4)}  `;
@@ -50,8 +50,8 @@ const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
 /** How long it is said that a program was saved or copied, in milliseconds: the words stand where those of a search do. */
 const TOLD = 8000;
 
-/** The block of a cycle that makes its moves by itself. */
-const CYCLE = /^CYCLE\d+\(|^\d+ TCH PROBE 1411 /;
+/** The block of a cycle that makes its moves by itself: not a protected move, the probe's switch, what lies between features, or 1493. */
+const CALL = /^(?:G65 P|CALL O)(?!\d\d(?:10|3[2-5])\b)|^CYCLE\d+\(|^\d+ TCH PROBE (?!1493)/;
 
 /** The touches that moves make, counted from 1, where a touch is made for the first time. */
 function touchNumbers(store: Store): Map<number, number> {
@@ -112,6 +112,8 @@ class ProgramPart extends Part {
     const why = stale ? "withheld-program" : nothing;
     const lines = program.text === "" ? [] : program.text.replace(/\n$/, "").split("\n");
     const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
+    // Of each call the last move that it makes.
+    const callAt = new Map(this.lines.map((line, move) => [line, move]));
     const { head } = this;
     // Blocks that begin with their own numbers need no second ones.
     const own = lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
@@ -144,7 +146,7 @@ class ProgramPart extends Part {
     const blocks: Block[] = [];
     for (const one of numbered.slice(head)) {
       const named = NAMED.exec(one.text)?.[1];
-      const move = moveAt.get(one.line) ?? (named === undefined ? undefined : Number(named) - 1);
+      const move = moveAt.get(one.line) ?? (named === undefined ? callAt.get(one.line) : Number(named) - 1);
       const { step = 0, cycle = 0 } = (move === undefined ? undefined : moves[move]) ?? blocks.at(-1) ?? {};
       const next = `${cycle} ${step}`;
       if (next !== now || blocks.length === 0) blocks.push({ step, cycle, lines: [] });
@@ -238,18 +240,27 @@ class ProgramPart extends Part {
     return first > 3 ? first : 0;
   }
 
-  /** The line of a move: where the control makes it by itself, that of its cycle. */
-  private lineOf(move: number): number {
-    const { moveLines, text } = this.store.plan.program;
-    const line = moveLines[move] ?? -1;
-    if (line < 0 && this.store.plan.program.own) return this.callOf(move);
-    return line >= 0 ? line : text.split("\n").findIndex((block) => CYCLE.test(block));
-  }
+  /** The plan whose lines are known. */
+  private lined: Plan | null = null;
+  private known: number[] = [];
 
-  /** The line of the call that makes a move: its step counts the lines from that of the first move on. */
-  private callOf(move: number): number {
-    const { moves, program } = this.store.plan;
-    return (program.moveLines[0] ?? 0) + (moves[move]?.step ?? 1) - 1;
+  /** The line of each move: where the control makes it by itself, that of the call. */
+  private get lines(): readonly number[] {
+    const { plan } = this.store;
+    if (this.lined === plan) return this.known;
+    const { moveLines, own, text } = plan.program;
+    const calls = [...text.split("\n").entries()].filter(([, block]) => CALL.test(block)).map(([line]) => line);
+    let [call, made] = [-1, ""];
+    this.known = plan.moves.map(({ cycle, step }, move) => {
+      const line = moveLines[move] ?? -1;
+      if (line >= 0) return line;
+      // A step of such a program is a call. What leads to the first touch is made by the call that follows.
+      const leads = !own || step < 2;
+      if (!leads && made !== `${cycle} ${step}`) [call, made] = [call + 1, `${cycle} ${step}`];
+      return calls[leads ? call + 1 : call] ?? -1;
+    });
+    this.lined = plan;
+    return this.known;
   }
 
   /** Whether differences are shown in place of the program. */
@@ -368,7 +379,7 @@ class ProgramPart extends Part {
   /** The line and the step of the move that is pointed at; the one before is no longer lit. The lines are not rendered again for it. */
   protected override light(): void {
     const { highlight, plan } = this.store;
-    const line = highlight === null ? -1 : this.lineOf(highlight);
+    const line = highlight === null ? -1 : (this.lines[highlight] ?? -1);
     const step = highlight === null ? 0 : (plan.moves[highlight]?.step ?? 0);
     for (const old of this.querySelectorAll("[aria-selected=true]")) {
       old.setAttribute("aria-selected", "false");
@@ -427,10 +438,9 @@ class ProgramPart extends Part {
   private onLine(event: MouseEvent, act: (move: number | null) => void): void {
     const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
     if (line === undefined) return;
-    const { moves, program } = this.store.plan;
+    const { program } = this.store.plan;
     const made = program.moveLines.lastIndexOf(Number(line));
-    const called = () => moves.findIndex((_, move) => this.callOf(move) === Number(line));
-    const move = made < 0 && program.own ? called() : made;
+    const move = made < 0 && program.own ? this.lines.indexOf(Number(line)) : made;
     act(move < 0 ? null : move);
   }
 

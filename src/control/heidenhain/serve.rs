@@ -533,8 +533,14 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
         w.line(&format!("TOOL CALL {tool} Z S50"));
     }
     // To where the first touch begins.
+    w.names_cycle(0);
     w.leaves_move();
+    let mut made = 1;
     for (block, moves) in &own.blocks {
+        if *moves > 0 {
+            w.names_cycle(made);
+            made += moves;
+        }
         for _ in 0..*moves {
             w.leaves_move();
         }

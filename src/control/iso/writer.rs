@@ -260,6 +260,15 @@ impl<'a> Writer<'a> {
         }
     }
 
+    /// Names the cycle of a set-up that begins with this move.
+    pub fn names_cycle(&mut self, index: usize) {
+        let path = self.request.path;
+        if let Some(begins) = path.begins_member(index) {
+            let member = &path.members[begins];
+            self.comment(&format!("{}: {}", member.name, member.title));
+        }
+    }
+
     /// Units and modes: stated, never inherited.
     pub fn modes(&mut self) {
         let request = self.request;

@@ -130,20 +130,14 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     let Some(own) = &request.path.own else { return w.finish() };
     begin(request, own, calls, &mut w);
     let probes = !request.path.moves.is_empty();
-    let names = |w: &mut Writer<'_>, index: usize| {
-        if let Some(begins) = request.path.begins_member(index) {
-            let member = &request.path.members[begins];
-            w.comment(&format!("{}: {}", member.name, member.title));
-        }
-    };
     if probes {
-        names(&mut w, 0);
+        w.names_cycle(0);
         approach(request, own, calls, &mut w);
     }
     let mut made = 1;
     for (block, moves) in &own.blocks {
         if *moves > 0 {
-            names(&mut w, made);
+            w.names_cycle(made);
             made += moves;
         }
         match block {
