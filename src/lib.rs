@@ -7,6 +7,7 @@
 //! | module | what a user of the crate finds there |
 //! |---|---|
 //! | [`job`] | a job from JSON, its check, its plan, its picture, its results from measured points |
+//! | [`config`] | what a portal allows: rules that jobs are filled in and judged by |
 //! | [`typed`] | a job as Rust types, instead of JSON |
 //! | [`describe`] | what forms and readers need: the catalog, the JSON Schema, the parameter table as text |
 //! | [`import`](mod@import) | dumps and programs into jobs; the moves of any program |
@@ -24,6 +25,7 @@
 //! What this is not: a simulator of a machine. It knows the feature that is probed, not fixtures, axis limits or spindles; of the
 //! stylus it knows what the job says; and no program made here has been run on a machine by its authors.
 
+pub mod config;
 pub mod describe;
 pub mod form;
 pub mod import;

@@ -75,6 +75,11 @@ impl Checker {
         self.found.iter().any(|f| f.code == code && f.path == path)
     }
 
+    /// Whether there is a finding at this path.
+    pub fn has_path(&self, path: &str) -> bool {
+        self.found.iter().any(|f| f.path == path)
+    }
+
     /// Everything found, in the order found; last, where there are too many to list, how many more.
     pub fn findings(mut self) -> Vec<Finding> {
         const LEVELS: [Level; 3] = [Level::Error, Level::Warning, Level::Info];
@@ -161,6 +166,11 @@ impl<'a, 'c> Section<'a, 'c> {
             }
         };
         Section { checker, value, path }
+    }
+
+    /// The object itself, where it is one.
+    pub fn value(&self) -> Option<&'a Value> {
+        self.value
     }
 
     /// The loose value under a key.

@@ -15,6 +15,10 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     ("ball-too-wide", "The ball does not fit between the walls, or into the hole."),
     ("ball-unknown", "A dump says ball centres but not the ball's diameter: the default is taken."),
+    (
+        "beyond-travel",
+        "The path, or the search past a touch, leaves the travel of the machine that the portal's config states.",
+    ),
     ("block-to-type", "grbl: the block that states the work offset, to be typed before anything moves."),
     ("branch-ends", "A branch whose condition is not known ends the program: the run continues as if it were not taken."),
     ("circle-in-circle", "1411: one circle is wholly inside the other. Often a diameter in other units."),
@@ -53,6 +57,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("header-unknown", "The header of a program has values that this cycle has no place for."),
     ("header-unsound", "The job in a program's header has errors."),
     ("implausible", "On this part a result is off by more than its limit: a program that writes stops with an alarm first."),
+    ("keep-out", "The ball, or what is known of the stylus above it, enters a keep-out zone of the portal's config."),
     (
         "length-not-along-tool-axis",
         "The tool length that the control uses does not act along the tool axis: the touches would be wrong by the stylus' length.",
@@ -66,6 +71,7 @@ pub const CODES: &[(&str, &str)] = &[
         "lines-skipped",
         "Lines of a program that jump, call, compute, run a cycle or are not understood, or its axes other than X, Y and Z, were not followed: its other moves are shown.",
     ),
+    ("locked", "The portal's config fixes this field at another value."),
     ("low-crossing", "The ball crosses below the top side of a pocket: an island would be hit."),
     ("low-rapid", "A rapid that nothing watches goes down or across below the clearance plane."),
     ("low-start", "The source knows no top side, and the path begins and ends only a little above the touches."),
@@ -101,6 +107,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("not-a-number", "A value that should be a number is not one."),
     ("not-a-tolerance", "The tolerance of a result cannot be read, or its class does not exist for this size."),
     ("not-a-value", "A nominal value is neither a number nor one of the texts that are known."),
+    ("not-allowed", "The portal's config does not allow this choice or this value."),
     (
         "not-at-feed",
         "A touch begins so close to its contact that the axes are still accelerating there: the probe was calibrated at the full feed.",
@@ -171,6 +178,7 @@ pub const CODES: &[(&str, &str)] = &[
         "points-differ",
         "The used points of a dump (-100 and following) differ from the original ones (-200): the used ones are taken.",
     ),
+    ("portal", "What the portal itself says of the job."),
     ("positioning-not-watched", "A contact in a positioning move goes unnoticed."),
     ("predefined", "A value is the control's own (PREDEF): the form's number stands in for the picture."),
     ("probe-move-too-short", "Older interpreters of LinuxCNC refuse probe moves this short."),

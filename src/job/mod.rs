@@ -50,7 +50,7 @@ pub use units::convert_units;
 /// Where a picture is looked at from.
 pub use crate::view::scene::Projection;
 
-pub(crate) use cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT};
+pub(crate) use cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_set_up};
 pub(crate) use defaults::{default_job_in, resolved, section_defaults_in, typed_in_inch};
 pub(crate) use examine::examine;
 #[cfg(test)]

@@ -20,6 +20,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::border::coded::decoded;
 use crate::border::packed;
+use crate::config::Config;
 use crate::describe;
 use crate::form::{Finding, Level, Value};
 use crate::import::toolpath::Known;
@@ -75,6 +76,46 @@ pub fn plan(codes: &[f64], text: &str, sink: &Sink) -> Result<(), JsValue> {
     Ok(())
 }
 
+/// What is wrong with a portal's config: findings, none where it is good.
+#[wasm_bindgen(js_name = configFaults)]
+pub fn config_faults(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
+    let faults = read_config(codes, text).err().map(|error| error.findings);
+    to_js(&faults.unwrap_or_default())
+}
+
+/// A job filled in by a config; throws where the config is wrong.
+#[wasm_bindgen]
+pub fn filled(codes: &[f64], text: &str, config: &[f64], config_text: &str) -> Result<JsValue, JsValue> {
+    let config = read_config(config, config_text).map_err(refused)?;
+    Ok(value_to_js(&config.fill(&decoded(codes, text))))
+}
+
+/// What a config refuses of a job that was filled in; throws where the config is wrong.
+#[wasm_bindgen]
+pub fn judged(codes: &[f64], text: &str, config: &[f64], config_text: &str) -> Result<JsValue, JsValue> {
+    let config = read_config(config, config_text).map_err(refused)?;
+    let last = planned(codes, text);
+    to_js(&config.judge_planned(&decoded(codes, text), last.as_ref().map(|last| &last.planned)))
+}
+
+thread_local! {
+    /// The config that was read last.
+    static CONFIG: RefCell<Option<(Coded, Rc<Config>)>> = const { RefCell::new(None) };
+}
+
+/// A config: the last one where it is the same, for a page reads it at every keystroke.
+fn read_config(codes: &[f64], text: &str) -> Result<Rc<Config>, JobError> {
+    let last =
+        CONFIG.with_borrow(|last| last.as_ref().filter(|(coded, _)| coded.is(codes, text)).map(|(_, config)| config.clone()));
+    if let Some(config) = last {
+        return Ok(config);
+    }
+    let config = Rc::new(Config::read(&decoded(codes, text))?);
+    let coded = Coded { codes: codes.to_vec(), text: text.to_owned() };
+    CONFIG.with_borrow_mut(|place| *place = Some((coded, config.clone())));
+    Ok(config)
+}
+
 /// The parameter table of a job that has a plan.
 #[wasm_bindgen]
 pub fn table(codes: &[f64], text: &str, sink: &Sink) {
@@ -91,19 +132,32 @@ pub fn meanings(codes: &[f64], text: &str, sink: &Sink) {
     }
 }
 
+/// A value as it came in.
+#[derive(Debug)]
+struct Coded {
+    codes: Vec<f64>,
+    text: String,
+}
+
 /// The job that was planned last.
 #[derive(Debug)]
 struct Last {
-    codes: Vec<f64>,
-    text: String,
+    job: Coded,
     planned: Planned,
 }
 
-impl Last {
+impl Coded {
     fn is(&self, codes: &[f64], text: &str) -> bool {
         // Compared as bits, so that NaN equals itself.
         let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits();
         self.text == text && self.codes.len() == codes.len() && self.codes.iter().zip(codes).all(same)
+    }
+}
+
+impl Last {
+    /// A path that is not kept: it is no job's.
+    fn of_none(planned: Planned) -> Rc<Last> {
+        Rc::new(Last { job: Coded { codes: Vec::new(), text: String::new() }, planned })
     }
 }
 
@@ -113,17 +167,17 @@ thread_local! {
 }
 
 fn keep(codes: &[f64], text: &str, planned: Planned) {
-    let last = Last { codes: codes.to_vec(), text: text.to_owned(), planned };
+    let last = Last { job: Coded { codes: codes.to_vec(), text: text.to_owned() }, planned };
     LAST.with_borrow_mut(|place| *place = Some(Rc::new(last)));
 }
 
 /// The path of a job: of the last plan where it is the same job, else planned now. None for a job with errors.
 fn planned(codes: &[f64], text: &str) -> Option<Rc<Last>> {
-    if let Some(last) = LAST.with_borrow(|last| last.clone()).filter(|last| last.is(codes, text)) {
+    if let Some(last) = LAST.with_borrow(|last| last.clone()).filter(|last| last.job.is(codes, text)) {
         return Some(last);
     }
     let planned = job::planned(&decoded(codes, text))?;
-    Some(Rc::new(Last { codes: Vec::new(), text: String::new(), planned }))
+    Some(Last::of_none(planned))
 }
 
 /// The same job in other units, `mm` or `inch`: lengths, feeds, and values with tolerances. What is no value stays as it is.

@@ -3,6 +3,7 @@
 mod border;
 mod calls;
 mod circles;
+mod config;
 mod controls;
 mod does;
 mod draws;

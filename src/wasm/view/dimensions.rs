@@ -3,8 +3,6 @@
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
-use std::rc::Rc;
-
 use super::View;
 use crate::border::coded::decoded;
 use crate::form::Value;
@@ -85,7 +83,7 @@ impl View {
         let now = line(&self.shown.as_ref()?.scene)?;
         let moved = |change: f64| {
             let planned = job::planned(&job::with_number(job, path, self.hand, field.value + change))?;
-            let other = self.build(Rc::new(Last { codes: Vec::new(), text: String::new(), planned }));
+            let other = self.build(Last::of_none(planned));
             Some((line(&other.scene)?[end] - now[end]) / change)
         };
         let moved = moved(field.little()).or_else(|| moved(-field.little()))?;

@@ -1,0 +1,207 @@
+//! What a config refuses of a job.
+
+use crate::config::space::{Entering, beyond, enters};
+use crate::config::{Config, Rule, at, field_at, fill};
+use crate::control;
+use crate::cycle;
+use crate::form::{Checker, Field, Finding, Value, printable};
+use crate::geom::AXIS_NAMES;
+use crate::job::{Planned, Units, alone, is_set_up, resolved};
+use crate::num::decimal;
+use crate::text::{Part, Text, text};
+
+/// What converted values may differ by, mm or degrees.
+const NEAR: f64 = 2e-5;
+
+/// See [`Config::judge`].
+pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Finding> {
+    let units = Units::of(job);
+    let mut checker = Checker::in_units(units.scale(), units.word());
+    if is_set_up(job) {
+        if !config.allow.set_ups {
+            checker.error("not-allowed", "cycles", text!("{portal} allows jobs of one cycle only", config.who()));
+        }
+        let count = if let Some(Value::List(cycles)) = job.get("cycles") { cycles.len() } else { 0 };
+        for index in 0..count {
+            let Some(single) = alone(job, index) else { continue };
+            judge_single(config, &single, &format!("cycles[{index}]"), index == 0, &mut checker);
+        }
+    } else {
+        judge_single(config, job, "cycle", true, &mut checker);
+    }
+    if let Some(planned) = planned {
+        judge_space(config, planned, &mut checker);
+    }
+    config.own.iter().for_each(|finding| checker.adopt(finding.clone()));
+    checker.findings()
+}
+
+/// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether what stands around the cycle is judged, too.
+fn judge_single(config: &Config, job: &Value, place: &str, around: bool, checker: &mut Checker) {
+    let whole = resolved(job);
+    let whole = whole.as_ref().unwrap_or(job);
+    let in_place = |path: &str| match path.strip_prefix("cycle") {
+        Some(rest) => format!("{place}{rest}"),
+        None => path.to_owned(),
+    };
+    let allow = &config.allow;
+    let of_cycle = |key: &str| cycle::find(key).map(|def| def.title);
+    let of_control = |key: &str| control::find(key).map(|post| post.title);
+    let itself = |_: &str| None;
+    judge_word(config, whole, "cycle.type", allow.cycles.as_deref(), of_cycle, &in_place, checker);
+    if around {
+        judge_word(config, whole, "control.post", allow.controls.as_deref(), of_control, &in_place, checker);
+        judge_word(config, whole, "control.form", allow.forms.as_deref(), itself, &in_place, checker);
+        judge_word(config, whole, "units", allow.units.as_deref(), itself, &in_place, checker);
+        judge_offset(config, whole, checker);
+    }
+    let Some(def) = whole.get("cycle").and_then(fill::type_of) else { return };
+    let values = fill::values(config, def, Units::of(job));
+    for rule in config.rules.iter().filter(|rule| around || rule.path.starts_with("cycle.")) {
+        let Some(field) = field_at(&rule.path, def) else { continue };
+        let value = at(whole, &rule.path);
+        if let Some(message) = refusal(config, rule, field, value, at(&values, &rule.path), checker) {
+            let code = if rule.locked && rule.value.is_some() { "locked" } else { "not-allowed" };
+            checker.error(code, in_place(&rule.path), message);
+        }
+    }
+}
+
+/// A word that must be one of those that are allowed.
+fn judge_word(
+    config: &Config,
+    job: &Value,
+    path: &str,
+    allowed: Option<&[String]>,
+    title: fn(&str) -> Option<&'static str>,
+    in_place: &dyn Fn(&str) -> String,
+    checker: &mut Checker,
+) {
+    let (Some(allowed), Some(Value::Text(word))) = (allowed, at(job, path)) else { return };
+    if allowed.contains(word) {
+        return;
+    }
+    let shown = |word: &String| title(word).map_or_else(|| printable(word), str::to_owned);
+    let list = allowed.iter().map(shown).collect::<Vec<_>>().join(", ");
+    let message = text!("{portal} does not allow {given}: it allows {list}", config.who(), shown(word), list);
+    checker.error("not-allowed", in_place(path), message);
+}
+
+fn judge_offset(config: &Config, job: &Value, checker: &mut Checker) {
+    let Some(allowed) = &config.allow.work_offsets else { return };
+    let post = match at(job, "control.post") {
+        Some(Value::Text(key)) => control::find(key),
+        _ => None,
+    };
+    let shown = |number: Option<f64>| -> Part {
+        let Some(number) = number else { return text!("measuring only").into() };
+        let word = post.filter(|post| number >= 1.0 && number <= f64::from(post.work_offsets));
+        word.map_or_else(|| decimal(number, 0), |post| (post.work_offset_word)(number as i32)).into()
+    };
+    let given = match at(job, "control.workOffset") {
+        Some(Value::Number(number)) => Some(*number),
+        Some(Value::Null) | None => None,
+        Some(_) => return,
+    };
+    if allowed.contains(&given) {
+        return;
+    }
+    let word = |number: &Option<f64>| match shown(*number) {
+        Part::Verbatim(word) => word,
+        Part::Text(words) => words.english(),
+    };
+    let list = allowed.iter().map(word).collect::<Vec<_>>().join(", ");
+    let message = text!("{portal} does not allow {given}: it allows {list}", config.who(), shown(given), list);
+    checker.error("not-allowed", "control.workOffset", message);
+}
+
+/// Why a value is refused; none where it may be. `wanted` is the config's value in the job's units.
+fn refusal(
+    config: &Config,
+    rule: &Rule,
+    field: &'static Field,
+    value: Option<&Value>,
+    wanted: Option<&Value>,
+    checker: &Checker,
+) -> Option<Text> {
+    let scale = if field.kind.is_metric() { checker.scale } else { 1.0 };
+    let with_reason = |message: Text| {
+        if rule.reason.is_empty() { message } else { text!("{message}: {reason}", message, rule.reason.clone()) }
+    };
+    if let Some(wanted) = wanted.filter(|_| rule.locked) {
+        let same = value.is_some_and(|value| same(value, wanted, scale));
+        return (!same).then(|| {
+            with_reason(text!("{portal} fixes {label} at {value}", config.who(), field.label, shown(field, wanted, checker)))
+        });
+    }
+    let Some(Value::Number(number)) = value else { return None };
+    let factor = if field.kind.is_metric() { config.units.scale() / checker.scale } else { 1.0 };
+    let (least, most) = (rule.least.map(|x| x * factor), rule.most.map(|x| x * factor));
+    let outside = least.is_some_and(|x| (*number - x) * scale < -NEAR) || most.is_some_and(|x| (*number - x) * scale > NEAR);
+    let limit = |x: f64| shown(field, &Value::Number(x), checker);
+    let message = match (least, most) {
+        _ if !outside => return None,
+        (Some(least), Some(most)) => {
+            text!("{portal} allows {label} from {min} to {max}", config.who(), field.label, limit(least), limit(most))
+        }
+        (Some(least), None) => text!("{portal} allows {label} of {min} and more", config.who(), field.label, limit(least)),
+        (None, Some(most)) => text!("{portal} allows {label} of {max} and less", config.who(), field.label, limit(most)),
+        (None, None) => return None,
+    };
+    Some(with_reason(message))
+}
+
+/// Whether two values say the same. `scale`: mm in a unit of their numbers.
+fn same(one: &Value, other: &Value, scale: f64) -> bool {
+    match (one, other) {
+        (Value::Number(a), Value::Number(b)) => ((a - b) * scale).abs() <= NEAR,
+        (Value::List(a), Value::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b, scale)),
+        _ => one == other,
+    }
+}
+
+/// A value as a message has it.
+fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
+    let number = |x: f64| decimal(x, if field.kind.is_metric() && checker.scale != 1.0 { 6 } else { 4 });
+    match value {
+        Value::Number(x) => number(*x).into(),
+        Value::Text(text) => printable(text).into(),
+        Value::Null => Text::words(field.null.unwrap_or("null")).into(),
+        Value::List(items) => {
+            let all = items.iter().map(|item| if let Value::Number(x) = item { number(*x) } else { String::new() });
+            all.collect::<Vec<_>>().join(" ").into()
+        }
+        Value::Flag(true) => "true".to_owned().into(),
+        Value::Flag(false) => "false".to_owned().into(),
+        Value::Map(_) | Value::Other(_) => String::new().into(),
+    }
+}
+
+/// The path against the travel of the machine and its keep-out zones.
+fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
+    let Planned { job, path, .. } = planned;
+    let place = |index: usize| match path.member_of_move(index) {
+        Some(cycle) if !path.members.is_empty() => format!("cycles[{cycle}]"),
+        _ => "cycle".to_owned(),
+    };
+    for (axis, found, limit, index) in config.space.travel.iter().flat_map(|travel| beyond(path, travel)) {
+        let message = text!(
+            "Move {number} takes the ball centre to {axis} {place}, beyond the travel, which ends at {limit}",
+            index + 1,
+            AXIS_NAMES[axis],
+            checker.length(found),
+            checker.length(limit)
+        );
+        checker.error("beyond-travel", place(index), message);
+    }
+    for zone in &config.space.keep_out {
+        let Some((index, part)) = enters(path, zone, job.setup.radius, &job.shape) else { continue };
+        let (number, name) = (index + 1, zone.name.clone());
+        let message = match part {
+            Entering::Ball => text!("In move {number} the ball enters the keep-out zone {zone}", number, name),
+            Entering::Shank => text!("In move {number} the stylus enters the keep-out zone {zone}", number, name),
+            Entering::Body => text!("In move {number} the probe body enters the keep-out zone {zone}", number, name),
+        };
+        checker.error("keep-out", place(index), message);
+    }
+}

@@ -1,0 +1,381 @@
+//! Reading a config: every problem at once, as of a job.
+
+use crate::config::space::{Space, Zone};
+use crate::config::{Allow, Config, Rule, fill};
+use crate::control::{Form, POSTS};
+use crate::cycle::CYCLES;
+use crate::form::{Checker, Choice, Field, Finding, Kind, Level, Section, Value, form, printable};
+use crate::geom::Vec3;
+use crate::job::{FORMAT, Job, JobError, SECTIONS, Units};
+use crate::text::{text, words};
+
+const UNITS: &[Choice] = &[
+    Choice { value: Units::Mm.word(), label: Units::Mm.word() },
+    Choice { value: Units::Inch.word(), label: Units::Inch.word() },
+];
+
+const LEVELS: &[Choice] = &[
+    Choice { value: "error", label: "error" },
+    Choice { value: "warning", label: "warning" },
+    Choice { value: "info", label: "info" },
+];
+
+/// The panels of the page.
+const PANELS: [&str; 6] = ["form", "stage", "program", "table", "results", "checks"];
+
+/// The longest lists: rules of fields, machines, styli, zones, findings.
+const MOST: usize = 200;
+
+form! {
+    struct Head {
+        title: String = Field::text("title", "Title", "", 60),
+        units: String = Field::choice("units", "Units", UNITS),
+    }
+}
+
+form! {
+    struct RuleForm {
+        locked: bool = Field::flag("locked", "Locked", false),
+        _hidden: bool = Field::flag("hidden", "Hidden", false),
+        min: Option<f64> = Field::angle("min", "Least value", 0.0).range(-1e9, 1e9).null_by_default(),
+        max: Option<f64> = Field::angle("max", "Largest value", 0.0).range(-1e9, 1e9).null_by_default(),
+        reason: String = Field::text("reason", "Reason", "", 200),
+    }
+}
+
+form! {
+    struct ZoneForm {
+        name: String = Field::text("name", "Name", "", 60),
+        min: Vec3 = Field::point("min", "Lower corner"),
+        max: Vec3 = Field::point("max", "Upper corner"),
+    }
+}
+
+form! {
+    struct OriginForm {
+        zero: Vec3 = Field::point("zero", "Work zero"),
+    }
+}
+
+form! {
+    struct FindingForm {
+        level: String = Field::choice("level", "Level", LEVELS),
+        path: String = Field::text("path", "Path", "", 200),
+        message: String = Field::text("message", "Message", "", 1000),
+    }
+}
+
+/// See [`Config::read`].
+pub fn read(value: &Value) -> Result<Config, JobError> {
+    let mut checker = Checker::default();
+    checker.whole = words!("the config");
+    if let Value::Map(_) = value {
+        let known = matches!(value.get("format"), Some(Value::Number(n)) if *n == FORMAT);
+        if !known {
+            checker.error("unknown-value", "format", text!("A config must say its format: 1"));
+        }
+    }
+    let units = Units::of(value);
+    (checker.scale, checker.unit) = (units.scale(), units.word());
+    let mut section = Section::new(&mut checker, Some(value), "");
+    section.only(Head::FIELDS, &["format", "allow", "hide", "fields", "machines", "styli", "space", "findings"]);
+    let head = Head::read(&mut section);
+    let allow = read_allow(&mut checker, value.get("allow"));
+    read_hide(&mut checker, value.get("hide"));
+    let rules = read_rules(&mut checker, value.get("fields"));
+    read_machines(&mut checker, value.get("machines"), units);
+    read_styli(&mut checker, value.get("styli"), units);
+    let space = read_space(&mut checker, value.get("space"));
+    let own = read_findings(&mut checker, value.get("findings"));
+    let title = (!head.title.is_empty()).then(|| printable_title(&head.title));
+    let config = Config { title, units, allow, rules, space, own };
+    check_values(&mut checker, &config);
+    if !checker.failed() {
+        return Ok(config);
+    }
+    let under = |finding: Finding| {
+        let path = if finding.path.is_empty() { "config".to_owned() } else { format!("config.{}", finding.path) };
+        Finding { path, ..finding }
+    };
+    Err(JobError { findings: checker.findings().into_iter().map(under).collect() })
+}
+
+fn printable_title(title: &str) -> String {
+    title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+/// The entries of a list, each with its path; reports what is no list, and what is too long.
+fn entries<'v>(checker: &mut Checker, value: Option<&'v Value>, path: &str) -> Vec<(String, &'v Value)> {
+    match value {
+        None => Vec::new(),
+        Some(Value::List(items)) if items.len() <= MOST => {
+            items.iter().enumerate().map(|(i, item)| (format!("{path}[{i}]"), item)).collect()
+        }
+        Some(Value::List(items)) => {
+            checker.error(
+                "too-long",
+                path,
+                text!("{path} may have {most} entries, not {count}", path.to_owned(), MOST, items.len()),
+            );
+            Vec::new()
+        }
+        Some(other) => {
+            checker.error("wrong-type", path, text!("{path} must be a list, not {given}", path.to_owned(), other.noun()));
+            Vec::new()
+        }
+    }
+}
+
+/// A list of words out of some that are known; none where nothing is said.
+fn read_words(checker: &mut Checker, value: Option<&Value>, path: &str, known: &[&str]) -> Option<Vec<String>> {
+    value?;
+    let mut found = Vec::new();
+    for (at, item) in entries(checker, value, path) {
+        match item {
+            Value::Text(word) if known.contains(&word.as_str()) => found.push(word.clone()),
+            other => {
+                let given =
+                    if let Value::Text(word) = other { printable(word).into() } else { crate::text::Part::from(other.noun()) };
+                let message = text!("{path} must be one of {words}, not {given}", at.clone(), known.join(", "), given);
+                checker.error("unknown-value", at, message);
+            }
+        }
+    }
+    if found.is_empty() && !checker.failed() {
+        checker.error(
+            "missing",
+            path,
+            text!("{path} must allow something: without it, everything is allowed", path.to_owned()),
+        );
+    }
+    Some(found)
+}
+
+fn keys<'k>(all: impl Iterator<Item = &'k str>) -> Vec<&'k str> {
+    all.collect()
+}
+
+fn read_allow(checker: &mut Checker, value: Option<&Value>) -> Allow {
+    let mut section = Section::new(checker, value, "allow");
+    section.only(&[], &["cycles", "controls", "forms", "units", "workOffsets", "setUps"]);
+    let get = |key: &str| value.and_then(|value| value.get(key));
+    let set_ups = match get("setUps") {
+        None => true,
+        Some(Value::Flag(flag)) => *flag,
+        Some(other) => {
+            checker.error(
+                "wrong-type",
+                "allow.setUps",
+                text!("{label} must be true or false, not {given}", "allow.setUps".to_owned(), other.noun()),
+            );
+            true
+        }
+    };
+    let work_offsets = get("workOffsets").map(|list| {
+        let mut found = Vec::new();
+        for (at, item) in entries(checker, Some(list), "allow.workOffsets") {
+            match item {
+                Value::Null => found.push(None),
+                Value::Number(n) if n.fract() == 0.0 && (1.0..=105.0).contains(n) => found.push(Some(*n)),
+                _ => {
+                    let message =
+                        text!("{path} must be the number of a work offset, 1 for the first, or null for none", at.clone());
+                    checker.error("unknown-value", at, message);
+                }
+            }
+        }
+        found
+    });
+    Allow {
+        cycles: read_words(checker, get("cycles"), "allow.cycles", &keys(CYCLES.iter().map(|def| def.key))),
+        controls: read_words(checker, get("controls"), "allow.controls", &keys(POSTS.iter().map(|post| post.key))),
+        forms: read_words(checker, get("forms"), "allow.forms", &Form::ALL.map(Form::word)),
+        units: read_words(checker, get("units"), "allow.units", &[Units::Mm.word(), Units::Inch.word()]),
+        work_offsets,
+        set_ups,
+    }
+}
+
+/// What the page does not show: nothing of a job is refused for it.
+fn read_hide(checker: &mut Checker, value: Option<&Value>) {
+    Section::new(checker, value, "hide").only(&[], &["cycles", "controls", "panels"]);
+    let get = |key: &str| value.and_then(|value| value.get(key)).filter(|list| **list != Value::List(Vec::new()));
+    read_words(checker, get("cycles"), "hide.cycles", &keys(CYCLES.iter().map(|def| def.key)));
+    read_words(checker, get("controls"), "hide.controls", &keys(POSTS.iter().map(|post| post.key)));
+    read_words(checker, get("panels"), "hide.panels", &PANELS);
+}
+
+fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
+    let Some(Value::Map(all)) = Section::new(checker, value, "fields").value() else { return Vec::new() };
+    if all.len() > MOST {
+        checker.error(
+            "too-long",
+            "fields",
+            text!("{path} may have {most} entries, not {count}", "fields".to_owned(), MOST, all.len()),
+        );
+        return Vec::new();
+    }
+    let mut rules = Vec::new();
+    for (path, given) in all {
+        let shown = printable(path);
+        let at = format!("fields.{shown}");
+        let fields: Vec<&Field> = CYCLES.iter().filter_map(|def| super::field_at(path, def)).collect();
+        let chosen = ["units", "control.post", "control.form", "control.workOffset"].contains(&path.as_str());
+        let Some(field) = fields.first() else {
+            let message =
+                text!("\"{path}\" is no field of a job: a path is like feeds.work, control.tool or cycle.depth", shown);
+            checker.error("unknown-key", at, message);
+            continue;
+        };
+        let mut section = Section::new(checker, Some(given), &at);
+        section.only(RuleForm::FIELDS, &["value"]);
+        let form = RuleForm::read(&mut section);
+        let value = given.get("value").cloned();
+        let number = !matches!(field.kind, Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Point | Kind::NominalPoint);
+        if chosen && (form.locked || form.min.is_some() || form.max.is_some()) {
+            let message = text!("allow limits what may be chosen here: in fields it takes only value and hidden");
+            checker.error("unknown-key", at, message);
+        } else if !number && (form.min.is_some() || form.max.is_some()) {
+            checker.error("wrong-type", at, text!("{label} is no number: it has neither min nor max", field.label));
+        } else if form.min.zip(form.max).is_some_and(|(min, max)| min > max) {
+            checker.error("out-of-range", at, text!("min is above max"));
+        }
+        rules.push(Rule {
+            path: path.clone(),
+            value,
+            locked: form.locked,
+            least: form.min,
+            most: form.max,
+            reason: printable_title(&form.reason),
+        });
+    }
+    rules
+}
+
+/// Reports values that no job may have at their paths.
+fn check_values(checker: &mut Checker, config: &Config) {
+    for def in CYCLES {
+        let job = fill::values(config, def, config.units);
+        for rule in &config.rules {
+            let at = format!("fields.{}.value", rule.path);
+            let wrong = |finding: &Finding| finding.path == rule.path || finding.path.starts_with(&format!("{}[", rule.path));
+            if rule.value.is_some() && super::field_at(&rule.path, def).is_some() && !checker.has_path(&at) {
+                misread(&job, config.units).into_iter().filter(wrong).for_each(|finding| {
+                    checker.adopt(Finding { path: at.clone(), ..finding });
+                });
+            }
+        }
+    }
+}
+
+/// What single values of a part of a job are refused for.
+fn misread(job: &Value, units: Units) -> Vec<Finding> {
+    const OF_VALUES: [&str; 8] =
+        ["not-a-value", "not-finite", "not-whole", "out-of-range", "too-long", "unknown-key", "unknown-value", "wrong-type"];
+    let Value::Map(mut entries) = job.clone() else { return Vec::new() };
+    entries.push(("format".to_owned(), Value::Number(FORMAT)));
+    entries.push(("units".to_owned(), Value::Text(units.word().to_owned())));
+    let mut checker = Checker::default();
+    let _ = Job::read(&mut checker, &Value::Map(entries));
+    let mut found = checker.findings();
+    found.retain(|finding| finding.level == Level::Error && OF_VALUES.contains(&finding.code.as_str()));
+    found
+}
+
+/// A part of a job, whose values are held against the forms of a job.
+fn read_part(checker: &mut Checker, at: &str, part: Vec<(String, Value)>, units: Units) {
+    let cycle = Value::Map(vec![("type".to_owned(), Value::Text("hole".to_owned()))]);
+    let job = Value::Map(part.into_iter().chain([("cycle".to_owned(), cycle)]).collect());
+    for finding in misread(&job, units) {
+        checker.adopt(Finding { path: format!("{at}.{}", finding.path), ..finding });
+    }
+}
+
+fn read_name(checker: &mut Checker, entry: &Value, at: &str) {
+    if !matches!(entry.get("name"), Some(Value::Text(name)) if !name.trim().is_empty() && name.chars().count() <= 60) {
+        let message = text!("{path} must have a name of 60 characters at most", at.to_owned());
+        checker.error("missing", format!("{at}.name"), message);
+    }
+}
+
+/// Machines: what of a job belongs to one.
+fn read_machines(checker: &mut Checker, value: Option<&Value>, units: Units) {
+    for (at, machine) in entries(checker, value, "machines") {
+        let sections = SECTIONS.iter().map(|(name, _)| *name).filter(|name| !["", "part"].contains(name));
+        let known: Vec<&str> = sections.chain(["name", "overtravel"]).collect();
+        Section::new(checker, Some(machine), &at).only(&[], &known);
+        read_name(checker, machine, &at);
+        let Value::Map(entries) = machine else { continue };
+        let part = entries.iter().filter(|(key, _)| key != "name" && known.contains(&key.as_str())).cloned();
+        read_part(checker, &at, part.collect(), units);
+    }
+}
+
+/// Styli: what of a job belongs to one.
+fn read_styli(checker: &mut Checker, value: Option<&Value>, units: Units) {
+    for (at, stylus) in entries(checker, value, "styli") {
+        Section::new(checker, Some(stylus), &at);
+        read_name(checker, stylus, &at);
+        let Value::Map(entries) = stylus else { continue };
+        let part: Vec<(String, Value)> = entries.iter().filter(|(key, _)| key != "name").cloned().collect();
+        let mut inner = Checker::default();
+        read_part(&mut inner, &at, vec![("stylus".to_owned(), Value::Map(part))], units);
+        for finding in inner.findings() {
+            checker.adopt(Finding { path: finding.path.replacen(".stylus", "", 1), ..finding });
+        }
+    }
+}
+
+fn read_space(checker: &mut Checker, value: Option<&Value>) -> Space {
+    let mut section = Section::new(checker, value, "space");
+    section.only(OriginForm::FIELDS, &["travel", "keepOut"]);
+    let zero = OriginForm::read(&mut section).zero;
+    let get = |key: &str| value.and_then(|value| value.get(key));
+    let travel = get("travel").map(|travel| read_zone(checker, travel, "space.travel", false));
+    let zones = entries(checker, get("keepOut"), "space.keepOut");
+    let mut keep_out: Vec<Zone> = zones.into_iter().map(|(at, zone)| read_zone(checker, zone, &at, true)).collect();
+    let mut travel = travel;
+    for zone in keep_out.iter_mut().chain(&mut travel) {
+        (zone.min, zone.max) = (zone.min - zero, zone.max - zero);
+    }
+    Space { travel, keep_out }
+}
+
+fn read_zone(checker: &mut Checker, value: &Value, at: &str, named: bool) -> Zone {
+    let fields = if named { ZoneForm::FIELDS } else { &ZoneForm::FIELDS[1..] };
+    let mut section = Section::new(checker, Some(value), at);
+    section.only(fields, &[]);
+    let form = ZoneForm::read(&mut section);
+    for corner in ["min", "max"] {
+        if value.get(corner).is_none() {
+            let message = text!("{path} must have min and max, each [X, Y, Z]", at.to_owned());
+            checker.error("missing", format!("{at}.{corner}"), message);
+        }
+    }
+    if named {
+        read_name(checker, value, at);
+    }
+    if form.min.cmpgt(form.max).any() {
+        checker.error("out-of-range", at, text!("min is above max"));
+    }
+    Zone { name: printable_title(&form.name), min: form.min, max: form.max }
+}
+
+fn read_findings(checker: &mut Checker, value: Option<&Value>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for (at, given) in entries(checker, value, "findings") {
+        let mut section = Section::new(checker, Some(given), &at);
+        section.only(FindingForm::FIELDS, &[]);
+        let form = FindingForm::read(&mut section);
+        if form.message.trim().is_empty() {
+            checker.error("missing", format!("{at}.message"), text!("{path} must have a message", at.clone()));
+        }
+        let level = match form.level.as_str() {
+            "warning" => Level::Warning,
+            "info" => Level::Info,
+            _ => Level::Error,
+        };
+        found.push(Finding::new(level, "portal", form.path, text!("{message}", printable_title(&form.message))));
+    }
+    found
+}

@@ -1,0 +1,189 @@
+//! Where the machine can travel, and what stands there.
+
+use crate::geom::Vec3;
+use crate::part::Shape;
+use crate::path::{Path, Purpose};
+
+/// The travel of the machine and its keep-out zones, in the work coordinate system, mm.
+#[derive(Debug)]
+pub struct Space {
+    /// Where the ball's centre can go; none where that is not known.
+    pub travel: Option<Zone>,
+    pub keep_out: Vec<Zone>,
+}
+
+/// A box along the axes.
+#[derive(Debug)]
+pub struct Zone {
+    pub name: String,
+    pub min: Vec3,
+    pub max: Vec3,
+}
+
+/// A piece of the path that the ball's centre can run along: where it ends, and the move that it is of.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    from: Vec3,
+    to: Vec3,
+    index: usize,
+}
+
+/// Which part of the probe enters a zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entering {
+    Ball,
+    Shank,
+    Body,
+}
+
+/// So far inside a zone nothing is said, mm: rounding.
+const SKIN: f64 = 1e-6;
+
+/// How finely arcs are followed, degrees: between its ends a piece of a 100 mm arc is off by 0.004 mm.
+const PIECE: f64 = 1.0;
+
+/// Every straight piece of the path, with the searches past the nominal contacts, to where the control gives up.
+fn pieces(path: &Path) -> Vec<Piece> {
+    let mut found = Vec::new();
+    let mut at = path.start.or(path.moves.first().map(|step| step.to));
+    for (index, step) in path.moves.iter().enumerate() {
+        let Some(mut from) = at else { break };
+        for to in step.pieces(from, path.frame.w, PIECE) {
+            found.push(Piece { from, to, index });
+            from = to;
+        }
+        if let Purpose::Touch(touch) = step.purpose {
+            let touch = &path.touches[touch];
+            found.push(Piece { from, to: from - touch.vector * touch.search, index });
+        }
+        at = Some(step.to);
+    }
+    found
+}
+
+/// How far a path goes beyond the travel, at its farthest in each direction: the axis, the place there and the limit, with the index of the move.
+pub fn beyond(path: &Path, travel: &Zone) -> Vec<(usize, f64, f64, usize)> {
+    let ends: Vec<(Vec3, usize)> =
+        pieces(path).iter().flat_map(|piece| [(piece.from, piece.index), (piece.to, piece.index)]).collect();
+    let mut found = Vec::new();
+    for axis in 0..3 {
+        let shift = if path.shifts.is_empty() { 0.0 } else { path.most_shift };
+        let place = |end: &(Vec3, usize)| (end.0[axis], end.1);
+        let low = ends.iter().map(place).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(x, i)| (x - shift, i));
+        let high = ends.iter().map(place).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(x, i)| (x + shift, i));
+        if let Some((x, index)) = low.filter(|(x, _)| *x < travel.min[axis] - SKIN) {
+            found.push((axis, x, travel.min[axis], index));
+        }
+        if let Some((x, index)) = high.filter(|(x, _)| *x > travel.max[axis] + SKIN) {
+            found.push((axis, x, travel.max[axis], index));
+        }
+    }
+    found
+}
+
+/// The first move in which the ball, or what is known of the stylus above it, enters a zone.
+pub fn enters(path: &Path, zone: &Zone, radius: f64, shape: &Shape) -> Option<(usize, Entering)> {
+    let up = path.frame.w;
+    let shift = if path.shifts.is_empty() { 0.0 } else { path.most_shift };
+    let (min, max) = (zone.min - shift, zone.max + shift);
+    // The zone without ends along the tool axis: cylinders are looked at from above.
+    let axis = up.abs();
+    let (flat_min, flat_max) = (min - axis * FAR, max + axis * FAR);
+    let (bottom, top) = (min.dot(axis), max.dot(axis));
+    let cylinders = [
+        shape.shank.map(|shank| (Entering::Shank, shank / 2.0, 0.0, shape.length)),
+        shape.body.zip(shape.length).map(|(body, length)| (Entering::Body, body / 2.0, length, None)),
+    ];
+    for piece in pieces(path) {
+        if distance(piece.from, piece.to, min, max) < radius - SKIN {
+            return Some((piece.index, Entering::Ball));
+        }
+        for (part, radius, from, to) in cylinders.into_iter().flatten() {
+            // Of the way the part along which the cylinder is as high as the zone.
+            let (low, high) = (bottom - to.unwrap_or(FAR), top - from);
+            let (begin, end) = (piece.from.dot(axis), piece.to.dot(axis));
+            let Some((first, last)) = within(begin, end, low + SKIN, high - SKIN) else { continue };
+            let way = piece.to - piece.from;
+            let ends = (piece.from + way * first, piece.from + way * last);
+            if distance(ends.0, ends.1, flat_min, flat_max) < radius - SKIN {
+                return Some((piece.index, part));
+            }
+        }
+    }
+    None
+}
+
+/// Farther than any machine travels, mm.
+const FAR: f64 = 1e7;
+
+/// The first and the last fraction of a way from `begin` to `end` that is between two values.
+fn within(begin: f64, end: f64, low: f64, high: f64) -> Option<(f64, f64)> {
+    if low > high {
+        return None;
+    }
+    let way = end - begin;
+    if way.abs() < 1e-12 {
+        return (low..=high).contains(&begin).then_some((0.0, 1.0));
+    }
+    let (a, b) = ((low - begin) / way, (high - begin) / way);
+    let (first, last) = (a.min(b).max(0.0), a.max(b).min(1.0));
+    (first <= last).then_some((first, last))
+}
+
+/// The shortest distance between a straight way and a box, mm. Along the way its square is a parabola between the places where the way crosses the planes
+/// of the box: the least of these is looked for piece by piece.
+fn distance(from: Vec3, to: Vec3, min: Vec3, max: Vec3) -> f64 {
+    let way = to - from;
+    let mut cuts = vec![0.0, 1.0];
+    for axis in 0..3 {
+        if way[axis] != 0.0 {
+            cuts.extend(
+                [min[axis], max[axis]]
+                    .map(|plane| (plane - from[axis]) / way[axis])
+                    .into_iter()
+                    .filter(|t| (0.0..1.0).contains(t)),
+            );
+        }
+    }
+    cuts.sort_by(f64::total_cmp);
+    let off = |t: f64| {
+        let place = from + way * t;
+        place - place.clamp(min, max)
+    };
+    let least = |(begin, end): (f64, f64)| {
+        let middle = (begin + end) / 2.0;
+        // Outside a box along an axis the distance changes with the way, inside it is none.
+        let gap = off(middle);
+        let moving = Vec3::from_array([0, 1, 2].map(|axis| if gap[axis] == 0.0 { 0.0 } else { way[axis] }));
+        let bend = moving.length_squared();
+        let t = if bend > 0.0 { middle - gap.dot(moving) / bend } else { middle };
+        off(crate::num::within(t, begin, end)).length()
+    };
+    let pieces = cuts.windows(2).map(|pair| (pair[0], pair[1]));
+    pieces.map(least).fold(off(0.0).length().min(off(1.0).length()), f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_distance_from_a_box_is_that_of_the_nearest_of_many_places() {
+        let (min, max) = (Vec3::new(-1.0, -2.0, -3.0), Vec3::new(4.0, 5.0, 6.0));
+        let mut seed = 1u64;
+        let mut next = || {
+            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (seed >> 40) as f64 / 16_777_216.0 * 30.0 - 14.0
+        };
+        let mut outside = 0;
+        for _ in 0..300 {
+            let (from, to) = (Vec3::new(next(), next(), next()), Vec3::new(next(), next(), next()));
+            let places = (0..=20_000).map(|i| from + (to - from) * (f64::from(i) / 20_000.0));
+            let nearest = places.map(|p| (p - p.clamp(min, max)).length()).fold(f64::INFINITY, f64::min);
+            let found = distance(from, to, min, max);
+            assert!(found <= nearest + 1e-9 && found > nearest - 2e-3, "{from} {to}: {found}, not {nearest}");
+            outside += usize::from(nearest > 0.1);
+        }
+        assert!(outside > 100);
+    }
+}
