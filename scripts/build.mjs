@@ -15,6 +15,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
+import { configSchema } from "./config-schema.mjs";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
@@ -90,10 +91,13 @@ function buildBundles() {
   run("npx", ["--no-install", "cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"]);
 }
 
-/** The JSON Schema of a job, as a file. */
+/** The JSON Schemas of a job and of a config, as files. */
 async function writeSchema() {
-  const { jobSchema } = await import(pathToFileURL(at("dist", "node.js")).href);
-  writeFileSync(at("dist", "schema.json"), `${JSON.stringify(jobSchema(), null, 2)}\n`);
+  const { catalog, jobSchema } = await import(pathToFileURL(at("dist", "node.js")).href);
+  const write = (/** @type {string} */ name, /** @type {unknown} */ schema) =>
+    writeFileSync(at("dist", name), `${JSON.stringify(schema, null, 2)}\n`);
+  write("schema.json", jobSchema());
+  write("config.schema.json", configSchema(catalog(), jobSchema()));
 }
 
 /** The service worker with the names of all files of the page, and a version that is theirs. */

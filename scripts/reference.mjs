@@ -151,6 +151,11 @@ Lengths are in the job's units, feeds in units a minute, angles in degrees, coun
 
 ${types("types.d.ts")}
 ${types("said.d.ts", (name) => name !== "say")}
+### Configs
+
+What a config is for, with an example: [the portal in charge](embedding.md#the-portal-in-charge).
+
+${types("config-types.d.ts")}
 ### Plans and catalog
 
 \`FindingCode\` is the union of all codes in [findings](findings.md).
@@ -191,7 +196,10 @@ ${help.replace(/^touchpath \S+:/, "touchpath:")}\`\`\`
 // Every name that can be imported stands in the page: declared, or as code.
 const entries = ["node.d.ts", "browser.d.ts", "frame.d.ts", "react.d.ts", "element/element.d.ts"];
 // What only the page asks is declared nowhere.
-const values = Object.keys(await import(pathToFileURL(at("dist", "node.js")).href)).filter((name) => name !== "misfit");
+const inside = ["judged", "misfit"];
+const values = Object.keys(await import(pathToFileURL(at("dist", "node.js")).href)).filter(
+  (name) => !inside.includes(name),
+);
 const missing = [...new Set([...values, ...entries.flatMap((entry) => exported(entry))])].filter(
   (name) => !new RegExp(`^(### |(interface|class|type|function|const) )${name}\\b|\`${name}\``, "m").test(page),
 );

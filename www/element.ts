@@ -1,13 +1,12 @@
 // <touch-path>: the whole of Touchpath as one element. This file is small and loads the rest, with the WebAssembly module beside it, when the
 // first element is put into a document.
-import type { Cycle, Finding, Job, Plan } from "./core/types.js";
+import type { Config, Cycle, Finding, Job, PanelName, Plan } from "./core/types.js";
 import type { App } from "./parts/app.js";
 import type { Store } from "./store.js";
 
 type Units = "mm" | "inch";
 
-/** What can be shown: the form, the picture with its timeline (`stage`), and the panels beside it. */
-export type PanelName = "form" | "stage" | "program" | "table" | "results" | "checks";
+export type { PanelName };
 
 const PANEL_NAMES: PanelName[] = ["form", "stage", "program", "table", "results", "checks"];
 
@@ -20,7 +19,7 @@ export interface TouchPathEvents {
 }
 
 /** The attributes that are inputs. */
-const INPUTS = ["job", "cycle", "post", "units"] as const;
+const INPUTS = ["config", "job", "cycle", "post", "units"] as const;
 type Input = (typeof INPUTS)[number];
 /** What is set at one time: what a job leaves out, the others say. */
 type Inputs = Partial<Record<Input, unknown>>;
@@ -69,6 +68,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  *
  * @tag touch-path
  * @attr {string} job - The job as JSON. What cannot be shown changes nothing, and a `finding` event says why.
+ * @attr {string} config - The rules of the page around, as JSON: see `Config`. They can also stand in a `<script type="application/json">` inside the element. What cannot be used changes nothing, and a `finding` event says why.
  * @attr {string} cycle - The type of the cycle, such as `hole`. Another one keeps the rest of the job.
  * @attr {string} post - The control, by the `id` of a post in the catalog: that of the present job and of every later one that names none. Where a job names another, the finding `other-control` says so.
  * @attr {"mm" | "inch"} units - The units, likewise; the values of the present job are converted. Where a job names others, the finding `other-units` says so.
@@ -136,6 +136,7 @@ export class TouchPath extends Base {
   connectedCallback(): void {
     // What was set before this class was known hides the class's own properties.
     for (const name of [
+      "config",
       "job",
       "cycle",
       "post",
@@ -185,6 +186,15 @@ export class TouchPath extends Base {
 
   set job(value: Job | string | null | undefined) {
     this.put("job", value);
+  }
+
+  /** The rules of the page around: what may be chosen, which fields are fixed, hidden or filled in, where the machine can travel. A copy; `null` where there are none. Set, it may be an object or its JSON; `null` takes the rules back. */
+  get config(): Config | null {
+    return structuredClone(this.store?.rules.config ?? null);
+  }
+
+  set config(value: Config | string | null | undefined) {
+    this.put("config", value);
   }
 
   /** The type of the cycle. */
@@ -330,17 +340,21 @@ export class TouchPath extends Base {
     for (const [name, value] of Object.entries(state)) {
       if (value === undefined) continue;
       if (!isWordy(name)) {
-        const refusal = store.outside.refusal(name as Input | "lang" | "readonly", value, state);
-        if (refusal) found.push(refusal);
+        found.push(...store.outside.refusals(name as Input | "lang" | "readonly", value, state));
       } else if (!isKnown(name, value)) found.push(store.outside.unknown(name, WORDS[name], name === "panels"));
     }
     return found;
   }
 
   /** Takes what is set at one time, in whatever order it was said: a job names its own control and units, or has those beside it; a cycle beside it is its cycle. @internal */
-  take({ job, cycle, post, units }: Inputs): void {
-    for (const [input, value] of Object.entries({ post, units, cycle, job })) this.put(input as Input, value);
-    if (job && cycle && !this.store?.outside.refusal("cycle", cycle)) this.put("cycle", cycle);
+  take({ config, job, cycle, post, units }: Inputs): void {
+    for (const [input, value] of Object.entries({ config, post, units, cycle, job })) this.put(input as Input, value);
+    if (job && cycle && this.store?.outside.refusals("cycle", cycle).length === 0) this.put("cycle", cycle);
+  }
+
+  /** The config that stands in the markup, as JSON in a script of the element. */
+  private inScript(): string | undefined {
+    return this.querySelector(':scope > script[type="application/json"]')?.textContent ?? undefined;
   }
 
   private get shadow(): ShadowRoot {
@@ -354,7 +368,7 @@ export class TouchPath extends Base {
       const local = this.storage === "local";
       const store = new Store({ local });
       this.store = store;
-      this.take(this.waiting);
+      this.take({ config: this.inScript(), ...this.waiting });
       this.take(this.later);
       for (const name of Object.keys(WORDS)) this.word(name as Wordy, this.getAttribute(name));
       this.first = structuredClone(store.job);
@@ -426,6 +440,7 @@ export class TouchPath extends Base {
     if (!this.store) early[input] = value;
     else if (value !== null) this.use(input, value);
     else if (input !== "job") this.store.outside.release(input);
+    if (this.store && input === "config") this.applyOptions();
     // A form that is sent before anything is loaded sends what it was given.
     if (!this.store && input === "job") {
       this.inside.setFormValue(textOf(value));
@@ -435,8 +450,8 @@ export class TouchPath extends Base {
 
   /** Takes an input, or says why it cannot be taken. */
   private use(input: Input, value: unknown): void {
-    const refused = this.store?.outside.input(input, value);
-    if (refused) this.tell("finding", { findings: [refused], refused: true });
+    const refused = this.store?.outside.input(input, value) ?? [];
+    if (refused.length > 0) this.tell("finding", { findings: refused, refused: true });
   }
 
   /** Takes a word, or says why it cannot be taken: as soon as there is something to say it. */
@@ -458,7 +473,7 @@ export class TouchPath extends Base {
     store.askCam(this.words.has("mode") ? this.mode === "cam" : null);
     app.applyOptions(
       this.theme,
-      PANEL_NAMES.filter((name) => words.includes(name)),
+      PANEL_NAMES.filter((name) => words.includes(name) && store.rules.shows(name)),
       this.words.has("panels"),
     );
   }

@@ -3,6 +3,7 @@ import { type CycleEntry, type FieldEntry, type PostEntry, say, type Words } fro
 import { alike, type Draft } from "./job.js";
 import { tidy } from "./number.js";
 import { Phrases } from "./phrases.js";
+import type { Rules } from "./rules.js";
 import { w } from "./words.js";
 
 export type Units = "mm" | "inch";
@@ -13,6 +14,9 @@ export type Form = PostEntry["cycles"][number]["form"];
 export abstract class Entries extends Phrases {
   /** The job as it stands in the form. */
   abstract draft: Draft;
+
+  /** The rules of the page around. */
+  abstract readonly rules: Rules;
 
   /** The entry of the job's cycle. */
   get cycle(): CycleEntry {
@@ -76,7 +80,7 @@ export abstract class Entries extends Phrases {
     const words = this.postOf(post)?.workOffsetWords;
     // A number that no word is known for is the user's to put right.
     if (!words || word === undefined || control.post === post) return workOffset;
-    return words.indexOf(word) + 1 || null;
+    return words.indexOf(word) + 1 || this.rules.offset;
   }
 
   /** The entry of a field by its path in the job; undefined if the catalog has no such field. */

@@ -1,13 +1,23 @@
 // What the page around the element puts in and asks for, and which jobs were sent to it.
-import { type Cycle, defaultJob, type Finding, type FindingCode, type Said, say } from "./core/browser.js";
+import {
+  type Config,
+  type Cycle,
+  checkConfig,
+  defaultJob,
+  type Finding,
+  type FindingCode,
+  type Said,
+  say,
+} from "./core/browser.js";
 import type { Entries, Units } from "./entries.js";
 import { alike, complete, type Draft, isObject, isOut } from "./job.js";
+import { Rules } from "./rules.js";
 import { w } from "./words.js";
 
 /** Milliseconds in which a host may return a job that it received by `job-change`: frames and stores answer late. */
 const ECHO = 1000;
 
-export type Input = "job" | "cycle" | "post" | "units";
+export type Input = "job" | "cycle" | "post" | "units" | "config";
 type Setting = "lang" | "readonly";
 
 /** What the page around asks for. It holds for every job that does not name its own. */
@@ -18,7 +28,12 @@ export interface Asked {
 }
 
 /** Where in the job an input stands. */
-const PATHS: Readonly<Record<string, string>> = { cycle: "cycle.type", post: "control.post", units: "units" };
+const PATHS: Readonly<Record<string, string>> = {
+  cycle: "cycle.type",
+  post: "control.post",
+  units: "units",
+  config: "config",
+};
 
 function refused(input: string, code: FindingCode, ...said: Said): Finding {
   return { level: "error", code, path: PATHS[input] ?? "", message: say(said), said };
@@ -38,6 +53,7 @@ interface Jobs extends Entries {
   readonly revision: number;
   readonly job: Draft;
   readonly longest: number;
+  configure(): void;
   choose(type: Cycle["type"]): void;
   setUnits(units: Units): void;
   put(path: string, value: unknown): void;
@@ -51,6 +67,10 @@ export class Outside {
   /** The jobs that were sent by `job-change`, and when. */
   private sentJobs: { json: string; at: number }[] = [];
   private asked: Asked = {};
+  /** The rules of the page around. */
+  rules = new Rules();
+  /** The job that the page around gave last, as it gave it, and what became of it. */
+  private given: { job: Draft; whole: Draft } | null = null;
 
   constructor(private readonly store: Jobs) {}
 
@@ -69,8 +89,13 @@ export class Outside {
     return this.asked.post;
   }
 
-  /** A job with what the page around asks for in the place of what it does not name. What is no object stays what it is. */
-  filled(job: unknown, { cycle, post, units }: Asked = this.asked): unknown {
+  /** A job with what the page around asks for, and what its rules say, in the place of what it does not name. What is no object stays what it is. */
+  filled(job: unknown, asked: Asked = this.asked): unknown {
+    const whole = this.named(job, asked);
+    return isObject(whole) ? this.rules.filled(whole) : whole;
+  }
+
+  private named(job: unknown, { cycle, post, units }: Asked): unknown {
     if (!isObject(job) || Array.isArray(job.cycles)) return job;
     const whole: Draft = { ...job };
     if (units && job.units === undefined) whole.units = units;
@@ -89,8 +114,9 @@ export class Outside {
   /** The default job of a cycle, for the control and in the units that the page around asks for. */
   fresh(type: Cycle["type"]): Draft {
     const { post, units } = this.asked;
-    const job = structuredClone(defaultJob(type, units ?? this.store.units)) as unknown as Draft;
-    return this.filled(post ? unnamed(job) : job) as Draft;
+    const job = structuredClone(defaultJob(type, units ?? this.rules.units(this.store.units))) as unknown as Draft;
+    const named = this.named(post ? unnamed(job) : job, this.asked) as Draft;
+    return this.rules.laid(named, post ? (named.control as Draft) : undefined);
   }
 
   /** The job of a text. A dump names no control: the one in its job is a default, which gives way to the one that is asked for. */
@@ -125,8 +151,26 @@ export class Outside {
     return found;
   }
 
+  /** Why a config cannot be taken; none where it can. */
+  private faults(value: unknown): Finding[] {
+    const config = configOf(value);
+    if (config === undefined) return [refused("config", "not-json", w("Nothing was changed: the config is not JSON"))];
+    const problems = checkConfig(config).filter(({ level }) => level === "error");
+    return problems.map((f) => ({
+      ...refused("config", f.code, w("Nothing was changed: the config cannot be used: {problem}"), f.said),
+      path: f.path,
+    }));
+  }
+
+  /** Everything for which an input or a setting cannot be taken. */
+  refusals(input: Input | Setting, value: unknown, asked: Asked = {}): Finding[] {
+    if (input === "config") return this.faults(value);
+    const refusal = this.refusal(input, value, asked);
+    return refusal ? [refusal] : [];
+  }
+
   /** Why an input or a setting cannot be taken; null where it can. Nothing is changed. `asked`: what else is asked for at the same time. */
-  refusal(input: Input | Setting, value: unknown, asked: Asked = {}): Finding | null {
+  private refusal(input: Exclude<Input, "config"> | Setting, value: unknown, asked: Asked = {}): Finding | null {
     try {
       if (input === "job") return this.read(value, asked).refusal ?? null;
       if (input === "readonly")
@@ -157,14 +201,18 @@ export class Outside {
     return refused(input, "unknown-value", template, input, known.join(", "));
   }
 
-  /** Takes a job, a cycle, a control or units. What cannot be taken changes nothing: why, as a finding. */
-  input(input: Input, value: unknown): Finding | null {
+  /** Takes a job, a cycle, a control, units or a config. What cannot be taken changes nothing: why, as findings. */
+  input(input: Input, value: unknown): Finding[] {
     const { store } = this;
     store.byUser = false;
     try {
       if (input === "job") return this.take(value);
-      const refusal = this.refusal(input, value);
-      if (refusal) return refusal;
+      const refusals = this.refusals(input, value);
+      if (refusals.length > 0) return refusals;
+      if (input === "config") {
+        this.configure(structuredClone(configOf(value)) as Config);
+        return [];
+      }
       this.asked = { ...this.asked, [input]: value };
       const { revision } = store;
       if (input === "cycle") store.choose(value as Cycle["type"]);
@@ -173,16 +221,34 @@ export class Outside {
         store.put("control", { ...store.controlOf(value), workOffset: store.get("control.workOffset") });
       // What is asked for may be what the job has already.
       if (store.revision === revision) store.reconsider();
-      return null;
+      return [];
     } catch {
-      return refused(input, "unreadable", w("Nothing was changed: the {input} cannot be read"), input);
+      return [refused(input, "unreadable", w("Nothing was changed: the {input} cannot be read"), input)];
     } finally {
       store.byUser = true;
     }
   }
 
+  /** Other rules. They fill in the job that the page around gave, as long as the user has not changed it, and what nobody has given a value yet. */
+  private configure(config: Config | null): void {
+    const { store, given } = this;
+    this.rules = new Rules(config);
+    if (given && alike(given.whole, store.job)) {
+      this.given = null;
+      this.take(given.job);
+    } else store.configure();
+  }
+
   /** The page around asks for none any more; the job stays as it is. */
-  release(input: keyof Asked): void {
+  release(input: keyof Asked | "config"): void {
+    if (input === "config") {
+      if (!this.rules.config) return;
+      this.store.byUser = false;
+      this.rules = new Rules();
+      this.store.reconsider();
+      this.store.byUser = true;
+      return;
+    }
     if (this.asked[input] === undefined) return;
     const { [input]: _, ...rest } = this.asked;
     this.asked = rest;
@@ -192,7 +258,7 @@ export class Outside {
   }
 
   /** A job as the host gives it, with what is asked for, or why it cannot be shown. */
-  private read(value: unknown, asked: Asked = {}): { job?: Draft; refusal?: Finding } {
+  private read(value: unknown, asked: Asked = {}): { job?: Draft; own?: Draft; refusal?: Finding } {
     const { store } = this;
     let job = value;
     if (typeof value === "string") {
@@ -205,26 +271,38 @@ export class Outside {
     }
     // What has no JSON, as a BigInt or an object inside itself, no form could send: it throws.
     JSON.stringify(job);
+    const own = job as Draft;
     job = this.filled(job, { ...this.asked, ...asked });
     const problem = store.unusable(job);
     if (problem)
       return {
         refusal: refused("job", "unusable", w("Nothing was changed: the job cannot be used: {problem}"), problem),
       };
-    return { job: job as Draft };
+    return { job: job as Draft, own };
   }
 
-  private take(value: unknown): Finding | null {
+  private take(value: unknown): Finding[] {
     const { store } = this;
-    const { job, refusal } = this.read(value);
-    if (!job) return refusal ?? null;
+    const { job, own, refusal } = this.read(value);
+    if (!job || !own) return refusal ? [refusal] : [];
     const whole = Array.isArray(job.cycles) ? job : complete(job, store.catalog);
     // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
     const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
     const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
-    if (late || alike(whole, store.job)) return null;
+    if (late || alike(whole, store.job)) return [];
     store.replace(whole);
+    this.given = { job: structuredClone(own), whole: structuredClone(store.job) };
     this.forget();
-    return null;
+    return [];
+  }
+}
+
+/** A config that may be JSON; undefined where that is none. */
+function configOf(value: unknown): unknown {
+  if (typeof value !== "string") return value;
+  try {
+    return JSON.parse(value);
+  } catch {
+    return undefined;
   }
 }

@@ -27,6 +27,7 @@ import { Judged, withClass } from "./judged.js";
 import { keepCam, keepFiles, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./read-text.js";
+import type { Rules } from "./rules.js";
 import { type Lang, w } from "./words.js";
 
 export { sizeField, type Units } from "./entries.js";
@@ -172,6 +173,32 @@ export class Store extends Entries {
     this.ownName = jobName(this.draft);
   }
 
+  /** The rules of the page around. */
+  get rules(): Rules {
+    return this.outside.rules;
+  }
+
+  /** Other rules: what nobody has given a value yet has what they say. */
+  configure(): void {
+    const { given, rules } = this;
+    if (given) {
+      const type = this.cycle.type;
+      const allowed = this.catalog.cycles.find((one) => rules.offers("cycles", one.type));
+      if (given.size === 0 && !rules.offers("cycles", type) && allowed) this.choose(allowed.type);
+      if (!given.has("units") && !rules.allowsUnits(this.units)) this.setUnits(rules.units(this.units));
+      const laid = rules.laid(this.draft);
+      const held = [...given].map((path) => [path, this.get(path)] as const);
+      this.draft = laid;
+      for (const [path, value] of held) this.place(path, value);
+    }
+    this.changed();
+  }
+
+  /** The job for a stylus of the page around. */
+  useStylus(stylus: Draft): void {
+    this.put("stylus", { ...(this.draft.stylus as Draft), ...stylus });
+  }
+
   /** The whole job: of one cycle the form itself, of a set-up all of its cycles. */
   get job(): Draft {
     return this.features.compose(this.draft);
@@ -179,7 +206,7 @@ export class Store extends Entries {
 
   /** Adds a cycle of a type behind the one in hand, and brings it into the form. */
   addFeature(type: Cycle["type"]): void {
-    const cycle = structuredClone(defaultJob(type, this.units).cycle) as unknown as Draft;
+    const { cycle } = this.freshOf(type) as { cycle: Draft };
     this.arrange(() => {
       this.features.add(this.draft, cycle);
       this.features.bring(this.draft, this.features.hand + 1);
@@ -551,7 +578,7 @@ export class Store extends Entries {
     const { sizes: mine, tolerances: limits } = { ...part, tolerances: this.draft.tolerances } as Record<string, Draft>;
     this.left.set(String(old.type), { units, cycle: old, points: this.points, sizes: mine, tolerances: limits });
     const back = this.left.get(type);
-    const fresh = defaultJob(type, units) as unknown as Draft;
+    const fresh = this.freshOf(type);
     const { post } = this.draft.control as Draft;
     this.takeControl(type, fresh.control as Draft);
     this.document = ++this.documents;
@@ -585,6 +612,11 @@ export class Store extends Entries {
       this.tell([w("{control} does not take this cycle: the program is now for {other}"), title(post), title(now)]);
     else if (own !== now && this.formsOf(own, type).includes("cycle"))
       this.tell([w("This is a cycle of {control}; the program for {other} makes its moves"), title(own), title(now)]);
+  }
+
+  /** The default job of a cycle in the job's units, with what the rules of the page around say of it. */
+  private freshOf(type: Cycle["type"]): Draft {
+    return this.rules.laid(structuredClone(defaultJob(type, this.units)) as unknown as Draft);
   }
 
   /**
@@ -725,7 +757,7 @@ export class Store extends Entries {
    * Takes these sections of a preset, in this job's units; the work offset stays, if the control has it. Throws `JobError`, and changes nothing, where
    * it does not fit.
    */
-  usePreset(preset: Preset, parts: readonly string[] = [...SECTIONS, "overtravel"]): void {
+  usePreset(preset: Preset, parts: readonly string[] = [...Object.keys(preset.sections), "overtravel"]): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     const { units: held, draft } = this;
     const old = draft.control as Draft;
@@ -906,10 +938,14 @@ export class Store extends Entries {
 
   private compute(): void {
     this.revision++;
+    const { job, rules } = this;
+    let ruled: Finding[] = [];
     try {
-      const { job } = this;
-      this.plan = plan(job as unknown as Job);
-      this.findings = [...this.inForm(this.plan.findings), ...this.outside.differences()];
+      const made = plan(job as unknown as Job);
+      ruled = rules.judged(job);
+      if (ruled.some(({ level }) => level === "error")) throw new JobError("", made.findings);
+      this.plan = made;
+      this.findings = [...this.inForm([...made.findings, ...ruled]), ...this.outside.differences()];
       this.shown = structuredClone(job);
       this.stale = false;
       this.planned = this.document;
@@ -917,14 +953,15 @@ export class Store extends Entries {
       if (this.pinned !== null && this.pinned >= count) this.pinned = null;
       if (this.highlight !== null && this.highlight >= count) this.highlight = this.pinned;
     } catch (thrown) {
-      const findings = thrown instanceof JobError ? thrown.findings : check(this.job);
-      this.findings = [...this.inForm(findings), ...this.outside.differences()];
+      const findings = thrown instanceof JobError ? thrown.findings : check(job);
+      if (ruled.length === 0) ruled = rules.judged(job);
+      this.findings = [...this.inForm([...findings, ...ruled]), ...this.outside.differences()];
       this.stale = true;
       if (this.planned !== this.document) {
         // The plan of another document says nothing of this one, not even of how it was.
         this.planned = -1;
         this.plan = NO_PLAN;
-        this.shown = structuredClone(this.job);
+        this.shown = structuredClone(job);
       }
     }
   }

@@ -1,7 +1,8 @@
 // Touchpath as a service: POST /plan, /check and /import; GET /openapi.json and /health. PORT, HOST, LONGEST_BODY, MOST_AT_ONCE, MOST_CONNECTIONS and
-// PATIENCE set it up.
+// PATIENCE set it up; CONFIG is a file with the rules that jobs are filled in and judged by.
+import { readFileSync } from "node:fs";
 import Fastify from "fastify";
-import { check, importJob, JobError, jobSchema, plan, version } from "touchpath";
+import { check, checkConfig, importJob, JobError, jobSchema, plan, version } from "touchpath";
 
 const setting = (name, otherwise) => Number(process.env[name] ?? otherwise);
 /** Bytes of a body, requests at once, connections, and milliseconds for a request to come. */
@@ -9,6 +10,14 @@ const LONGEST_BODY = setting("LONGEST_BODY", 2_000_000);
 const MOST_AT_ONCE = setting("MOST_AT_ONCE", 64);
 const MOST_CONNECTIONS = setting("MOST_CONNECTIONS", 1024);
 const PATIENCE = setting("PATIENCE", 10_000);
+
+/** The rules of the portal; none where no file is named. A wrong one ends the service before it begins. */
+const config = process.env.CONFIG ? JSON.parse(readFileSync(process.env.CONFIG, "utf8")) : undefined;
+const faults = config === undefined ? [] : checkConfig(config);
+if (faults.length > 0) {
+  for (const { path, message } of faults) console.error(`${path}: ${message}`);
+  process.exit(1);
+}
 
 const app = Fastify({
   bodyLimit: LONGEST_BODY,
@@ -54,8 +63,8 @@ app.setNotFoundHandler((request, reply) =>
   reply.code(404).send({ error: `there is no ${request.method} ${request.url.slice(0, 100)}` }),
 );
 
-app.post("/plan", async (request) => plan(request.body));
-app.post("/check", async (request) => check(request.body));
+app.post("/plan", async (request) => plan(request.body, config));
+app.post("/check", async (request) => check(request.body, config));
 app.addContentTypeParser("text/plain", { parseAs: "string" }, (_request, body, done) => done(null, body));
 app.post("/import", async (request, reply) => {
   if (typeof request.body !== "string")

@@ -164,7 +164,7 @@ fn same(one: &Value, other: &Value, scale: f64) -> bool {
 fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
     let number = |x: f64| decimal(x, if field.kind.is_metric() && checker.scale != 1.0 { 6 } else { 4 });
     match value {
-        Value::Number(x) => number(*x).into(),
+        Value::Number(x) => format!("{}{}", number(*x), checker.unit_of(field.kind)).into(),
         Value::Text(text) => printable(text).into(),
         Value::Null => Text::words(field.null.unwrap_or("null")).into(),
         Value::List(items) => {
@@ -184,15 +184,27 @@ fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
         Some(cycle) if !path.members.is_empty() => format!("cycles[{cycle}]"),
         _ => "cycle".to_owned(),
     };
-    for (axis, found, limit, index) in config.space.travel.iter().flat_map(|travel| beyond(path, travel)) {
-        let message = text!(
-            "Move {number} takes the ball centre to {axis} {place}, beyond the travel, which ends at {limit}",
-            index + 1,
-            AXIS_NAMES[axis],
-            checker.length(found),
-            checker.length(limit)
-        );
-        checker.error("beyond-travel", place(index), message);
+    for found in config.space.travel.iter().flat_map(|travel| beyond(path, travel)) {
+        let (axis, at) = (AXIS_NAMES[found.axis], checker.length(found.place));
+        let (number, limit) = (found.index + 1, checker.length(found.limit));
+        let message = if found.search {
+            text!(
+                "The search in move {number} goes to {axis} {place}, beyond the travel, which ends at {limit}",
+                number,
+                axis,
+                at,
+                limit
+            )
+        } else {
+            text!(
+                "Move {number} takes the ball centre to {axis} {place}, beyond the travel, which ends at {limit}",
+                number,
+                axis,
+                at,
+                limit
+            )
+        };
+        checker.error("beyond-travel", place(found.index), message);
     }
     for zone in &config.space.keep_out {
         let Some((index, part)) = enters(path, zone, job.setup.radius, &job.shape) else { continue };

@@ -16,7 +16,7 @@
 //! let faster = from_json(r#"{ "format": 1, "cycle": { "type": "hole" }, "feeds": { "work": 300 } }"#)?;
 //! let error = config.plan(&faster).unwrap_err();
 //! let refused = error.findings.iter().find(|finding| finding.code == "locked").expect("another feed");
-//! assert_eq!(refused.message, "Hall 3 fixes Work feed at 100: the probe was calibrated at it");
+//! assert_eq!(refused.message, "Hall 3 fixes Work feed at 100 mm/min: the probe was calibrated at it");
 //! # Ok::<(), touchpath::job::JobError>(())
 //! ```
 

@@ -20,12 +20,26 @@ pub struct Zone {
     pub max: Vec3,
 }
 
-/// A piece of the path that the ball's centre can run along: where it ends, and the move that it is of.
+/// A piece of the path that the ball's centre can run along.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     from: Vec3,
     to: Vec3,
+    /// Index of the move that it is of.
     index: usize,
+    /// Whether it is the search past the nominal contact.
+    search: bool,
+}
+
+/// A place beyond the travel.
+#[derive(Clone, Copy, Debug)]
+pub struct Beyond {
+    pub axis: usize,
+    pub place: f64,
+    pub limit: f64,
+    /// Index of the move, and whether it is reached in its search only.
+    pub index: usize,
+    pub search: bool,
 }
 
 /// Which part of the probe enters a zone.
@@ -49,33 +63,31 @@ fn pieces(path: &Path) -> Vec<Piece> {
     for (index, step) in path.moves.iter().enumerate() {
         let Some(mut from) = at else { break };
         for to in step.pieces(from, path.frame.w, PIECE) {
-            found.push(Piece { from, to, index });
+            found.push(Piece { from, to, index, search: false });
             from = to;
         }
         if let Purpose::Touch(touch) = step.purpose {
             let touch = &path.touches[touch];
-            found.push(Piece { from, to: from - touch.vector * touch.search, index });
+            found.push(Piece { from, to: from - touch.vector * touch.search, index, search: true });
         }
         at = Some(step.to);
     }
     found
 }
 
-/// How far a path goes beyond the travel, at its farthest in each direction: the axis, the place there and the limit, with the index of the move.
-pub fn beyond(path: &Path, travel: &Zone) -> Vec<(usize, f64, f64, usize)> {
-    let ends: Vec<(Vec3, usize)> =
-        pieces(path).iter().flat_map(|piece| [(piece.from, piece.index), (piece.to, piece.index)]).collect();
+/// Where a path is farthest beyond the travel, in each direction.
+pub fn beyond(path: &Path, travel: &Zone) -> Vec<Beyond> {
+    let pieces = pieces(path);
+    let shift = if path.shifts.is_empty() { 0.0 } else { path.most_shift };
     let mut found = Vec::new();
     for axis in 0..3 {
-        let shift = if path.shifts.is_empty() { 0.0 } else { path.most_shift };
-        let place = |end: &(Vec3, usize)| (end.0[axis], end.1);
-        let low = ends.iter().map(place).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(x, i)| (x - shift, i));
-        let high = ends.iter().map(place).max_by(|a, b| a.0.total_cmp(&b.0)).map(|(x, i)| (x + shift, i));
-        if let Some((x, index)) = low.filter(|(x, _)| *x < travel.min[axis] - SKIN) {
-            found.push((axis, x, travel.min[axis], index));
-        }
-        if let Some((x, index)) = high.filter(|(x, _)| *x > travel.max[axis] + SKIN) {
-            found.push((axis, x, travel.max[axis], index));
+        for (side, limit) in [(-1.0, travel.min[axis]), (1.0, travel.max[axis])] {
+            let far = |piece: &&Piece| side * piece.to[axis];
+            let Some(piece) = pieces.iter().max_by(|a, b| far(a).total_cmp(&far(b))) else { continue };
+            let place = piece.to[axis] + side * shift;
+            if side * (place - limit) > SKIN {
+                found.push(Beyond { axis, place, limit, index: piece.index, search: piece.search });
+            }
         }
     }
     found

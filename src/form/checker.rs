@@ -131,6 +131,18 @@ impl Checker {
         format!("{} {}", self.number(mm), self.unit)
     }
 
+    /// The unit of a kind of value, with a space before a word; empty where it has none.
+    pub fn unit_of(&self, kind: Kind) -> String {
+        match kind {
+            Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => format!(" {}", self.unit),
+            Kind::Feed => format!(" {}/min", self.unit),
+            Kind::Acceleration => format!(" {}/s²", self.unit),
+            Kind::Time => " ms".to_owned(),
+            Kind::Angle => "°".to_owned(),
+            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => String::new(),
+        }
+    }
+
     /// A length in mm that must not come out smaller: rounded up to the last decimal that is shown.
     pub fn rounded_up(&self, mm: f64) -> String {
         let step = if self.scale == 1.0 { 1e4 } else { 1e5 };
@@ -237,7 +249,7 @@ impl<'a, 'c> Section<'a, 'c> {
         }
         // The end of a range, said in inch, is not said to the last bit.
         let inner = if scale == 1.0 { given } else { field.hard.snapped(given * scale) };
-        let unit = self.unit(field.kind);
+        let unit = self.checker.unit_of(field.kind);
         let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
         if !field.hard.holds(inner) {
             // Rounded inwards: what is said to be allowed is.
@@ -311,17 +323,6 @@ impl<'a, 'c> Section<'a, 'c> {
                 let path = self.at(field.key);
                 self.number(value, field, &path).or(stand_in)
             }
-        }
-    }
-
-    fn unit(&self, kind: Kind) -> String {
-        match kind {
-            Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => format!(" {}", self.checker.unit),
-            Kind::Feed => format!(" {}/min", self.checker.unit),
-            Kind::Acceleration => format!(" {}/s²", self.checker.unit),
-            Kind::Time => " ms".to_owned(),
-            Kind::Angle => "°".to_owned(),
-            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => String::new(),
         }
     }
 }

@@ -173,7 +173,8 @@ fn the_searches_of_a_path_stay_within_the_travel() {
     assert_eq!(refused(&config(&travel(14.5, -9.9)), &bore("")), ["beyond-travel cycle"]);
     let said = config(&travel(14.4, -10.0)).judge(&job(&bore("")));
     assert!(
-        said[0].message.ends_with("takes the ball centre to X 85.5 mm, beyond the travel, which ends at 85.6 mm"),
+        said[0].message.starts_with("The search in move ")
+            && said[0].message.ends_with(" goes to X 85.5 mm, beyond the travel, which ends at 85.6 mm"),
         "{}",
         said[0].message
     );

@@ -211,6 +211,35 @@ async function halfOpen(
 const closed = (/** @type {import("node:net").Socket[]} */ sockets) =>
   Promise.all(sockets.map((socket) => socket.destroyed || new Promise((done) => socket.once("close", done))));
 
+test("the service judges jobs by the rules of a file, and does not begin with wrong ones", async () => {
+  const own = project("ruled", ["fastify"], "service");
+  const write = (/** @type {string} */ name, /** @type {unknown} */ config) =>
+    writeFileSync(join(own, name), JSON.stringify(config));
+  write("shop.json", {
+    format: 1,
+    title: "Hall 3",
+    allow: { controls: ["haas"] },
+    fields: { "feeds.work": { max: 100 } },
+  });
+  write("wrong.json", { format: 1, tilte: "Hall 3" });
+  await assert.rejects(service(own, { CONFIG: "wrong.json" }), /ended/);
+  const { address, end } = await service(own, { CONFIG: "shop.json" });
+  const planned = async (/** @type {unknown} */ job) => {
+    const headers = { "content-type": "application/json" };
+    const answer = await fetch(`${address}/plan`, { method: "POST", body: JSON.stringify(job), headers });
+    return { status: answer.status, body: await answer.json() };
+  };
+  const hole = { format: 1, cycle: { type: "hole" }, feeds: { work: 90 } };
+  assert.equal((await planned(hole)).body.program.post, "haas");
+  const refused = await planned({ ...hole, control: { post: "fanuc" }, feeds: { work: 101 } });
+  const errors = refused.body.findings.filter((/** @type {any} */ f) => f.level === "error");
+  assert.deepEqual(
+    [refused.status, errors.map((/** @type {any} */ f) => `${f.code} ${f.path}`)],
+    [422, ["not-allowed control.post", "not-allowed feeds.work"]],
+  );
+  await end();
+});
+
 test("64 requests whose bodies never came closed the service to everybody else", async () => {
   const own = project("slow", ["fastify"], "service");
   const { address, end } = await service(own, { PATIENCE: "2000", MOST_CONNECTIONS: "300" });

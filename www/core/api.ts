@@ -5,6 +5,7 @@ import { columns, findingsOf, meaningsOf, planOf, programOf, tableOf } from "./p
 import { say } from "./said.js";
 import type {
   Catalog,
+  Config,
   Cycle,
   Dialect,
   Finding,
@@ -57,40 +58,94 @@ export function misfit(job: unknown): Said | null {
   return on(job, (codes, text) => raw.misfit(codes, text));
 }
 
-/** Everything that is wrong, unusual or worth knowing. Never throws. */
-export function check(job: unknown): Finding[] {
+/** Everything that is wrong, unusual or worth knowing; under a config also what it refuses, and what is wrong with it. Never throws. */
+export function check(job: unknown, config?: Config): Finding[] {
   try {
-    return on(job, raw.check);
-  } catch {
+    if (config === undefined) return on(job, raw.check);
+    const whole = configured(job, config);
+    return [...on<Finding[]>(whole, raw.check), ...judged(whole, config)];
+  } catch (error) {
+    if (error instanceof JobError) return error.findings;
     return [{ level: "error", code: "unreadable", path: "", message: UNREADABLE, said: [UNREADABLE] }];
   }
 }
 
-/** The whole plan. Throws `JobError` if any finding is an error. */
-export function plan(job: Job | SetUp): Plan {
-  const own = coded(job);
-  return planOf(packed(own), () => tableOf(handed(own, raw.table)));
+/** The whole plan; under a config, of the job as `configured` gives it. Throws `JobError` if any finding is an error. */
+export function plan(job: Job | SetUp, config?: Config): Plan {
+  const { own, packed, said } = under(job, config);
+  const plan = planOf(packed, () => tableOf(handed(own, raw.table)));
+  if (said.length > 0) plan.findings = [...plan.findings, ...said];
+  return plan;
 }
 
 /** The program alone, exactly that of the plan. Throws `JobError` where a plan would. */
-export function program(job: Job | SetUp): ProgramText {
-  return programOf(packed(coded(job)));
+export function program(job: Job | SetUp, config?: Config): ProgramText {
+  return programOf(under(job, config).packed);
 }
 
 /**
  * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the series: its
  * `program` is `null`, and its findings say why.
  */
-export function* programs(jobs: Iterable<Job | SetUp>): IterableIterator<Programmed> {
+export function* programs(jobs: Iterable<Job | SetUp>, config?: Config): IterableIterator<Programmed> {
   for (const job of jobs) {
     try {
-      const plan = packed(coded(job));
-      yield { program: programOf(plan), findings: findingsOf(plan) };
+      const { packed, said } = under(job, config);
+      yield { program: programOf(packed), findings: [...findingsOf(packed), ...said] };
     } catch (error) {
       if (!(error instanceof JobError)) throw error;
       yield { program: null, findings: error.findings };
     }
   }
+}
+
+/** What is wrong with a config: no findings where it is good. Their paths begin with `config.`. Never throws. */
+export function checkConfig(config: unknown): Finding[] {
+  try {
+    return on(config, raw.configFaults);
+  } catch {
+    return [{ level: "error", code: "unreadable", path: "config", message: UNREADABLE, said: [UNREADABLE] }];
+  }
+}
+
+/**
+ * The job with what a config says where the job says nothing: fields that are filled in, and of what is allowed the first entry, where the default is not
+ * among them. Throws `JobError` for a config that is wrong.
+ */
+export function configured<T>(job: T, config: Config): T {
+  const own = coded(job);
+  const rules = coded(config);
+  return instance.call<T>(() => raw.filled(own.codes, own.text, rules.codes, rules.text));
+}
+
+/** What a config refuses of a job that it has filled in. @internal */
+export function judged(job: unknown, config: Config): Finding[] {
+  return judgedOf(coded(job), config);
+}
+
+function judgedOf({ codes, text }: Coded, config: Config): Finding[] {
+  const rules = coded(config);
+  return instance.call<Finding[]>(() => raw.judged(codes, text, rules.codes, rules.text));
+}
+
+/** A job under a config, coded and planned, and what the config says of it. Throws `JobError` with what is wrong with the job and what the config refuses. */
+function under(job: unknown, config: Config | undefined): { own: Coded; packed: Packed; said: Finding[] } {
+  if (config === undefined) {
+    const own = coded(job);
+    return { own, packed: packed(own), said: [] };
+  }
+  const own = coded(configured(job, config));
+  let made: Packed;
+  try {
+    made = packed(own);
+  } catch (error) {
+    if (!(error instanceof JobError)) throw error;
+    throw new JobError(error.message, [...error.findings, ...judgedOf(own, config)]);
+  }
+  const said = judgedOf(own, config);
+  const refused = said.find(({ level }) => level === "error");
+  if (refused) throw new JobError(refused.message, [...findingsOf(made), ...said]);
+  return { own, packed: made, said };
 }
 
 /** The results from what a machine really measured: those of `measure`. Throws `JobError`. */

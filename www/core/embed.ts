@@ -13,7 +13,7 @@ interface Element extends HTMLElement {
 }
 
 const WORDS = ["theme", "lang", "panels", "mode"] as const;
-const KEYS = ["job", "cycle", "post", "units", "readonly", ...WORDS];
+const KEYS = ["config", "job", "cycle", "post", "units", "readonly", ...WORDS];
 const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
 
 const element = document.querySelector("touch-path") as Element;

@@ -31,6 +31,9 @@ export interface Raw {
   misfit(codes: Float64Array, text: string): unknown;
   check(codes: Float64Array, text: string): unknown;
   plan(codes: Float64Array, text: string, sink: Sink): void;
+  configFaults(codes: Float64Array, text: string): unknown;
+  filled(codes: Float64Array, text: string, config: Float64Array, configText: string): unknown;
+  judged(codes: Float64Array, text: string, config: Float64Array, configText: string): unknown;
   table(codes: Float64Array, text: string, sink: Sink): void;
   meanings(codes: Float64Array, text: string, sink: Sink): void;
   measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;

@@ -2,13 +2,15 @@
  * The messages between a portal and the frame with `embed.html`. The portal sends one `hello` to the frame's window, with a port; everything
  * after it passes through that port. A later version keeps what this one names.
  */
-import type { Cycle, Finding, Job, Plan } from "./types.js";
+import type { Config, Cycle, Finding, Job, Plan } from "./types.js";
 
 /** The version of the protocol. */
 export const PROTOCOL = 1;
 
 /** What a portal can set; what is left out stays. */
 export interface FrameState {
+  /** What may be chosen, which fields are fixed, hidden or filled in. */
+  config?: Config | string;
   job?: Job | string;
   cycle?: Cycle["type"];
   post?: string;

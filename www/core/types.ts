@@ -4,6 +4,7 @@ import type { FrameStep, Job, SetUp, Vec3 } from "./job-types.js";
 import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
 import type { Said } from "./said.js";
 
+export type * from "./config-types.js";
 export type * from "./job-types.js";
 export type * from "./plan-types.js";
 export type { Said, Words } from "./said.js";

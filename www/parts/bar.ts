@@ -55,7 +55,12 @@ class BarPart extends FieldPart {
         ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("What do you measure?"), { title: cycle.says })}</span></div>
       <div class="answer where"><span class="asks"><span aria-hidden="true">${this.t("On which machine?")}</span> ${this.always()}</span>${this.machine()}</div>
       <div class="answer then"><span class="asks" aria-hidden="true">${this.t("What shall it do?")}</span><span class="joined">${this.does()}</span></div>
-      <div class="answer in"><span class="asks" aria-hidden="true">${this.t("Units")}</span>${this.radios("units", ["mm", "inch"], (units) => store.setUnits(units as "mm" | "inch"), this.t("Units"))}</div>
+      <div class="answer in"><span class="asks" aria-hidden="true">${this.t("Units")}</span>${this.radios(
+        "units",
+        (["mm", "inch"] as const).filter((units) => units === store.units || store.rules.allowsUnits(units)),
+        (units) => store.setUnits(units as "mm" | "inch"),
+        this.t("Units"),
+      )}</div>
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
@@ -92,7 +97,7 @@ class BarPart extends FieldPart {
     const last = Number.POSITIVE_INFINITY;
     const still = (cycle: CycleEntry) => cycle.steps.length === 0 && !store.cam && cycle.type !== store.cycle.type;
     const sorted = store.catalog.cycles
-      .filter((cycle) => !still(cycle))
+      .filter((cycle) => !still(cycle) && (cycle.type === store.cycle.type || store.rules.offers("cycles", cycle.type)))
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
     return sorted.map(({ type, title, source }) => {
       const [under = "", ...number] = source.split(" ");
@@ -103,10 +108,15 @@ class BarPart extends FieldPart {
   /** Machines that were kept, and the controls. A control that does not take this cycle says why when it is chosen. */
   private machine(): TemplateResult {
     const { store } = this;
-    const kept = this.local ? (presets() ?? []) : [];
+    const offered = store.rules.machines;
+    const taken = (one: Preset) => offered.some(({ name }) => name === one.name);
+    const mine = (this.local ? (presets() ?? []) : []).filter((one) => !taken(one));
+    const kept = [...offered, ...mine];
     const used = kept.find((one) => this.isUsed(one));
-    const own = kept.length > 0 ? this.t("My machines") : " ";
-    const machines = kept.map(({ name }) => ({ value: `machine:${name}`, label: name, under: own }));
+    const own = mine.length > 0 ? this.t("My machines") : " ";
+    const under = (list: Preset[], under: string) =>
+      list.map(({ name }) => ({ value: `machine:${name}`, label: name, under }));
+    const machines = [...under(offered, this.t("Machines")), ...under(mine, own)];
     const posts = this.posts().map((post) => ({ ...post, under: kept.length > 0 ? this.t("Controls") : "" }));
     const keep = this.local ? [{ value: "keep:", label: this.t("Keep this machine …"), under: own }] : [];
     const choices = kept.length > 0 ? [...machines, ...keep, ...posts] : [...posts, ...keep];
@@ -137,7 +147,8 @@ class BarPart extends FieldPart {
   /** Controls that do not take this cycle are shown, with the reason. */
   private posts() {
     const { store } = this;
-    return store.catalog.posts.map((post) => {
+    const offered = store.catalog.posts.filter(({ id }) => id === store.post?.id || store.rules.offers("controls", id));
+    return offered.map((post) => {
       const not = store.whyNot(post.id);
       return { value: post.id, label: not ? `${post.title} –` : post.title, ...(not ? { not } : {}) };
     });
@@ -223,7 +234,10 @@ class BarPart extends FieldPart {
     const none = value === null && !store.stale ? store.does : this.t("measures only");
     const judge =
       store.fieldAt("limits.size") && store.cycle.touches ? [{ value: "judge", label: this.t("judge: limits …") }] : [];
-    return { offsets: [{ value: null as number | null | string, label: none }, ...numbers, ...judge], paged };
+    const allowed = (one: number | null) => one === value || store.rules.allowsOffset(one);
+    const all = [{ value: null as number | null | string, label: none }, ...numbers];
+    const offsets = all.filter((one) => (typeof one.value === "string" ? true : allowed(one.value)));
+    return { offsets: [...offsets, ...judge], paged };
   }
 
   protected override updated(changed: Map<PropertyKey, unknown>): void {

@@ -109,7 +109,7 @@ class CommandsPart extends Part {
     const { store } = this;
     const { cycle, catalog } = store;
     const cycles = catalog.cycles
-      .filter((one) => store.cam || one.steps.length > 0)
+      .filter((one) => (store.cam || one.steps.length > 0) && store.rules.offers("cycles", one.type))
       .map((one): Command => {
         const english = this.english.find(({ type }) => type === one.type) ?? one;
         const also = textOf(one, english, (text) => this.t(text));
@@ -128,7 +128,8 @@ class CommandsPart extends Part {
         event: ["about", event[1].replace("cycle.type", "cycle")],
       }),
     );
-    const controls = catalog.posts.flatMap((post): Command[] => [
+    const posts = catalog.posts.filter(({ id }) => store.rules.offers("controls", id));
+    const controls = posts.flatMap((post): Command[] => [
       { name: post.title, kind: this.t("control"), event: ["choose", `control.post:${post.id}`] },
       { name: this.t("About {control}", post.title), kind: this.t("manual"), event: ["about", `control:${post.id}`] },
     ]);
@@ -136,7 +137,7 @@ class CommandsPart extends Part {
       (path: string) =>
       (entry: FieldEntry): Command[] => {
         const at = path === "" ? entry.key : `${path}.${entry.key}`;
-        if (entry.label === "" || at === "cycle.type") return [];
+        if (entry.label === "" || at === "cycle.type" || !store.rules.showsField(at)) return [];
         if (!store.cam && entry.group.startsWith("Postprocessor")) return [];
         return [
           { name: entry.label, kind: this.t(entry.group), says: entry.help, also: entry.code ?? "", event: ["go", at] },

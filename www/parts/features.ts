@@ -240,7 +240,8 @@ class FeaturesPart extends Part {
       list.value = "";
       if (type) store.addFeature(type);
     };
-    const cycles = store.catalog.cycles.filter((c) => c.maxTouches > 0);
+    if (!store.rules.allowsSetUps) return nothing;
+    const cycles = store.catalog.cycles.filter((c) => c.maxTouches > 0 && store.rules.offers("cycles", c.type));
     return html`<p class="adding"><select aria-label=${this.t("Add a cycle to this program")} @change=${take}><option value="">${this.t("+ Add a cycle to this program")}</option>${cycles.map((c) => html`<option value=${c.type}>${c.title}</option>`)}</select></p>`;
   }
 }

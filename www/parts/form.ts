@@ -1,4 +1,5 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
 import { deviations } from "../sentences.js";
 import { sizeField } from "../store.js";
@@ -102,7 +103,7 @@ class FormPart extends FieldPart {
     const { post } = this.store;
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
-      if (IN_BAR.has(path)) return;
+      if (IN_BAR.has(path) || !this.store.rules.showsField(path)) return;
       // A cycle that touches nothing has no use for these, and some depend on the variant or the control; one that something is said of is there to be mended, until it is left.
       const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
       const idle = (maxTouches === 0 && OF_TOUCHES.test(path)) || !this.store.counts(path, field);
@@ -144,7 +145,7 @@ class FormPart extends FieldPart {
   private group(name: string, fields: Placed[]): TemplateResult {
     const open = this.isOpen(name);
     const level = this.gravest(fields);
-    const body = html`${this.switch(name)}${fields.map((placed) => this.field(placed))}
+    const body = html`${this.switch(name)}${fields.some(({ path }) => path === "stylus.diameter") ? this.styli() : nothing}${fields.map((placed) => this.field(placed))}
             ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}`;
     return this.folding(name, open, level, open ? "" : this.summary(name, fields), body);
   }
@@ -267,6 +268,11 @@ class FormPart extends FieldPart {
 
   /** The choices of a field. What the control of the job cannot do says so. */
   private choices({ field, path }: Placed): FieldEntry["choices"] {
+    const { rules } = this.store;
+    if (path === "control.form")
+      return field.choices.filter(
+        ({ value }) => value === this.store.get(path) || rules.allowsForm(value as "moves" | "cycle"),
+      );
     if (path !== "control.protection" || this.store.post?.watches !== false) return field.choices;
     const label = (own: string) => this.t("{choice}: not on this control", own);
     return field.choices.map((c) => (c.value === "checked" ? { ...c, label: label(c.label) } : c));
@@ -279,6 +285,22 @@ class FormPart extends FieldPart {
     const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.begins(f) ?? null]));
     return html`<div class="row"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
       @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${this.t("Use it")}</label></div>`;
+  }
+
+  /** The styli that the page around offers. */
+  private styli(): TemplateResult | typeof nothing {
+    const { store } = this;
+    const styli = store.rules.styli(store.units);
+    if (styli.length === 0) return nothing;
+    const now = store.get("stylus") as Record<string, unknown>;
+    const used = styli.findIndex(({ stylus }) => Object.entries(stylus).every(([key, value]) => now[key] === value));
+    const take = (e: Event) => {
+      const chosen = styli[Number((e.target as HTMLSelectElement).value)];
+      if (chosen) store.useStylus(chosen.stylus);
+    };
+    return html`<div class="row"><label for="f-styli">${this.t("Stylus")}</label><span class="choice"><select id="f-styli" @change=${take}>
+      ${used < 0 ? html`<option value="" .selected=${live(true)} disabled>${this.t("another one")}</option>` : nothing}
+      ${styli.map(({ name }, i) => html`<option value=${i} .selected=${live(i === used)}>${name}</option>`)}</select></span></div>`;
   }
 
   /** The frame that the tool lengths are seen in: made in the other tool, taken from there. */
@@ -333,7 +355,19 @@ class FormPart extends FieldPart {
     );
   }
 
+  /** A field of the form; one that the page around fixes cannot be changed, as long as it has the value that it must have. */
   private field(placed: Placed): TemplateResult {
+    const { rules } = this.store;
+    const { path } = placed;
+    if (!rules.locks(path) || this.store.at(path).some(({ code }) => code === "locked")) return this.box(placed);
+    const why = rules.reason(path);
+    const fixed = rules.config?.title
+      ? this.t("Fixed by {portal}", rules.config.title)
+      : this.t("Fixed by this portal");
+    return html`<fieldset class="locked" disabled title=${why ? `${fixed}: ${why}` : fixed}>${this.box(placed)}</fieldset>`;
+  }
+
+  private box(placed: Placed): TemplateResult {
     const { field, path } = placed;
     const row = (body: TemplateResult) =>
       html`<div class="row"><label for=${`f-${path}`} title=${field.help}>${field.label}</label>${body}${this.said(placed)}</div>`;

@@ -56,7 +56,7 @@ class GalleryPart extends Part {
     const last = Number.POSITIVE_INFINITY;
     // What moves nothing is for the authors of postprocessors.
     const all = store.catalog.cycles
-      .filter((cycle) => store.cam || cycle.steps.length > 0)
+      .filter((cycle) => (store.cam || cycle.steps.length > 0) && store.rules.offers("cycles", cycle.type))
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
     const search = found([...all, null], this.query, (cycle) => (cycle ? this.text(cycle) : this.lengths()));
     const cycles = search.things.filter((cycle) => cycle !== null);

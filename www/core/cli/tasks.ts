@@ -1,13 +1,16 @@
 // What the command does with one job: text in, texts out. No files, no streams, no exit codes.
 import {
+  type Config,
   catalog,
   check,
+  configured,
   exportTable,
   type Finding,
   type FindingCode,
   importJob,
   type Job,
   JobError,
+  judged,
   type Measurement,
   measure,
   type Plan,
@@ -32,6 +35,8 @@ export interface Task {
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
+  /** The rules that jobs are filled in and judged by. */
+  config?: Config;
   format?: "csv" | "html" | "json" | "text" | "sarif";
   view?: "top" | "front" | "side" | "isometric";
   /** What a machine measured, as text. */
@@ -104,9 +109,12 @@ function done(task: Task, source: string, { text, refused }: Pick<Item, "text" |
       failed: broken,
     };
   }
-  const { job, overruled } = read(text, task);
+  const { config } = task;
+  const given = read(text, task);
+  const job = config ? configured(given.job, config) : given.job;
+  const overruled = [...given.overruled, ...(config ? judged(job, config) : [])];
   const control = controlOf(job);
-  if (task.command === "check") {
+  if (task.command === "check" || overruled.some((f) => f.level === "error")) {
     const findings = [...check(job), ...overruled];
     return { output: null, control, findings, failed: findings.some((f) => f.level === "error") };
   }

@@ -6,7 +6,7 @@ import { availableParallelism, constants } from "node:os";
 import { basename, dirname, extname, join, relative, resolve, sep } from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
-import { catalog, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
+import { type Config, catalog, checkConfig, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
 import { clock } from "../report.js";
 import { converted, explain, meant, newJob, toolLengths } from "./about.js";
 import { sarif } from "./examine.js";
@@ -58,6 +58,7 @@ const FILES = [...JOBS, "import", "moves", "examine", "verify"];
 const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[] = [
   ["--post P", "for this control, in the place of the job's own", [...JOBS, "new"]],
   ["--form F", "moves or cycle, in the place of the job's own", [...JOBS, "new"]],
+  ["--config FILE", "the rules of a portal or a shop: jobs are filled in and judged by them", JOBS],
   ["--units U", "mm or inch", ["new", "convert"]],
   ["--view V", "isometric, top, front or side", ["svg"]],
   [
@@ -130,6 +131,7 @@ const VIEWS = ["isometric", "top", "front", "side"] as const;
 const OPTIONS = {
   post: { type: "string" },
   form: { type: "string" },
+  config: { type: "string" },
   format: { type: "string" },
   view: { type: "string" },
   out: { type: "string", short: "o" },
@@ -176,6 +178,7 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("view", "svg");
   only("post", ...JOBS);
   only("form", ...JOBS);
+  only("config", ...JOBS);
   only("units", "new", "convert");
   if (values.post !== undefined)
     task.post = oneOf(
@@ -321,6 +324,20 @@ async function textOf(file: string): Promise<string> {
   } catch (thrown) {
     throw new Refused(`${file} cannot be read: ${(thrown as Error).message}`);
   }
+}
+
+/** The rules of a file. */
+async function configOf(file: string): Promise<Config> {
+  let config: unknown;
+  try {
+    config = JSON.parse((await textOf(file)).replace(/^\uFEFF/, ""));
+  } catch (thrown) {
+    if (thrown instanceof Refused) throw thrown;
+    throw new Refused(`${file} is not JSON: ${(thrown as Error).message}`);
+  }
+  const faults = checkConfig(config).filter(({ level }) => level === "error");
+  if (faults.length === 0) return config as Config;
+  throw new Refused(`${file}: ${faults.map(({ path, message }) => `${path}: ${message}`).join("; ")}`);
 }
 
 /** A finding for people. */
@@ -490,6 +507,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   }
   judging = true;
   const task = taskOf(command as Task["command"], values);
+  if (values.config !== undefined) task.config = await configOf(values.config);
   if (command === "evaluate") {
     const [, points] = names;
     if (names.length !== 2 || points === undefined || (names[0] === "-" && points === "-"))

@@ -1,0 +1,114 @@
+// The rules of the portal around: what the page offers, what its form shows, and which values are fixed.
+import { type Config, configured, convertUnits, type Finding, judged } from "./core/browser.js";
+import { type Draft, isObject } from "./job.js";
+import type { Preset } from "./presets.js";
+
+type Units = "mm" | "inch";
+
+export class Rules {
+  constructor(readonly config: Config | null = null) {}
+
+  /** Whether a cycle or a control is offered. */
+  offers(what: "cycles" | "controls", key: string): boolean {
+    const { allow, hide } = this.config ?? {};
+    return this.allows(allow?.[what], key) && !(hide?.[what] as readonly string[] | undefined)?.includes(key);
+  }
+
+  allowsUnits(units: Units): boolean {
+    return this.allows(this.config?.allow?.units, units);
+  }
+
+  allowsOffset(offset: number | null): boolean {
+    return this.allows(this.config?.allow?.workOffsets, offset);
+  }
+
+  /** The work offset of a job that has none: none, or the first where none is not allowed. */
+  get offset(): number | null {
+    const { workOffsets = [null] } = this.config?.allow ?? {};
+    return workOffsets.includes(null) ? null : (workOffsets[0] ?? null);
+  }
+
+  allowsForm(form: "moves" | "cycle"): boolean {
+    return this.allows(this.config?.allow?.forms, form);
+  }
+
+  get allowsSetUps(): boolean {
+    return this.config?.allow?.setUps !== false;
+  }
+
+  shows(panel: string): boolean {
+    return !(this.config?.hide?.panels as readonly string[] | undefined)?.includes(panel);
+  }
+
+  /** Whether the form shows a field. */
+  showsField(path: string): boolean {
+    return this.of(path)?.hidden !== true;
+  }
+
+  /** Whether the user cannot change a field, as long as it has the value that it must have. */
+  locks(path: string): boolean {
+    return this.of(path)?.locked === true;
+  }
+
+  /** Why, in the portal's words; empty where it says nothing. */
+  reason(path: string): string {
+    return this.of(path)?.reason ?? "";
+  }
+
+  private of(path: string) {
+    return this.config?.fields?.[path.replace(/\[\d\]$/, "")];
+  }
+
+  private allows<T>(list: readonly T[] | undefined, one: T): boolean {
+    return list === undefined || list.includes(one);
+  }
+
+  /** A job with what it leaves out; what is no object stays what it is. */
+  filled(job: Draft): Draft {
+    return this.config ? configured(job, this.config) : job;
+  }
+
+  /** The units of a new job, in the place of others that are not allowed. */
+  units(units: Units): Units {
+    return this.allowsUnits(units) ? units : (this.config?.allow?.units?.[0] ?? units);
+  }
+
+  /** A new job with everything that the rules say of its cycle and of what stands around it. */
+  laid(job: Draft, control?: Draft): Draft {
+    if (!this.config) return job;
+    const { type } = job.cycle as Draft;
+    const bare = { format: 1, units: job.units, cycle: { type }, ...(control ? { control } : {}) };
+    return over(job, this.filled(bare)) as Draft;
+  }
+
+  /** What is refused of a job, and what the portal says of it. */
+  judged(job: Draft): Finding[] {
+    return this.config ? judged(job, this.config) : [];
+  }
+
+  /** The machines that are offered. */
+  get machines(): Preset[] {
+    return (this.config?.machines ?? []).map(({ name, overtravel, ...sections }) => ({
+      name,
+      units: this.config?.units ?? "mm",
+      ...(overtravel === undefined ? {} : { overtravel }),
+      sections,
+    }));
+  }
+
+  /** The styli that are offered, in the units of a job. */
+  styli(units: Units): { name: string; stylus: Draft }[] {
+    const own = this.config?.units ?? "mm";
+    return (this.config?.styli ?? []).map(({ name, ...stylus }) => {
+      const job = convertUnits({ format: 1, units: own, stylus }, units) as unknown as { stylus: Draft };
+      return { name, stylus: job.stylus };
+    });
+  }
+}
+
+/** What one says over what another says. */
+function over(under: unknown, said: unknown): unknown {
+  if (!isObject(under) || !isObject(said)) return said;
+  const entries = Object.entries(said).map(([key, value]) => [key, key in under ? over(under[key], value) : value]);
+  return { ...under, ...Object.fromEntries(entries) };
+}
