@@ -2,6 +2,8 @@ import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { defineConfig } from "vite";
 
+const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
+
 /** What the page will need is asked for with the page itself, not when the script that needs it has come. @returns {import("vite").Plugin} */
 const preload = () => ({
   name: "preload",
@@ -63,6 +65,7 @@ const first = () => ({
 
 export default defineConfig({
   root: "www",
+  define: { VERSION: JSON.stringify(version) },
   base: "./",
   plugins: [preload(), first()],
   worker: { format: "es" },

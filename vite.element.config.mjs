@@ -1,8 +1,12 @@
 // The element for the package: one small entry and what it loads, around the package's own core.
+import { readFileSync } from "node:fs";
 import { defineConfig } from "vite";
+
+const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 
 export default defineConfig({
   root: "www",
+  define: { VERSION: JSON.stringify(version) },
   publicDir: false,
   plugins: [
     {

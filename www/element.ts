@@ -5,6 +5,7 @@ import type { App } from "./parts/app.js";
 import type { Store } from "./store.js";
 
 type Units = "mm" | "inch";
+type View = "top" | "front" | "side" | "isometric";
 
 export type { PanelName };
 
@@ -15,12 +16,23 @@ export interface TouchPathEvents {
   "job-change": CustomEvent<{ job: Job }>;
   "plan-change": CustomEvent<{ plan: Plan }>;
   "program-save": CustomEvent<{ name: string; text: string; post: string; extension: string }>;
+  "selection-change": CustomEvent<Selection>;
+  "measured-change": CustomEvent<{ measured: string }>;
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
+}
+
+/** What the user has chosen: a move and its line in the program, each counted from 0, the touch that it makes, and the path of the field that has the focus; `null` is none. */
+export interface Selection {
+  move: number | null;
+  line: number | null;
+  touch: number | null;
+  field: string | null;
 }
 
 /** The attributes that are inputs. */
 const INPUTS = ["config", "job", "cycle", "post", "units"] as const;
-type Input = (typeof INPUTS)[number];
+/** What is an input as a property. */
+type Input = (typeof INPUTS)[number] | "measured";
 /** What is set at one time: what a job leaves out, the others say. */
 type Inputs = Partial<Record<Input, unknown>>;
 
@@ -29,6 +41,7 @@ const WORDS = {
   theme: ["light", "dark", "auto"],
   panels: PANEL_NAMES,
   mode: ["setter", "cam"],
+  view: ["top", "front", "side", "isometric"],
   storage: ["none", "local"],
 } as const;
 type Wordy = keyof typeof WORDS;
@@ -77,12 +90,20 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
  * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, but the table only if it is named here or the mode is `cam`.
  * @attr {"setter" | "cam"} mode - `cam` also shows what only the author of a postprocessor needs: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
+ * @attr {"top" | "front" | "side" | "isometric"} view - Where the picture is looked at from, `top` at first. The user can change it; the property says where it is now.
  * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
  * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
+ * @attr {boolean} disabled - Whether the element is disabled as a control of a form: the job can only be looked at, and the form does not get it.
  * @attr {string} name - The name under which a form gets the job's JSON.
  * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
  * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the page around. A job with errors gives no event.
  * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the page around it does.
+ * @fires {CustomEvent<Selection>} selection-change - The user has chosen a move, a line or a field.
+ * @fires {CustomEvent<{ measured: string }>} measured-change - The user has entered other measured points.
+ * @fires {Event} input - The job has changed by the user: the same moment as `job-change`, as form libraries listen for it.
+ * @fires {Event} change - The same, when the field is left or the choice is made.
+ * @fires {Event} load - The element is loaded and shown, as `ready` says. It does not bubble.
+ * @fires {ErrorEvent} error - The element could not be loaded, as `ready` says. It does not bubble.
  * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used, and nothing was changed.
  * @slot - Shown until the element is loaded.
  * @slot header - In the place of the name, at the left of the bar.
@@ -102,7 +123,9 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  */
 export class TouchPath extends Base {
   static readonly formAssociated = true;
-  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "mode", "storage"];
+  /** The version of the package that this class is of: of two on a page, the first one defines the element. */
+  static readonly version = VERSION;
+  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "mode", "view", "storage"];
 
   /** The page's state, once it is loaded. Not part of what is promised. @internal */
   store?: Store;
@@ -145,6 +168,10 @@ export class TouchPath extends Base {
       "readonly",
       "panels",
       "mode",
+      "view",
+      "measured",
+      "value",
+      "disabled",
       "storage",
       "name",
     ] as const) {
@@ -158,10 +185,17 @@ export class TouchPath extends Base {
     this.loading = true;
     if (this.attempt.over) this.attempt = new Attempt();
     const { attempt } = this;
-    this.load().then(attempt.done, (why) => {
-      this.loading = false;
-      attempt.fail(why);
-    });
+    this.load().then(
+      () => {
+        attempt.done();
+        this.dispatchEvent(new Event("load"));
+      },
+      (why) => {
+        this.loading = false;
+        attempt.fail(why);
+        this.dispatchEvent(new ErrorEvent("error", { error: why, message: String(why) }));
+      },
+    );
   }
 
   disconnectedCallback(): void {
@@ -270,6 +304,57 @@ export class TouchPath extends Base {
     this.setAttribute("mode", value);
   }
 
+  /** Where the picture is looked at from. Set, it turns the picture. */
+  get view(): View {
+    return this.app?.view ?? ((this.words.get("view") ?? "top") as View);
+  }
+
+  set view(value: View) {
+    if (this.getAttribute("view") === value) this.word("view", value);
+    else this.setAttribute("view", value);
+  }
+
+  /** What a machine measured, as text: points, results, a log. Set, it is shown and judged in the results; empty takes it back. It is no part of the job. */
+  get measured(): string {
+    return this.store?.measured ?? "";
+  }
+
+  set measured(value: string | null | undefined) {
+    this.put("measured", value === null ? "" : value);
+  }
+
+  /** Saves the program as the Save button does: `program-save`, and a file unless that is cancelled. False where there is none: the job has errors, or nothing is loaded. */
+  save(): boolean {
+    return this.app?.save() ?? false;
+  }
+
+  /** Takes the user's last step back, as Ctrl+Z does, and says the job by `job-change`. False where there is none. */
+  undo(): boolean {
+    const can = this.store?.canUndo ?? false;
+    if (can) this.store?.undo();
+    return can;
+  }
+
+  /** Makes the step again that was taken back last. False where there is none. */
+  redo(): boolean {
+    const can = this.store?.canRedo ?? false;
+    if (can) this.store?.redo();
+    return can;
+  }
+
+  /** Lights a move of the plan, counted from 0, in the picture, the program and the table; `null` lights what the user has chosen. */
+  highlight(move: number | null): void {
+    const { store } = this;
+    if (!store) return;
+    const known = typeof move === "number" && Number.isInteger(move) && move >= 0 && move < store.plan.moves.length;
+    store.point(known ? move : null);
+  }
+
+  /** The picture as it is looked at, as the text of an SVG; `null` where there is no plan. Of a job with errors it is that of the last good plan. */
+  picture(): string | null {
+    return this.app?.svg() ?? null;
+  }
+
   /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
   get storage(): "none" | "local" {
     return this.words.get("storage") === "local" ? "local" : "none";
@@ -286,6 +371,45 @@ export class TouchPath extends Base {
 
   set name(value: string) {
     this.setAttribute("name", value);
+  }
+
+  /** The job as JSON, for form libraries: what a form gets. Set, the same as `job`; empty until anything is loaded or given. */
+  get value(): string {
+    const { store } = this;
+    return store ? JSON.stringify(store.job) : (textOf(this.later.job ?? this.waiting.job) ?? "");
+  }
+
+  set value(value: string) {
+    if (value !== "") this.put("job", value);
+  }
+
+  /** Whether the element is disabled as a control of a form. */
+  get disabled(): boolean {
+    return this.hasAttribute("disabled");
+  }
+
+  set disabled(value: boolean) {
+    this.toggleAttribute("disabled", Boolean(value));
+  }
+
+  /** What kind of control it is. */
+  get type(): "touch-path" {
+    return "touch-path";
+  }
+
+  /** The labels of the form that are for this element. */
+  get labels(): NodeList {
+    return this.inside.labels;
+  }
+
+  /** What is wrong with the job, for the form: `customError`, or nothing. */
+  get validity(): ValidityState {
+    return this.inside.validity;
+  }
+
+  /** Whether the form checks it: it is not disabled. */
+  get willValidate(): boolean {
+    return this.inside.willValidate;
   }
 
   /** The form around the element. */
@@ -347,8 +471,9 @@ export class TouchPath extends Base {
   }
 
   /** Takes what is set at one time, in whatever order it was said: a job names its own control and units, or has those beside it; a cycle beside it is its cycle. @internal */
-  take({ config, job, cycle, post, units }: Inputs): void {
-    for (const [input, value] of Object.entries({ config, post, units, cycle, job })) this.put(input as Input, value);
+  take({ config, job, cycle, post, units, measured }: Inputs): void {
+    for (const [input, value] of Object.entries({ config, post, units, cycle, job, measured }))
+      this.put(input as Input, value);
     if (job && cycle && this.store?.outside.refusals("cycle", cycle).length === 0) this.put("cycle", cycle);
   }
 
@@ -382,6 +507,7 @@ export class TouchPath extends Base {
       this.applyOptions();
       this.shadow.replaceChildren(app);
       this.follow(store, app);
+      if (this.words.has("view")) app.view = this.words.get("view") as View;
       // One that was taken out meanwhile is drawn when it is put in again.
       if (this.isConnected) await app.updateComplete;
     } catch (thrown) {
@@ -399,8 +525,26 @@ export class TouchPath extends Base {
     let job = "";
     let findings = "";
     let plan: Plan | null = null;
+    let measured = store.measured;
+    /** Whether the user has changed what no `change` has said yet. */
+    let commit = false;
+    const committed = () => {
+      if (!commit) return;
+      commit = false;
+      this.dispatchEvent(new Event("change", { bubbles: true }));
+    };
+    const selected = () => {
+      const { selected: move, focused: field } = store;
+      const line = move === null ? -1 : (store.plan.program.moveLines[move] ?? -1);
+      const touch = move === null ? null : (store.plan.moves[move]?.touch ?? null);
+      this.tell("selection-change", { move, line: line < 0 ? null : line, touch, field });
+    };
     const changed = (byUser: boolean) => {
       const { draft, stale } = store;
+      if (store.measured !== measured) {
+        measured = store.measured;
+        if (byUser) this.tell("measured-change", { measured });
+      }
       const before = job;
       job = JSON.stringify(draft);
       this.inside.setFormValue(job);
@@ -412,6 +556,8 @@ export class TouchPath extends Base {
       if (byUser && job !== before) {
         store.outside.sent(job);
         this.tell("job-change", { job: JSON.parse(job) });
+        this.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+        commit = true;
       }
       if (!stale && store.plan !== plan) {
         plan = store.plan;
@@ -424,6 +570,10 @@ export class TouchPath extends Base {
       }
     };
     store.addEventListener("change", () => changed(store.byUser));
+    store.addEventListener("settled", committed);
+    store.addEventListener("select", selected);
+    // Those of the boxes inside are not the element's own.
+    app.addEventListener("input", (event) => event.stopPropagation());
     app.updateComplete.then(() => changed(false));
   }
 
@@ -439,7 +589,7 @@ export class TouchPath extends Base {
     if (value === undefined || (value === null && input === "job")) return;
     if (!this.store) early[input] = value;
     else if (value !== null) this.use(input, value);
-    else if (input !== "job") this.store.outside.release(input);
+    else if (input !== "job" && input !== "measured") this.store.outside.release(input);
     if (this.store && input === "config") this.applyOptions();
     // A form that is sent before anything is loaded sends what it was given.
     if (!this.store && input === "job") {
@@ -457,8 +607,10 @@ export class TouchPath extends Base {
   /** Takes a word, or says why it cannot be taken: as soon as there is something to say it. */
   private word(name: Wordy, value: string | null): void {
     if (value === null) this.words.delete(name);
-    else if (isKnown(name, value)) this.words.set(name, value);
-    else {
+    else if (isKnown(name, value)) {
+      this.words.set(name, value);
+      if (name === "view" && this.app) this.app.view = value as View;
+    } else {
       const refused = this.refusals({ [name]: value });
       if (refused.length > 0) this.tell("finding", { findings: refused, refused: true });
     }

@@ -18,6 +18,11 @@ export class History<Moment> {
     this.changing = changing;
   }
 
+  /** Whether what is changed next is a step of its own. */
+  get settled(): boolean {
+    return this.changing === null;
+  }
+
   /** What is changed next is a step of its own. */
   settle(): void {
     this.changing = null;

@@ -17,7 +17,7 @@ import { w } from "./words.js";
 /** Milliseconds in which a host may return a job that it received by `job-change`: frames and stores answer late. */
 const ECHO = 1000;
 
-export type Input = "job" | "cycle" | "post" | "units" | "config";
+export type Input = "job" | "cycle" | "post" | "units" | "config" | "measured";
 type Setting = "lang" | "readonly";
 
 /** What the page around asks for. It holds for every job that does not name its own. */
@@ -53,6 +53,7 @@ interface Jobs extends Entries {
   readonly revision: number;
   readonly job: Draft;
   readonly longest: number;
+  measured: string;
   configure(): void;
   choose(type: Cycle["type"]): void;
   setUnits(units: Units): void;
@@ -173,6 +174,12 @@ export class Outside {
   private refusal(input: Exclude<Input, "config"> | Setting, value: unknown, asked: Asked = {}): Finding | null {
     try {
       if (input === "job") return this.read(value, asked).refusal ?? null;
+      if (input === "measured") {
+        if (typeof value !== "string")
+          return refused(input, "wrong-type", w("Nothing was changed: {input} must be text"), input);
+        const { store } = this;
+        return value.length > store.longest ? refused(input, "too-long", ...store.tooLong(value.length)) : null;
+      }
       if (input === "readonly")
         return typeof value === "boolean"
           ? null
@@ -211,6 +218,10 @@ export class Outside {
       if (refusals.length > 0) return refusals;
       if (input === "config") {
         this.configure(structuredClone(configOf(value)) as Config);
+        return [];
+      }
+      if (input === "measured") {
+        if (store.measured !== value) store.measured = value as string;
         return [];
       }
       this.asked = { ...this.asked, [input]: value };

@@ -1,10 +1,11 @@
 // <touch-path> as a component, and what React's TSX knows of the bare tag: `import type {} from "touchpath/react"` in any file of a project.
 import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
 import type { TouchPath as TouchPathElement, TouchPathEvents } from "./element/element.js";
-import type { Cycle, Job, PostId } from "./types.js";
+import type { Config, Cycle, Job, PostId } from "./types.js";
 
 /** The properties of `<touch-path>`. */
 export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPathElement>, TouchPathElement> & {
+  config?: Config | string | null;
   job?: Job | string | null;
   cycle?: Cycle["type"] | null;
   post?: PostId | null;
@@ -13,6 +14,8 @@ export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPathElement>,
   readonly?: boolean;
   panels?: string;
   mode?: "setter" | "cam";
+  view?: "top" | "front" | "side" | "isometric";
+  measured?: string | null;
   storage?: "none" | "local";
   links?: boolean;
   name?: string;

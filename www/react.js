@@ -2,8 +2,8 @@
 import { createElement, useEffect, useLayoutEffect, useRef } from "react";
 
 /** What the element takes as properties: React sets none on a custom element whose markup came from a server. */
-const PROPERTIES = ["job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "storage", "links", "name"];
-const EVENTS = ["job-change", "plan-change", "program-save", "finding"];
+const PROPERTIES = ["config", "job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "view", "measured", "storage", "links", "name"];
+const EVENTS = ["job-change", "plan-change", "selection-change", "measured-change", "program-save", "finding"];
 const isOwn = (key) => PROPERTIES.includes(key) || EVENTS.some((event) => key === `on${event}`);
 
 /** On a server there is no layout, and React warns of the effect. */

@@ -451,7 +451,8 @@ export class Store extends Entries {
   }
 
   set measured(text: string) {
-    this.mark("measured");
+    // What the page around puts in is no step of the user's.
+    if (this.byUser) this.mark("measured");
     this.points = { ...this.points, [this.units]: text };
     this.keep();
     this.dispatchEvent(new Event("change"));
@@ -787,6 +788,7 @@ export class Store extends Entries {
   /** What is changed next is a step of its own. */
   settle(): void {
     this.history.settle();
+    this.dispatchEvent(new Event("settled"));
   }
 
   get canUndo(): boolean {
@@ -818,8 +820,15 @@ export class Store extends Entries {
   pin(index: number | null): void {
     const cycle = index === null ? undefined : this.plan.moves[index]?.cycle;
     if (cycle !== undefined && !this.stale) this.bringFeature(this.features.placeOf(cycle));
+    const before = this.pinned;
     this.pinned = index;
     this.point(index);
+    if (index !== before) this.dispatchEvent(new Event("select"));
+  }
+
+  /** The move that stays lit. */
+  get selected(): number | null {
+    return this.pinned;
   }
 
   /** A field has the focus. */
@@ -827,6 +836,7 @@ export class Store extends Entries {
     if (path === this.focused) return;
     this.focused = path;
     this.dispatchEvent(new Event("focus"));
+    this.dispatchEvent(new Event("select"));
   }
 
   /** A number field shows its number again, not the sum that was typed. */
@@ -910,6 +920,7 @@ export class Store extends Entries {
     this.compute();
     this.keep();
     this.dispatchEvent(new Event("change"));
+    if (this.history.settled) this.dispatchEvent(new Event("settled"));
   }
 
   /** A name that was not typed follows what is measured. */

@@ -7,3 +7,6 @@ declare module "*?worker&url" {
   const address: string;
   export default address;
 }
+
+/** The version of the package. */
+declare const VERSION: string;

@@ -28,6 +28,9 @@ const isSpoken = (/** @type {string} */ kind, /** @type {unknown} */ message) =>
     `${JSON.stringify(message).slice(0, 300)}: ${ajv.errorsText()}`,
   );
 
+/** What a frame in a sandbox needs, as the docs say. */
+const SANDBOX = "allow-scripts allow-same-origin allow-forms allow-downloads";
+
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "touchpath-frame-"));
   const own = join(folder, "own");
@@ -47,6 +50,8 @@ before(async () => {
     join(portal, "index.html"),
     `<!doctype html><html lang="en"><meta charset="utf-8"><title>Portal</title><iframe width="1200" height="700" src="${origin(0)}/embed.html" title="Probing"></iframe></html>`,
   );
+  const index = readFileSync(join(portal, "index.html"), "utf8");
+  writeFileSync(join(portal, "sandboxed.html"), index.replace("<iframe ", `<iframe sandbox="${SANDBOX}" `));
   browser = await launch();
 });
 afterEach(() => page?.close());
@@ -57,13 +62,13 @@ after(async () => {
 });
 
 /** A page with the frame in it, that keeps the messages of its window. */
-async function open(n = 1) {
+async function open(n = 1, name = "") {
   page = await browser.newPage({ viewport: { width: 1250, height: 760 } });
   await page.addInitScript(() => {
     /** @type {any} */ (window).heard = [];
     addEventListener("message", ({ data }) => /** @type {any} */ (window).heard.push(structuredClone(data)));
   });
-  await page.goto(`${origin(n)}/`);
+  await page.goto(`${origin(n)}/${name}`);
 }
 
 /** Connects, with the package's own client. */
@@ -77,7 +82,14 @@ const connect = (options = {}) =>
         const all = /** @type {any} */ (window);
         all.frame = frame;
         all.told = [];
-        for (const type of ["job-change", "plan-change", "program-save", "finding"])
+        for (const type of [
+          "job-change",
+          "plan-change",
+          "selection-change",
+          "measured-change",
+          "program-save",
+          "finding",
+        ])
           frame.addEventListener(type, (/** @type {CustomEvent} */ event) =>
             all.told.push({ type, detail: event.detail }),
           );
@@ -150,6 +162,68 @@ test("a control that the portal had set was lost with the next job that names no
   // What is set at one time has no order: the cycle beside a job is its cycle.
   assert.deepEqual(await state(`{ job: { format: 1, name: "C" }, cycle: "groove" }`), ["sinumerik", "mm", "sinumerik"]);
   assert.equal(/** @type {any} */ (await on("frame.get()")).job.cycle.type, "groove");
+});
+
+test("a portal rules, dresses and works the frame: config, appearance, view, save, undo, highlight, picture", async () => {
+  await open();
+  await connect({ saves: true });
+  const config = { format: 1, title: "Hall 3", allow: { controls: ["haas"] }, fields: { "feeds.work": { value: 90 } } };
+  const appearance = { background: "rgb(1, 2, 3)", "on-accent": "rgb(4, 5, 6)" };
+  const set = {
+    config,
+    appearance,
+    view: "isometric",
+    measured: "center.x=0.1",
+    job: { format: 1, cycle: { type: "hole" } },
+  };
+  isSpoken("request", { type: "set", id: 1, state: set });
+  assert.equal(await on(`frame.set(${JSON.stringify(set)})`), undefined);
+  const state = /** @type {any} */ (await on("frame.get()"));
+  isSpoken("answer", { type: "state", id: 1, state });
+  assert.deepEqual([state.job.control.post, state.job.feeds.work, state.measured], ["haas", 90, "center.x=0.1"]);
+  const inside = page.frameLocator("iframe");
+  const background = inside.locator("tp-app").evaluate((app) => getComputedStyle(app).backgroundColor);
+  assert.equal(await background, "rgb(1, 2, 3)");
+  await inside.locator('tp-picture button[aria-pressed="true"]', { hasText: "Isometric" }).waitFor();
+  const picture = await on("frame.picture()");
+  assert.match(String(picture), /^<svg[\s\S]+<\/svg>\s*$/);
+  isSpoken("answer", { type: "picture", id: 1, picture });
+  assert.match(/** @type {any} */ (await on("frame.undo()")).failed, /nothing to undo/);
+  await inside.locator("[id='f-cycle.diameter']").fill("29");
+  await told();
+  assert.equal(await on("frame.undo()"), undefined);
+  assert.equal(await on("frame.redo()"), undefined);
+  assert.equal(/** @type {any} */ (await on("frame.get()")).job.cycle.diameter, 29);
+  assert.equal(await on("frame.highlight(3)"), undefined);
+  assert.equal(await on("frame.save()"), undefined);
+  await inside.locator(".code [data-line], .code .line").last().click();
+  const after = await told();
+  for (const one of after) isSpoken("answer", one);
+  const types = new Set(after.map((/** @type {any} */ one) => one.type));
+  for (const type of ["job-change", "program-save", "selection-change"]) assert.ok(types.has(type), type);
+  await inside.locator("[id='f-cycle.diameter']").fill("-1");
+  assert.match(/** @type {any} */ (await on("frame.save()")).failed, /no program to save: Diameter must be/);
+  for (const [wrong, why] of [
+    [{ config: { format: 1, tilte: "A" } }, /config has no "tilte"/],
+    [{ appearance: { background: 5 } }, /appearance has texts/],
+    [{ appearance: { colour: "red" } }, /appearance has texts/],
+    [{ view: "below" }, /view must be one of/],
+    [{ measured: 5 }, /measured must be text/],
+  ]) {
+    const refused = /** @type {any} */ (await on(`frame.set(${JSON.stringify(wrong)})`));
+    assert.match(refused.failed, /** @type {RegExp} */ (why));
+  }
+  assert.equal(await inside.locator("tp-app").evaluate((app) => getComputedStyle(app).backgroundColor), "rgb(1, 2, 3)");
+});
+
+test("a frame in a sandbox works with the words of the docs, and saves a file", async () => {
+  assert.ok(readFileSync(at("docs", "embedding.md"), "utf8").includes(`sandbox="${SANDBOX}"`));
+  await open(1, "sandboxed.html");
+  assert.match(await connect(), /^\d+\./);
+  assert.equal(await on('frame.set({ job: { format: 1, name: "BOXED", cycle: { type: "hole" } } })'), undefined);
+  const download = page.waitForEvent("download");
+  assert.equal(await on("frame.save()"), undefined);
+  assert.equal((await download).suggestedFilename(), "BOXED.ngc");
 });
 
 test("any origin was an origin to connect to: it is refused, and nothing is sent", async () => {

@@ -1,5 +1,5 @@
 // The frame's side: embed.html runs this beside the element. It accepts messages from the origins on its own list only.
-import { type Answer, type FrameState, type Hello, PROTOCOL, type Refused } from "./protocol.js";
+import { type Answer, type Deed, type FrameState, type Hello, PROTOCOL, type Refused, type Token } from "./protocol.js";
 import type { Finding } from "./types.js";
 
 /** What of the element is used here; its file is another one. */
@@ -8,13 +8,21 @@ interface Element extends HTMLElement {
   job: unknown;
   readonly plan: unknown;
   readonly findings: Finding[];
+  readonly measured: string;
+  readonly validationMessage: string;
+  picture(): string | null;
+  save(): boolean;
+  undo(): boolean;
+  redo(): boolean;
+  highlight(move: number | null): void;
   refusals(state: Record<string, unknown>): Finding[];
   take(inputs: Record<string, unknown>): void;
 }
 
-const WORDS = ["theme", "lang", "panels", "mode"] as const;
-const KEYS = ["config", "job", "cycle", "post", "units", "readonly", ...WORDS];
-const EVENTS = ["job-change", "plan-change", "program-save", "finding"] as const;
+const WORDS = ["theme", "lang", "panels", "mode", "view"] as const;
+const KEYS = ["config", "job", "cycle", "post", "units", "measured", "readonly", "appearance", ...WORDS];
+const TOKENS: readonly Token[] = ["background", "panel", "text", "accent", "on-accent", "font"];
+const EVENTS = ["job-change", "plan-change", "selection-change", "measured-change", "program-save", "finding"] as const;
 
 const element = document.querySelector("touch-path") as Element;
 /** Origins that may connect to this frame, with spaces between. */
@@ -80,25 +88,55 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
   const error = (message: string, findings: Finding[] = []) => say({ type: "error", id, message, findings });
   if (!isObject(data) || id === null) error("A message has a type and an id, a whole number");
   else if (data.type === "get") {
-    const { job, plan, findings } = element;
-    say({ type: "state", id, state: { job, plan, findings } } as Answer);
-  } else if (data.type !== "set") error("A message is of type set or get");
+    const { job, plan, findings, measured } = element;
+    say({ type: "state", id, state: { job, plan, findings, measured } } as Answer);
+  } else if (data.type === "picture") say({ type: "picture", id, picture: element.picture() });
+  else if (data.type === "do") {
+    const why = done(data.deed);
+    if (why === null) say({ type: "done", id });
+    else error(why);
+  } else if (data.type !== "set") error("A message is of type set, get, picture or do");
   else if (!isObject(data.state)) error("A message of type set has a state, an object");
   else {
-    const unknown = Object.keys(data.state).filter((key) => !KEYS.includes(key));
+    const { appearance, ...state } = data.state;
+    const unknown = Object.keys(state).filter((key) => !KEYS.includes(key));
     if (unknown.length > 0) error(`There is nothing to set that is called ${unknown.join(", ")}`);
+    else if (appearance !== undefined && !isAppearance(appearance))
+      error(`appearance has texts for some of ${TOKENS.join(", ")}`);
     else {
       // All of it or nothing: a portal that is refused need not ask what of its state was taken.
-      const refused = element.refusals(data.state);
-      if (refused.length === 0) refused.push(...set(data.state));
+      const refused = element.refusals(state);
+      if (refused.length === 0) refused.push(...set(data.state as FrameState));
       if (refused.length > 0) error(refused.map((f) => f.message).join(". "), refused);
       else say({ type: "done", id });
     }
   }
 }
 
+/** Whether each of the tokens is text: what CSS does not know changes nothing. */
+const isAppearance = (value: unknown) =>
+  isObject(value) &&
+  Object.entries(value).every(([token, text]) => TOKENS.includes(token as Token) && typeof text === "string");
+
+/** Does what the portal asks for; why it cannot be done, or null. */
+function done(deed: unknown): string | null {
+  const asked = (isObject(deed) ? deed : {}) as Partial<Deed>;
+  switch (asked.do) {
+    case "save":
+      return element.save() ? null : `There is no program to save: ${element.validationMessage}`;
+    case "undo":
+    case "redo":
+      return element[asked.do]() ? null : `There is nothing to ${asked.do}`;
+    case "highlight":
+      element.highlight(asked.move ?? null);
+      return null;
+    default:
+      return "A deed is save, undo, redo or highlight";
+  }
+}
+
 /** Sets what is given; what could not be used, as findings. */
-function set(state: FrameState): Finding[] {
+function set({ appearance, ...state }: FrameState): Finding[] {
   const refused: Finding[] = [];
   const note = (event: Event) => {
     const { detail } = event as CustomEvent<{ findings: Finding[]; refused: boolean }>;
@@ -106,6 +144,7 @@ function set(state: FrameState): Finding[] {
   };
   element.addEventListener("finding", note);
   element.take({ ...state });
+  for (const [token, text] of Object.entries(appearance ?? {})) element.style.setProperty(`--touchpath-${token}`, text);
   for (const word of WORDS) if (state[word] !== undefined) element.setAttribute(word, String(state[word]));
   if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly);
   element.removeEventListener("finding", note);

@@ -33,16 +33,23 @@ export interface ConnectOptions {
 export interface FrameEvents {
   "job-change": CustomEvent<{ job: Job }>;
   "plan-change": CustomEvent<{ plan: Plan }>;
+  "selection-change": CustomEvent<{
+    move: number | null;
+    line: number | null;
+    touch: number | null;
+    field: string | null;
+  }>;
+  "measured-change": CustomEvent<{ measured: string }>;
   "program-save": CustomEvent<{ name: string; text: string; post: string; extension: string }>;
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
 }
 
 interface Waiting {
-  done(view?: FrameView): void;
+  done(answer?: FrameView | string | null): void;
   fail(why: FrameError): void;
 }
 
-/** A frame that has answered. Its events are those of `<touch-path>`: `job-change`, `plan-change`, `program-save`, `finding`. */
+/** A frame that has answered. Its events are those of `<touch-path>`: `job-change`, `plan-change`, `selection-change`, `measured-change`, `program-save`, `finding`. */
 export class Frame extends EventTarget {
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;
@@ -83,9 +90,34 @@ export class Frame extends EventTarget {
     await this.ask((id) => ({ type: "set", id, state }));
   }
 
-  /** The job as it stands, its plan, its findings. */
+  /** Saves the program as the Save button does. Fails where there is none. */
+  async save(): Promise<void> {
+    await this.ask((id) => ({ type: "do", id, deed: { do: "save" } }));
+  }
+
+  /** Takes the user's last step back. Fails where there is none. */
+  async undo(): Promise<void> {
+    await this.ask((id) => ({ type: "do", id, deed: { do: "undo" } }));
+  }
+
+  /** Makes the step again that was taken back last. Fails where there is none. */
+  async redo(): Promise<void> {
+    await this.ask((id) => ({ type: "do", id, deed: { do: "redo" } }));
+  }
+
+  /** Lights a move of the plan, counted from 0; `null` lights what the user has chosen. */
+  async highlight(move: number | null): Promise<void> {
+    await this.ask((id) => ({ type: "do", id, deed: { do: "highlight", move } }));
+  }
+
+  /** The job as it stands, its plan, its findings, what was measured. */
   async get(): Promise<FrameView> {
     return (await this.ask((id) => ({ type: "get", id }))) as FrameView;
+  }
+
+  /** The picture as it is looked at, as the text of an SVG; `null` where there is no plan. */
+  async picture(): Promise<string | null> {
+    return (await this.ask((id) => ({ type: "picture", id }))) as string | null;
   }
 
   /** Ends the connection. Requests without an answer fail. */
@@ -102,7 +134,7 @@ export class Frame extends EventTarget {
     this.waiting.clear();
   }
 
-  private ask(request: (id: number) => Request): Promise<FrameView | undefined> {
+  private ask(request: (id: number) => Request): Promise<FrameView | string | null | undefined> {
     return new Promise((done, fail) => {
       if (this.ended) {
         fail(new FrameError("This connection with the frame is closed"));
@@ -115,9 +147,9 @@ export class Frame extends EventTarget {
         fail(new FrameError("The frame does not answer"));
       }, this.patience);
       this.waiting.set(id, {
-        done: (view) => {
+        done: (given) => {
           clearTimeout(ending);
-          done(view);
+          done(given);
         },
         fail: (why) => {
           clearTimeout(ending);
@@ -135,7 +167,7 @@ export class Frame extends EventTarget {
     const waiting = this.waiting.get(answer.id);
     this.waiting.delete(answer.id);
     if (answer.type === "error") waiting?.fail(new FrameError(answer.message, answer.findings));
-    else waiting?.done(answer.type === "state" ? answer.state : undefined);
+    else waiting?.done(answer.type === "state" ? answer.state : answer.type === "picture" ? answer.picture : undefined);
   }
 }
 

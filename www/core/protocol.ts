@@ -22,7 +22,16 @@ export interface FrameState {
   panels?: string;
   /** `cam` shows what only the author of a postprocessor needs. */
   mode?: "setter" | "cam";
+  /** Where the picture is looked at from. */
+  view?: "top" | "front" | "side" | "isometric";
+  /** What a machine measured, as text. */
+  measured?: string;
+  /** Colours and font, as the custom properties of the element have them: they do not cross a frame by themselves. */
+  appearance?: Partial<Record<Token, string>>;
 }
+
+/** The custom properties of the element without `--touchpath-`. */
+export type Token = "background" | "panel" | "text" | "accent" | "on-accent" | "font";
 
 /** What the frame holds. */
 export interface FrameView {
@@ -31,7 +40,12 @@ export interface FrameView {
   /** Its plan; `null` where it has errors. */
   plan: Plan | null;
   findings: Finding[];
+  /** What a machine measured, as it was entered. */
+  measured: string;
 }
+
+/** What a portal can have done. */
+export type Deed = { do: "save" } | { do: "undo" } | { do: "redo" } | { do: "highlight"; move: number | null };
 
 /** To the frame's window, with a port. `saves`: the portal saves programs itself. */
 export interface Hello {
@@ -48,7 +62,12 @@ export interface Refused {
 }
 
 /** Through the port, to the frame. Each is answered, but `end`: the portal disconnects, and the frame saves programs as files again. */
-export type Request = { type: "set"; id: number; state: FrameState } | { type: "get"; id: number } | { type: "end" };
+export type Request =
+  | { type: "set"; id: number; state: FrameState }
+  | { type: "get"; id: number }
+  | { type: "picture"; id: number }
+  | { type: "do"; id: number; deed: Deed }
+  | { type: "end" };
 
 /** Through the port, from the frame. `ended`: another connection has replaced this one. */
 export type Answer =
@@ -56,8 +75,14 @@ export type Answer =
   | { type: "ended" }
   | { type: "done"; id: number }
   | { type: "state"; id: number; state: FrameView }
+  | { type: "picture"; id: number; picture: string | null }
   | { type: "error"; id: number | null; message: string; findings: Finding[] }
   | { type: "job-change"; detail: { job: Job } }
   | { type: "plan-change"; detail: { plan: Plan } }
+  | {
+      type: "selection-change";
+      detail: { move: number | null; line: number | null; touch: number | null; field: string | null };
+    }
+  | { type: "measured-change"; detail: { measured: string } }
   | { type: "program-save"; detail: { name: string; text: string; post: string; extension: string } }
   | { type: "finding"; detail: { findings: Finding[]; refused: boolean } };

@@ -80,6 +80,8 @@ const system = matchMedia("(prefers-color-scheme: dark)");
 /** Colours that the user has chosen for every page. */
 const forced = matchMedia("(forced-colors: active)");
 
+type View = PicturePart["from"];
+
 /** The element around the page. */
 interface Host extends HTMLElement {
   theme: Theme;
@@ -165,7 +167,7 @@ export class App extends LitElement {
         else this.tell(said, true);
       },
       offer: (saving) => around.host.tell("program-save", saving),
-      picture: () => this.renderRoot.querySelector<PicturePart>("tp-picture"),
+      picture: () => this.picture,
     });
     const theme = around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
     if (theme) around.host.setAttribute("theme", theme);
@@ -198,6 +200,31 @@ export class App extends LitElement {
     ];
     const all = places.flatMap((place) => [...this.querySelectorAll<HTMLElement>(place)]);
     all.find((one) => one.checkVisibility())?.focus(options);
+  }
+
+  /** Where the picture is looked at from; null where none is shown. */
+  get view(): View | null {
+    return this.picture?.from ?? null;
+  }
+
+  set view(view: View) {
+    this.updateComplete.then(() => {
+      if (this.picture) this.picture.from = view;
+    });
+  }
+
+  private get picture(): PicturePart | null {
+    return this.renderRoot.querySelector<PicturePart>("tp-picture");
+  }
+
+  /** The picture as an SVG; null where there never was a plan. */
+  svg(): string | null {
+    return this.store.blank ? null : this.outlet.svg();
+  }
+
+  /** Saves the program; false where there is none. */
+  save(): boolean {
+    return this.outlet.program();
   }
 
   private get panels(): Panel[] {

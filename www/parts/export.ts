@@ -34,18 +34,19 @@ export class Export {
     private readonly page: Page,
   ) {}
 
-  /** Saves the program; only ever that of the form as it stands. */
-  program(): void {
+  /** Saves the program; only ever that of the form as it stands. False where there is none. */
+  program(): boolean {
     const { store } = this;
-    if (store.stale) return;
+    if (store.stale) return false;
     const { text, post, extension } = store.plan.program;
     const name = store.fileName(extension);
     store.saved = text;
     const other = store.replaces(name);
     store.remember(name);
-    if (!this.page.offer({ name, text, post, extension })) return;
+    if (!this.page.offer({ name, text, post, extension })) return true;
     download(text, name, "text/plain");
     this.page.saved(name, other);
+    return true;
   }
 
   /** Saves the form as it stands, also with errors: it is the user's work. */
@@ -60,11 +61,16 @@ export class Export {
       this.page.tell([w("No picture to save while the form has an error: {why}"), store.withheld]);
       return;
     }
+    const from = this.page.picture()?.from ?? "top";
+    download(this.svg(), store.otherName(`-${from}.svg`), "image/svg+xml");
+  }
+
+  /** The picture as it is looked at, of the last form that had a plan. */
+  svg(): string {
+    const { store } = this;
     const picture = this.page.picture();
-    const from = picture?.from ?? "top";
     const job = store.shown as unknown as Job;
-    const text = picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, from);
-    download(text, store.otherName(`-${from}.svg`), "image/svg+xml");
+    return picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, picture?.from ?? "top");
   }
 
   /** Copies a link to the job; where the browser does not allow that, shows it. */

@@ -75,6 +75,10 @@ class PicturePart extends DrawnPart {
     return this.look;
   }
 
+  set from(view: (typeof VIEWS)[number]) {
+    if (view !== this.look) this.turn(view);
+  }
+
   /** The picture as a file of its own, in the language of the page. */
   svg(title: string): string | undefined {
     return this.drawing?.use((view) => view.svg(title));
