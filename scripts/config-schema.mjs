@@ -10,8 +10,13 @@ const list = (items, description) => ({ type: "array", items, maxItems: 200, des
 const some = (items, description) => ({ ...list(items, description), minItems: 1 });
 /** @type {(most: number, description: string) => Schema} */
 const text = (most, description) => ({ type: "string", maxLength: most, description });
-const name = { type: "string", minLength: 1, maxLength: 60, pattern: "\\S" };
-const point = { type: "array", items: { type: "number" }, minItems: 3, maxItems: 3 };
+const name = { type: "string", minLength: 1, maxLength: 60, pattern: "[^\\s\\u0085]" };
+const point = {
+  type: "array",
+  items: { type: "number", minimum: -100000, maximum: 100000 },
+  minItems: 3,
+  maxItems: 3,
+};
 
 /**
  * @param {{ cycles: { type: string }[]; posts: { id: string }[] }} catalog
@@ -39,7 +44,7 @@ export function configSchema({ cycles, posts }, job) {
             controls: some(control, "Controls, by the id of a post in the catalog."),
             forms: some({ enum: ["moves", "cycle"] }, "Forms of a program."),
             units: some({ enum: ["mm", "inch"] }, "Units of jobs."),
-            workOffsets: list(
+            workOffsets: some(
               { anyOf: [{ type: "integer", minimum: 1, maximum: 105 }, { type: "null" }] },
               "Work offsets that a program may write, 1 for the first (G54); null is none.",
             ),
@@ -68,8 +73,8 @@ export function configSchema({ cycles, posts }, job) {
               description: "It must have that value; without one, the user cannot change it.",
             },
             hidden: { type: "boolean", description: "The element does not show it." },
-            min: { type: ["number", "null"], minimum: -1e9, maximum: 1e9, description: "The least that is allowed." },
-            max: { type: ["number", "null"], minimum: -1e9, maximum: 1e9, description: "The most that is allowed." },
+            min: { type: "number", minimum: -1e9, maximum: 1e9, description: "The least that is allowed." },
+            max: { type: "number", minimum: -1e9, maximum: 1e9, description: "The most that is allowed." },
             reason: text(200, "Why, in the portal's words."),
           }),
         },
@@ -91,7 +96,7 @@ export function configSchema({ cycles, posts }, job) {
             {
               level: { enum: ["error", "warning", "info"] },
               path: text(200, "The place in the job."),
-              message: { type: "string", minLength: 1, maxLength: 1000, pattern: "\\S" },
+              message: { type: "string", minLength: 1, maxLength: 1000, pattern: "[^\\s\\u0085]" },
             },
             ["message"],
           ),

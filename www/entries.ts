@@ -47,7 +47,7 @@ export abstract class Entries extends Phrases {
   /** The forms in which a control takes a cycle; none where it does not. */
   formsOf(post: unknown, type: string): Form[] {
     const takes = this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ?? [];
-    return takes.map((c) => c.form);
+    return takes.map((c) => c.form).filter((form) => this.rules.allowsForm(form));
   }
 
   /** Whether the control's own cycle corrects the active preset by itself, so that no work offset is chosen. */

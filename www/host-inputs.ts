@@ -117,7 +117,7 @@ export class Outside {
     const { post, units } = this.asked;
     const job = structuredClone(defaultJob(type, units ?? this.rules.units(this.store.units))) as unknown as Draft;
     const named = this.named(post ? unnamed(job) : job, this.asked) as Draft;
-    return this.rules.laid(named, post ? (named.control as Draft) : undefined);
+    return this.rules.laid(named, post !== undefined);
   }
 
   /** The job of a text. A dump names no control: the one in its job is a default, which gives way to the one that is asked for. */
@@ -244,10 +244,17 @@ export class Outside {
   private configure(config: Config | null): void {
     const { store, given } = this;
     this.rules = new Rules(config);
-    if (given && alike(given.whole, store.job)) {
-      this.given = null;
-      this.take(given.job);
-    } else store.configure();
+    if (!given || !alike(given.whole, store.job)) {
+      store.configure();
+      return;
+    }
+    const filled = this.filled(given.job) as Draft;
+    const whole = Array.isArray(filled.cycles) ? filled : complete(filled, store.catalog);
+    if (alike(whole, store.job)) store.reconsider();
+    else {
+      store.replace(whole);
+      this.given = { job: given.job, whole: structuredClone(store.job) };
+    }
   }
 
   /** The page around asks for none any more; the job stays as it is. */
@@ -300,8 +307,8 @@ export class Outside {
     // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
     const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
     const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
-    if (late || alike(whole, store.job)) return [];
-    store.replace(whole);
+    if (late) return [];
+    if (!alike(whole, store.job)) store.replace(whole);
     this.given = { job: structuredClone(own), whole: structuredClone(store.job) };
     this.forget();
     return [];

@@ -4,6 +4,7 @@ import { type Draft, isObject } from "./job.js";
 import type { Preset } from "./presets.js";
 
 type Units = "mm" | "inch";
+type Form = "moves" | "cycle";
 
 export class Rules {
   constructor(readonly config: Config | null = null) {}
@@ -28,7 +29,7 @@ export class Rules {
     return workOffsets.includes(null) ? null : (workOffsets[0] ?? null);
   }
 
-  allowsForm(form: "moves" | "cycle"): boolean {
+  allowsForm(form: Form): boolean {
     return this.allows(this.config?.allow?.forms, form);
   }
 
@@ -73,12 +74,29 @@ export class Rules {
     return this.allowsUnits(units) ? units : (this.config?.allow?.units?.[0] ?? units);
   }
 
-  /** A new job with everything that the rules say of its cycle and of what stands around it. */
-  laid(job: Draft, control?: Draft): Draft {
+  /** A new job with everything that the rules say of its cycle and of what stands around it. A control that is asked for stays. */
+  laid(job: Draft, asked = false): Draft {
     if (!this.config) return job;
     const { type } = job.cycle as Draft;
-    const bare = { format: 1, units: job.units, cycle: { type }, ...(control ? { control } : {}) };
-    return over(job, this.filled(bare)) as Draft;
+    const { post, form, ...rest } = job.control as Draft;
+    const stays =
+      asked || (this.allows(this.config.allow?.controls as unknown[], post) && this.allowsForm(form as Form));
+    const bare = { format: 1, units: job.units, cycle: { type }, ...(stays ? { control: { post, form } } : {}) };
+    const filled = this.filled(bare);
+    // The form of another control's own cycle is none of the one that is chosen.
+    const control = stays ? job.control : { ...rest, form: "moves" };
+    return over({ ...job, control }, filled) as Draft;
+  }
+
+  /** The type of a first job: the first that is allowed and offered. */
+  firstOf(types: string[]): string | undefined {
+    const { cycles } = this.config?.allow ?? {};
+    return (cycles ?? types).find((type) => this.offers("cycles", type));
+  }
+
+  /** The fields that the user cannot change. */
+  get locked(): string[] {
+    return Object.entries(this.config?.fields ?? {}).flatMap(([path, rule]) => (rule.locked ? [path] : []));
   }
 
   /** What is refused of a job, and what the portal says of it. */

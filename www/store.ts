@@ -183,8 +183,8 @@ export class Store extends Entries {
     const { given, rules } = this;
     if (given) {
       const type = this.cycle.type;
-      const allowed = this.catalog.cycles.find((one) => rules.offers("cycles", one.type));
-      if (given.size === 0 && !rules.offers("cycles", type) && allowed) this.choose(allowed.type);
+      const first = rules.firstOf(this.catalog.cycles.map((one) => one.type));
+      if (given.size === 0 && !rules.offers("cycles", type) && first) this.choose(first as Cycle["type"]);
       if (!given.has("units") && !rules.allowsUnits(this.units)) this.setUnits(rules.units(this.units));
       const laid = rules.laid(this.draft);
       const held = [...given].map((path) => [path, this.get(path)] as const);
@@ -460,7 +460,8 @@ export class Store extends Entries {
 
   /** Sets a value; every keystroke comes through here. Changes of one path are one step back until `settle`. */
   set(path: string, value: unknown, typed?: string): void {
-    if (this.refuses) return;
+    const fixed = this.fixed();
+    if (this.refuses || fixed.has(path.replace(/\[\d\]$/, ""))) return;
     this.mark(path);
     this.given?.add(path.replace(/\[\d\]$/, ""));
     // What the user chooses now holds, also that none is written.
@@ -468,9 +469,24 @@ export class Store extends Entries {
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
     this.place(path, value);
+    this.keepFixed(fixed);
     // What was typed inside a value that is another one now.
     if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
+  }
+
+  /** What the user cannot change, by its path: what the page around fixes, unless it has another value than it must have. */
+  private fixed(): Map<string, unknown> {
+    if (!this.byUser || this.rules.locked.length === 0) return new Map();
+    const wrong = new Set(this.findings.filter(({ code }) => code === "locked").map(({ path }) => path));
+    const paths = this.rules.locked.filter((path) => !wrong.has(path) && this.get(path) !== undefined);
+    return new Map(paths.map((path) => [path, structuredClone(this.get(path))]));
+  }
+
+  /** Puts it back where something around it was changed. */
+  private keepFixed(fixed: Map<string, unknown>): void {
+    for (const [path, value] of fixed)
+      if (isObject(this.get(path.replace(/\.?\w+$/, "")) ?? null) || !path.includes(".")) this.place(path, value);
   }
 
   /** Puts a value at a path of the job. */
@@ -528,7 +544,8 @@ export class Store extends Entries {
 
   /** Takes a size with the limit that it is judged by, in one step, and says so. */
   judge(path: string, size: number, limit: number, text: string): void {
-    if (this.refuses) return;
+    const fixed = this.fixed();
+    if (this.refuses || fixed.has(path)) return;
     this.settle();
     this.mark(null);
     const narrowest = this.judged.narrowest(path, limit);
@@ -541,6 +558,7 @@ export class Store extends Entries {
       this.given?.add(at);
       this.place(at, value);
     }
+    this.keepFixed(fixed);
     if (name) this.draft.name = name;
     this.judged.add(path, size, limit, name);
     this.settle();
@@ -776,11 +794,13 @@ export class Store extends Entries {
     const whole = complete(this.outside.filled(job) as Draft, this.catalog);
     const fitted = (preset.units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
+    const kept = this.fixed();
     for (const key of Object.keys(taken)) {
       draft[key] = structuredClone(fitted[key]);
       this.given?.add(key);
       this.forget(key);
     }
+    this.keepFixed(kept);
     this.changed();
     this.tellLost(old);
   }

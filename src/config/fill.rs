@@ -1,7 +1,7 @@
 //! A job with the config's values where it says nothing.
 
-use crate::config::{Config, field_at};
-use crate::control::{self, Form};
+use crate::config::{Allow, Config, field_at};
+use crate::control::{self, Form, POSTS};
 use crate::cycle::{self, CycleDef};
 use crate::form::Value;
 use crate::job::{Units, convert_units};
@@ -45,7 +45,13 @@ pub fn fill(config: &Config, job: &Value) -> Value {
 fn fill_cycle(config: &Config, cycle: &mut Value, units: Units) {
     let Some(def) = type_of(cycle) else { return };
     if let Some(Value::Map(own)) = values(config, def, units).get("cycle") {
-        own.iter().filter(|(key, _)| key != "type").for_each(|(key, value)| complete(cycle, key, value));
+        // A form inside the form that is not used stays so.
+        let unused = |key: &str| {
+            let optional = def.sections.iter().any(|form| form.key == key && form.optional);
+            optional && !matches!(cycle.get(key), Some(Value::Map(_)))
+        };
+        let own: Vec<_> = own.iter().filter(|(key, _)| key != "type" && !unused(key)).cloned().collect();
+        own.iter().for_each(|(key, value)| complete(cycle, key, value));
     }
 }
 
@@ -55,48 +61,69 @@ fn first(allowed: Option<&[String]>, default: &str) -> Option<String> {
     if allowed.iter().any(|word| word == default) { None } else { allowed.first().cloned() }
 }
 
-/// The control of a job that names none: the first that is allowed and takes the cycle. A job whose control takes its cycle in one form only has that form.
+/// The control of a job that names none: the default or the first that is allowed, if it takes the cycle in a form that is allowed. Of a job whose control
+/// takes its cycle in other forms than moves, the first of these.
 fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDef>) {
     let mut chosen = match job.get("control") {
         None => Vec::new(),
         Some(Value::Map(entries)) => entries.clone(),
         Some(_) => return,
     };
-    let named = |chosen: &[(String, Value)], key: &str| chosen.iter().any(|(known, _)| known == key);
+    let said =
+        |chosen: &[(String, Value)], key: &str| chosen.iter().find(|(known, _)| known == key).map(|(_, value)| value.clone());
+    let text = |word: &str| Value::Text(word.to_owned());
+    let Allow { controls, forms, work_offsets, .. } = &config.allow;
+    let allowed = |form: Form| forms.as_ref().is_none_or(|words| words.iter().any(|word| word == form.word()));
     let serves = |key: &str, form: Form| {
-        let (Some(post), Some(def)) = (control::find(key), def) else { return false };
-        (post.serves)(def.probes, form).is_ok()
+        let post = control::find(key).zip(def);
+        allowed(form) && post.is_some_and(|(post, def)| (post.serves)(def.probes, form).is_ok())
     };
-    let any = |key: &&String| Form::ALL.iter().any(|form| serves(key, *form));
-    if !named(&chosen, "post")
-        && let Some(allowed) = &config.allow.controls
-        && !allowed.iter().any(|key| key == control::POSTS[0].key)
-        && let Some(post) = allowed.iter().find(any).or(allowed.first())
-    {
-        chosen.push(("post".to_owned(), Value::Text(post.clone())));
-    }
-    let post = chosen.iter().find(|(key, _)| key == "post").map(|(_, post)| post.clone());
-    if !named(&chosen, "form")
-        && let Some(Value::Text(post)) = post
-    {
-        let forms = [Form::Moves, Form::Cycle];
-        let fits = |form: &&Form| {
-            serves(&post, **form) && config.allow.forms.as_ref().is_none_or(|all| all.iter().any(|word| word == form.word()))
+    let form = said(&chosen, "form");
+    let fits = |key: &str| {
+        let named = |word: Form| form.as_ref().is_none_or(|form| *form == text(word.word()));
+        Form::ALL.into_iter().any(|word| named(word) && serves(key, word))
+    };
+    if said(&chosen, "post").is_none() && (controls.is_some() || forms.is_some()) {
+        let known = || POSTS.iter().map(|post| post.key);
+        let may = |key: &&str| controls.as_ref().is_none_or(|keys| keys.iter().any(|known| known == key));
+        let all: Vec<&str> = match controls {
+            // The default goes before what is allowed beside it.
+            Some(keys) => known().take(1).filter(may).chain(keys.iter().map(String::as_str)).collect(),
+            None => known().collect(),
         };
-        if let Some(form) = forms.iter().find(fits).filter(|form| **form != Form::Moves) {
-            chosen.push(("form".to_owned(), Value::Text(form.word().to_owned())));
+        if let Some(key) = all.iter().find(|key| fits(key)).or(all.first()) {
+            chosen.push(("post".to_owned(), text(key)));
         }
     }
-    if !named(&chosen, "workOffset")
-        && let Some(allowed) = &config.allow.work_offsets
+    if let (None, Some(Value::Text(post))) = (&form, said(&chosen, "post"))
+        && let Some(form) = Form::ALL.into_iter().find(|form| serves(&post, *form)).filter(|form| *form != Form::Moves)
+    {
+        chosen.push(("form".to_owned(), text(form.word())));
+    }
+    let whole = Value::Map(chosen.clone());
+    if said(&chosen, "workOffset").is_none()
+        && let Some(allowed) = work_offsets
         && !allowed.contains(&None)
         && let Some(Some(number)) = allowed.first()
+        && !def.is_some_and(|def| itself(&whole, def))
     {
         chosen.push(("workOffset".to_owned(), Value::Number(*number)));
     }
     if !chosen.is_empty() {
         put(job, "control", Value::Map(chosen));
     }
+}
+
+/// Whether the control of a job writes its active preset by itself in its own cycle, so that no work offset is named.
+pub fn writes_itself(job: &Value) -> bool {
+    let def = job.get("cycle").and_then(type_of);
+    job.get("control").zip(def).is_some_and(|(control, def)| itself(control, def))
+}
+
+fn itself(control: &Value, def: &CycleDef) -> bool {
+    let Some(Value::Text(key)) = control.get("post") else { return false };
+    let own = matches!(control.get("form"), Some(Value::Text(form)) if form == Form::Cycle.word());
+    own && control::find(key).is_some_and(|post| (post.own_preset)(def.probes))
 }
 
 /// What the config fills in of a job with a cycle of this type, as such a job in `units`.

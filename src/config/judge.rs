@@ -4,14 +4,26 @@ use crate::config::space::{Entering, beyond, enters};
 use crate::config::{Config, Rule, at, field_at, fill};
 use crate::control;
 use crate::cycle;
-use crate::form::{Checker, Field, Finding, Value, printable};
+use crate::form::{Checker, Field, Finding, Kind, Value, printable};
 use crate::geom::AXIS_NAMES;
-use crate::job::{Planned, Units, alone, is_set_up, resolved};
+use crate::job::{Planned, Units, alone, is_set_up, resolved, writes_any};
 use crate::num::decimal;
 use crate::text::{Part, Text, text};
 
 /// What converted values may differ by, mm or degrees.
 const NEAR: f64 = 2e-5;
+
+/// The same of feeds, mm a minute: 3.937 inch a minute are 100 mm.
+const NEAR_FEED: f64 = 1e-3;
+
+/// How near values of a field are the same, in the unit of the job.
+fn near(field: &Field, scale: f64) -> f64 {
+    match field.kind {
+        Kind::Feed | Kind::Acceleration => NEAR_FEED / scale,
+        kind if kind.is_metric() => NEAR / scale,
+        _ => NEAR,
+    }
+}
 
 /// See [`Config::judge`].
 pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Finding> {
@@ -24,10 +36,10 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
         let count = if let Some(Value::List(cycles)) = job.get("cycles") { cycles.len() } else { 0 };
         for index in 0..count {
             let Some(single) = alone(job, index) else { continue };
-            judge_single(config, &single, &format!("cycles[{index}]"), index == 0, &mut checker);
+            judge_single(config, &single, &format!("cycles[{index}]"), index == 0, planned, &mut checker);
         }
     } else {
-        judge_single(config, job, "cycle", true, &mut checker);
+        judge_single(config, job, "cycle", true, planned, &mut checker);
     }
     if let Some(planned) = planned {
         judge_space(config, planned, &mut checker);
@@ -37,7 +49,7 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
 }
 
 /// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether what stands around the cycle is judged, too.
-fn judge_single(config: &Config, job: &Value, place: &str, around: bool, checker: &mut Checker) {
+fn judge_single(config: &Config, job: &Value, place: &str, around: bool, planned: Option<&Planned>, checker: &mut Checker) {
     let whole = resolved(job);
     let whole = whole.as_ref().unwrap_or(job);
     let in_place = |path: &str| match path.strip_prefix("cycle") {
@@ -53,7 +65,7 @@ fn judge_single(config: &Config, job: &Value, place: &str, around: bool, checker
         judge_word(config, whole, "control.post", allow.controls.as_deref(), of_control, &in_place, checker);
         judge_word(config, whole, "control.form", allow.forms.as_deref(), itself, &in_place, checker);
         judge_word(config, whole, "units", allow.units.as_deref(), itself, &in_place, checker);
-        judge_offset(config, whole, checker);
+        judge_offset(config, whole, planned, checker);
     }
     let Some(def) = whole.get("cycle").and_then(fill::type_of) else { return };
     let values = fill::values(config, def, Units::of(job));
@@ -87,7 +99,9 @@ fn judge_word(
     checker.error("not-allowed", in_place(path), message);
 }
 
-fn judge_offset(config: &Config, job: &Value, checker: &mut Checker) {
+/// The work offset that is written. A cycle of the control's own that writes the active preset by itself names none: it is allowed wherever something may
+/// be written.
+fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker: &mut Checker) {
     let Some(allowed) = &config.allow.work_offsets else { return };
     let post = match at(job, "control.post") {
         Some(Value::Text(key)) => control::find(key),
@@ -103,7 +117,9 @@ fn judge_offset(config: &Config, job: &Value, checker: &mut Checker) {
         Some(Value::Null) | None => None,
         Some(_) => return,
     };
-    if allowed.contains(&given) {
+    let own = given.is_none() && fill::writes_itself(job);
+    let writes = given.is_some() || planned.is_some_and(writes_any);
+    if own && (!writes || allowed.iter().any(Option::is_some)) || !own && allowed.contains(&given) {
         return;
     }
     let word = |number: &Option<f64>| match shown(*number) {
@@ -111,7 +127,8 @@ fn judge_offset(config: &Config, job: &Value, checker: &mut Checker) {
         Part::Text(words) => words.english(),
     };
     let list = allowed.iter().map(word).collect::<Vec<_>>().join(", ");
-    let message = text!("{portal} does not allow {given}: it allows {list}", config.who(), shown(given), list);
+    let given = if own { text!("writing a preset").into() } else { shown(given) };
+    let message = text!("{portal} does not allow {given}: it allows {list}", config.who(), given, list);
     checker.error("not-allowed", "control.workOffset", message);
 }
 
@@ -124,20 +141,27 @@ fn refusal(
     wanted: Option<&Value>,
     checker: &Checker,
 ) -> Option<Text> {
-    let scale = if field.kind.is_metric() { checker.scale } else { 1.0 };
+    let near = near(field, checker.scale);
     let with_reason = |message: Text| {
         if rule.reason.is_empty() { message } else { text!("{message}: {reason}", message, rule.reason.clone()) }
     };
     if let Some(wanted) = wanted.filter(|_| rule.locked) {
-        let same = value.is_some_and(|value| same(value, wanted, scale));
+        // A form inside the form that is not used has no value.
+        let same = value.is_none_or(|value| same(value, wanted, near));
         return (!same).then(|| {
             with_reason(text!("{portal} fixes {label} at {value}", config.who(), field.label, shown(field, wanted, checker)))
         });
     }
-    let Some(Value::Number(number)) = value else { return None };
+    // What is not limited, not known or not called is not between two numbers.
+    let number = match value {
+        Some(Value::Number(number)) => *number,
+        Some(Value::Null) => f64::NAN,
+        _ => return None,
+    };
     let factor = if field.kind.is_metric() { config.units.scale() / checker.scale } else { 1.0 };
     let (least, most) = (rule.least.map(|x| x * factor), rule.most.map(|x| x * factor));
-    let outside = least.is_some_and(|x| (*number - x) * scale < -NEAR) || most.is_some_and(|x| (*number - x) * scale > NEAR);
+    let within = |x: Option<f64>, way: f64| x.is_none_or(|x| (number - x) * way >= -near);
+    let outside = !(within(least, 1.0) && within(most, -1.0));
     let limit = |x: f64| shown(field, &Value::Number(x), checker);
     let message = match (least, most) {
         _ if !outside => return None,
@@ -151,11 +175,11 @@ fn refusal(
     Some(with_reason(message))
 }
 
-/// Whether two values say the same. `scale`: mm in a unit of their numbers.
-fn same(one: &Value, other: &Value, scale: f64) -> bool {
+/// Whether two values say the same.
+fn same(one: &Value, other: &Value, near: f64) -> bool {
     match (one, other) {
-        (Value::Number(a), Value::Number(b)) => ((a - b) * scale).abs() <= NEAR,
-        (Value::List(a), Value::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b, scale)),
+        (Value::Number(a), Value::Number(b)) => (a - b).abs() <= near,
+        (Value::List(a), Value::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b, near)),
         _ => one == other,
     }
 }

@@ -37,8 +37,8 @@ form! {
     struct RuleForm {
         locked: bool = Field::flag("locked", "Locked", false),
         _hidden: bool = Field::flag("hidden", "Hidden", false),
-        min: Option<f64> = Field::angle("min", "Least value", 0.0).range(-1e9, 1e9).null_by_default(),
-        max: Option<f64> = Field::angle("max", "Largest value", 0.0).range(-1e9, 1e9).null_by_default(),
+        min: Option<f64> = Field::angle("min", "min", 0.0).range(-1e9, 1e9).null_by_default(),
+        max: Option<f64> = Field::angle("max", "max", 0.0).range(-1e9, 1e9).null_by_default(),
         reason: String = Field::text("reason", "Reason", "", 200),
     }
 }
@@ -85,6 +85,7 @@ pub fn read(value: &Value) -> Result<Config, JobError> {
     let rules = read_rules(&mut checker, value.get("fields"));
     read_machines(&mut checker, value.get("machines"), units);
     read_styli(&mut checker, value.get("styli"), units);
+    check_choices(&mut checker, value, &allow);
     let space = read_space(&mut checker, value.get("space"));
     let own = read_findings(&mut checker, value.get("findings"));
     let title = (!head.title.is_empty()).then(|| printable_title(&head.title));
@@ -102,6 +103,11 @@ pub fn read(value: &Value) -> Result<Config, JobError> {
 
 fn printable_title(title: &str) -> String {
     title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+/// Whether nothing of a text is seen.
+fn is_blank(text: &str) -> bool {
+    text.chars().all(|c| c.is_whitespace() || c == '\u{feff}')
 }
 
 /// The entries of a list, each with its path; reports what is no list, and what is too long.
@@ -184,6 +190,11 @@ fn read_allow(checker: &mut Checker, value: Option<&Value>) -> Allow {
                 }
             }
         }
+        if found.is_empty() && !checker.failed() {
+            let path = "allow.workOffsets";
+            let message = text!("{path} must allow something: without it, everything is allowed", path.to_owned());
+            checker.error("missing", path, message);
+        }
         found
     });
     Allow {
@@ -232,13 +243,17 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
         let form = RuleForm::read(&mut section);
         let value = given.get("value").cloned();
         let number = !matches!(field.kind, Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Point | Kind::NominalPoint);
-        if chosen && (form.locked || form.min.is_some() || form.max.is_some()) {
-            let message = text!("allow limits what may be chosen here: in fields it takes only value and hidden");
+        if chosen && (form.locked || form.min.is_some() || form.max.is_some() || (path == "units" && value.is_some())) {
+            let message = text!("allow limits this choice: here it takes only hidden, and value but for units");
             checker.error("unknown-key", at, message);
         } else if !number && (form.min.is_some() || form.max.is_some()) {
             checker.error("wrong-type", at, text!("{label} is no number: it has neither min nor max", field.label));
         } else if form.min.zip(form.max).is_some_and(|(min, max)| min > max) {
             checker.error("out-of-range", at, text!("min is above max"));
+        } else if let Some(Value::Number(x)) = value
+            && (form.min.is_some_and(|min| x < min) || form.max.is_some_and(|max| x > max))
+        {
+            checker.error("out-of-range", format!("{at}.value"), text!("The value must be within min and max"));
         }
         rules.push(Rule {
             path: path.clone(),
@@ -250,6 +265,34 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
         });
     }
     rules
+}
+
+/// Reports what a job begins with, or a machine has, that is not allowed.
+fn check_choices(checker: &mut Checker, config: &Value, allow: &Allow) {
+    let controls =
+        |value: &Value| allow.controls.as_ref().is_none_or(|all| all.iter().any(|key| *value == Value::Text(key.clone())));
+    let forms = |value: &Value| allow.forms.as_ref().is_none_or(|all| all.iter().any(|key| *value == Value::Text(key.clone())));
+    let offsets = |value: &Value| {
+        let number = if let Value::Number(n) = value { Some(*n) } else { None };
+        allow.work_offsets.as_ref().is_none_or(|all| all.contains(&number))
+    };
+    let choices: [(&str, &dyn Fn(&Value) -> bool); 3] = [("post", &controls), ("form", &forms), ("workOffset", &offsets)];
+    for (key, may) in choices {
+        let field =
+            config.get("fields").and_then(|fields| fields.get(&format!("control.{key}"))).and_then(|rule| rule.get("value"));
+        let mut found: Vec<String> =
+            field.filter(|value| !may(value)).map(|_| format!("fields.control.{key}.value")).into_iter().collect();
+        if let Some(Value::List(machines)) = config.get("machines") {
+            let bad = |(i, machine): (usize, &Value)| {
+                let value = machine.get("control").and_then(|control| control.get(key))?;
+                (!may(value)).then(|| format!("machines[{i}].control.{key}"))
+            };
+            found.extend(machines.iter().enumerate().filter_map(bad));
+        }
+        for at in found {
+            checker.error("not-allowed", at, text!("This is not among what allow allows"));
+        }
+    }
 }
 
 /// Reports values that no job may have at their paths.
@@ -292,7 +335,7 @@ fn read_part(checker: &mut Checker, at: &str, part: Vec<(String, Value)>, units:
 }
 
 fn read_name(checker: &mut Checker, entry: &Value, at: &str) {
-    if !matches!(entry.get("name"), Some(Value::Text(name)) if !name.trim().is_empty() && name.chars().count() <= 60) {
+    if !matches!(entry.get("name"), Some(Value::Text(name)) if !is_blank(name) && name.chars().count() <= 60) {
         let message = text!("{path} must have a name of 60 characters at most", at.to_owned());
         checker.error("missing", format!("{at}.name"), message);
     }
@@ -367,7 +410,7 @@ fn read_findings(checker: &mut Checker, value: Option<&Value>) -> Vec<Finding> {
         let mut section = Section::new(checker, Some(given), &at);
         section.only(FindingForm::FIELDS, &[]);
         let form = FindingForm::read(&mut section);
-        if form.message.trim().is_empty() {
+        if is_blank(&form.message) {
             checker.error("missing", format!("{at}.message"), text!("{path} must have a message", at.clone()));
         }
         let level = match form.level.as_str() {

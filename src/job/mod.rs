@@ -65,7 +65,7 @@ pub(crate) use misfit::misfit;
 pub(crate) use picture::Picture;
 #[cfg(any(test, target_arch = "wasm32"))]
 pub(crate) use plan::minutes;
-pub(crate) use plan::{plan_with_path, planned};
+pub(crate) use plan::{plan_with_path, planned, writes_any};
 pub(crate) use planned::Planned;
 pub(crate) use sections::{Job, SECTIONS, TOLERANCES, size_reach};
 #[cfg(target_arch = "wasm32")]

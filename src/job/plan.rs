@@ -434,6 +434,12 @@ pub fn planned(value: &Value) -> Option<Planned> {
     read(&mut Checker::default(), value)
 }
 
+/// Whether the program of a job writes a work offset or a preset, by whatever way.
+pub fn writes_any(planned: &Planned) -> bool {
+    let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
+    !request(planned, &feeds, None).writes().is_empty()
+}
+
 /// What a program is to be written for.
 pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<&'a Value>) -> Request<'a> {
     let Planned { job, path, .. } = planned;

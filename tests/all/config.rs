@@ -76,9 +76,20 @@ fn a_job_that_names_no_control_gets_one_that_is_allowed_and_takes_its_cycle() {
     let only = config(r#""allow": { "controls": ["heidenhain"] }"#);
     let circles = only.fill(&job(r#"{ "format": 1, "cycle": { "type": "probing-two-circles" } }"#));
     assert_eq!((text(&circles, "control.post"), text(&circles, "control.form")), ("heidenhain".into(), "cycle".into()));
-    // The default, where it is allowed, needs no word.
+    // The default goes before what is allowed beside it.
     let default = config(r#""allow": { "controls": ["haas", "linuxcnc"] }"#);
-    assert_eq!(at(&default.fill(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#)), "control"), None);
+    assert_eq!(text(&default.fill(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#)), "control.post"), "linuxcnc");
+    // A form that is allowed is looked for, too: LinuxCNC has no cycles of its own.
+    for allow in [r#""forms": ["cycle"]"#, r#""forms": ["cycle"], "controls": ["linuxcnc", "haas"]"#] {
+        let rules = config(&format!(r#""allow": {{ {allow} }}"#));
+        let hole = r#"{ "format": 1, "cycle": { "type": "hole" } }"#;
+        assert_eq!(refused(&rules, hole), [""; 0], "{allow}");
+        assert_eq!(text(&rules.fill(&job(hole)), "control.form"), "cycle");
+        assert_eq!(
+            refused(&rules, r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "form": "moves" } }"#),
+            ["not-allowed control.form"]
+        );
+    }
 }
 
 #[test]
@@ -124,13 +135,13 @@ fn fields_are_fixed_and_bounded_in_any_units() {
         r#""fields": { "feeds.work": { "value": 100, "locked": true, "reason": "calibrated" }, "overtravel": { "min": 2, "max": 8 },
             "stylus.diameter": { "min": 1 }, "cycle.origin": { "value": [1, 2, 3], "locked": true }, "stylus.length": { "max": 60 } }"#,
     );
-    let base = r#""cycle": { "type": "hole", "diameter": 25, "origin": [1, 2, 3] }"#;
+    let base = r#""cycle": { "type": "hole", "diameter": 25, "origin": [1, 2, 3] }, "stylus": { "length": 50 }"#;
     assert_eq!(refused(&rules, &format!(r#"{{ "format": 1, {base} }}"#)), [""; 0]);
     assert_eq!(
         refused(
             &rules,
             &format!(
-                r#"{{ "format": 1, {base}, "feeds": {{ "work": 101 }}, "overtravel": 8.1, "stylus": {{ "diameter": 0.9, "length": 61 }} }}"#
+                r#"{{ "format": 1, {base}, "feeds": {{ "work": 101 }}, "overtravel": 8.1, "stylus": {{ "diameter": 0.9, "length": null }} }}"#
             )
         ),
         ["locked feeds.work", "not-allowed overtravel", "not-allowed stylus.diameter", "not-allowed stylus.length"]
@@ -138,14 +149,59 @@ fn fields_are_fixed_and_bounded_in_any_units() {
     // 8 mm are 0.314961 inch; 100 mm/min are 3.937008 inch/min.
     let inch = |overtravel: f64, feed: f64| {
         format!(
-            r#"{{ "format": 1, "units": "inch", "cycle": {{ "type": "hole", "diameter": 1, "origin": [0.03937, 0.07874, 0.11811] }}, "overtravel": {overtravel}, "feeds": {{ "work": {feed} }} }}"#
+            r#"{{ "format": 1, "units": "inch", "cycle": {{ "type": "hole", "diameter": 1, "origin": [0.03937, 0.07874, 0.11811] }}, "stylus": {{ "length": 2 }}, "overtravel": {overtravel}, "feeds": {{ "work": {feed} }} }}"#
         )
     };
     assert_eq!(refused(&rules, &inch(0.314961, 3.937008)), [""; 0]);
+    assert_eq!(refused(&rules, &inch(0.314961, 3.937)), [""; 0], "as people type it");
     assert_eq!(refused(&rules, &inch(0.3151, 3.94)), ["locked feeds.work", "not-allowed overtravel"]);
-    let set_up =
-        r#"{ "format": 2, "feeds": { "work": 90 }, "cycles": [{ "type": "hole" }, { "type": "hole", "origin": [1, 2, 4] }] }"#;
+    let set_up = r#"{ "format": 2, "feeds": { "work": 90 }, "stylus": { "length": 9 }, "cycles": [{ "type": "hole" }, { "type": "hole", "origin": [1, 2, 4] }] }"#;
     assert_eq!(refused(&rules, set_up), ["locked feeds.work", "locked cycles[1].origin"]);
+}
+
+/// Null is rapid, without a limit, not called: more than any limit.
+#[test]
+fn null_is_within_no_bounds() {
+    let rules = config(
+        r#""fields": { "feeds.approach": { "max": 500 }, "control.tool": { "min": 1, "max": 24 }, "limits.position": { "max": 2 } }"#,
+    );
+    let given = r#"{ "format": 1, "cycle": { "type": "hole" }, "feeds": { "approach": null }, "control": { "tool": null }, "limits": { "position": null } }"#;
+    assert_eq!(
+        refused(&rules, given),
+        ["not-allowed control.tool", "not-allowed feeds.approach", "not-allowed limits.position"]
+    );
+    let good = r#"{ "format": 1, "cycle": { "type": "hole" }, "feeds": { "approach": 500 }, "control": { "tool": 24 }, "limits": { "position": 2 } }"#;
+    assert_eq!(refused(&rules, good), [""; 0]);
+}
+
+/// 1411 writes the active preset by itself: no work offset is named.
+#[test]
+fn a_cycle_that_writes_by_itself_is_measured_by_what_it_writes() {
+    let circles = |confirm: u8, transfer: u8| {
+        format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "confirmRotation": {confirm}, "transferPosition": {transfer} }}, "control": {{ "post": "heidenhain", "form": "cycle" }} }}"#
+        )
+    };
+    let measuring = config(r#""allow": { "workOffsets": [null] }"#);
+    assert_eq!(refused(&measuring, &circles(1, 1)), ["not-allowed control.workOffset"]);
+    assert_eq!(refused(&measuring, &circles(0, 0)), [""; 0]);
+    for offsets in ["[1]", "[null, 2]"] {
+        let writing = config(&format!(r#""allow": {{ "workOffsets": {offsets} }}"#));
+        assert_eq!(refused(&writing, &circles(1, 1)), [""; 0]);
+        assert!(plan(&writing.fill(&job(&circles(1, 1)))).is_ok(), "no work offset was filled in");
+    }
+}
+
+/// 1493 is a form inside that of 1411: a value in it does not switch it on.
+#[test]
+fn a_form_inside_the_form_that_is_not_used_stays_so() {
+    let rules = config(r#""fields": { "cycle.extrusion.points": { "value": 5, "locked": true } }"#);
+    let circles = |extrusion: &str| format!(r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles"{extrusion} }} }}"#);
+    assert_eq!(at(&rules.fill(&job(&circles(""))), "cycle.extrusion"), None);
+    assert_eq!(refused(&rules, &circles("")), [""; 0]);
+    assert_eq!(refused(&rules, &circles(r#", "extrusion": null"#)), [""; 0]);
+    assert_eq!(number(&rules.fill(&job(&circles(r#", "extrusion": { "length": 3 }"#))), "cycle.extrusion.points"), 5.0);
+    assert_eq!(refused(&rules, &circles(r#", "extrusion": { "points": 4 }"#)), ["locked cycle.extrusion.points"]);
 }
 
 /// A bore of 25 mm at X100 Y50, 10 mm deep, touched with a ball of 6 mm: its centre touches at 9.5 mm from the middle and searches 5 mm farther.
@@ -276,6 +332,26 @@ fn everything_wrong_with_a_config_is_said_at_once() {
             "out-of-range config.fields.feeds.work.value",
         ]
     );
+    // A config under which a job that says nothing would be refused.
+    for (text, path) in [
+        (r#""fields": { "overtravel": { "value": 50, "min": 2, "max": 8 } }"#, "out-of-range config.fields.overtravel.value"),
+        (r#""fields": { "units": { "value": "inch" } }"#, "unknown-key config.fields.units"),
+        (
+            r#""allow": { "controls": ["haas"] }, "fields": { "control.post": { "value": "fanuc" } }"#,
+            "not-allowed config.fields.control.post.value",
+        ),
+        (
+            r#""allow": { "workOffsets": [1] }, "fields": { "control.workOffset": { "value": 7 } }"#,
+            "not-allowed config.fields.control.workOffset.value",
+        ),
+        (
+            r#""allow": { "controls": ["haas"] }, "machines": [{ "name": "A", "control": { "post": "fanuc" } }]"#,
+            "not-allowed config.machines[0].control.post",
+        ),
+        (r#""allow": { "workOffsets": [] }"#, "missing config.allow.workOffsets"),
+    ] {
+        assert_eq!(wrong(&format!(r#"{{ "format": 1, {text} }}"#)), [path]);
+    }
     for text in ["[]", "5", "null", r#""x""#] {
         assert_eq!(wrong(text).len(), 1, "{text}");
     }

@@ -94,6 +94,7 @@ test("a wrong config is refused by every function that takes one, and by the sch
     ["allow.units", ["mm", "cm"]],
     ["allow.workOffsets", [0]],
     ["allow.workOffsets", [1.5]],
+    ["allow.workOffsets", []],
     ["allow.setUps", "no"],
     ["allow.other", 1],
     ["hide.cycles", ["well"]],
@@ -101,6 +102,7 @@ test("a wrong config is refused by every function that takes one, and by the sch
     ["fields", []],
     ["fields.overtravel", 5],
     ["fields.overtravel.min", "2"],
+    ["fields.overtravel.max", null],
     ["fields.overtravel.locked", 1],
     ["fields.overtravel.reason", "x".repeat(201)],
     ["fields.overtravel.least", 1],
@@ -114,6 +116,8 @@ test("a wrong config is refused by every function that takes one, and by the sch
     ["space.travel", { min: [0, 0, 0] }],
     ["space.keepOut", [{ min: [0, 0, 0], max: [1, 1, 1] }]],
     ["space.keepOut", [{ name: "A", min: [0, 0, "0"], max: [1, 1, 1] }]],
+    ["space.travel.max", [500, 500, 200_000]],
+    ["machines", [{ name: "\u0085\ufeff" }]],
     ["findings", [{ level: "info" }]],
     ["findings", [{ level: "fatal", message: "m" }]],
     ["findings", [{ message: "m", text: "m" }]],
@@ -149,6 +153,24 @@ test("a wrong config is refused by every function that takes one, and by the sch
     properties.controls.items.enum,
     posts.map(({ id }) => id),
   );
+});
+
+test("what is no data of a job is refused as what it is, under a config too", () => {
+  const found = (/** @type {any} */ job) => touchpath.check(job, { format: 1 });
+  for (const job of [
+    JSON.parse('{"format":1,"cycle":{"type":"hole"},"__proto__":{"x":1}}'),
+    { ...HOLE, name: "x".repeat(3_000_000) },
+    { ...HOLE, name: () => 1 },
+    { ...HOLE, feeds: { work: 5n } },
+  ])
+    assert.deepEqual(found(job), touchpath.check(job));
+  const thrower = Object.defineProperty({ ...HOLE }, "feeds", {
+    enumerable: true,
+    get() {
+      throw new Error("no");
+    },
+  });
+  assert.ok(found(thrower).some(({ level }) => level === "error"));
 });
 
 test("no config, however hostile, gets through a function", () => {

@@ -170,3 +170,84 @@ test("a config that is wrong changes nothing, and every fault of it is said", as
   await on((element) => element.setAttribute("config", '{ "format": 1, "title": "Hall 4" }'));
   assert.equal(await on((element) => element.config.title), "Hall 4");
 });
+
+test("a config that fills in nothing holds for the job that was set before it", async () => {
+  await open(`<touch-path></touch-path>`);
+  await set("job", { format: 1, cycle: { type: "web", width: 20 }, feeds: { work: 150 } });
+  await set("config", { format: 1, findings: [{ message: "The order is closed" }] });
+  assert.deepEqual(await errors(), ["portal "]);
+  assert.equal(await on((element) => element.plan), null);
+  await set("config", { format: 1, fields: { "feeds.work": { value: 100 } } });
+  assert.deepEqual(
+    [await errors(), await on((element) => element.job.feeds.work)],
+    [[], 150],
+    "what the job says stays",
+  );
+  await set("config", null);
+  // A job that is the one that is shown is the portal's all the same.
+  const own = await on((element) => element.job);
+  await set("job", own);
+  await set("config", { format: 1, fields: { "feeds.work": { value: 90 } } });
+  assert.equal(await on((element) => element.job.feeds.work), 150);
+});
+
+test("nothing that the user does changes a fixed field", async () => {
+  const fields = {
+    "cycle.diameter": { locked: true },
+    "stylus.diameter": { value: 5, locked: true },
+    "part.rotation": { locked: true },
+  };
+  const styli = [{ name: "Ball 4", diameter: 4, length: 30 }];
+  const machines = [{ name: "VF-2", stylus: { diameter: 3, shank: 2 } }];
+  await open(`<touch-path cycle="hole">${script({ format: 1, fields, styli, machines })}</touch-path>`);
+  await on((element) => element.app.querySelector("tp-form").unfold());
+  const now = () =>
+    on((element) => [element.job.cycle.diameter, element.job.stylus.diameter, element.job.part.rotation]);
+  const before = await now();
+  assert.equal(before[1], 5);
+  await page.locator("#f-styli").selectOption({ label: "Ball 4" });
+  assert.deepEqual([await now(), await on((element) => element.job.stylus.length)], [before, 30]);
+  await page.locator('select[id="f-control.post"]').selectOption("machine:VF-2");
+  assert.deepEqual([await now(), await on((element) => element.job.stylus.shank)], [before, 2]);
+  await on((element) => element.store.set("cycle.diameter", 60));
+  await on((element) => element.store.put("part", { offset: [1, 0, 0], rotation: 3, sizes: {} }));
+  await on((element) => element.store.judge("cycle.diameter", 25.01, 0.01, "25H7"));
+  assert.deepEqual([await now(), await on((element) => element.job.part.offset[0])], [before, 1]);
+});
+
+test("the defaults of a cycle are for a control that is allowed, in a form that it has", async () => {
+  for (const controls of [["grbl"], ["linuxcnc"], ["sinumerik"], ["heidenhain"], ["haas", "heidenhain"]]) {
+    await open(`<touch-path cycle="probing-two-circles">${script({ format: 1, allow: { controls } })}</touch-path>`);
+    const state = () => on((element) => [element.job.control.post, element.store.stale]);
+    const first = await state();
+    await page.getByRole("button", { name: "More" }).click();
+    await page.getByRole("button", { name: "Reset", exact: true }).click();
+    assert.deepEqual(
+      [controls.includes((await state())[0]), (await state())[1]],
+      [true, false],
+      `${controls}: ${first}`,
+    );
+    await page.close();
+  }
+  await open(`<touch-path></touch-path>`);
+});
+
+test("what the bar asks can be hidden, and is there again where it must be put right", async () => {
+  const fields = {
+    units: { hidden: true },
+    "control.post": { hidden: true },
+    "control.workOffset": { hidden: true },
+    "feeds.work": { hidden: true, locked: true, value: 90 },
+  };
+  await open(`<touch-path>${script({ format: 1, allow: { controls: ["haas"] }, fields })}</touch-path>`);
+  await on((element) => element.app.querySelector("tp-form").unfold());
+  const seen = async () => {
+    const all = ["control.post", "control.workOffset", "feeds.work"].map((path) =>
+      page.locator(`[id="f-${path}"]`).count(),
+    );
+    return [...(await Promise.all(all)), await page.locator('tp-bar input[name="units"]').count()];
+  };
+  assert.deepEqual(await seen(), [0, 0, 0, 0]);
+  await set("job", { format: 1, cycle: { type: "hole" }, control: { post: "fanuc" }, feeds: { work: 80 } });
+  assert.deepEqual(await seen(), [1, 0, 1, 0]);
+});

@@ -115,7 +115,23 @@ export function checkConfig(config: unknown): Finding[] {
 export function configured<T>(job: T, config: Config): T {
   const own = coded(job);
   const rules = coded(config);
-  return instance.call<T>(() => raw.filled(own.codes, own.text, rules.codes, rules.text));
+  const filled = instance.call<T>(() => raw.filled(own.codes, own.text, rules.codes, rules.text));
+  try {
+    return merged(job, filled) as T;
+  } catch {
+    // A value whose getters throw is what came over of it.
+    return filled;
+  }
+}
+
+/** What was given, with what came to it: what is no data of a job stays what it is, to be refused as that. */
+function merged(given: unknown, filled: unknown): unknown {
+  if (typeof given !== "object" || typeof filled !== "object" || given === null || filled === null) return given;
+  if (Array.isArray(given)) return given.map((one, i) => merged(one, (filled as unknown[])[i]));
+  const whole: Record<string, unknown> = { ...given };
+  for (const [key, value] of Object.entries(filled))
+    whole[key] = Object.hasOwn(given, key) ? merged((given as Record<string, unknown>)[key], value) : value;
+  return whole;
 }
 
 /** What a config refuses of a job that it has filled in. @internal */

@@ -53,14 +53,18 @@ class BarPart extends FieldPart {
       <div class="answer what"><span class="asks" aria-hidden="true">${this.t("What do you measure?")}</span><span class="joined">
         <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}><canvas class="mini" aria-hidden="true"></canvas></button>
         ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("What do you measure?"), { title: cycle.says })}</span></div>
-      <div class="answer where"><span class="asks"><span aria-hidden="true">${this.t("On which machine?")}</span> ${this.always()}</span>${this.machine()}</div>
-      <div class="answer then"><span class="asks" aria-hidden="true">${this.t("What shall it do?")}</span><span class="joined">${this.does()}</span></div>
-      <div class="answer in"><span class="asks" aria-hidden="true">${this.t("Units")}</span>${this.radios(
-        "units",
-        (["mm", "inch"] as const).filter((units) => units === store.units || store.rules.allowsUnits(units)),
-        (units) => store.setUnits(units as "mm" | "inch"),
-        this.t("Units"),
-      )}</div>
+      <div class="answer where"><span class="asks"><span aria-hidden="true">${this.t("On which machine?")}</span> ${this.always()}</span>${this.hides("control.post") ? nothing : this.machine()}</div>
+      ${this.hides("control.workOffset") ? nothing : html`<div class="answer then"><span class="asks" aria-hidden="true">${this.t("What shall it do?")}</span><span class="joined">${this.does()}</span></div>`}
+      ${
+        this.hides("units")
+          ? nothing
+          : html`<div class="answer in"><span class="asks" aria-hidden="true">${this.t("Units")}</span>${this.radios(
+              "units",
+              (["mm", "inch"] as const).filter((units) => units === store.units || store.rules.allowsUnits(units)),
+              (units) => store.setUnits(units as "mm" | "inch"),
+              this.t("Units"),
+            )}</div>`
+      }
       ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
@@ -74,6 +78,11 @@ class BarPart extends FieldPart {
       ${this.saves ? saveButton(store, withheld, () => this.ask("save")) : nothing}
       ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
+  }
+
+  /** Whether the page around hides a field, and nothing is wrong with it. */
+  private hides(path: string): boolean {
+    return !this.store.rules.showsField(path) && !this.isBad(path);
   }
 
   /** What holds for this control always: one mark at its name, and its page behind it. */
@@ -110,7 +119,11 @@ class BarPart extends FieldPart {
     const { store } = this;
     const offered = store.rules.machines;
     const taken = (one: Preset) => offered.some(({ name }) => name === one.name);
-    const mine = (this.local ? (presets() ?? []) : []).filter((one) => !taken(one));
+    const may = ({ sections }: Preset) => {
+      const post = (sections.control as Draft | undefined)?.post;
+      return typeof post !== "string" || store.rules.offers("controls", post);
+    };
+    const mine = (this.local ? (presets() ?? []) : []).filter((one) => !taken(one) && may(one));
     const kept = [...offered, ...mine];
     const used = kept.find((one) => this.isUsed(one));
     const own = mine.length > 0 ? this.t("My machines") : " ";

@@ -103,7 +103,9 @@ class FormPart extends FieldPart {
     const { post } = this.store;
     const groups = new Map<string, Placed[]>();
     const add = (path: string, field: FieldEntry, group = field.group) => {
-      if (IN_BAR.has(path) || !this.store.rules.showsField(path)) return;
+      if (IN_BAR.has(path)) return;
+      // What is not shown is, where it must be put right.
+      if (!this.store.rules.showsField(path) && !this.levels(path).includes("error")) return;
       // A cycle that touches nothing has no use for these, and some depend on the variant or the control; one that something is said of is there to be mended, until it is left.
       const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
       const idle = (maxTouches === 0 && OF_TOUCHES.test(path)) || !this.store.counts(path, field);
