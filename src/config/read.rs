@@ -269,29 +269,37 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
 
 /// Reports what a job begins with, or a machine has, that is not allowed.
 fn check_choices(checker: &mut Checker, config: &Value, allow: &Allow) {
-    let controls =
-        |value: &Value| allow.controls.as_ref().is_none_or(|all| all.iter().any(|key| *value == Value::Text(key.clone())));
-    let forms = |value: &Value| allow.forms.as_ref().is_none_or(|all| all.iter().any(|key| *value == Value::Text(key.clone())));
-    let offsets = |value: &Value| {
-        let number = if let Value::Number(n) = value { Some(*n) } else { None };
-        allow.work_offsets.as_ref().is_none_or(|all| all.contains(&number))
-    };
-    let choices: [(&str, &dyn Fn(&Value) -> bool); 3] = [("post", &controls), ("form", &forms), ("workOffset", &offsets)];
-    for (key, may) in choices {
-        let field =
-            config.get("fields").and_then(|fields| fields.get(&format!("control.{key}"))).and_then(|rule| rule.get("value"));
-        let mut found: Vec<String> =
-            field.filter(|value| !may(value)).map(|_| format!("fields.control.{key}.value")).into_iter().collect();
+    let of =
+        |value: Option<&Value>, key: &str| value.and_then(|value| value.get(key)).is_some_and(|value| !allow.takes(key, value));
+    for key in ["post", "form", "workOffset"] {
+        let path = format!("control.{key}");
+        let rule = config.get("fields").and_then(|fields| fields.get(&path));
+        let mut found = Vec::new();
+        if rule.and_then(|rule| rule.get("value")).is_some_and(|value| !allow.takes(key, value)) {
+            found.push(format!("fields.{path}.value"));
+        }
         if let Some(Value::List(machines)) = config.get("machines") {
-            let bad = |(i, machine): (usize, &Value)| {
-                let value = machine.get("control").and_then(|control| control.get(key))?;
-                (!may(value)).then(|| format!("machines[{i}].control.{key}"))
-            };
-            found.extend(machines.iter().enumerate().filter_map(bad));
+            let bad = machines.iter().enumerate().filter(|(_, machine)| of(machine.get("control"), key));
+            found.extend(bad.map(|(i, _)| format!("machines[{i}].{path}")));
         }
         for at in found {
             checker.error("not-allowed", at, text!("This is not among what allow allows"));
         }
+    }
+}
+
+impl Allow {
+    /// Whether a job may have this value under a key of its control.
+    fn takes(&self, key: &str, value: &Value) -> bool {
+        let words = match key {
+            "post" => &self.controls,
+            "form" => &self.forms,
+            _ => {
+                let number = if let Value::Number(n) = value { Some(*n) } else { None };
+                return self.work_offsets.as_ref().is_none_or(|all| all.contains(&number));
+            }
+        };
+        words.as_ref().is_none_or(|all| all.iter().any(|word| *value == Value::Text(word.clone())))
     }
 }
 
