@@ -27,6 +27,7 @@ import {
 import { type ReportOf, report, reportCsv, reportHtml, runsOf } from "../report.js";
 import { codeOf, isBad, isWritten } from "../results.js";
 import { examined, type ReportFormat } from "./examine.js";
+import { type Place, placeOf } from "./place.js";
 import { verified, verifiedText } from "./verify.js";
 
 /** What is done with every job. */
@@ -35,6 +36,8 @@ export interface Task {
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
+  /** Whether findings say where in the text of the job they stand. */
+  places?: boolean;
   /** The rules that jobs are filled in and judged by. */
   config?: Config;
   format?: "csv" | "html" | "json" | "text" | "sarif";
@@ -58,6 +61,9 @@ export interface Item {
   refused?: string;
 }
 
+/** A finding, with where it stands in the text of its job. */
+export type PlacedFinding = Finding & Partial<Place>;
+
 /** What became of it. */
 export interface Outcome {
   source: string;
@@ -66,7 +72,7 @@ export interface Outcome {
   output: { name: string; ending: string; text: string } | null;
   /** The control of the job, by the id of its post; `null` where it is not known. */
   control: string | null;
-  findings: Finding[];
+  findings: PlacedFinding[];
   /** Whether there is no output, or there would have been none. */
   failed: boolean;
 }
@@ -75,7 +81,11 @@ type Done = Omit<Outcome, "source" | "place">;
 /** Does the task. Never throws for anything that stands in the text. */
 export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
-    return { source, place, ...done(task, source, item) };
+    const outcome = { source, place, ...done(task, source, item) };
+    // What is said of the whole job stands nowhere.
+    const placed = (f: Finding) => (f.path === "" ? f : { ...f, ...placeOf(item.text, f.path) });
+    if (task.places) outcome.findings = outcome.findings.map(placed);
+    return outcome;
   } catch (thrown) {
     const message = thrown instanceof Error ? thrown.message : String(thrown);
     const findings =

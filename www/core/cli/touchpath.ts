@@ -14,7 +14,8 @@ import { Folder, fileAt, Refused } from "./folder.js";
 import { linesOf } from "./lines.js";
 import { performAll } from "./pool.js";
 import { Progress } from "./progress.js";
-import type { Item, Outcome, Task } from "./tasks.js";
+import { github, junit } from "./reporters.js";
+import type { Item, Outcome, PlacedFinding, Task } from "./tasks.js";
 
 /** The commands: what follows each, what it gives, its formats. */
 const COMMANDS = {
@@ -83,6 +84,7 @@ const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[]
   ["--flat", "with -o: all files into DIR itself", ["plan", "table", "svg", "import", "moves", "evaluate", "report"]],
   ["--ndjson", "one job per line in, one outcome per line out", FILES],
   ["--jobs N", "on N threads; by default one per core for jobs by the line, else 1", FILES],
+  ["--reporter R", "text, github (annotations) or junit, for a build", ["check", "verify"]],
   ["--deny-warnings", "a warning ends with exit code 1, as an error does", FILES],
   ["--json", "findings, answers and errors as JSON", NAMES],
 ];
@@ -149,6 +151,7 @@ const OPTIONS = {
   ndjson: { type: "boolean" },
   json: { type: "boolean" },
   units: { type: "string" },
+  reporter: { type: "string" },
   "deny-warnings": { type: "boolean" },
   help: { type: "boolean", short: "h" },
   version: { type: "boolean", short: "V" },
@@ -179,6 +182,8 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("post", ...JOBS);
   only("form", ...JOBS);
   only("config", ...JOBS);
+  only("reporter", "check", "verify");
+  if (values.reporter !== undefined) oneOf("--reporter", values.reporter, ["text", "github", "junit"]);
   only("units", "new", "convert");
   if (values.post !== undefined)
     task.post = oneOf(
@@ -341,8 +346,8 @@ async function configOf(file: string): Promise<Config> {
 }
 
 /** A finding for people. */
-const said = (source: string, { level, path, message, code }: Finding) =>
-  `${source}: ${level}: ${path ? `${path}: ` : ""}${message} [${code}]\n`;
+const said = (source: string, { level, path, message, code, line, column }: PlacedFinding) =>
+  `${source}${line === undefined ? "" : `:${line}:${column}`}: ${level}: ${path ? `${path}: ` : ""}${message} [${code}]\n`;
 
 /** How many findings there are of each level that matters, for people. */
 function counted(findings: Finding[]): string {
@@ -391,9 +396,19 @@ async function handOut(
 ): Promise<boolean> {
   let failed = false;
   const results: string[] = [];
+  const reported: Outcome[] = [];
   for await (const outcome of outcomes) {
     failed ||= outcome.failed || isDenied(values, outcome);
     progress.count();
+    if (values.reporter === "junit") {
+      reported.push(outcome);
+      continue;
+    }
+    if (values.reporter === "github") {
+      progress.clear();
+      await write(process.stdout, github(outcome));
+      continue;
+    }
     if (task.format === "sarif" && outcome.output) {
       results.push(outcome.output.text);
       continue;
@@ -413,6 +428,8 @@ async function handOut(
     if (!within || (task.format ?? "text") === "text") await report(task, values, outcome);
   }
   if (task.format === "sarif") await write(process.stdout, sarif(results));
+  if (values.reporter === "junit")
+    await write(process.stdout, junit(task.command, reported, values["deny-warnings"] === true));
   return failed;
 }
 
@@ -536,6 +553,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     !["check", "import", "examine", "verify"].includes(command)
   )
     throw new Refused("Several jobs need a folder (-o): one after the other they are no program");
+  if (JOBS.includes(command) && !byLine) task.places = true;
   const cores = byLine ? Math.min(availableParallelism(), 8) : 1;
   const threads = values.jobs === undefined ? cores : Number(values.jobs);
   if (!Number.isInteger(threads) || threads < 1 || threads > 64)
