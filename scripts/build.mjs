@@ -15,6 +15,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
+import { answerSchema } from "./answer-schema.mjs";
 import { configSchema } from "./config-schema.mjs";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
@@ -91,12 +92,13 @@ function buildBundles() {
   run("npx", ["--no-install", "cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"]);
 }
 
-/** The JSON Schemas of a job and of a config, as files. */
+/** The JSON Schemas of a job, of a config and of what is answered, as files. */
 async function writeSchema() {
   const { catalog, jobSchema } = await import(pathToFileURL(at("dist", "node.js")).href);
   const write = (/** @type {string} */ name, /** @type {unknown} */ schema) =>
     writeFileSync(at("dist", name), `${JSON.stringify(schema, null, 2)}\n`);
   write("schema.json", jobSchema());
+  write("answers.schema.json", answerSchema());
   write("config.schema.json", configSchema(catalog(), jobSchema()));
 }
 

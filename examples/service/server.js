@@ -1,6 +1,7 @@
 // Touchpath as a service: POST /plan, /check and /import; GET /openapi.json and /health. PORT, HOST, LONGEST_BODY, MOST_AT_ONCE, MOST_CONNECTIONS and
 // PATIENCE set it up; CONFIG is a file with the rules that jobs are filled in and judged by.
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import Fastify from "fastify";
 import { check, checkConfig, importJob, JobError, jobSchema, plan, version } from "touchpath";
 
@@ -10,6 +11,8 @@ const LONGEST_BODY = setting("LONGEST_BODY", 2_000_000);
 const MOST_AT_ONCE = setting("MOST_AT_ONCE", 64);
 const MOST_CONNECTIONS = setting("MOST_CONNECTIONS", 1024);
 const PATIENCE = setting("PATIENCE", 10_000);
+
+const answers = JSON.parse(readFileSync(fileURLToPath(import.meta.resolve("touchpath/answers.schema.json")), "utf8"));
 
 /** The rules of the portal; none where no file is named. A wrong one ends the service before it begins. */
 const config = process.env.CONFIG ? JSON.parse(readFileSync(process.env.CONFIG, "utf8")) : undefined;
@@ -74,21 +77,11 @@ app.post("/import", async (request, reply) => {
 app.get("/health", async () => ({ good: true, version: version() }));
 app.get("/openapi.json", async () => openapi());
 
-/** What stands above, for clients; the job is the package's own schema. */
+/** What stands above, for clients: what goes in and what comes out is the package's own schemas. */
 function openapi() {
-  const json = (schema) => ({ "application/json": { schema } });
-  const finding = {
-    type: "object",
-    required: ["level", "code", "path", "message", "said"],
-    properties: {
-      level: { enum: ["error", "warning", "info"] },
-      code: { type: "string" },
-      path: { type: "string" },
-      message: { type: "string" },
-      said: { type: "array", description: "The message as its template and its values, for other languages" },
-    },
-  };
-  const findings = { type: "array", items: finding };
+  const named = (name) => ({ $ref: `#/components/schemas/${name}` });
+  const json = (schema, example) => ({ "application/json": { schema, ...(example ? { example } : {}) } });
+  const findings = { type: "array", items: named("Finding") };
   const failed = { type: "object", required: ["error"], properties: { error: { type: "string" }, findings } };
   const answer = (description, schema) => ({ description, content: json(schema) });
   const others = Object.fromEntries(
@@ -100,24 +93,42 @@ function openapi() {
       ["503", "Too many requests at once"],
     ].map(([status, description]) => [status, answer(description, failed)]),
   );
-  const post = (summary, content, schema) => ({
-    post: { summary, requestBody: { required: true, content }, responses: { 200: answer("Good", schema), ...others } },
+  const post = (operationId, summary, content, schema) => ({
+    post: {
+      operationId,
+      summary,
+      requestBody: { required: true, content },
+      responses: { 200: answer("Good", schema), ...others },
+    },
   });
-  const job = { $ref: "#/components/schemas/Job" };
+  const example = { format: 1, name: "BORE", cycle: { type: "hole", diameter: 32 }, control: { post: "haas" } };
+  const health = { type: "object", properties: { good: { type: "boolean" }, version: { type: "string" } } };
+  // The definitions stand here under components, and the job beside them.
+  const here = JSON.stringify(answers.$defs)
+    .replaceAll("#/$defs/", "#/components/schemas/")
+    .replaceAll("urn:touchpath:job:1", "#/components/schemas/Job");
   return {
     openapi: "3.1.0",
     info: { title: "Touchpath", version: version() },
     paths: {
-      "/plan": post("The whole plan of a job", json(job), { type: "object" }),
-      "/check": post("Everything that is wrong, unusual or worth knowing about a job", json({}), findings),
-      "/import": post(
-        "A job from a dump or a program",
-        { "text/plain": { schema: { type: "string" } } },
-        { type: "object" },
+      "/plan": post("plan", "The whole plan of a job", json(named("Job"), example), named("Plan")),
+      "/check": post(
+        "check",
+        "Everything that is wrong, unusual or worth knowing about a job",
+        json({}, example),
+        findings,
       ),
-      "/health": { get: { summary: "Whether it works", responses: { 200: answer("Good", { type: "object" }) } } },
+      "/import": post(
+        "importJob",
+        "A job from a dump or a program, or the moves of a program",
+        { "text/plain": { schema: { type: "string" } } },
+        named("Imported"),
+      ),
+      "/health": {
+        get: { operationId: "health", summary: "Whether it works", responses: { 200: answer("Good", health) } },
+      },
     },
-    components: { schemas: { Job: jobSchema() } },
+    components: { schemas: { Job: jobSchema(), ...JSON.parse(here) } },
   };
 }
 

@@ -68,6 +68,7 @@ test("the package had no licence text", () => {
     "dist/custom-elements.json",
     "dist/embed.css",
     "dist/embed.html",
+    "dist/answers.schema.json",
     "dist/config.schema.json",
     "dist/frame.schema.json",
     "dist/react.d.ts",

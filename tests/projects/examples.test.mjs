@@ -172,6 +172,20 @@ test("the service: plans, findings, limits, its own description, and an end with
   const api = await (await fetch(`${address}/openapi.json`)).json();
   const valid = new Ajv2020({ strict: false }).compile(api.components.schemas.Job);
   assert.ok(valid(job) && !valid(wrong));
+  const { Job: ofJob, ...schemas } = /** @type {any} */ (api).components.schemas;
+  const answered = new Ajv2020({ strict: false }).addSchema({ ...ofJob, $id: "urn:touchpath:job:1" });
+  const isPlan = answered.compile({
+    $ref: "#/components/schemas/Plan",
+    components: { schemas: { ...schemas, Job: {} } },
+  });
+  assert.ok(isPlan(planned.body) && !isPlan({ .../** @type {any} */ (planned.body), moves: {} }));
+  const operations = Object.values(api.paths).flatMap((/** @type {any} */ path) => Object.values(path));
+  assert.deepEqual(
+    operations.map((/** @type {any} */ one) => one.operationId),
+    ["plan", "check", "importJob", "health"],
+  );
+  const { example } = api.paths["/plan"].post.requestBody.content["application/json"];
+  assert.equal((await post("/plan", JSON.stringify(example))).status, 200);
   assert.deepEqual(Object.keys(api.paths), ["/plan", "/check", "/import", "/health"]);
   for (const status of ["400", "413", "415", "422", "503"])
     assert.ok(api.paths["/plan"].post.responses[status], status);

@@ -786,4 +786,16 @@ export interface SetUp extends Omit<Job, "format" | "cycle"> {
 }
 
 /** The id of a control. */
-export type PostId = NonNullable<NonNullable<Job["control"]>["post"]>;
+export type PostId =
+  | "linuxcnc"
+  | "grbl"
+  | "grblhal"
+  | "fluidnc"
+  | "sinumerik"
+  | "heidenhain"
+  | "fanuc"
+  | "haas"
+  | "mazak"
+  | "brother"
+  | "hurco"
+  | "okuma";

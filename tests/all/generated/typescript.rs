@@ -217,8 +217,7 @@ pub fn job_types() -> String {
     text.push_str("  cycle: Cycle;\n}\n");
     text.push_str(RESULT_TOLERANCE);
     text.push_str(SET_UP);
-    text.push_str(
-        "\n/** The id of a control. */\nexport type PostId = NonNullable<NonNullable<Job[\"control\"]>[\"post\"]>;\n",
-    );
+    let posts: Vec<String> = touchpath::control::POSTS.iter().map(|post| format!("  | \"{}\"", post.key)).collect();
+    writeln!(text, "\n/** The id of a control. */\nexport type PostId =\n{};", posts.join("\n")).unwrap();
     text
 }

@@ -36,6 +36,8 @@ export interface Task {
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
+  /** Whether a plan is given whole, as JSON. */
+  whole?: boolean;
   /** Whether findings say where in the text of the job they stand. */
   places?: boolean;
   /** The rules that jobs are filled in and judged by. */
@@ -168,6 +170,10 @@ const problem = (code: FindingCode, message: string): Finding => ({
 
 /** What a command makes of a job; `bad`: a part that is reported is not good. */
 function made(task: Task, job: Job): { ending: string; out: string; findings: Finding[]; bad?: boolean } {
+  if (task.command === "plan" && task.whole) {
+    const own = plan(job);
+    return { ending: ".json", out: `${JSON.stringify(own)}\n`, findings: own.findings };
+  }
   if (task.command === "plan") {
     // Program and findings of one plan.
     const { program, findings } = programs([job]).next().value as Programmed;

@@ -86,7 +86,7 @@ const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[]
   ["--jobs N", "on N threads; by default one per core for jobs by the line, else 1", FILES],
   ["--reporter R", "text, github (annotations) or junit, for a build", ["check", "verify"]],
   ["--deny-warnings", "a warning ends with exit code 1, as an error does", FILES],
-  ["--json", "findings, answers and errors as JSON", NAMES],
+  ["--json", "findings, answers and errors as JSON; plan: the whole plan, with -o a line a file", NAMES],
 ];
 
 const INPUT = `JOB is a file with a job, a pattern ('jobs/**/*.json'), or - for the standard input.
@@ -373,6 +373,8 @@ function outcomeLine(
 /** The findings of a job, for people or as JSON. */
 async function report(task: Task, values: Values, { source, output, findings, failed }: Outcome): Promise<void> {
   const to = task.command === "check" ? process.stdout : process.stderr;
+  // A whole plan has its findings in it.
+  if (task.command === "plan" && task.whole && output) return;
   if (values.json) {
     if (task.command === "check" || findings.length > 0) await write(to, `${JSON.stringify({ source, findings })}\n`);
     return;
@@ -554,6 +556,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   )
     throw new Refused("Several jobs need a folder (-o): one after the other they are no program");
   if (JOBS.includes(command) && !byLine) task.places = true;
+  task.whole = values.json === true && !byLine && values.out === undefined;
   const cores = byLine ? Math.min(availableParallelism(), 8) : 1;
   const threads = values.jobs === undefined ? cores : Number(values.jobs);
   if (!Number.isInteger(threads) || threads < 1 || threads > 64)

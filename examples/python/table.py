@@ -1,0 +1,41 @@
+"""A postprocessor's view of a job: the parameters that the CAM system would hand over, and the lines of the program that take them.
+
+    python3 table.py job.json [touchpath]
+
+The job is planned by the command (npx touchpath, or the one that is named), which gives the whole plan as JSON: the keys are those of Plan in
+touchpath/answers.schema.json.
+"""
+
+import json
+import subprocess
+import sys
+
+
+def plan(job: str, command: list[str]) -> dict:
+    """The plan of a job's file. Where the job has errors, they are said as the command says them."""
+    done = subprocess.run([*command, "plan", job, "--json"], capture_output=True, text=True)
+    if done.returncode == 0:
+        return json.loads(done.stdout)
+    if done.returncode == 2:
+        raise SystemExit(done.stderr.strip())
+    for finding in json.loads(done.stderr)["findings"]:
+        if finding["level"] == "error":
+            print(f"{job}:{finding.get('line', 1)}: {finding['path']}: {finding['message']}", file=sys.stderr)
+    raise SystemExit(1)
+
+
+def main() -> None:
+    job, *command = sys.argv[1:]
+    made = plan(job, command or ["npx", "--no-install", "touchpath"])
+    for row in made["table"]:
+        print(f"{row['code']:<22} {row['value']!s:<14} {row['meaning']}")
+    program = made["program"]
+    lines = program["text"].splitlines()
+    print(f"\n{program['post']}: {len(lines)} lines, {program['does']}")
+    for move, line in zip(made["moves"], program["moveLines"]):
+        if move["kind"] == "touch" and line >= 0:
+            print(f"touch {move['touch'] + 1}: line {line + 1}: {lines[line]}")
+
+
+if __name__ == "__main__":
+    main()

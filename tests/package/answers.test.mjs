@@ -1,0 +1,145 @@
+// The schema of what comes out: every answer is as it says, and nothing is in an answer that it does not name.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { Ajv2020 } from "ajv/dist/2020.js";
+import { at } from "../../scripts/lib.mjs";
+import { command, file, folder, run, setUp, touchpath, wrong } from "./command.mjs";
+
+setUp();
+
+const answers = JSON.parse(readFileSync(at("dist", "answers.schema.json"), "utf8"));
+const job = JSON.parse(readFileSync(at("dist", "schema.json"), "utf8"));
+
+/** Objects closed: what is not named is a fault. @param {any} part @returns {any} */
+const closed = (part) => {
+  if (Array.isArray(part)) return part.map(closed);
+  if (typeof part !== "object" || part === null) return part;
+  const inner = Object.fromEntries(Object.entries(part).map(([key, value]) => [key, closed(value)]));
+  return part.type === "object" && part.properties && part.additionalProperties === undefined
+    ? { ...inner, additionalProperties: false }
+    : inner;
+};
+const validator = (/** @type {any} */ schema) => new Ajv2020({ strict: false }).addSchema(job).addSchema(schema);
+const open = validator(answers);
+const strict = validator(closed(answers));
+
+/** Holds a value against a definition; as JSON, as it goes over a wire. */
+function is(/** @type {string} */ name, /** @type {unknown} */ value, ajv = strict) {
+  const good = ajv.validate(`urn:touchpath:answers:1#/$defs/${name}`, JSON.parse(JSON.stringify(value)));
+  return good ? null : ajv.errorsText();
+}
+
+test("every plan of every cycle on every control is as the schema says, and no more", () => {
+  const { cycles, posts } = touchpath.catalog();
+  let count = 0;
+  for (const { type } of cycles)
+    for (const { id } of posts)
+      for (const form of ["moves", "cycle"]) {
+        const own = touchpath.defaultJob(type);
+        const asked = /** @type {any} */ ({ ...own, control: { ...own.control, post: id, form } });
+        const findings = touchpath.check(asked);
+        assert.equal(
+          is("Finding", findings[0] ?? { level: "info", code: "portal", path: "", message: "", said: [""] }),
+          null,
+        );
+        if (findings.some(({ level }) => level === "error")) continue;
+        count++;
+        assert.equal(is("Plan", touchpath.plan(asked)), null, `${type} ${id} ${form}`);
+      }
+  assert.ok(count > 150, `${count} plans`);
+  for (const name of ["vise", "two-holes", "first-article"]) {
+    const path = at("examples", "set-ups", `${name}.json`);
+    assert.equal(is("Plan", touchpath.plan(JSON.parse(readFileSync(path, "utf8")))), null, name);
+  }
+});
+
+test("the other answers, and the lines of the command", () => {
+  const own = touchpath.defaultJob("hole");
+  const points = touchpath
+    .plan(own)
+    .triggers.map((one) => one?.join(","))
+    .join("\n");
+  assert.equal(is("Catalog", touchpath.catalog()), null);
+  assert.equal(is("Measurement", touchpath.measure(own, points)), null);
+  assert.equal(is("Lentoax", touchpath.lentoax({ frame: [{ rot: "Z", angle: 60 }] })), null);
+  assert.equal(is("Imported", touchpath.importJob(touchpath.program(own).text)), null);
+  assert.equal(is("Imported", touchpath.importJob("G21 G90\nG0 X0 Y0 Z5\nG38.2 Z0 F100\nM2\n")), null);
+  for (const outcome of touchpath.programs([own, /** @type {any} */ ({ format: 1 })]))
+    assert.equal(is("Programmed", outcome), null);
+  const name = file("hole.json", own);
+  const lines = (/** @type {string[]} */ args, input = "") =>
+    run(args, input)
+      .stdout.trim()
+      .split("\n")
+      .map((line) => JSON.parse(line));
+  const whole = lines(["plan", name, "--json"])[0];
+  assert.deepEqual(whole, JSON.parse(JSON.stringify(touchpath.plan(own))), "plan --json is the plan");
+  assert.equal(is("Plan", whole), null);
+  for (const line of lines(["plan", "-", "--ndjson"], `${JSON.stringify(own)}\n{}\n`))
+    assert.equal(is("PlanLine", line), null);
+  // A finding of a file says line and column besides.
+  for (const line of lines(["plan", name, "-o", "out", "--json"])) assert.equal(is("FileLine", line, open), null);
+  for (const line of lines(["check", name, "--json"])) assert.equal(is("CheckLine", line, open), null);
+  const measured = file("points.txt", "");
+  assert.equal(run(["report", name, measured, "--format", "json"]).status === 2, false);
+  const bad = run(["plan", file("bad.json", { format: 1 }), "--json"]);
+  assert.deepEqual([bad.status, bad.stdout], [1, ""]);
+  assert.equal(JSON.parse(bad.stderr).findings[0].code, "missing");
+});
+
+test("the schema refuses what is no answer", () => {
+  const plan = JSON.parse(JSON.stringify(touchpath.plan(touchpath.defaultJob("hole"))));
+  assert.equal(is("Plan", plan, open), null);
+  const broken = (/** @type {(plan: any) => void} */ change) => {
+    const copy = structuredClone(plan);
+    change(copy);
+    return is("Plan", copy, open);
+  };
+  assert.notEqual(
+    broken((p) => delete p.moves),
+    null,
+  );
+  assert.notEqual(
+    broken((p) => p.moves[0].to.pop()),
+    null,
+  );
+  assert.notEqual(
+    broken((p) => (p.moves[0].kind = "jump")),
+    null,
+  );
+  assert.notEqual(
+    broken((p) => (p.results[0].value = "1")),
+    null,
+  );
+  assert.notEqual(
+    broken((p) => (p.findings[0].code = "no-such-code")),
+    null,
+  );
+  assert.equal(
+    broken((p) => (p.later = 1)),
+    null,
+    "a later version may say more",
+  );
+});
+
+const python = spawnSync("python3", ["--version"]).error === undefined;
+test("the example in Python plans a job by the command", { skip: !python && "there is no python3" }, () => {
+  const example = (/** @type {string} */ name) =>
+    spawnSync("python3", [at("examples", "python", "table.py"), name, "node", command], {
+      cwd: folder,
+      encoding: "utf8",
+    });
+  const own = touchpath.defaultJob("hole");
+  const { table, program, touches } = touchpath.plan(own);
+  const good = example(file("own.json", own));
+  assert.equal(good.status, 0, good.stderr);
+  const lines = good.stdout.split("\n");
+  assert.equal(lines.filter((line) => line.startsWith("CmdPrm.")).length, table.length);
+  assert.equal(lines.filter((line) => line.startsWith("touch ")).length, touches.length);
+  assert.ok(good.stdout.includes(`${program.post}: ${program.text.trimEnd().split("\n").length} lines`));
+  const bad = example(file("wrong.json", wrong()));
+  assert.deepEqual([bad.status, bad.stdout], [1, ""]);
+  assert.match(bad.stderr, /^wrong\.json:1: cycle\.diameter: /m);
+});
