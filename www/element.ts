@@ -172,6 +172,7 @@ export class TouchPath extends Base {
       "measured",
       "value",
       "disabled",
+      "links",
       "storage",
       "name",
     ] as const) {
@@ -273,8 +274,8 @@ export class TouchPath extends Base {
     return (this.words.get("theme") ?? "auto") as "light" | "dark" | "auto";
   }
 
-  set theme(value: "light" | "dark" | "auto") {
-    this.setAttribute("theme", value);
+  set theme(value: "light" | "dark" | "auto" | null | undefined) {
+    this.say("theme", value);
   }
 
   /** Whether the job can only be looked at. */
@@ -291,8 +292,8 @@ export class TouchPath extends Base {
     return this.words.get("panels") ?? PANEL_NAMES.join(" ");
   }
 
-  set panels(value: string) {
-    this.setAttribute("panels", value);
+  set panels(value: string | null | undefined) {
+    this.say("panels", value);
   }
 
   /** For whom it is shown: `cam` shows what only the author of a postprocessor needs. */
@@ -300,8 +301,8 @@ export class TouchPath extends Base {
     return (this.words.get("mode") ?? (this.store?.cam ? "cam" : "setter")) as "setter" | "cam";
   }
 
-  set mode(value: "setter" | "cam") {
-    this.setAttribute("mode", value);
+  set mode(value: "setter" | "cam" | null | undefined) {
+    this.say("mode", value);
   }
 
   /** Where the picture is looked at from. Set, it turns the picture. */
@@ -309,9 +310,9 @@ export class TouchPath extends Base {
     return this.app?.view ?? ((this.words.get("view") ?? "top") as View);
   }
 
-  set view(value: View) {
-    if (this.getAttribute("view") === value) this.word("view", value);
-    else this.setAttribute("view", value);
+  set view(value: View | null | undefined) {
+    if (value && this.getAttribute("view") === value) this.word("view", value);
+    else this.say("view", value);
   }
 
   /** What a machine measured, as text: points, results, a log. Set, it is shown and judged in the results; empty takes it back. It is no part of the job. */
@@ -360,8 +361,17 @@ export class TouchPath extends Base {
     return this.words.get("storage") === "local" ? "local" : "none";
   }
 
-  set storage(value: "none" | "local") {
-    this.setAttribute("storage", value);
+  set storage(value: "none" | "local" | null | undefined) {
+    this.say("storage", value);
+  }
+
+  /** Whether links to the job are followed and handed out. It takes effect where it is set before the element is put into a document. */
+  get links(): boolean {
+    return this.hasAttribute("links");
+  }
+
+  set links(value: boolean) {
+    this.toggleAttribute("links", Boolean(value));
   }
 
   /** The name under which a form gets the job. */
@@ -369,8 +379,8 @@ export class TouchPath extends Base {
     return this.getAttribute("name") ?? "";
   }
 
-  set name(value: string) {
-    this.setAttribute("name", value);
+  set name(value: string | null | undefined) {
+    this.say("name", value);
   }
 
   /** The job as JSON, for form libraries: what a form gets. Set, the same as `job`; empty until anything is loaded or given. */
@@ -529,24 +539,28 @@ export class TouchPath extends Base {
     /** Whether the user has changed what no `change` has said yet. */
     let commit = false;
     const committed = () => {
-      if (!commit) return;
+      if (!commit || !store.byUser) return;
       commit = false;
       this.dispatchEvent(new Event("change", { bubbles: true }));
     };
+    let selection = JSON.stringify({ move: null, line: null, touch: null, field: null });
     const selected = () => {
       const { selected: move, focused: field } = store;
       const line = move === null ? -1 : (store.plan.program.moveLines[move] ?? -1);
       const touch = move === null ? null : (store.plan.moves[move]?.touch ?? null);
-      this.tell("selection-change", { move, line: line < 0 ? null : line, touch, field });
+      const now: Selection = { move, line: line < 0 ? null : line, touch, field };
+      if (JSON.stringify(now) === selection) return;
+      selection = JSON.stringify(now);
+      this.tell("selection-change", now);
     };
     const changed = (byUser: boolean) => {
-      const { draft, stale } = store;
+      const { stale } = store;
       if (store.measured !== measured) {
         measured = store.measured;
         if (byUser) this.tell("measured-change", { measured });
       }
       const before = job;
-      job = JSON.stringify(draft);
+      job = JSON.stringify(store.job);
       this.inside.setFormValue(job);
       // The browser shows a message where it can put the focus.
       const anchor = app.querySelector<HTMLElement>("tp-bar select:enabled, canvas[tabindex]");
@@ -569,11 +583,18 @@ export class TouchPath extends Base {
         this.tell("finding", { findings: JSON.parse(found), refused: false });
       }
     };
-    store.addEventListener("change", () => changed(store.byUser));
+    store.addEventListener("change", () => {
+      changed(store.byUser);
+      // What was chosen may be gone with the plan that it was of.
+      selected();
+    });
     store.addEventListener("settled", committed);
     store.addEventListener("select", selected);
-    // Those of the boxes inside are not the element's own.
-    app.addEventListener("input", (event) => event.stopPropagation());
+    // Those of the boxes inside are not the element's own; those in its slots are the page's.
+    app.addEventListener("input", (event) => {
+      const [box] = event.composedPath() as Node[];
+      if (box?.getRootNode() === this.shadow) event.stopPropagation();
+    });
     app.updateComplete.then(() => changed(false));
   }
 
@@ -582,6 +603,17 @@ export class TouchPath extends Base {
     return this.dispatchEvent(
       new CustomEvent(name, { detail, bubbles: true, composed: true, cancelable: name === "program-save" }),
     );
+  }
+
+  /** Sets an attribute; none where nothing is said. */
+  private say(name: string, value: string | null | undefined): void {
+    if (value === null || value === undefined) this.removeAttribute(name);
+    else this.setAttribute(name, value);
+  }
+
+  /** Custom properties were set: the picture is drawn with them. @internal */
+  recolour(): void {
+    this.store?.dispatchEvent(new Event("recolour"));
   }
 
   /** Takes an input as soon as there is something to put it into. Undefined says nothing, null that nothing is asked for any more. */

@@ -18,6 +18,7 @@ export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPathElement>,
   measured?: string | null;
   storage?: "none" | "local";
   links?: boolean;
+  disabled?: boolean;
   name?: string;
 } & { [K in keyof TouchPathEvents as `on${K}`]?: (event: TouchPathEvents[K]) => void };
 

@@ -2,7 +2,8 @@
 import { createElement, useEffect, useLayoutEffect, useRef } from "react";
 
 /** What the element takes as properties: React sets none on a custom element whose markup came from a server. */
-const PROPERTIES = ["config", "job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "view", "measured", "storage", "links", "name"];
+const PROPERTIES = ["config", "job", "cycle", "post", "units", "theme", "readonly", "panels", "mode", "view", "measured", "storage", "links", "disabled", "name"];
+const FLAGS = ["readonly", "links", "disabled"];
 const EVENTS = ["job-change", "plan-change", "selection-change", "measured-change", "program-save", "finding"];
 const isOwn = (key) => PROPERTIES.includes(key) || EVENTS.some((event) => key === `on${event}`);
 
@@ -19,7 +20,7 @@ export function TouchPath({ ref, ...props }) {
     for (const name of PROPERTIES)
       // What a render leaves out is as it was before it was ever set.
       if (name in props ? !Object.is(props[name], last.current[name]) : name in last.current)
-        own.current[name] = props[name] ?? (name === "readonly" || name === "links" ? false : null);
+        own.current[name] = props[name] ?? (FLAGS.includes(name) ? false : null);
     last.current = Object.fromEntries(PROPERTIES.filter((name) => name in props).map((name) => [name, props[name]]));
   });
   useClientLayoutEffect(() => {

@@ -79,8 +79,9 @@ export class Rules {
     if (!this.config) return job;
     const { type } = job.cycle as Draft;
     const { post, form, ...rest } = job.control as Draft;
-    const stays =
-      asked || (this.allows(this.config.allow?.controls as unknown[], post) && this.allowsForm(form as Form));
+    const { allow, fields } = this.config;
+    const said = ["post", "form"].some((key) => fields?.[`control.${key}`]?.value !== undefined);
+    const stays = asked || (!said && this.allows(allow?.controls as unknown[], post) && this.allowsForm(form as Form));
     const bare = { format: 1, units: job.units, cycle: { type }, ...(stays ? { control: { post, form } } : {}) };
     const filled = this.filled(bare);
     // The form of another control's own cycle is none of the one that is chosen.
@@ -94,9 +95,10 @@ export class Rules {
     return (cycles ?? types).find((type) => this.offers("cycles", type));
   }
 
-  /** The fields that the user cannot change. */
-  get locked(): string[] {
-    return Object.entries(this.config?.fields ?? {}).flatMap(([path, rule]) => (rule.locked ? [path] : []));
+  /** The fields that the user cannot change; `bare`: only those without a value that they must have. */
+  locked(bare = false): string[] {
+    const all = Object.entries(this.config?.fields ?? {});
+    return all.flatMap(([path, rule]) => (rule.locked && !(bare && rule.value !== undefined) ? [path] : []));
   }
 
   /** What is refused of a job, and what the portal says of it. */

@@ -138,6 +138,8 @@ export class Store extends Entries {
   notice: Said | null = null;
   /** The points that a machine measured for this job. */
   private points = noPoints();
+  /** Whether the page around gave them: then they are not taken back by the user. */
+  private pointsGiven = false;
   /** The paths that somebody has given a value; the others still hold what a new job begins with. Null where a whole job was given. */
   private given: Set<string> | null = new Set();
   private readonly judged = new Judged(this);
@@ -453,6 +455,7 @@ export class Store extends Entries {
   set measured(text: string) {
     // What the page around puts in is no step of the user's.
     if (this.byUser) this.mark("measured");
+    this.pointsGiven = !this.byUser;
     this.points = { ...this.points, [this.units]: text };
     this.keep();
     this.dispatchEvent(new Event("change"));
@@ -476,16 +479,19 @@ export class Store extends Entries {
   }
 
   /** What the user cannot change, by its path: what the page around fixes, unless it has another value than it must have. */
-  private fixed(): Map<string, unknown> {
-    if (!this.byUser || this.rules.locked.length === 0) return new Map();
+  private fixed(bare = false): Map<string, unknown> {
+    const locked = this.rules.locked(bare);
+    if (!this.byUser || locked.length === 0) return new Map();
     const wrong = new Set(this.findings.filter(({ code }) => code === "locked").map(({ path }) => path));
-    const paths = this.rules.locked.filter((path) => !wrong.has(path) && this.get(path) !== undefined);
+    const paths = locked.filter((path) => !wrong.has(path) && this.get(path) !== undefined);
     return new Map(paths.map((path) => [path, structuredClone(this.get(path))]));
   }
 
   /** Puts it back where something around it was changed. */
-  private keepFixed(fixed: Map<string, unknown>): void {
-    for (const [path, value] of fixed)
+  private keepFixed(fixed: Map<string, unknown>, type = this.cycle.type): void {
+    // A field of another cycle is another field.
+    const same = [...fixed].filter(([path]) => type === this.cycle.type || !path.startsWith("cycle."));
+    for (const [path, value] of same)
       if (isObject(this.get(path.replace(/\.?\w+$/, "")) ?? null) || !path.includes(".")) this.place(path, value);
   }
 
@@ -545,7 +551,7 @@ export class Store extends Entries {
   /** Takes a size with the limit that it is judged by, in one step, and says so. */
   judge(path: string, size: number, limit: number, text: string): void {
     const fixed = this.fixed();
-    if (this.refuses || fixed.has(path)) return;
+    if (this.refuses || fixed.has(path) || fixed.has("limits.size")) return;
     this.settle();
     this.mark(null);
     const narrowest = this.judged.narrowest(path, limit);
@@ -686,12 +692,17 @@ export class Store extends Entries {
     const { given } = this;
     if (!given) return [];
     const isGiven = (path: string) => [...given].some((one) => path === one || path.startsWith(`${one}.`));
-    return [...this.metric()].filter(([path, field]) => !isGiven(path) && alike(this.get(path), this.begins(field)));
+    const locked = this.rules.locked();
+    return [...this.metric()].filter(
+      ([path, field]) => !isGiven(path) && !locked.includes(path) && alike(this.get(path), this.begins(field)),
+    );
   }
 
   /** Takes a whole job, one that fits the form. `given`: what of it somebody gave a value. */
   load(job: Draft, measured = "", given: Set<string> | null = null): void {
     if (this.refuses) return;
+    const fixed = this.fixed(true);
+    const { type } = this.cycle;
     this.mark(null);
     this.document = ++this.documents;
     this.beforeControl = null;
@@ -700,6 +711,7 @@ export class Store extends Entries {
     this.given = given;
     this.judged.clear();
     this.draft = this.formOf(job);
+    this.keepFixed(fixed, type);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
     this.typed.clear();
@@ -1072,10 +1084,13 @@ export class Store extends Entries {
   /** Becomes what it was at a moment. */
   private become(moment: Moment | undefined): void {
     if (!moment) return;
+    const fixed = this.fixed(true);
+    const { type } = this.cycle;
     this.draft = moment.draft;
     this.features.become(moment.features);
+    this.keepFixed(fixed, type);
     this.typed = new Map(moment.typed);
-    this.points = moment.points;
+    if (!this.pointsGiven) this.points = moment.points;
     this.left = new Map(moment.left);
     this.given = moment.given && new Set(moment.given);
     this.document = moment.document;

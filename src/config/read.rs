@@ -244,7 +244,7 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
         let value = given.get("value").cloned();
         let number = !matches!(field.kind, Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Point | Kind::NominalPoint);
         if chosen && (form.locked || form.min.is_some() || form.max.is_some() || (path == "units" && value.is_some())) {
-            let message = text!("allow limits this choice: here it takes only hidden, and value but for units");
+            let message = text!("Limit this choice in allow: here only value and hidden can be given, for units only hidden");
             checker.error("unknown-key", at, message);
         } else if !number && (form.min.is_some() || form.max.is_some()) {
             checker.error("wrong-type", at, text!("{label} is no number: it has neither min nor max", field.label));
@@ -283,7 +283,7 @@ fn check_choices(checker: &mut Checker, config: &Value, allow: &Allow) {
             found.extend(bad.map(|(i, _)| format!("machines[{i}].{path}")));
         }
         for at in found {
-            checker.error("not-allowed", at, text!("This is not among what allow allows"));
+            checker.error("not-allowed", at, text!("allow does not list this value"));
         }
     }
 }

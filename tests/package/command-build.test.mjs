@@ -77,12 +77,30 @@ test("annotations for GitHub, at the file and the line", () => {
     "::error file=a%2Cb%25.json,line=3,col=1,title=wrong-type::name: Program name must be text, not a number",
   );
   assert.ok(stdout.split("\n").every((line) => line === "" || /^::(error|warning|notice) file=/.test(line)));
+  const rows = run(
+    ["check", "-", "--reporter", "github", "--ndjson"],
+    `${JSON.stringify(touchpath.defaultJob("hole"))}\n{}\n`,
+  );
+  assert.match(rows.stdout, /^::error line=2,title=missing::/m);
+  writeFileSync(join(folder, "l.ndjson"), "{}\n");
+  assert.match(
+    run(["check", "l.ndjson", "--reporter", "github"]).stdout,
+    /^::error file=l\.ndjson,line=1,title=missing::/m,
+  );
+  assert.equal(run(["check", "a,b%.json", "--reporter", "github", "--json"]).status, 2);
+  writeFileSync(join(folder, "own.json"), JSON.stringify(touchpath.defaultJob("hole")));
+  writeFileSync(join(folder, "points.txt"), "1,2\n");
+  assert.match(
+    run(["evaluate", "own.json", "points.txt"]).stderr,
+    /^own\.json: error: measured/m,
+    "no place of the job",
+  );
   const good = touchpath.plan(touchpath.defaultJob("hole")).program.text;
   writeFileSync(join(folder, "good.ngc"), good);
   writeFileSync(join(folder, "bad.ngc"), good.replace("F150", "F151"));
   const verified = run(["verify", "good.ngc", "bad.ngc", "--reporter", "github"]);
   assert.equal(verified.status, 1);
-  assert.match(verified.stdout, /^::error file=bad\.ngc::bad\.ngc.*%0A.*F151%0A/m);
+  assert.match(verified.stdout, /^::error file=bad\.ngc,line=\d+::bad\.ngc.*%0A.*F151%0A/m);
   assert.ok(!/^::(error|warning) file=good/m.test(verified.stdout));
 });
 

@@ -173,6 +173,15 @@ test("what is no data of a job is refused as what it is, under a config too", ()
   assert.ok(found(thrower).some(({ level }) => level === "error"));
 });
 
+test("a key that is undefined is not there", () => {
+  /** @type {any} */
+  const config = { format: 1, allow: { controls: ["haas"], units: ["inch"], workOffsets: [2] } };
+  /** @type {any} */
+  const job = { format: 1, units: undefined, control: undefined, feeds: undefined, cycle: { type: "hole" } };
+  assert.equal(touchpath.plan(job, config).program.post, "haas");
+  assert.equal(job.control, undefined, "the job itself is left alone");
+});
+
 test("no config, however hostile, gets through a function", () => {
   /** @type {any} */
   const cyclic = { format: 1 };

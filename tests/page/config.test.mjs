@@ -213,6 +213,12 @@ test("nothing that the user does changes a fixed field", async () => {
   await on((element) => element.store.put("part", { offset: [1, 0, 0], rotation: 3, sizes: {} }));
   await on((element) => element.store.judge("cycle.diameter", 25.01, 0.01, "25H7"));
   assert.deepEqual([await now(), await on((element) => element.job.part.offset[0])], [before, 1]);
+  await on((element) => element.store.reset());
+  assert.deepEqual(await now(), before);
+  // Other units convert it, to the last digit.
+  await page.locator('tp-bar input[value="inch"]').check({ force: true });
+  assert.deepEqual(await errors(), []);
+  assert.equal(await on((element) => element.job.stylus.diameter), 0.19685);
 });
 
 test("the defaults of a cycle are for a control that is allowed, in a form that it has", async () => {
@@ -250,4 +256,22 @@ test("what the bar asks can be hidden, and is there again where it must be put r
   assert.deepEqual(await seen(), [0, 0, 0, 0]);
   await set("job", { format: 1, cycle: { type: "hole" }, control: { post: "fanuc" }, feeds: { work: 80 } });
   assert.deepEqual(await seen(), [1, 0, 1, 0]);
+});
+
+test("a control that the config fills in is that of a new job", async () => {
+  for (const rules of [
+    { fields: { "control.post": { value: "haas" } } },
+    { allow: { controls: ["linuxcnc", "haas"] }, fields: { "control.post": { value: "haas" } } },
+  ]) {
+    await open(`<touch-path cycle="hole">${script({ format: 1, ...rules })}</touch-path>`);
+    const post = () => on((element) => element.job.control.post);
+    assert.equal(await post(), "haas");
+    await on((element) => element.store.reset());
+    assert.equal(await post(), "haas");
+    await page.close();
+  }
+  await open(
+    `<touch-path post="fanuc">${script({ format: 1, fields: { "control.post": { value: "haas" } } })}</touch-path>`,
+  );
+  assert.equal(await on((element) => element.job.control.post), "fanuc", "what is asked for goes before it");
 });

@@ -148,3 +148,64 @@ test("a control of a form as libraries look for it: value, type, labels, validit
   await set("disabled", false);
   assert.ok(await field("cycle.diameter").isEnabled());
 });
+
+test("of a set-up the form and the events have all cycles, and bringing one into the form changes nothing", async () => {
+  await open(`<form><touch-path name="probing" cycle="hole"></touch-path></form>`, LISTEN);
+  await on((element) => element.store.addFeature("web"));
+  const sent = () =>
+    page.evaluate(() =>
+      JSON.parse(String(new FormData(/** @type {HTMLFormElement} */ (document.querySelector("form"))).get("probing"))),
+    );
+  assert.equal((await sent()).cycles.length, 2);
+  const change = (await said()).find(([name]) => name === "job-change");
+  assert.equal(change?.[1].job.cycles.length, 2);
+  assert.deepEqual(await on((element) => JSON.parse(element.value)), await sent());
+  await on((element) => element.store.bringFeature(0));
+  assert.ok(!(await names()).includes("job-change"));
+  await on((element) => element.store.clearAt(60));
+  assert.ok((await names()).includes("job-change"));
+  assert.equal((await sent()).clear, 60);
+});
+
+test("what is chosen goes with the plan that it was of, and what the page around measured stays", async () => {
+  await open(`<touch-path cycle="hole"></touch-path>`, LISTEN);
+  await on((element) => element.store.pin(5));
+  assert.equal((await said()).filter(([name]) => name === "selection-change").length, 1);
+  await page.locator('select[id="f-cycle.type"]').selectOption("web");
+  assert.equal((await said()).filter(([name]) => name === "selection-change").at(-1)?.[1].move, null);
+  await field("cycle.width").fill("22");
+  await set("measured", "1 2 3");
+  await said();
+  assert.equal(await on((element) => element.undo()), true);
+  assert.equal(await on((element) => element.measured), "1 2 3");
+  assert.ok(!(await names()).includes("measured-change"));
+});
+
+test("boxes in the slots are the page's, words can be taken back, and the view holds without a picture", async () => {
+  await open(`<touch-path view="isometric" panels="form"><input slot="header" id="own"></touch-path>`, LISTEN);
+  await said();
+  await page.locator("#own").fill("x");
+  assert.deepEqual(await names(), ["input"]);
+  const picture = () => on((element) => [element.view, element.picture()]);
+  const [view, before] = await picture();
+  assert.equal(view, "isometric");
+  await set("view", "top");
+  assert.notEqual((await picture())[1], before);
+  await set("view", "isometric");
+  await set("panels", null);
+  await page.locator('tp-picture button[aria-pressed="true"]', { hasText: "isometric" }).waitFor();
+  assert.equal(await on((element) => element.getAttribute("panels")), null);
+  // The picture is that which was asked for, at once.
+  const sides = await on((element) => {
+    const all = [];
+    for (const one of ["top", "side"]) {
+      element.view = one;
+      all.push(element.view, element.picture());
+    }
+    return all;
+  });
+  assert.deepEqual([sides[0], sides[2]], ["top", "side"]);
+  assert.notEqual(sides[1], sides[3]);
+  await set("theme", undefined);
+  assert.equal(await on((element) => element.theme), "auto");
+});

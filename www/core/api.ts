@@ -130,7 +130,7 @@ function merged(given: unknown, filled: unknown): unknown {
   if (Array.isArray(given)) return given.map((one, i) => merged(one, (filled as unknown[])[i]));
   const whole: Record<string, unknown> = { ...given };
   for (const [key, value] of Object.entries(filled))
-    whole[key] = Object.hasOwn(given, key) ? merged((given as Record<string, unknown>)[key], value) : value;
+    whole[key] = whole[key] === undefined ? value : merged(whole[key], value);
   return whole;
 }
 

@@ -15,6 +15,7 @@ interface Element extends HTMLElement {
   undo(): boolean;
   redo(): boolean;
   highlight(move: number | null): void;
+  recolour(): void;
   refusals(state: Record<string, unknown>): Finding[];
   take(inputs: Record<string, unknown>): void;
 }
@@ -128,6 +129,8 @@ function done(deed: unknown): string | null {
     case "redo":
       return element[asked.do]() ? null : `There is nothing to ${asked.do}`;
     case "highlight":
+      if (asked.move !== null && !(Number.isInteger(asked.move) && Number(asked.move) >= 0))
+        return "highlight takes a move, counted from 0, or null";
       element.highlight(asked.move ?? null);
       return null;
     default:
@@ -145,6 +148,7 @@ function set({ appearance, ...state }: FrameState): Finding[] {
   element.addEventListener("finding", note);
   element.take({ ...state });
   for (const [token, text] of Object.entries(appearance ?? {})) element.style.setProperty(`--touchpath-${token}`, text);
+  if (appearance) element.recolour();
   for (const word of WORDS) if (state[word] !== undefined) element.setAttribute(word, String(state[word]));
   if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly);
   element.removeEventListener("finding", note);

@@ -168,6 +168,7 @@ export class App extends LitElement {
       },
       offer: (saving) => around.host.tell("program-save", saving),
       picture: () => this.picture,
+      view: () => this.view,
     });
     const theme = around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
     if (theme) around.host.setAttribute("theme", theme);
@@ -202,16 +203,19 @@ export class App extends LitElement {
     all.find((one) => one.checkVisibility())?.focus(options);
   }
 
-  /** Where the picture is looked at from; null where none is shown. */
-  get view(): View | null {
-    return this.picture?.from ?? null;
+  /** Where the picture is looked at from, or would be where none is shown. */
+  get view(): View {
+    return this.picture?.from ?? this.sight;
   }
 
   set view(view: View) {
-    this.updateComplete.then(() => {
-      if (this.picture) this.picture.from = view;
-    });
+    this.sight = view;
+    if (this.picture) this.picture.from = view;
   }
+
+  /** What the page around asks for, and the picture that has it already. */
+  private sight: View = "top";
+  private turned: PicturePart | null = null;
 
   private get picture(): PicturePart | null {
     return this.renderRoot.querySelector<PicturePart>("tp-picture");
@@ -393,6 +397,9 @@ export class App extends LitElement {
   }
 
   protected override updated(): void {
+    const { picture } = this;
+    if (picture && picture !== this.turned) picture.from = this.sight;
+    this.turned = picture;
     for (const part of this.renderRoot.querySelectorAll("main:not([hidden]) > section:not([hidden]) > *"))
       if (part instanceof Part) part.catchUp();
   }

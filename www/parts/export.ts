@@ -25,6 +25,8 @@ interface Page {
   offer(saving: Saving): boolean;
   /** The picture that is looked at. */
   picture(): PicturePart | null;
+  /** Where it is looked at from. */
+  view(): PicturePart["from"];
 }
 
 /** What is handed out: the program, the job, its picture, a link to it. */
@@ -61,8 +63,7 @@ export class Export {
       this.page.tell([w("No picture to save while the form has an error: {why}"), store.withheld]);
       return;
     }
-    const from = this.page.picture()?.from ?? "top";
-    download(this.svg(), store.otherName(`-${from}.svg`), "image/svg+xml");
+    download(this.svg(), store.otherName(`-${this.page.view()}.svg`), "image/svg+xml");
   }
 
   /** The picture as it is looked at, of the last form that had a plan. */
@@ -70,7 +71,7 @@ export class Export {
     const { store } = this;
     const picture = this.page.picture();
     const job = store.shown as unknown as Job;
-    return picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, picture?.from ?? "top");
+    return picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, this.page.view());
   }
 
   /** Copies a link to the job; where the browser does not allow that, shows it. */

@@ -81,7 +81,11 @@ class PicturePart extends DrawnPart {
 
   /** The picture as a file of its own, in the language of the page. */
   svg(title: string): string | undefined {
-    return this.drawing?.use((view) => view.svg(title));
+    return this.drawing?.use((view) => {
+      // It may have been turned and not drawn yet.
+      view.look(this.look);
+      return view.svg(title);
+    });
   }
 
   override render(): TemplateResult {

@@ -14,14 +14,17 @@ const unsaid = ({ failed, findings, output }: Outcome) =>
 export function github(outcome: Outcome): string {
   const value = (text: string) => text.replaceAll("%", "%25").replaceAll("\r", "%0D").replaceAll("\n", "%0A");
   const property = (text: string) => value(text).replaceAll(":", "%3A").replaceAll(",", "%2C");
-  const file = outcome.source === "standard input" ? [] : [`file=${property(outcome.source)}`];
+  const { row } = outcome;
+  const own = row === undefined ? outcome.source : outcome.source.replace(new RegExp(`:${row}$`), "");
+  const file = own === "standard input" ? [] : [`file=${property(own)}`];
+  const at = row === undefined ? [] : [`line=${row}`];
   const of = (finding: PlacedFinding) => {
     const { level, code, line, column } = finding;
-    const place = line === undefined ? [] : [`line=${line}`, `col=${column}`];
+    const place = line === undefined ? at : [`line=${line}`, `col=${column}`];
     return `::${LEVELS[level]} ${[...file, ...place, `title=${property(code)}`].join(",")}::${value(saidOf(finding))}\n`;
   };
   const other = unsaid(outcome);
-  return `${other === null ? "" : `::error ${file.join(",")}::${value(other)}\n`}${outcome.findings.map(of).join("")}`;
+  return `${other === null ? "" : `::error ${[...file, ...at].join(",")}::${value(other)}\n`}${outcome.findings.map(of).join("")}`;
 }
 
 /** Whether a character may stand in XML: most control characters may not, not even escaped. */

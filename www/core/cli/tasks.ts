@@ -59,6 +59,8 @@ export interface Item {
   /** The folders that its output keeps. */
   place: string;
   text: string;
+  /** Its line, where it is one of a file of jobs. */
+  row?: number;
   /** Why there is no text; the findings of it then. */
   refused?: string;
 }
@@ -69,6 +71,8 @@ export type PlacedFinding = Finding & Partial<Place>;
 /** What became of it. */
 export interface Outcome {
   source: string;
+  /** The line that it is about: of a job in a file of jobs, or the first of a program that differs. */
+  row?: number;
   place: string;
   /** The job's name, and what its output is called after it; `null` where there is no output. */
   output: { name: string; ending: string; text: string } | null;
@@ -80,13 +84,18 @@ export interface Outcome {
 }
 type Done = Omit<Outcome, "source" | "place">;
 
+/** In longer texts the place of a finding is not looked for, characters. */
+const LONGEST_PLACED = 200_000;
+
 /** Does the task. Never throws for anything that stands in the text. */
 export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
-    const outcome = { source, place, ...done(task, source, item) };
-    // What is said of the whole job stands nowhere.
-    const placed = (f: Finding) => (f.path === "" ? f : { ...f, ...placeOf(item.text, f.path) });
-    if (task.places) outcome.findings = outcome.findings.map(placed);
+    const outcome: Outcome = { source, place, ...done(task, source, item) };
+    if (item.row !== undefined) outcome.row = item.row;
+    // What is said of the whole job, or of what was measured, stands nowhere in it.
+    const placed = (f: Finding) =>
+      f.path === "" || f.path.startsWith("measured") ? f : { ...f, ...placeOf(item.text, f.path) };
+    if (task.places && item.text.length <= LONGEST_PLACED) outcome.findings = outcome.findings.map(placed);
     return outcome;
   } catch (thrown) {
     const message = thrown instanceof Error ? thrown.message : String(thrown);
@@ -105,7 +114,9 @@ function done(task: Task, source: string, { text, refused }: Pick<Item, "text" |
     const out = task.format === "json" ? `${JSON.stringify({ source, ...said })}\n` : verifiedText(source, said);
     const failed = !["same", "version"].includes(said.state);
     const { findings } = said;
-    return { output: { name: nameOf(source), ending: "-verified.txt", text: out }, control: null, findings, failed };
+    const output = { name: nameOf(source), ending: "-verified.txt", text: out };
+    const [first] = said.lines;
+    return { output, control: null, findings, failed, ...(first ? { row: first.line } : {}) };
   }
   if (task.command === "examine") {
     const {

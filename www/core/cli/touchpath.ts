@@ -183,6 +183,8 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("form", ...JOBS);
   only("config", ...JOBS);
   only("reporter", "check", "verify");
+  if (values.reporter !== undefined && values.json)
+    throw new Refused("--reporter and --json are two forms of one output");
   if (values.reporter !== undefined) oneOf("--reporter", values.reporter, ["text", "github", "junit"]);
   only("units", "new", "convert");
   if (values.post !== undefined)
@@ -284,7 +286,7 @@ async function* itemsOf(files: string[], values: Values, longest: number, progre
       if (isLines(file, values)) {
         for await (const { number, text, tooLong } of linesOf(progress.through(streamOf(file)), longest)) {
           if (text.trim() === "" && !tooLong) continue;
-          yield { source: `${source}:${number}`, place, text, ...(tooLong ? { refused } : {}) };
+          yield { source: `${source}:${number}`, row: number, place, text, ...(tooLong ? { refused } : {}) };
         }
       } else yield { source, place, ...(await whole(file, longest, refused, progress)) };
     } catch (thrown) {
