@@ -308,9 +308,11 @@ export class Outside {
     const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
     const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
     if (late) return [];
-    if (!alike(whole, store.job)) store.replace(whole);
+    if (!alike(whole, store.job)) {
+      store.replace(whole);
+      this.forget();
+    }
     this.given = { job: structuredClone(own), whole: structuredClone(store.job) };
-    this.forget();
     return [];
   }
 }

@@ -6,13 +6,8 @@ use crate::control::{Form, POSTS};
 use crate::cycle::CYCLES;
 use crate::form::{Checker, Choice, Field, Finding, Kind, Level, Section, Value, form, printable};
 use crate::geom::Vec3;
-use crate::job::{FORMAT, Job, JobError, SECTIONS, Units};
+use crate::job::{FORMAT, Job, JobError, SECTIONS, UNITS, Units};
 use crate::text::{text, words};
-
-const UNITS: &[Choice] = &[
-    Choice { value: Units::Mm.word(), label: Units::Mm.word() },
-    Choice { value: Units::Inch.word(), label: Units::Inch.word() },
-];
 
 const LEVELS: &[Choice] = &[
     Choice { value: "error", label: "error" },

@@ -67,7 +67,7 @@ pub(crate) use picture::Picture;
 pub(crate) use plan::minutes;
 pub(crate) use plan::{plan_with_path, planned, writes_any};
 pub(crate) use planned::Planned;
-pub(crate) use sections::{Job, SECTIONS, TOLERANCES, size_reach};
+pub(crate) use sections::{Job, SECTIONS, TOLERANCES, UNITS, size_reach};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
 pub(crate) use tolerances::LONGEST_TOLERANCE;

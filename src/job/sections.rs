@@ -74,7 +74,7 @@ impl Protection {
     }
 }
 
-const UNITS: &[Choice] = &[
+pub const UNITS: &[Choice] = &[
     Choice { value: Units::Mm.word(), label: Units::Mm.word() },
     Choice { value: Units::Inch.word(), label: Units::Inch.word() },
 ];
