@@ -30,20 +30,37 @@ pub(super) struct Behind {
 /// What follows a probing move, by the lines below its block.
 pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     const MOST_LINES: usize = 8;
-    let behind = || lines_of(below).map(code_of).filter(|line| !line.is_empty()).take(MOST_LINES);
-    let reads = behind().take_while(|line| !moves(line)).any(|line| reads_place(&line));
-    let mut lines = behind();
-    let Some(condition) = lines.by_ref().take_while(|line| !moves(line)).find(|line| asks(line)) else {
+    let lines: Vec<String> = lines_of(below).map(code_of).filter(|line| !line.is_empty()).take(MOST_LINES).collect();
+    let before = &lines[..lines.iter().position(|line| moves(line)).unwrap_or(lines.len())];
+    let reads = before.iter().any(|line| reads_place(line));
+    let Some(at) = before.iter().position(|line| asks(line)).or_else(|| asks_by_name(before)) else {
         return Behind { reads, ..Behind::default() };
     };
+    let condition = &before[at];
     // A miss of G38.2 and G38.4 is an alarm: they do not position.
     let must = |at: usize| matches!(line[at + 1..], [b'3', b'8', b'.', b'2' | b'4', ..]);
-    let touches = memchr::memchr2_iter(b'G', b'g', line).any(must) || !asks_for_contact(&condition);
-    let mut leaves_then = || match condition.find("GOTO").or_else(|| condition.find("THEN")) {
+    let touches = memchr::memchr2_iter(b'G', b'g', line).any(must) || !asks_for_contact(condition);
+    let leaves_then = match condition.find("GOTO").or_else(|| condition.find("THEN")) {
         Some(_) => true,
-        None => lines.next().is_some_and(|line| leaves(&line)),
+        None => lines.get(at + 1).is_some_and(|line| leaves(line)),
     };
-    Behind { asked: true, watched: !touches && leaves_then(), reads }
+    Behind { asked: true, watched: !touches && leaves_then, reads }
+}
+
+/// The last condition that reads a variable which was given the place of the contact: `#148=#5063-30.`, then `IF[ABS[#148]GT0.05]`. A condition in front
+/// of it leads on where the stylus is where it should be.
+fn asks_by_name(lines: &[String]) -> Option<usize> {
+    let place = |line: &String| {
+        let (name, value) = line.split_once('=')?;
+        let is_name = name.strip_prefix('#').is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+        (is_name && (value.contains("#506") || value.contains("#504"))).then(|| name.to_owned())
+    };
+    let names: Vec<String> = lines.iter().filter_map(place).collect();
+    let reads = |line: &str, name: &str| {
+        let ends = |at: usize| !line.as_bytes().get(at + name.len()).is_some_and(u8::is_ascii_digit);
+        line.match_indices(name).any(|(at, _)| ends(at))
+    };
+    lines.iter().rposition(|line| line.contains("IF[") && names.iter().any(|name| reads(line, name)))
 }
 
 /// The code of a line without blanks, in capitals.
