@@ -15,7 +15,6 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
-import { answerSchema } from "./answer-schema.mjs";
 import { configSchema } from "./config-schema.mjs";
 import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
@@ -95,6 +94,8 @@ function buildBundles() {
 /** The JSON Schemas of a job, of a config and of what is answered, as files. */
 async function writeSchema() {
   const { catalog, jobSchema } = await import(pathToFileURL(at("dist", "node.js")).href);
+  // Its package is installed by the build itself.
+  const { answerSchema } = await import("./answer-schema.mjs");
   const write = (/** @type {string} */ name, /** @type {unknown} */ schema) =>
     writeFileSync(at("dist", name), `${JSON.stringify(schema, null, 2)}\n`);
   write("schema.json", jobSchema());
