@@ -16,7 +16,7 @@ test("the reference is what the package says of itself", () => {
 test("a function with type parameters was missing in the reference", async () => {
   const page = readFileSync(at("docs", "reference.md"), "utf8");
   // The functions of a loaded module; the rest of what is exported loads it, says what it gives, or is the page's own.
-  const { JobError: _, say: __, misfit: ___, ...functions } = await import(at("dist", "node.js"));
+  const { JobError: _, say: __, misfit: ___, judged: ____, ...functions } = await import(at("dist", "node.js"));
   const names = Object.keys(functions);
   assert.ok(names.includes("defaultJob") && names.length > 15, names.join());
   for (const name of names) assert.match(page, new RegExp(`^### ${name}\n\n\`{3}ts\n${name}[<(]`, "m"), name);
