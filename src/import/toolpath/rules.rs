@@ -177,12 +177,15 @@ fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     }
     let [a, o, tool] = path.plane.axes();
     let up = way[a].abs() < 1e-6 && way[o].abs() < 1e-6 && way[tool] > 0.0;
-    let back = index > 0 && path.kind[index - 1] == PROBE && {
-        let touch = path.end(index - 1) - path.begin(index - 1);
-        let same = way.dot(touch) < 0.0 && way.cross(touch).length() <= 1e-3 * way.length() * touch.length();
-        !touch.is_nan() && same
-    };
-    Some(up || back || way.length() < 1e-9)
+    if up || way.length() < 1e-9 {
+        return Some(true);
+    }
+    if index == 0 || path.kind[index - 1] != PROBE {
+        return Some(false);
+    }
+    let touch = path.end(index - 1) - path.begin(index - 1);
+    let back = || way.dot(touch) < 0.0 && way.cross(touch).length() <= 1e-3 * way.length() * touch.length();
+    (!touch.is_nan()).then(back)
 }
 
 fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
