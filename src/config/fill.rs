@@ -1,6 +1,7 @@
-//! A job with the config's values where it says nothing.
+//! Fills in what a job leaves out.
 
-use crate::config::{Allow, Config, field_at};
+use crate::config::allow::Allow;
+use crate::config::{Config, field_at};
 use crate::control::{self, Form, POSTS};
 use crate::cycle::{self, CycleDef};
 use crate::form::Value;
@@ -13,17 +14,16 @@ pub fn fill(config: &Config, job: &Value) -> Value {
     if job.get("units").is_none()
         && let Some(units) = first(config.allow.units.as_deref(), Units::Mm.word())
     {
-        put(&mut job, "units", Value::Text(units));
+        job.put("units", Value::Text(units));
     }
     let units = Units::of(&job);
-    let several = matches!(job.get("cycles"), Some(Value::List(_)));
-    let kind = match if several { first_cycle(&job) } else { job.get("cycle") } {
-        Some(cycle) => type_of(cycle),
-        None => None,
+    let first = match job.get("cycles") {
+        Some(Value::List(cycles)) => cycles.first(),
+        _ => job.get("cycle"),
     };
-    // Without a cycle that is known, only what is around it is filled in.
-    let def = kind.unwrap_or(cycle::CYCLES[0]);
-    let Value::Map(values) = values(config, def, units) else { return job };
+    let def = first.and_then(type_of);
+    // What stands around the cycle is filled in whatever it is.
+    let Value::Map(values) = values(config, def.unwrap_or(cycle::CYCLES[0]), units) else { return job };
     for (key, value) in &values {
         if key != "cycle" {
             complete(&mut job, key, value);
@@ -38,7 +38,7 @@ pub fn fill(config: &Config, job: &Value) -> Value {
             }
         }
     }
-    choose_control(config, &mut job, kind);
+    choose_control(config, &mut job, def);
     job
 }
 
@@ -61,74 +61,76 @@ fn first(allowed: Option<&[String]>, default: &str) -> Option<String> {
     if allowed.iter().any(|word| word == default) { None } else { allowed.first().cloned() }
 }
 
-/// The control of a job that names none: the default or the first that is allowed, if it takes the cycle in a form that is allowed. Of a job whose control
-/// takes its cycle in other forms than moves, the first of these.
+/// Chooses what a job does not say of its control, where the defaults are not allowed.
 fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDef>) {
-    let mut chosen = match job.get("control") {
-        None => Vec::new(),
-        Some(Value::Map(entries)) => entries.clone(),
-        Some(_) => return,
-    };
-    let said =
-        |chosen: &[(String, Value)], key: &str| chosen.iter().find(|(known, _)| known == key).map(|(_, value)| value.clone());
-    let text = |word: &str| Value::Text(word.to_owned());
-    let Allow { controls, forms, work_offsets, .. } = &config.allow;
-    let allowed = |form: Form| forms.as_ref().is_none_or(|words| words.iter().any(|word| word == form.word()));
-    let serves = |key: &str, form: Form| {
-        let post = control::find(key).zip(def);
-        allowed(form) && post.is_some_and(|(post, def)| (post.serves)(def.probes, form).is_ok())
-    };
-    let form = said(&chosen, "form");
-    let fits = |key: &str| {
-        let named = |word: Form| form.as_ref().is_none_or(|form| *form == text(word.word()));
-        Form::ALL.into_iter().any(|word| named(word) && serves(key, word))
-    };
-    if said(&chosen, "post").is_none() && (controls.is_some() || forms.is_some()) {
-        let known = || POSTS.iter().map(|post| post.key);
-        let may = |key: &&str| controls.as_ref().is_none_or(|keys| keys.iter().any(|known| known == key));
-        let all: Vec<&str> = match controls {
-            // The default goes before what is allowed beside it.
-            Some(keys) => known().take(1).filter(may).chain(keys.iter().map(String::as_str)).collect(),
-            None => known().collect(),
-        };
-        if let Some(key) = all.iter().find(|key| fits(key)).or(all.first()) {
-            chosen.push(("post".to_owned(), text(key)));
-        }
-    }
-    if let (None, Some(Value::Text(post))) = (&form, said(&chosen, "post"))
-        && let Some(form) = Form::ALL.into_iter().find(|form| serves(&post, *form)).filter(|form| *form != Form::Moves)
+    let mut control = job.get("control").cloned().unwrap_or_else(|| Value::Map(Vec::new()));
+    if control.get("post").is_none()
+        && let Some(post) = post_for(config, def, control.get("form"))
     {
-        chosen.push(("form".to_owned(), text(form.word())));
+        control.put("post", text(post));
     }
-    let whole = Value::Map(chosen.clone());
-    if said(&chosen, "workOffset").is_none()
-        && let Some(allowed) = work_offsets
-        && !allowed.contains(&None)
+    if let (None, Some(Value::Text(post))) = (control.get("form"), control.get("post")) {
+        // Moves are the default.
+        let form = forms(config, def, post).next().filter(|form| *form != Form::Moves);
+        form.into_iter().for_each(|form| control.put("form", text(form.word())));
+    }
+    if control.get("workOffset").is_none()
+        && let Some(allowed) = config.allow.work_offsets.as_ref().filter(|allowed| !allowed.contains(&None))
         && let Some(Some(number)) = allowed.first()
-        && !def.is_some_and(|def| itself(&whole, def))
+        && !def.is_some_and(|def| sets_preset(&control, def))
     {
-        chosen.push(("workOffset".to_owned(), Value::Number(*number)));
+        control.put("workOffset", Value::Number(*number));
     }
-    if !chosen.is_empty() {
-        put(job, "control", Value::Map(chosen));
+    if control != Value::Map(Vec::new()) {
+        job.put("control", control);
     }
 }
 
-/// Whether the control of a job writes its active preset by itself in its own cycle, so that no work offset is named.
+/// The forms that are allowed of the programs of a control for a cycle.
+fn forms(config: &Config, def: Option<&'static CycleDef>, post: &str) -> impl Iterator<Item = Form> {
+    let allowed = |form: &Form| config.allow.takes("form", &text(form.word()));
+    let served = control::find(post).zip(def);
+    let serves = move |form: &Form| served.is_some_and(|(post, def)| (post.serves)(def.probes, *form).is_ok());
+    Form::ALL.into_iter().filter(allowed).filter(serves)
+}
+
+/// The control of a job that names none: the default, or else the first that is allowed, that takes the cycle in this form, or in any that is allowed.
+/// `None` where the default holds without a word.
+fn post_for<'a>(config: &'a Config, def: Option<&'static CycleDef>, form: Option<&Value>) -> Option<&'a str> {
+    let Allow { controls, forms: limited, .. } = &config.allow;
+    if controls.is_none() && limited.is_none() {
+        return None;
+    }
+    let default = POSTS[0].key;
+    let all: Vec<&str> = match controls {
+        Some(keys) => {
+            let first = keys.iter().filter(|key| *key == default);
+            first.chain(keys).map(String::as_str).collect()
+        }
+        None => POSTS.iter().map(|post| post.key).collect(),
+    };
+    let fits = |key: &&&str| forms(config, def, key).any(|word| form.is_none_or(|form| *form == text(word.word())));
+    all.iter().find(fits).or(all.first()).copied()
+}
+
+/// Whether the control's own cycle sets the active preset of a job by itself: the job then names no work offset.
 pub fn writes_itself(job: &Value) -> bool {
     let def = job.get("cycle").and_then(type_of);
-    job.get("control").zip(def).is_some_and(|(control, def)| itself(control, def))
+    job.get("control").zip(def).is_some_and(|(control, def)| sets_preset(control, def))
 }
 
-fn itself(control: &Value, def: &CycleDef) -> bool {
+fn sets_preset(control: &Value, def: &CycleDef) -> bool {
     let Some(Value::Text(key)) = control.get("post") else { return false };
-    let own = matches!(control.get("form"), Some(Value::Text(form)) if form == Form::Cycle.word());
+    let own = control.get("form") == Some(&text(Form::Cycle.word()));
     own && control::find(key).is_some_and(|post| (post.own_preset)(def.probes))
+}
+
+fn text(word: &str) -> Value {
+    Value::Text(word.to_owned())
 }
 
 /// What the config fills in of a job with a cycle of this type, as such a job in `units`.
 pub fn values(config: &Config, def: &'static CycleDef, units: Units) -> Value {
-    let text = |word: &str| Value::Text(word.to_owned());
     let cycle = Value::Map(vec![("type".to_owned(), text(def.key))]);
     let mut job = Value::Map(vec![("units".to_owned(), text(config.units.word())), ("cycle".to_owned(), cycle)]);
     for rule in &config.rules {
@@ -151,40 +153,22 @@ pub fn type_of(cycle: &Value) -> Option<&'static CycleDef> {
     }
 }
 
-fn first_cycle(job: &Value) -> Option<&Value> {
-    match job.get("cycles") {
-        Some(Value::List(cycles)) => cycles.first(),
-        _ => None,
-    }
-}
-
-/// Puts a value under a key where there is none; of objects, what is missing in them.
+/// Puts a value under a key that is missing; where both are objects, what is missing in the one that is there.
 fn complete(place: &mut Value, key: &str, value: &Value) {
-    let Value::Map(entries) = place else { return };
-    match entries.iter_mut().rev().find(|(known, _)| known == key) {
-        None => entries.push((key.to_owned(), value.clone())),
-        Some((_, there @ Value::Map(_))) => {
-            if let Value::Map(inner) = value {
-                inner.iter().for_each(|(key, value)| complete(there, key, value));
-            }
-        }
-        Some(_) => {}
+    match (place.get_mut(key), value) {
+        (None, _) => place.put(key, value.clone()),
+        (Some(there), Value::Map(inner)) => inner.iter().for_each(|(key, value)| complete(there, key, value)),
+        (Some(_), _) => {}
     }
 }
 
-fn put(place: &mut Value, key: &str, value: Value) {
-    let Value::Map(entries) = place else { return };
-    entries.retain(|(known, _)| known != key);
-    entries.push((key.to_owned(), value));
-}
-
+/// Puts a value at a path, and the objects that lead there.
 fn put_at(place: &mut Value, path: &str, value: &Value) {
-    let Some((key, rest)) = path.split_once('.') else { return put(place, path, value.clone()) };
-    let Value::Map(entries) = place else { return };
-    if !entries.iter().any(|(known, _)| known == key) {
-        entries.push((key.to_owned(), Value::Map(Vec::new())));
+    let Some((key, rest)) = path.split_once('.') else { return place.put(path, value.clone()) };
+    if place.get(key).is_none() {
+        place.put(key, Value::Map(Vec::new()));
     }
-    if let Some((_, inner)) = entries.iter_mut().find(|(known, _)| known == key) {
+    if let Some(inner) = place.get_mut(key) {
         put_at(inner, rest, value);
     }
 }

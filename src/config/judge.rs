@@ -1,6 +1,6 @@
 //! What a config refuses of a job.
 
-use crate::config::space::{Entering, beyond, enters};
+use crate::config::space::{Entering, Space, beyond, enters, pieces};
 use crate::config::{Config, Rule, at, field_at, fill};
 use crate::control;
 use crate::cycle;
@@ -99,8 +99,7 @@ fn judge_word(
     checker.error("not-allowed", in_place(path), message);
 }
 
-/// The work offset that is written. A cycle of the control's own that writes the active preset by itself names none: it is allowed wherever something may
-/// be written.
+/// Judges what is written. A control's own cycle that sets the active preset names no work offset: it is allowed if any work offset is.
 fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker: &mut Checker) {
     let Some(allowed) = &config.allow.work_offsets else { return };
     let post = match at(job, "control.post") {
@@ -208,7 +207,12 @@ fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
         Some(cycle) if !path.members.is_empty() => format!("cycles[{cycle}]"),
         _ => "cycle".to_owned(),
     };
-    for found in config.space.travel.iter().flat_map(|travel| beyond(path, travel)) {
+    let Space { travel, keep_out } = &config.space;
+    if travel.is_none() && keep_out.is_empty() {
+        return;
+    }
+    let pieces = pieces(path);
+    for found in travel.iter().flat_map(|travel| beyond(&pieces, travel)) {
         let (axis, at) = (AXIS_NAMES[found.axis], checker.length(found.place));
         let (number, limit) = (found.index + 1, checker.length(found.limit));
         let message = if found.search {
@@ -230,8 +234,8 @@ fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
         };
         checker.error("beyond-travel", place(found.index), message);
     }
-    for zone in &config.space.keep_out {
-        let Some((index, part)) = enters(path, zone, job.setup.radius, &job.shape) else { continue };
+    for zone in keep_out {
+        let Some((index, part)) = enters(&pieces, zone, path.frame.w, job.setup.radius, &job.shape) else { continue };
         let (number, name) = (index + 1, zone.name.clone());
         let message = match part {
             Entering::Ball => text!("In move {number} the ball enters the keep-out zone {zone}", number, name),

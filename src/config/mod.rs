@@ -20,11 +20,14 @@
 //! # Ok::<(), touchpath::job::JobError>(())
 //! ```
 
+mod allow;
 mod fill;
 mod judge;
+mod list;
 mod read;
 mod space;
 
+use crate::config::allow::Allow;
 use crate::config::space::Space;
 use crate::form::{Field, Finding, Level, Value};
 use crate::job::{self, JobError, Plan, Planned, Units};
@@ -43,31 +46,19 @@ pub struct Config {
     own: Vec<Finding>,
 }
 
-/// What may be chosen; none where that is not limited.
-#[derive(Debug)]
-struct Allow {
-    cycles: Option<Vec<String>>,
-    controls: Option<Vec<String>>,
-    forms: Option<Vec<String>>,
-    units: Option<Vec<String>>,
-    work_offsets: Option<Vec<Option<f64>>>,
-    /// Whether a job may have several cycles.
-    set_ups: bool,
-}
-
 /// What is asked of one field.
 #[derive(Debug)]
 struct Rule {
     /// Its path in a job of one cycle.
     path: String,
-    /// What it has where the job says nothing.
+    /// The value of a job that leaves the field out.
     value: Option<Value>,
     /// Whether it must have that value.
     locked: bool,
     /// What it must lie between, in the config's units.
     least: Option<f64>,
     most: Option<f64>,
-    /// Why, in the portal's words; empty where it says nothing.
+    /// The reason in the portal's words; may be empty.
     reason: String,
 }
 
@@ -81,7 +72,7 @@ impl Config {
         read::read(value)
     }
 
-    /// The job with the config's values where it says nothing: fields that are filled in, and of what is allowed the first, where the default is not.
+    /// Fills in what the job leaves out: the values of the config's fields, and the first choice that is allowed where the default is not.
     pub fn fill(&self, job: &Value) -> Value {
         fill::fill(self, job)
     }
@@ -134,8 +125,7 @@ impl Config {
     }
 }
 
-/// The field at a path of a job of one cycle, such as `feeds.work`, `cycle.depth` or `cycle.probe.dist`, and whether it is one of its cycle. `def` is the
-/// type of the cycle.
+/// The field at a path of a job with one cycle of this type: `feeds.work`, `cycle.depth`, `cycle.probe.dist`.
 fn field_at(path: &str, def: &'static crate::cycle::CycleDef) -> Option<&'static Field> {
     let (section, key) = path.rsplit_once('.').unwrap_or(("", path));
     let fields = match section.strip_prefix("cycle") {

@@ -1,8 +1,9 @@
 //! Reading a config: every problem at once, as of a job.
 
+use crate::config::allow::{Allow, check_hide};
+use crate::config::list::{MOST, entries};
 use crate::config::space::{Space, Zone};
-use crate::config::{Allow, Config, Rule, fill};
-use crate::control::{Form, POSTS};
+use crate::config::{Config, Rule, fill};
 use crate::cycle::CYCLES;
 use crate::form::{Checker, Choice, Field, Finding, Kind, Level, Section, Value, form, printable};
 use crate::geom::Vec3;
@@ -14,12 +15,6 @@ const LEVELS: &[Choice] = &[
     Choice { value: "warning", label: "warning" },
     Choice { value: "info", label: "info" },
 ];
-
-/// The panels of the page.
-const PANELS: [&str; 6] = ["form", "stage", "program", "table", "results", "checks"];
-
-/// The longest lists: rules of fields, machines, styli, zones, findings.
-const MOST: usize = 200;
 
 form! {
     struct Head {
@@ -75,12 +70,12 @@ pub fn read(value: &Value) -> Result<Config, JobError> {
     let mut section = Section::new(&mut checker, Some(value), "");
     section.only(Head::FIELDS, &["format", "allow", "hide", "fields", "machines", "styli", "space", "findings"]);
     let head = Head::read(&mut section);
-    let allow = read_allow(&mut checker, value.get("allow"));
-    read_hide(&mut checker, value.get("hide"));
+    let allow = Allow::read(&mut checker, value.get("allow"));
+    check_hide(&mut checker, value.get("hide"));
     let rules = read_rules(&mut checker, value.get("fields"));
     read_machines(&mut checker, value.get("machines"), units);
     read_styli(&mut checker, value.get("styli"), units);
-    check_choices(&mut checker, value, &allow);
+    allow.check_choices(&mut checker, value);
     let space = read_space(&mut checker, value.get("space"));
     let own = read_findings(&mut checker, value.get("findings"));
     let title = (!head.title.is_empty()).then(|| printable_title(&head.title));
@@ -103,112 +98,6 @@ fn printable_title(title: &str) -> String {
 /// Whether nothing of a text is seen.
 fn is_blank(text: &str) -> bool {
     text.chars().all(|c| c.is_whitespace() || c == '\u{feff}')
-}
-
-/// The entries of a list, each with its path; reports what is no list, and what is too long.
-fn entries<'v>(checker: &mut Checker, value: Option<&'v Value>, path: &str) -> Vec<(String, &'v Value)> {
-    match value {
-        None => Vec::new(),
-        Some(Value::List(items)) if items.len() <= MOST => {
-            items.iter().enumerate().map(|(i, item)| (format!("{path}[{i}]"), item)).collect()
-        }
-        Some(Value::List(items)) => {
-            checker.error(
-                "too-long",
-                path,
-                text!("{path} may have {most} entries, not {count}", path.to_owned(), MOST, items.len()),
-            );
-            Vec::new()
-        }
-        Some(other) => {
-            checker.error("wrong-type", path, text!("{path} must be a list, not {given}", path.to_owned(), other.noun()));
-            Vec::new()
-        }
-    }
-}
-
-/// A list of words out of some that are known; none where nothing is said.
-fn read_words(checker: &mut Checker, value: Option<&Value>, path: &str, known: &[&str]) -> Option<Vec<String>> {
-    value?;
-    let mut found = Vec::new();
-    for (at, item) in entries(checker, value, path) {
-        match item {
-            Value::Text(word) if known.contains(&word.as_str()) => found.push(word.clone()),
-            other => {
-                let given =
-                    if let Value::Text(word) = other { printable(word).into() } else { crate::text::Part::from(other.noun()) };
-                let message = text!("{path} must be one of {words}, not {given}", at.clone(), known.join(", "), given);
-                checker.error("unknown-value", at, message);
-            }
-        }
-    }
-    if found.is_empty() && !checker.failed() {
-        checker.error(
-            "missing",
-            path,
-            text!("{path} must allow something: without it, everything is allowed", path.to_owned()),
-        );
-    }
-    Some(found)
-}
-
-fn keys<'k>(all: impl Iterator<Item = &'k str>) -> Vec<&'k str> {
-    all.collect()
-}
-
-fn read_allow(checker: &mut Checker, value: Option<&Value>) -> Allow {
-    let mut section = Section::new(checker, value, "allow");
-    section.only(&[], &["cycles", "controls", "forms", "units", "workOffsets", "setUps"]);
-    let get = |key: &str| value.and_then(|value| value.get(key));
-    let set_ups = match get("setUps") {
-        None => true,
-        Some(Value::Flag(flag)) => *flag,
-        Some(other) => {
-            checker.error(
-                "wrong-type",
-                "allow.setUps",
-                text!("{label} must be true or false, not {given}", "allow.setUps".to_owned(), other.noun()),
-            );
-            true
-        }
-    };
-    let work_offsets = get("workOffsets").map(|list| {
-        let mut found = Vec::new();
-        for (at, item) in entries(checker, Some(list), "allow.workOffsets") {
-            match item {
-                Value::Null => found.push(None),
-                Value::Number(n) if n.fract() == 0.0 && (1.0..=105.0).contains(n) => found.push(Some(*n)),
-                _ => {
-                    let message =
-                        text!("{path} must be the number of a work offset, 1 for the first, or null for none", at.clone());
-                    checker.error("unknown-value", at, message);
-                }
-            }
-        }
-        if found.is_empty() && !checker.failed() {
-            let path = "allow.workOffsets";
-            let message = text!("{path} must allow something: without it, everything is allowed", path.to_owned());
-            checker.error("missing", path, message);
-        }
-        found
-    });
-    Allow {
-        cycles: read_words(checker, get("cycles"), "allow.cycles", &keys(CYCLES.iter().map(|def| def.key))),
-        controls: read_words(checker, get("controls"), "allow.controls", &keys(POSTS.iter().map(|post| post.key))),
-        forms: read_words(checker, get("forms"), "allow.forms", &Form::ALL.map(Form::word)),
-        units: read_words(checker, get("units"), "allow.units", &[Units::Mm.word(), Units::Inch.word()]),
-        work_offsets,
-        set_ups,
-    }
-}
-
-/// What the page does not show: nothing of a job is refused for it.
-fn read_hide(checker: &mut Checker, value: Option<&Value>) {
-    Section::new(checker, value, "hide").only(&[], &["cycles", "controls", "panels"]);
-    let get = |key: &str| value.and_then(|value| value.get(key)).filter(|list| **list != Value::List(Vec::new()));
-    read_words(checker, get("cycles"), "hide.cycles", &keys(CYCLES.iter().map(|def| def.key)));
-    read_words(checker, get("controls"), "hide.controls", &keys(POSTS.iter().map(|post| post.key)));
-    read_words(checker, get("panels"), "hide.panels", &PANELS);
 }
 
 fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
@@ -260,42 +149,6 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
         });
     }
     rules
-}
-
-/// Reports what a job begins with, or a machine has, that is not allowed.
-fn check_choices(checker: &mut Checker, config: &Value, allow: &Allow) {
-    let of =
-        |value: Option<&Value>, key: &str| value.and_then(|value| value.get(key)).is_some_and(|value| !allow.takes(key, value));
-    for key in ["post", "form", "workOffset"] {
-        let path = format!("control.{key}");
-        let rule = config.get("fields").and_then(|fields| fields.get(&path));
-        let mut found = Vec::new();
-        if rule.and_then(|rule| rule.get("value")).is_some_and(|value| !allow.takes(key, value)) {
-            found.push(format!("fields.{path}.value"));
-        }
-        if let Some(Value::List(machines)) = config.get("machines") {
-            let bad = machines.iter().enumerate().filter(|(_, machine)| of(machine.get("control"), key));
-            found.extend(bad.map(|(i, _)| format!("machines[{i}].{path}")));
-        }
-        for at in found {
-            checker.error("not-allowed", at, text!("allow does not list this value"));
-        }
-    }
-}
-
-impl Allow {
-    /// Whether a job may have this value under a key of its control.
-    fn takes(&self, key: &str, value: &Value) -> bool {
-        let words = match key {
-            "post" => &self.controls,
-            "form" => &self.forms,
-            _ => {
-                let number = if let Value::Number(n) = value { Some(*n) } else { None };
-                return self.work_offsets.as_ref().is_none_or(|all| all.contains(&number));
-            }
-        };
-        words.as_ref().is_none_or(|all| all.iter().any(|word| *value == Value::Text(word.clone())))
-    }
 }
 
 /// Reports values that no job may have at their paths.

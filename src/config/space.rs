@@ -1,4 +1,4 @@
-//! Where the machine can travel, and what stands there.
+//! The travel of the machine and its keep-out zones.
 
 use crate::geom::Vec3;
 use crate::part::Shape;
@@ -22,9 +22,11 @@ pub struct Zone {
 
 /// A piece of the path that the ball's centre can run along.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+pub struct Piece {
     from: Vec3,
     to: Vec3,
+    /// How far a result that its cycle follows may shift it along each axis, mm.
+    shift: Vec3,
     /// Index of the move that it is of.
     index: usize,
     /// Whether it is the search past the nominal contact.
@@ -57,18 +59,19 @@ const SKIN: f64 = 1e-6;
 const PIECE: f64 = 1.0;
 
 /// Every straight piece of the path, with the searches past the nominal contacts, to where the control gives up.
-fn pieces(path: &Path) -> Vec<Piece> {
+pub fn pieces(path: &Path) -> Vec<Piece> {
     let mut found = Vec::new();
     let mut at = path.start.or(path.moves.first().map(|step| step.to));
     for (index, step) in path.moves.iter().enumerate() {
         let Some(mut from) = at else { break };
+        let shift = Vec3::from_array(path.shifts(index).map(|by| if by.is_some() { path.most_shift } else { 0.0 }));
         for to in step.pieces(from, path.frame.w, PIECE) {
-            found.push(Piece { from, to, index, search: false });
+            found.push(Piece { from, to, shift, index, search: false });
             from = to;
         }
         if let Purpose::Touch(touch) = step.purpose {
             let touch = &path.touches[touch];
-            found.push(Piece { from, to: from - touch.vector * touch.search, index, search: true });
+            found.push(Piece { from, to: from - touch.vector * touch.search, shift, index, search: true });
         }
         at = Some(step.to);
     }
@@ -76,15 +79,13 @@ fn pieces(path: &Path) -> Vec<Piece> {
 }
 
 /// Where a path is farthest beyond the travel, in each direction.
-pub fn beyond(path: &Path, travel: &Zone) -> Vec<Beyond> {
-    let pieces = pieces(path);
-    let shift = if path.shifts.is_empty() { 0.0 } else { path.most_shift };
+pub fn beyond(pieces: &[Piece], travel: &Zone) -> Vec<Beyond> {
     let mut found = Vec::new();
     for axis in 0..3 {
         for (side, limit) in [(-1.0, travel.min[axis]), (1.0, travel.max[axis])] {
-            let far = |piece: &&Piece| side * piece.to[axis];
+            let far = |piece: &Piece| side * piece.to[axis] + piece.shift[axis];
             let Some(piece) = pieces.iter().max_by(|a, b| far(a).total_cmp(&far(b))) else { continue };
-            let place = piece.to[axis] + side * shift;
+            let place = side * far(piece);
             if side * (place - limit) > SKIN {
                 found.push(Beyond { axis, place, limit, index: piece.index, search: piece.search });
             }
@@ -93,36 +94,31 @@ pub fn beyond(path: &Path, travel: &Zone) -> Vec<Beyond> {
     found
 }
 
-/// The first move in which the ball, or what is known of the stylus above it, enters a zone.
-pub fn enters(path: &Path, zone: &Zone, radius: f64, shape: &Shape) -> Option<(usize, Entering)> {
-    let up = path.frame.w;
-    let shift = if path.shifts.is_empty() { 0.0 } else { path.most_shift };
-    let (min, max) = (zone.min - shift, zone.max + shift);
-    // The zone without ends along the tool axis: cylinders are looked at from above.
+/// The first move in which the ball, or what is known of the stylus above it, enters a zone. `up` is the tool axis.
+pub fn enters(pieces: &[Piece], zone: &Zone, up: Vec3, radius: f64, shape: &Shape) -> Option<(usize, Entering)> {
     let axis = up.abs();
-    let (flat_min, flat_max) = (min - axis * FAR, max + axis * FAR);
-    let (bottom, top) = (min.dot(axis), max.dot(axis));
     let cylinders = [
         shape.shank.map(|shank| (Entering::Shank, shank / 2.0, 0.0, shape.length)),
         shape.body.zip(shape.length).map(|(body, length)| (Entering::Body, body / 2.0, length, None)),
     ];
-    for piece in pieces(path) {
+    let entering = |piece: &Piece| {
+        // A piece that may be shifted enters where the zone is as much larger.
+        let (min, max) = (zone.min - piece.shift, zone.max + piece.shift);
         if distance(piece.from, piece.to, min, max) < radius - SKIN {
-            return Some((piece.index, Entering::Ball));
+            return Some(Entering::Ball);
         }
-        for (part, radius, from, to) in cylinders.into_iter().flatten() {
-            // Of the way the part along which the cylinder is as high as the zone.
-            let (low, high) = (bottom - to.unwrap_or(FAR), top - from);
+        let struck = |(part, radius, from, to): &(Entering, f64, f64, Option<f64>)| {
+            // Along the part of the way where the cylinder is as high as the zone it is looked at from above.
+            let (low, high) = (min.dot(axis) - to.unwrap_or(FAR), max.dot(axis) - from);
             let (begin, end) = (piece.from.dot(axis), piece.to.dot(axis));
-            let Some((first, last)) = within(begin, end, low + SKIN, high - SKIN) else { continue };
-            let way = piece.to - piece.from;
-            let ends = (piece.from + way * first, piece.from + way * last);
-            if distance(ends.0, ends.1, flat_min, flat_max) < radius - SKIN {
-                return Some((piece.index, part));
-            }
-        }
-    }
-    None
+            let (first, last) = within(begin, end, low + SKIN, high - SKIN)?;
+            let at = |fraction: f64| piece.from + (piece.to - piece.from) * fraction;
+            let near = distance(at(first), at(last), min - axis * FAR, max + axis * FAR) < radius - SKIN;
+            near.then_some(*part)
+        };
+        cylinders.iter().flatten().find_map(struck)
+    };
+    pieces.iter().find_map(|piece| Some((piece.index, entering(piece)?)))
 }
 
 /// Farther than any machine travels, mm.
@@ -164,7 +160,7 @@ fn distance(from: Vec3, to: Vec3, min: Vec3, max: Vec3) -> f64 {
     };
     let least = |(begin, end): (f64, f64)| {
         let middle = (begin + end) / 2.0;
-        // Outside a box along an axis the distance changes with the way, inside it is none.
+        // Along an axis on which the place is inside the box, it adds no distance.
         let gap = off(middle);
         let moving = Vec3::from_array([0, 1, 2].map(|axis| if gap[axis] == 0.0 { 0.0 } else { way[axis] }));
         let bend = moving.length_squared();

@@ -30,6 +30,23 @@ impl Value {
         }
     }
 
+    /// The same, to be changed.
+    pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Value> {
+        match self {
+            Value::Map(entries) => entries.iter_mut().rev().find(|(k, _)| k == key).map(|(_, v)| v),
+            _ => None,
+        }
+    }
+
+    /// Puts a value under `key`, in place of the one that counts there. What is no map stays as it is.
+    pub(crate) fn put(&mut self, key: &str, value: Value) {
+        if let Some(place) = self.get_mut(key) {
+            *place = value;
+        } else if let Value::Map(entries) = self {
+            entries.push((key.to_owned(), value));
+        }
+    }
+
     /// What this is, in a word for people.
     pub fn noun(&self) -> Text {
         match self {

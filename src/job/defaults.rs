@@ -27,7 +27,7 @@ pub fn default_job(key: &str) -> Option<Value> {
 /// A new job of a type: in inch with numbers that people type, not with converted millimetres.
 pub fn new_job(key: &str, units: Units) -> Option<Value> {
     let mut job = complete_job(cycle::find(key)?, units, Inch::Typed);
-    put(&mut job, "units", Value::Text(units.word().to_owned()));
+    job.put("units", Value::Text(units.word().to_owned()));
     Some(named(job))
 }
 
@@ -64,18 +64,10 @@ fn typed(mm: f64) -> f64 {
     }
 }
 
-fn put(job: &mut Value, key: &str, value: Value) {
-    if let Value::Map(entries) = job
-        && let Some((_, place)) = entries.iter_mut().find(|(k, _)| k == key)
-    {
-        *place = value;
-    }
-}
-
 /// A job with the name of what it measures.
 fn named(mut job: Value) -> Value {
     let name = Value::Text(job_name(&job));
-    put(&mut job, "name", name);
+    job.put("name", name);
     job
 }
 

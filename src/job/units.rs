@@ -74,10 +74,10 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     }
     let to = Target::of(units);
     for (path, fields) in SECTIONS {
-        let section = if path.is_empty() { Some(&mut job) } else { entry(&mut job, path) };
+        let section = if path.is_empty() { Some(&mut job) } else { job.get_mut(path) };
         convert_fields(section, fields, to);
     }
-    convert_tolerances(entry(&mut job, TOLERANCES), to);
+    convert_tolerances(job.get_mut(TOLERANCES), to);
     if is_set_up(&job) {
         return Ok(convert_set_up(&job, units, to));
     }
@@ -86,31 +86,31 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
         _ => None,
     };
     if let Some(def) = def {
-        convert_fields(entry(&mut job, "cycle"), def.fields, to);
+        convert_fields(job.get_mut("cycle"), def.fields, to);
         for section in def.sections {
-            convert_fields(entry(&mut job, "cycle").and_then(|c| entry(c, section.key)), section.fields, to);
+            convert_fields(job.get_mut("cycle").and_then(|c| c.get_mut(section.key)), section.fields, to);
         }
-        convert_fields(entry(&mut job, "part").and_then(|p| entry(p, "sizes")), def.fields, to);
+        convert_fields(job.get_mut("part").and_then(|p| p.get_mut("sizes")), def.fields, to);
     }
-    if let Some(Value::List(touches)) = entry(&mut job, "cycle").and_then(|c| entry(c, "touches")) {
-        for point in touches.iter_mut().filter_map(|touch| entry(touch, "point")) {
+    if let Some(Value::List(touches)) = job.get_mut("cycle").and_then(|c| c.get_mut("touches")) {
+        for point in touches.iter_mut().filter_map(|touch| touch.get_mut("point")) {
             convert(point, to);
         }
     }
-    put(&mut job, "units", Value::Text(units.word().to_owned()));
+    job.put("units", Value::Text(units.word().to_owned()));
     Ok(job)
 }
 
 /// The cycles of a set-up, and what it has beside them, likewise: each as if it were alone.
 fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
     let mut converted = job.clone();
-    if let Some(clear) = entry(&mut converted, "clear") {
+    if let Some(clear) = converted.get_mut("clear") {
         convert(clear, to);
     }
     let count = if let Some(Value::List(cycles)) = job.get("cycles") { cycles.len() } else { 0 };
     for index in 0..count {
         let single = alone(job, index).and_then(|alone| convert_units(&alone, units.word()).ok());
-        let (Some(single), Some(Value::List(cycles))) = (single, entry(&mut converted, "cycles")) else { continue };
+        let (Some(single), Some(Value::List(cycles))) = (single, converted.get_mut("cycles")) else { continue };
         let (Some(Value::Map(own)), Some(Value::Map(cycle))) = (single.get("cycle"), cycles.get_mut(index)) else { continue };
         for (key, value) in own {
             if let Some((_, place)) = cycle.iter_mut().find(|(known, _)| known == key) {
@@ -120,7 +120,7 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
         let sizes = single.get("part").and_then(|part| part.get("sizes")).cloned();
         let (Some(Value::Map(sizes)), Some(Value::List(cycles))) = (sizes, job.get("cycles")) else { continue };
         let name = name_of(cycles, index);
-        let Some(Value::Map(all)) = entry(&mut converted, "part").and_then(|part| entry(part, "sizes")) else { continue };
+        let Some(Value::Map(all)) = converted.get_mut("part").and_then(|part| part.get_mut("sizes")) else { continue };
         for (key, value) in sizes {
             let named =
                 |known: &str| known.split_once('.').is_some_and(|(of, size)| of.eq_ignore_ascii_case(&name) && size == key);
@@ -129,7 +129,7 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
             }
         }
     }
-    put(&mut converted, "units", Value::Text(units.word().to_owned()));
+    converted.put("units", Value::Text(units.word().to_owned()));
     converted
 }
 
@@ -139,38 +139,20 @@ fn convert_tolerances(tolerances: Option<&mut Value>, to: Target) {
     for (key, given) in entries {
         let code = key.rsplit_once('.').map_or(key.as_str(), |(_, code)| code);
         let angle = ANGLES.iter().any(|angle| code.eq_ignore_ascii_case(angle));
-        if let Some(Value::Text(text)) = entry(given, "tolerance").filter(|_| !angle) {
+        if let Some(Value::Text(text)) = given.get_mut("tolerance").filter(|_| !angle) {
             *text = tolerance::convert_of_result(text, |x| to.printed(x));
         }
-        convert_fields(entry(given, WEAR.key), WEAR.fields, to);
+        convert_fields(given.get_mut(WEAR.key), WEAR.fields, to);
     }
 }
 
 /// The codes of results that are angles, or what they end in.
 const ANGLES: [&str; 2] = ["angle", "rotation"];
 
-fn entry<'a>(value: &'a mut Value, key: &str) -> Option<&'a mut Value> {
-    match value {
-        Value::Map(entries) => entries.iter_mut().rev().find(|(k, _)| k == key).map(|(_, v)| v),
-        _ => None,
-    }
-}
-
-fn put(value: &mut Value, key: &str, new: Value) {
-    match entry(value, key) {
-        Some(place) => *place = new,
-        None => {
-            if let Value::Map(entries) = value {
-                entries.push((key.to_owned(), new));
-            }
-        }
-    }
-}
-
 fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {
     let Some(section) = section else { return };
     for field in fields {
-        if let Some(value) = entry(section, field.key).filter(|_| field.kind.is_metric()) {
+        if let Some(value) = section.get_mut(field.key).filter(|_| field.kind.is_metric()) {
             convert(value, to);
         }
     }
@@ -220,7 +202,7 @@ mod tests {
     fn a_small_repeatability_comes_back_as_it_was() {
         for (mm, inch) in [(0.001, 0.00003937), (0.00025, 0.000009843), (0.0001, 0.000003937), (0.03, 0.001181)] {
             let mut job = default_job("boss").unwrap();
-            put(entry(&mut job, "stylus").unwrap(), "repeatability", Value::Number(mm));
+            job.get_mut("stylus").unwrap().put("repeatability", Value::Number(mm));
             let converted = convert_units(&job, "inch").unwrap();
             assert_eq!(number(&converted, "stylus", "repeatability"), inch);
             assert_eq!(number(&convert_units(&converted, "mm").unwrap(), "stylus", "repeatability"), mm);
@@ -230,10 +212,10 @@ mod tests {
     #[test]
     fn values_with_tolerances_keep_their_size() {
         let mut job = default_job("probing-two-circles").unwrap();
-        let cycle = entry(&mut job, "cycle").unwrap();
-        put(cycle, "diameter1", Value::Text("10H7".to_owned()));
-        put(cycle, "diameter2", Value::Text("20+0,05-0.02".to_owned()));
-        put(cycle, "point1", Value::List(["?10", "-30@-30.02", "no value"].map(|t| Value::Text(t.to_owned())).to_vec()));
+        let cycle = job.get_mut("cycle").unwrap();
+        cycle.put("diameter1", Value::Text("10H7".to_owned()));
+        cycle.put("diameter2", Value::Text("20+0,05-0.02".to_owned()));
+        cycle.put("point1", Value::List(["?10", "-30@-30.02", "no value"].map(|t| Value::Text(t.to_owned())).to_vec()));
         let inch = convert_units(&job, "inch").unwrap();
         let text = |key: &str| inch.get("cycle").and_then(|c| c.get(key)).cloned().unwrap();
         assert_eq!(text("diameter1"), Value::Text("0.393701H7".to_owned()));

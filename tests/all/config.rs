@@ -174,7 +174,7 @@ fn null_is_within_no_bounds() {
     assert_eq!(refused(&rules, good), [""; 0]);
 }
 
-/// 1411 writes the active preset by itself: no work offset is named.
+/// 1411 sets the active preset: its job names no work offset.
 #[test]
 fn a_cycle_that_writes_by_itself_is_measured_by_what_it_writes() {
     let circles = |confirm: u8, transfer: u8| {
@@ -243,6 +243,17 @@ fn the_searches_of_a_path_stay_within_the_travel() {
     let set_up = r#"{ "format": 2, "cycles": [{ "type": "hole", "diameter": 25 }, { "type": "hole", "diameter": 25, "origin": [100, 50, 0] }] }"#;
     let narrow = r#""space": { "travel": { "min": [-50, -50, -50], "max": [114, 90, 90] } }"#;
     assert_eq!(refused(&config(narrow), set_up), ["beyond-travel cycles[1]"]);
+    // A cycle that follows a result goes 2 mm farther at most: to X 116.5, and Y 64.5, which it does not follow.
+    let follows = r#"{ "format": 2, "limits": { "position": 2 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
+        { "type": "hole", "diameter": 25, "origin": ["=A.center.x+100", 50, 0] }] }"#;
+    let most = |x: f64, y: f64| format!(r#""space": {{ "travel": {{ "min": [-50, -50, -50], "max": [{x}, {y}, 90] }} }}"#);
+    assert_eq!(refused(&config(&most(116.5, 64.5)), follows), [""; 0]);
+    assert_eq!(refused(&config(&most(116.4, 64.5)), follows), ["beyond-travel cycles[1]"]);
+    assert_eq!(refused(&config(&most(116.5, 64.4)), follows), ["beyond-travel cycles[1]"]);
+    let post =
+        |x: f64| format!(r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 40, -20], "max": [200, 60, 20] }}] }}"#);
+    assert_eq!(refused(&config(&post(119.6)), follows), [""; 0], "the ball reaches 119.5");
+    assert_eq!(refused(&config(&post(119.4)), follows), ["keep-out cycles[1]"]);
 }
 
 #[test]
@@ -313,9 +324,9 @@ fn everything_wrong_with_a_config_is_said_at_once() {
             "unknown-value config.format",
             "unknown-key config.titel",
             "wrong-type config.allow.setUps",
-            "unknown-value config.allow.workOffsets[0]",
             "unknown-value config.allow.cycles[1]",
             "wrong-type config.allow.controls",
+            "unknown-value config.allow.workOffsets[0]",
             "unknown-key config.fields.control.post",
             "unknown-key config.fields.feeds.wrk",
             "wrong-type config.fields.name",

@@ -1,0 +1,68 @@
+//! The lists of a config.
+
+use crate::form::{Checker, Value, printable};
+use crate::text::{Part, text};
+
+/// The longest lists: rules of fields, machines, styli, zones, findings.
+pub const MOST: usize = 200;
+
+/// The entries of a list, each with its path; reports what is no list, and what is too long.
+pub fn entries<'v>(checker: &mut Checker, value: Option<&'v Value>, path: &str) -> Vec<(String, &'v Value)> {
+    match value {
+        None => Vec::new(),
+        Some(Value::List(items)) if items.len() <= MOST => {
+            items.iter().enumerate().map(|(i, item)| (format!("{path}[{i}]"), item)).collect()
+        }
+        Some(Value::List(items)) => {
+            checker.error(
+                "too-long",
+                path,
+                text!("{path} may have {most} entries, not {count}", path.to_owned(), MOST, items.len()),
+            );
+            Vec::new()
+        }
+        Some(other) => {
+            checker.error("wrong-type", path, text!("{path} must be a list, not {given}", path.to_owned(), other.noun()));
+            Vec::new()
+        }
+    }
+}
+
+/// The entries of a list, and reports those that `one` does not take. `known` says what may stand there.
+pub fn list_of<T>(
+    checker: &mut Checker,
+    value: Option<&Value>,
+    path: &str,
+    known: &str,
+    one: impl Fn(&Value) -> Option<T>,
+) -> Vec<T> {
+    let mut found = Vec::new();
+    for (at, item) in entries(checker, value, path) {
+        if let Some(entry) = one(item) {
+            found.push(entry);
+            continue;
+        }
+        let given: Part = if let Value::Text(word) = item { printable(word).into() } else { item.noun().into() };
+        checker.error(
+            "unknown-value",
+            at.clone(),
+            text!("{path} must be one of {words}, not {given}", at, known.to_owned(), given),
+        );
+    }
+    found
+}
+
+/// The same of a list that limits a choice: an empty one would allow nothing.
+pub fn some_of<T>(
+    checker: &mut Checker,
+    value: Option<&Value>,
+    path: &str,
+    known: &str,
+    one: impl Fn(&Value) -> Option<T>,
+) -> Option<Vec<T>> {
+    if *value? == Value::List(Vec::new()) {
+        let message = text!("{path} must allow something: leave it out to allow everything", path.to_owned());
+        checker.error("missing", path, message);
+    }
+    Some(list_of(checker, value, path, known, one))
+}
