@@ -27,7 +27,7 @@ import {
 import { type ReportOf, report, reportCsv, reportHtml, runsOf } from "../report.js";
 import { codeOf, isBad, isWritten } from "../results.js";
 import { examined, type ReportFormat } from "./examine.js";
-import { type Place, placeOf } from "./place.js";
+import { type Place, placesIn } from "./place.js";
 import { verified, verifiedText } from "./verify.js";
 
 /** What is done with every job. */
@@ -84,18 +84,23 @@ export interface Outcome {
 }
 type Done = Omit<Outcome, "source" | "place">;
 
-/** In longer texts the place of a finding is not looked for, characters. */
-const LONGEST_PLACED = 200_000;
+/** Findings with their places in the text of a job. Those of the whole job, and of what was measured, have none. */
+function placed(text: string, findings: Finding[]): PlacedFinding[] {
+  try {
+    const place = placesIn(text);
+    return findings.map((f) => (f.path === "" || f.path.startsWith("measured") ? f : { ...f, ...place(f.path) }));
+  } catch {
+    // Nested more deeply than the parser follows.
+    return findings;
+  }
+}
 
 /** Does the task. Never throws for anything that stands in the text. */
 export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
     const outcome: Outcome = { source, place, ...done(task, source, item) };
     if (item.row !== undefined) outcome.row = item.row;
-    // What is said of the whole job, or of what was measured, stands nowhere in it.
-    const placed = (f: Finding) =>
-      f.path === "" || f.path.startsWith("measured") ? f : { ...f, ...placeOf(item.text, f.path) };
-    if (task.places && item.text.length <= LONGEST_PLACED) outcome.findings = outcome.findings.map(placed);
+    if (task.places) outcome.findings = placed(item.text, outcome.findings);
     return outcome;
   } catch (thrown) {
     const message = thrown instanceof Error ? thrown.message : String(thrown);
