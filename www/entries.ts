@@ -1,6 +1,6 @@
 // What the catalog knows of the job in the form: its cycle, its control, its fields.
 import { type CycleEntry, type FieldEntry, type PostEntry, say, type Words } from "./core/browser.js";
-import { alike, type Draft } from "./job.js";
+import { alike, type Draft, valueAt } from "./job.js";
 import { tidy } from "./number.js";
 import { Phrases } from "./phrases.js";
 import type { Rules } from "./rules.js";
@@ -31,7 +31,7 @@ export abstract class Entries extends Phrases {
 
   /** The value at a path such as `cycle.origin[1]`. */
   get(path: string): unknown {
-    return steps(path).reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
+    return valueAt(this.draft, path);
   }
 
   /** The entry of the control that the form has. */
@@ -160,9 +160,4 @@ export function sizeField(field: FieldEntry | undefined, words: Words): FieldEnt
   const label = say([w("{label} differs by"), field.label], words);
   const help = say([w("How much larger this is on the real part than in the form; negative is smaller.")], words);
   return { ...field, label, help, default: 0, defaultInch: 0, code: null, usual: null, range: null };
-}
-
-/** The keys of a path such as `cycle.origin[1]`. */
-export function steps(path: string): string[] {
-  return path.split(/[.[\]]+/).filter(Boolean);
 }

@@ -56,3 +56,31 @@ export function ownIn(units: "mm" | "inch", { cycle, sizes, tolerances }: Own, f
   const converted = convertUnits(job, units) as unknown as { cycle: Draft; part: { sizes: Draft }; tolerances: Draft };
   return { cycle: converted.cycle, sizes: converted.part.sizes, tolerances: converted.tolerances };
 }
+
+/** The keys of a path such as `cycle.origin[1]`. */
+const keysOf = (path: string) => path.split(/[.[\]]+/).filter(Boolean);
+
+/** The value at a path of a job. */
+export function valueAt(job: Draft, path: string): unknown {
+  return keysOf(path).reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], job);
+}
+
+/** Puts a value at a path of a job, with the objects that lead there. */
+export function putAt(job: Draft, path: string, value: unknown): void {
+  const keys = keysOf(path);
+  const last = keys.pop() as string;
+  let place = job;
+  for (const key of keys) {
+    place[key] ??= {};
+    place = place[key] as Draft;
+  }
+  place[last] = value;
+}
+
+/** Takes the key at a path out of a job. */
+export function dropAt(job: Draft, path: string): void {
+  const keys = keysOf(path);
+  const last = keys.pop() as string;
+  const place = keys.reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], job);
+  if (place) delete (place as Draft)[last];
+}

@@ -18,11 +18,12 @@ import {
 } from "./core/browser.js";
 import { programStem, stem } from "./core/names.js";
 import { codeOf } from "./core/results.js";
-import { Entries, type Form, steps, type Units } from "./entries.js";
+import { Entries, type Form, type Units } from "./entries.js";
 import { byCode, Features, type SetUpState } from "./features.js";
+import { Fixed } from "./fixed.js";
 import { History } from "./history.js";
 import { Outside } from "./host-inputs.js";
-import { alike, complete, type Draft, isObject, ownIn } from "./job.js";
+import { alike, complete, type Draft, dropAt, isObject, ownIn, putAt } from "./job.js";
 import { Judged, withClass } from "./judged.js";
 import { keepCam, keepFiles, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
 import { type Preset, SECTIONS } from "./presets.js";
@@ -138,7 +139,7 @@ export class Store extends Entries {
   notice: Said | null = null;
   /** The points that a machine measured for this job. */
   private points = noPoints();
-  /** Whether the page around gave them: then they are not taken back by the user. */
+  /** Whether the page around gave them: the user's undo keeps them then. */
   private pointsGiven = false;
   /** The paths that somebody has given a value; the others still hold what a new job begins with. Null where a whole job was given. */
   private given: Set<string> | null = new Set();
@@ -180,7 +181,7 @@ export class Store extends Entries {
     return this.outside.rules;
   }
 
-  /** Other rules: what nobody has given a value yet has what they say. */
+  /** Fills in the fields that still have their defaults by other rules. */
   configure(): void {
     const { given, rules } = this;
     if (given) {
@@ -191,7 +192,7 @@ export class Store extends Entries {
       const laid = rules.laid(this.draft);
       const held = [...given].map((path) => [path, this.get(path)] as const);
       this.draft = laid;
-      for (const [path, value] of held) this.place(path, value);
+      for (const [path, value] of held) putAt(this.draft, path, value);
     }
     this.changed();
   }
@@ -453,7 +454,7 @@ export class Store extends Entries {
   }
 
   set measured(text: string) {
-    // What the page around puts in is no step of the user's.
+    // What the page around sets is not a step of the user's.
     if (this.byUser) this.mark("measured");
     this.pointsGiven = !this.byUser;
     this.points = { ...this.points, [this.units]: text };
@@ -464,47 +465,28 @@ export class Store extends Entries {
   /** Sets a value; every keystroke comes through here. Changes of one path are one step back until `settle`. */
   set(path: string, value: unknown, typed?: string): void {
     const fixed = this.fixed();
-    if (this.refuses || fixed.has(path.replace(/\[\d\]$/, ""))) return;
+    if (this.refuses || fixed.has(path)) return;
     this.mark(path);
     this.given?.add(path.replace(/\[\d\]$/, ""));
     // What the user chooses now holds, also that none is written.
     if (path === "control.workOffset") this.lost = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
-    this.place(path, value);
-    this.keepFixed(fixed);
+    putAt(this.draft, path, value);
+    fixed.keep(this.draft);
     // What was typed inside a value that is another one now.
     if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
   }
 
-  /** What the user cannot change, by its path: what the page around fixes, unless it has another value than it must have. */
-  private fixed(bare = false): Map<string, unknown> {
-    const locked = this.rules.locked(bare);
-    if (!this.byUser || locked.length === 0) return new Map();
+  /** What the user cannot change: what the page around fixes, unless it has another value than it must have. */
+  private fixed(bare = false): Fixed {
     const wrong = new Set(this.findings.filter(({ code }) => code === "locked").map(({ path }) => path));
-    const paths = locked.filter((path) => !wrong.has(path) && this.get(path) !== undefined);
-    return new Map(paths.map((path) => [path, structuredClone(this.get(path))]));
-  }
-
-  /** Puts it back where something around it was changed. */
-  private keepFixed(fixed: Map<string, unknown>, type = this.cycle.type): void {
-    // A field of another cycle is another field.
-    const same = [...fixed].filter(([path]) => type === this.cycle.type || !path.startsWith("cycle."));
-    for (const [path, value] of same)
-      if (isObject(this.get(path.replace(/\.?\w+$/, "")) ?? null) || !path.includes(".")) this.place(path, value);
-  }
-
-  /** Puts a value at a path of the job. */
-  private place(path: string, value: unknown): void {
-    const keys = steps(path);
-    const last = keys.pop() as string;
-    let place = this.draft;
-    for (const key of keys) {
-      place[key] ??= {};
-      place = place[key] as Draft;
-    }
-    place[last] = value;
+    const locked = this.byUser ? this.rules.locked(bare) : [];
+    return new Fixed(
+      this.draft,
+      locked.filter((path) => !wrong.has(path)),
+    );
   }
 
   /** Another control, and what of the job it has not. */
@@ -562,9 +544,9 @@ export class Store extends Entries {
     ] as const) {
       this.typed.delete(at);
       this.given?.add(at);
-      this.place(at, value);
+      putAt(this.draft, at, value);
     }
-    this.keepFixed(fixed);
+    fixed.keep(this.draft);
     if (name) this.draft.name = name;
     this.judged.add(path, size, limit, name);
     this.settle();
@@ -583,11 +565,8 @@ export class Store extends Entries {
   /** Takes a key out of the job. */
   drop(path: string): void {
     if (this.refuses) return;
-    const keys = steps(path);
-    const last = keys.pop() as string;
-    const place = keys.reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], this.draft);
     this.mark(null);
-    if (place) delete (place as Draft)[last];
+    dropAt(this.draft, path);
     this.forget(path);
     this.changed();
   }
@@ -682,7 +661,7 @@ export class Store extends Entries {
     const untouched = known ? this.untouched() : [];
     this.draft = known ? (convertUnits(old, units) as unknown as Draft) : { ...old, units };
     if (known) this.features.convert(old.units as Units, units);
-    for (const [path, field] of untouched) this.place(path, structuredClone(this.begins(field, units)));
+    for (const [path, field] of untouched) putAt(this.draft, path, structuredClone(this.begins(field, units)));
     this.typed.clear();
     this.changed();
   }
@@ -702,7 +681,6 @@ export class Store extends Entries {
   load(job: Draft, measured = "", given: Set<string> | null = null): void {
     if (this.refuses) return;
     const fixed = this.fixed(true);
-    const { type } = this.cycle;
     this.mark(null);
     this.document = ++this.documents;
     this.beforeControl = null;
@@ -711,7 +689,7 @@ export class Store extends Entries {
     this.given = given;
     this.judged.clear();
     this.draft = this.formOf(job);
-    this.keepFixed(fixed, type);
+    fixed.keep(this.draft);
     this.points = { ...noPoints(), [this.units]: measured };
     this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
     this.typed.clear();
@@ -806,13 +784,13 @@ export class Store extends Entries {
     const whole = complete(this.outside.filled(job) as Draft, this.catalog);
     const fitted = (preset.units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
-    const kept = this.fixed();
+    const fixed = this.fixed();
     for (const key of Object.keys(taken)) {
       draft[key] = structuredClone(fitted[key]);
       this.given?.add(key);
       this.forget(key);
     }
-    this.keepFixed(kept);
+    fixed.keep(draft);
     this.changed();
     this.tellLost(old);
   }
@@ -981,31 +959,31 @@ export class Store extends Entries {
 
   private compute(): void {
     this.revision++;
-    const { job, rules } = this;
-    let ruled: Finding[] = [];
+    const { job } = this;
+    let made: Plan | null = null;
+    let findings: Finding[];
     try {
-      const made = plan(job as unknown as Job);
-      ruled = rules.judged(job);
-      if (ruled.some(({ level }) => level === "error")) throw new JobError("", made.findings);
+      made = plan(job as unknown as Job);
+      findings = made.findings;
+    } catch (thrown) {
+      findings = thrown instanceof JobError ? thrown.findings : check(job);
+    }
+    const ruled = this.rules.judged(job);
+    if (ruled.some(({ level }) => level === "error")) made = null;
+    this.findings = [...this.inForm([...findings, ...ruled]), ...this.outside.differences()];
+    this.stale = made === null;
+    if (made) {
       this.plan = made;
-      this.findings = [...this.inForm([...made.findings, ...ruled]), ...this.outside.differences()];
       this.shown = structuredClone(job);
-      this.stale = false;
       this.planned = this.document;
-      const count = this.plan.moves.length;
+      const count = made.moves.length;
       if (this.pinned !== null && this.pinned >= count) this.pinned = null;
       if (this.highlight !== null && this.highlight >= count) this.highlight = this.pinned;
-    } catch (thrown) {
-      const findings = thrown instanceof JobError ? thrown.findings : check(job);
-      if (ruled.length === 0) ruled = rules.judged(job);
-      this.findings = [...this.inForm([...findings, ...ruled]), ...this.outside.differences()];
-      this.stale = true;
-      if (this.planned !== this.document) {
-        // The plan of another document says nothing of this one, not even of how it was.
-        this.planned = -1;
-        this.plan = NO_PLAN;
-        this.shown = structuredClone(job);
-      }
+    } else if (this.planned !== this.document) {
+      // The plan of another document says nothing of this one, not even of how it was.
+      this.planned = -1;
+      this.plan = NO_PLAN;
+      this.shown = structuredClone(job);
     }
   }
 
@@ -1085,10 +1063,9 @@ export class Store extends Entries {
   private become(moment: Moment | undefined): void {
     if (!moment) return;
     const fixed = this.fixed(true);
-    const { type } = this.cycle;
     this.draft = moment.draft;
     this.features.become(moment.features);
-    this.keepFixed(fixed, type);
+    fixed.keep(this.draft);
     this.typed = new Map(moment.typed);
     if (!this.pointsGiven) this.points = moment.points;
     this.left = new Map(moment.left);

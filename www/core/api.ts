@@ -58,19 +58,20 @@ export function misfit(job: unknown): Said | null {
   return on(job, (codes, text) => raw.misfit(codes, text));
 }
 
-/** Everything that is wrong, unusual or worth knowing; under a config also what it refuses, and what is wrong with it. Never throws. */
+/** Everything that is wrong, unusual or worth knowing; with a config also what it refuses, and its own faults. Never throws. */
 export function check(job: unknown, config?: Config): Finding[] {
   try {
     if (config === undefined) return on(job, raw.check);
-    const whole = configured(job, config);
-    return [...on<Finding[]>(whole, raw.check), ...judged(whole, config)];
+    const rules = coded(config);
+    const own = coded(filled(job, rules));
+    return [...instance.call<Finding[]>(() => raw.check(own.codes, own.text)), ...judgedBy(own, rules)];
   } catch (error) {
     if (error instanceof JobError) return error.findings;
     return [{ level: "error", code: "unreadable", path: "", message: UNREADABLE, said: [UNREADABLE] }];
   }
 }
 
-/** The whole plan; under a config, of the job as `configured` gives it. Throws `JobError` if any finding is an error. */
+/** The whole plan; with a config, of the job that `configured` gives. Throws `JobError` if any finding is an error. */
 export function plan(job: Job | SetUp, config?: Config): Plan {
   const { own, packed, said } = under(job, config);
   const plan = planOf(packed, () => tableOf(handed(own, raw.table)));
@@ -99,7 +100,7 @@ export function* programs(jobs: Iterable<Job | SetUp>, config?: Config): Iterabl
   }
 }
 
-/** What is wrong with a config: no findings where it is good. Their paths begin with `config.`. Never throws. */
+/** The faults of a config; their paths begin with `config.`. Empty for a good one. Never throws. */
 export function checkConfig(config: unknown): Finding[] {
   try {
     return on(config, raw.configFaults);
@@ -109,22 +110,25 @@ export function checkConfig(config: unknown): Finding[] {
 }
 
 /**
- * The job with what a config says where the job says nothing: fields that are filled in, and of what is allowed the first entry, where the default is not
- * among them. Throws `JobError` for a config that is wrong.
+ * The job with everything that it leaves out and a config fills in: the values of fields, and the first choice that is allowed where the default is not.
+ * Throws `JobError` for a config with faults.
  */
 export function configured<T>(job: T, config: Config): T {
-  const own = coded(job);
-  const rules = coded(config);
-  const filled = instance.call<T>(() => raw.filled(own.codes, own.text, rules.codes, rules.text));
+  return filled(job, coded(config));
+}
+
+function filled<T>(job: T, rules: Coded): T {
+  const { codes, text } = coded(job);
+  const filled = instance.call<T>(() => raw.filled(codes, text, rules.codes, rules.text));
   try {
     return merged(job, filled) as T;
   } catch {
-    // A value whose getters throw is what came over of it.
+    // Of a value whose getters throw, what came over.
     return filled;
   }
 }
 
-/** What was given, with what came to it: what is no data of a job stays what it is, to be refused as that. */
+/** The given value with what was filled in. What is no data of a job stays as it is: the check refuses it by its own name. */
 function merged(given: unknown, filled: unknown): unknown {
   if (typeof given !== "object" || typeof filled !== "object" || given === null || filled === null) return given;
   if (Array.isArray(given)) return given.map((one, i) => merged(one, (filled as unknown[])[i]));
@@ -136,11 +140,10 @@ function merged(given: unknown, filled: unknown): unknown {
 
 /** What a config refuses of a job that it has filled in. @internal */
 export function judged(job: unknown, config: Config): Finding[] {
-  return judgedOf(coded(job), config);
+  return judgedBy(coded(job), coded(config));
 }
 
-function judgedOf({ codes, text }: Coded, config: Config): Finding[] {
-  const rules = coded(config);
+function judgedBy({ codes, text }: Coded, rules: Coded): Finding[] {
   return instance.call<Finding[]>(() => raw.judged(codes, text, rules.codes, rules.text));
 }
 
@@ -150,15 +153,16 @@ function under(job: unknown, config: Config | undefined): { own: Coded; packed: 
     const own = coded(job);
     return { own, packed: packed(own), said: [] };
   }
-  const own = coded(configured(job, config));
+  const rules = coded(config);
+  const own = coded(filled(job, rules));
   let made: Packed;
   try {
     made = packed(own);
   } catch (error) {
     if (!(error instanceof JobError)) throw error;
-    throw new JobError(error.message, [...error.findings, ...judgedOf(own, config)]);
+    throw new JobError(error.message, [...error.findings, ...judgedBy(own, rules)]);
   }
-  const said = judgedOf(own, config);
+  const said = judgedBy(own, rules);
   const refused = said.find(({ level }) => level === "error");
   if (refused) throw new JobError(refused.message, [...findingsOf(made), ...said]);
   return { own, packed: made, said };
