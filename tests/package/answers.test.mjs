@@ -1,7 +1,8 @@
 // The schema of what comes out: every answer is as it says, and nothing is in an answer that it does not name.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { at } from "../../scripts/lib.mjs";
@@ -82,8 +83,10 @@ test("the other answers, and the lines of the command", () => {
   // A finding of a file says line and column besides.
   for (const line of lines(["plan", name, "-o", "out", "--json"])) assert.equal(is("FileLine", line, open), null);
   for (const line of lines(["check", name, "--json"])) assert.equal(is("CheckLine", line, open), null);
-  const measured = file("points.txt", "");
-  assert.equal(run(["report", name, measured, "--format", "json"]).status === 2, false);
+  writeFileSync(join(folder, "points.txt"), points);
+  const reported = run(["report", name, "points.txt", "--format", "json"]);
+  assert.equal(reported.status, 0, reported.stderr);
+  assert.equal(is("Report", JSON.parse(reported.stdout)), null);
   const bad = run(["plan", file("bad.json", { format: 1 }), "--json"]);
   assert.deepEqual([bad.status, bad.stdout], [1, ""]);
   assert.equal(JSON.parse(bad.stderr).findings[0].code, "missing");

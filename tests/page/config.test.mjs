@@ -70,6 +70,7 @@ test("a fixed field cannot be changed and says why, a hidden one is not there", 
     await page.locator("fieldset.locked").getAttribute("title"),
     "Fixed by Hall 3: the probe was calibrated at it",
   );
+  assert.ok(await page.locator("p.why").getByText("Fixed by Hall 3: the probe was calibrated at it").isVisible());
   assert.equal(await field("control.tool").count(), 0);
   assert.ok(await field("feeds.approach").isEnabled());
   // A job of the portal's that has another value can be put right.

@@ -366,7 +366,9 @@ class FormPart extends FieldPart {
     const fixed = rules.config?.title
       ? this.t("Fixed by {portal}", rules.config.title)
       : this.t("Fixed by this portal");
-    return html`<fieldset class="locked" disabled title=${why ? `${fixed}: ${why}` : fixed}>${this.box(placed)}</fieldset>`;
+    const says = why ? `${fixed}: ${why}` : fixed;
+    // A box that is disabled gets no focus, and fingers see no title.
+    return html`<fieldset class="locked" disabled title=${says}>${this.box(placed)}</fieldset>${why ? html`<p class="why">${says}</p>` : nothing}`;
   }
 
   private box(placed: Placed): TemplateResult {
