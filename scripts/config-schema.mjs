@@ -35,7 +35,7 @@ export function configSchema({ cycles, posts }, job) {
     ...object(
       {
         format: { const: 1 },
-        title: text(60, "Who asks, as findings call it."),
+        title: text(60, "The name of the portal in findings."),
         units: { enum: ["mm", "inch"], description: "Units of the lengths and feeds in the config." },
         allow: {
           description: "What may be chosen. What is left out is not limited.",
@@ -46,7 +46,7 @@ export function configSchema({ cycles, posts }, job) {
             units: some({ enum: ["mm", "inch"] }, "Units of jobs."),
             workOffsets: some(
               { anyOf: [{ type: "integer", minimum: 1, maximum: 105 }, { type: "null" }] },
-              "Work offsets that a program may write, 1 for the first (G54); null is none.",
+              "Work offsets that a program may write, 1 for the first (G54); null is measuring only.",
             ),
             setUps: { type: "boolean", description: "Whether a job may have several cycles." },
           }),
@@ -63,19 +63,19 @@ export function configSchema({ cycles, posts }, job) {
           }),
         },
         fields: {
-          description: "What is asked of single fields, by their path: feeds.work, control.tool, cycle.depth.",
+          description: "Rules of single fields, by path: feeds.work, control.tool, cycle.depth.",
           type: "object",
           maxProperties: 200,
           additionalProperties: object({
-            value: { description: "What it holds where the job says nothing." },
+            value: { description: "The value of a job that leaves the field out." },
             locked: {
               type: "boolean",
-              description: "It must have that value; without one, the user cannot change it.",
+              description: "The field must have the value; without one, only the user cannot change it.",
             },
             hidden: { type: "boolean", description: "The element does not show it." },
             min: { type: "number", minimum: -1e9, maximum: 1e9, description: "The least that is allowed." },
             max: { type: "number", minimum: -1e9, maximum: 1e9, description: "The most that is allowed." },
-            reason: text(200, "Why, in the portal's words."),
+            reason: text(200, "The reason, in the portal's words."),
           }),
         },
         machines: list(
@@ -87,8 +87,8 @@ export function configSchema({ cycles, posts }, job) {
           description: "Boxes along the axes of the machine, of the ball's centre.",
           ...object({
             zero: { ...point, description: "Where the origin of the work coordinate system lies in the machine." },
-            travel: { description: "Where the ball's centre can go.", ...object(box, ["min", "max"]) },
-            keepOut: list(object({ name, ...box }, ["name", "min", "max"]), "Where the probe must not go."),
+            travel: { description: "Where the ball centre can go.", ...object(box, ["min", "max"]) },
+            keepOut: list(object({ name, ...box }, ["name", "min", "max"]), "Zones that the probe must not enter."),
           }),
         },
         findings: list(
@@ -100,7 +100,7 @@ export function configSchema({ cycles, posts }, job) {
             },
             ["message"],
           ),
-          "What the portal itself has to say of the job. An error withholds the program.",
+          "The portal's own findings. With an error there is no program.",
         ),
       },
       ["format"],

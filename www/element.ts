@@ -21,7 +21,7 @@ export interface TouchPathEvents {
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
 }
 
-/** What the user has chosen: a move and its line in the program, each counted from 0, the touch that it makes, and the path of the field that has the focus; `null` is none. */
+/** What the user has selected: a move, its program line and its touch, all counted from 0, and the path of the focused field. `null` where nothing is selected. */
 export interface Selection {
   move: number | null;
   line: number | null;
@@ -31,7 +31,7 @@ export interface Selection {
 
 /** The attributes that are inputs. */
 const INPUTS = ["config", "job", "cycle", "post", "units"] as const;
-/** What is an input as a property. */
+/** The properties that are inputs. */
 type Input = (typeof INPUTS)[number] | "measured";
 /** What is set at one time: what a job leaves out, the others say. */
 type Inputs = Partial<Record<Input, unknown>>;
@@ -81,7 +81,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  *
  * @tag touch-path
  * @attr {string} job - The job as JSON. What cannot be shown changes nothing, and a `finding` event says why.
- * @attr {string} config - The rules of the page around, as JSON: see `Config`. They can also stand in a `<script type="application/json">` inside the element. What cannot be used changes nothing, and a `finding` event says why.
+ * @attr {string} config - The rules of the portal, as JSON: see `Config`. A `<script type="application/json">` inside the element does the same. A config with faults changes nothing, and a `finding` event lists them.
  * @attr {string} cycle - The type of the cycle, such as `hole`. Another one keeps the rest of the job.
  * @attr {string} post - The control, by the `id` of a post in the catalog: that of the present job and of every later one that names none. Where a job names another, the finding `other-control` says so.
  * @attr {"mm" | "inch"} units - The units, likewise; the values of the present job are converted. Where a job names others, the finding `other-units` says so.
@@ -90,20 +90,20 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
  * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, but the table only if it is named here or the mode is `cam`.
  * @attr {"setter" | "cam"} mode - `cam` also shows what only the author of a postprocessor needs: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
- * @attr {"top" | "front" | "side" | "isometric"} view - Where the picture is looked at from, `top` at first. The user can change it; the property says where it is now.
+ * @attr {"top" | "front" | "side" | "isometric"} view - The view of the picture, `top` by default. The user can change it; the property gives the present one.
  * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
  * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
- * @attr {boolean} disabled - Whether the element is disabled as a control of a form: the job can only be looked at, and the form does not get it.
+ * @attr {boolean} disabled - Whether the form control is disabled: the job is read-only and is not submitted.
  * @attr {string} name - The name under which a form gets the job's JSON.
  * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
  * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the page around. A job with errors gives no event.
  * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the page around it does.
- * @fires {CustomEvent<Selection>} selection-change - The user has chosen a move, a line or a field.
- * @fires {CustomEvent<{ measured: string }>} measured-change - The user has entered other measured points.
- * @fires {Event} input - The job has changed by the user: the same moment as `job-change`, as form libraries listen for it.
- * @fires {Event} change - The same, when the field is left or the choice is made.
- * @fires {Event} load - The element is loaded and shown, as `ready` says. It does not bubble.
- * @fires {ErrorEvent} error - The element could not be loaded, as `ready` says. It does not bubble.
+ * @fires {CustomEvent<Selection>} selection-change - The user has selected another move, line or field, or the selected move is gone.
+ * @fires {CustomEvent<{ measured: string }>} measured-change - The user has changed the measured points.
+ * @fires {Event} input - The user has changed the job, as `job-change` says: for form libraries.
+ * @fires {Event} change - The user has left a changed field or made a choice: for form libraries.
+ * @fires {Event} load - The element is loaded and shown: `ready` is fulfilled. Does not bubble.
+ * @fires {ErrorEvent} error - The element could not be loaded: `ready` is rejected. Does not bubble.
  * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used, and nothing was changed.
  * @slot - Shown until the element is loaded.
  * @slot header - In the place of the name, at the left of the bar.
@@ -123,7 +123,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  */
 export class TouchPath extends Base {
   static readonly formAssociated = true;
-  /** The version of the package that this class is of: of two on a page, the first one defines the element. */
+  /** The version of the package. If a page loads two versions, the first one defines the element. */
   static readonly version = VERSION;
   static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "mode", "view", "storage"];
 
@@ -223,7 +223,7 @@ export class TouchPath extends Base {
     this.put("job", value);
   }
 
-  /** The rules of the page around: what may be chosen, which fields are fixed, hidden or filled in, where the machine can travel. A copy; `null` where there are none. Set, it may be an object or its JSON; `null` takes the rules back. */
+  /** The rules of the portal: what may be chosen, which fields are fixed, hidden or filled in, where the machine can travel. A copy; `null` without a config. May be set as an object or as JSON; `null` removes it. */
   get config(): Config | null {
     return structuredClone(this.store?.rules.config ?? null);
   }
@@ -305,7 +305,7 @@ export class TouchPath extends Base {
     this.say("mode", value);
   }
 
-  /** Where the picture is looked at from. Set, it turns the picture. */
+  /** The view of the picture. */
   get view(): View {
     return this.app?.view ?? ((this.words.get("view") ?? "top") as View);
   }
@@ -315,7 +315,7 @@ export class TouchPath extends Base {
     else this.say("view", value);
   }
 
-  /** What a machine measured, as text: points, results, a log. Set, it is shown and judged in the results; empty takes it back. It is no part of the job. */
+  /** Measured points, results or a log, as text: shown and judged in the results. Empty removes them. They are not part of the job. */
   get measured(): string {
     return this.store?.measured ?? "";
   }
@@ -324,26 +324,26 @@ export class TouchPath extends Base {
     this.put("measured", value === null ? "" : value);
   }
 
-  /** Saves the program as the Save button does: `program-save`, and a file unless that is cancelled. False where there is none: the job has errors, or nothing is loaded. */
+  /** Saves the program as the Save button does: fires `program-save`, and saves a file unless that event is cancelled. Returns `false` if the job has errors or the element is not loaded. */
   save(): boolean {
     return this.app?.save() ?? false;
   }
 
-  /** Takes the user's last step back, as Ctrl+Z does, and says the job by `job-change`. False where there is none. */
+  /** Undoes the user's last step, as Ctrl+Z does, and fires `job-change`. Returns `false` if there is nothing to undo. */
   undo(): boolean {
     const can = this.store?.canUndo ?? false;
     if (can) this.store?.undo();
     return can;
   }
 
-  /** Makes the step again that was taken back last. False where there is none. */
+  /** Redoes the step that was undone last. Returns `false` if there is nothing to redo. */
   redo(): boolean {
     const can = this.store?.canRedo ?? false;
     if (can) this.store?.redo();
     return can;
   }
 
-  /** Lights a move of the plan, counted from 0, in the picture, the program and the table; `null` lights what the user has chosen. */
+  /** Highlights a move of the plan, counted from 0, in the picture, the program and the table; `null` shows the user's selection again. */
   highlight(move: number | null): void {
     const { store } = this;
     if (!store) return;
@@ -351,7 +351,7 @@ export class TouchPath extends Base {
     store.point(known ? move : null);
   }
 
-  /** The picture as it is looked at, as the text of an SVG; `null` where there is no plan. Of a job with errors it is that of the last good plan. */
+  /** The picture in its present view, as SVG text; `null` without a plan. For a job with errors, the picture of its last good plan. */
   picture(): string | null {
     return this.app?.svg() ?? null;
   }
@@ -365,7 +365,7 @@ export class TouchPath extends Base {
     this.say("storage", value);
   }
 
-  /** Whether links to the job are followed and handed out. It takes effect where it is set before the element is put into a document. */
+  /** Whether links to the job are followed and offered. Set it before the element is added to a document. */
   get links(): boolean {
     return this.hasAttribute("links");
   }
@@ -383,7 +383,7 @@ export class TouchPath extends Base {
     this.say("name", value);
   }
 
-  /** The job as JSON, for form libraries: what a form gets. Set, the same as `job`; empty until anything is loaded or given. */
+  /** The job as JSON, as a form submits it: for form libraries. Setting it sets `job`. Empty until a job is set or the element is loaded. */
   get value(): string {
     const { store } = this;
     return store ? JSON.stringify(store.job) : (textOf(this.later.job ?? this.waiting.job) ?? "");
@@ -393,7 +393,7 @@ export class TouchPath extends Base {
     if (value !== "") this.put("job", value);
   }
 
-  /** Whether the element is disabled as a control of a form. */
+  /** Whether the form control is disabled. */
   get disabled(): boolean {
     return this.hasAttribute("disabled");
   }
@@ -402,22 +402,22 @@ export class TouchPath extends Base {
     this.toggleAttribute("disabled", Boolean(value));
   }
 
-  /** What kind of control it is. */
+  /** The type of form control. */
   get type(): "touch-path" {
     return "touch-path";
   }
 
-  /** The labels of the form that are for this element. */
+  /** The `<label>` elements of this form control. */
   get labels(): NodeList {
     return this.inside.labels;
   }
 
-  /** What is wrong with the job, for the form: `customError`, or nothing. */
+  /** The validity of the form control: `customError` while the job has an error. */
   get validity(): ValidityState {
     return this.inside.validity;
   }
 
-  /** Whether the form checks it: it is not disabled. */
+  /** Whether the form validates this control: not while it is disabled. */
   get willValidate(): boolean {
     return this.inside.willValidate;
   }
@@ -487,7 +487,7 @@ export class TouchPath extends Base {
     if (job && cycle && this.store?.outside.refusals("cycle", cycle).length === 0) this.put("cycle", cycle);
   }
 
-  /** The config that stands in the markup, as JSON in a script of the element. */
+  /** The config from a script in the element's markup. */
   private inScript(): string | undefined {
     return this.querySelector(':scope > script[type="application/json"]')?.textContent ?? undefined;
   }
@@ -536,7 +536,7 @@ export class TouchPath extends Base {
     let findings = "";
     let plan: Plan | null = null;
     let measured = store.measured;
-    /** Whether the user has changed what no `change` has said yet. */
+    /** Whether a change by the user still waits for its `change` event. */
     let commit = false;
     const committed = () => {
       if (!commit || !store.byUser) return;
@@ -585,12 +585,12 @@ export class TouchPath extends Base {
     };
     store.addEventListener("change", () => {
       changed(store.byUser);
-      // What was chosen may be gone with the plan that it was of.
+      // The selected move may be gone with its plan.
       selected();
     });
     store.addEventListener("settled", committed);
     store.addEventListener("select", selected);
-    // Those of the boxes inside are not the element's own; those in its slots are the page's.
+    // The element fires its own; boxes in its slots belong to the page.
     app.addEventListener("input", (event) => {
       const [box] = event.composedPath() as Node[];
       if (box?.getRootNode() === this.shadow) event.stopPropagation();
@@ -605,13 +605,13 @@ export class TouchPath extends Base {
     );
   }
 
-  /** Sets an attribute; none where nothing is said. */
+  /** Sets an attribute, or removes it. */
   private say(name: string, value: string | null | undefined): void {
     if (value === null || value === undefined) this.removeAttribute(name);
     else this.setAttribute(name, value);
   }
 
-  /** Custom properties were set: the picture is drawn with them. @internal */
+  /** Redraws the picture after custom properties were set. @internal */
   recolour(): void {
     this.store?.dispatchEvent(new Event("recolour"));
   }

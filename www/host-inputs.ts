@@ -152,7 +152,7 @@ export class Outside {
     return found;
   }
 
-  /** Why a config cannot be taken; none where it can. */
+  /** The faults for which a config is refused. */
   private faults(value: unknown): Finding[] {
     const config = configOf(value);
     if (config === undefined) return [refused("config", "not-json", w("Nothing was changed: the config is not JSON"))];
@@ -240,7 +240,7 @@ export class Outside {
     }
   }
 
-  /** Other rules. They fill in the job that the page around gave, as long as the user has not changed it, and what nobody has given a value yet. */
+  /** Takes other rules. They fill in the portal's job if the user has not changed it, else the fields that still have their defaults. */
   private configure(config: Config | null): void {
     const { store, given } = this;
     this.rules = new Rules(config);
@@ -317,7 +317,7 @@ export class Outside {
   }
 }
 
-/** A config that may be JSON; undefined where that is none. */
+/** A config, which may be JSON; undefined if that cannot be parsed. */
 function configOf(value: unknown): unknown {
   if (typeof value !== "string") return value;
   try {

@@ -23,7 +23,7 @@ export class Rules {
     return this.allows(this.config?.allow?.workOffsets, offset);
   }
 
-  /** The work offset of a job that has none: none, or the first where none is not allowed. */
+  /** The work offset of a job without one: measuring only, or the first that is allowed. */
   get offset(): number | null {
     const { workOffsets = [null] } = this.config?.allow ?? {};
     return workOffsets.includes(null) ? null : (workOffsets[0] ?? null);
@@ -51,7 +51,7 @@ export class Rules {
     return this.of(path)?.locked === true;
   }
 
-  /** Why, in the portal's words; empty where it says nothing. */
+  /** The reason in the portal's words; may be empty. */
   reason(path: string): string {
     return this.of(path)?.reason ?? "";
   }
@@ -64,7 +64,7 @@ export class Rules {
     return list === undefined || list.includes(one);
   }
 
-  /** A job with what it leaves out; what is no object stays what it is. */
+  /** A job with everything that the rules fill in. */
   filled(job: Draft): Draft {
     return this.config ? configured(job, this.config) : job;
   }
@@ -84,7 +84,7 @@ export class Rules {
     const stays = asked || (!said && this.allows(allow?.controls as unknown[], post) && this.allowsForm(form as Form));
     const bare = { format: 1, units: job.units, cycle: { type }, ...(stays ? { control: { post, form } } : {}) };
     const filled = this.filled(bare);
-    // The form of another control's own cycle is none of the one that is chosen.
+    // The chosen control may not have the form of the default one.
     const control = stays ? job.control : { ...rest, form: "moves" };
     return over({ ...job, control }, filled) as Draft;
   }

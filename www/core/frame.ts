@@ -90,22 +90,22 @@ export class Frame extends EventTarget {
     await this.ask((id) => ({ type: "set", id, state }));
   }
 
-  /** Saves the program as the Save button does. Fails where there is none. */
+  /** Saves the program as the Save button does. Fails if the job has errors. */
   async save(): Promise<void> {
     await this.ask((id) => ({ type: "do", id, deed: { do: "save" } }));
   }
 
-  /** Takes the user's last step back. Fails where there is none. */
+  /** Undoes the user's last step. Fails if there is nothing to undo. */
   async undo(): Promise<void> {
     await this.ask((id) => ({ type: "do", id, deed: { do: "undo" } }));
   }
 
-  /** Makes the step again that was taken back last. Fails where there is none. */
+  /** Redoes the step that was undone last. Fails if there is nothing to redo. */
   async redo(): Promise<void> {
     await this.ask((id) => ({ type: "do", id, deed: { do: "redo" } }));
   }
 
-  /** Lights a move of the plan, counted from 0; `null` lights what the user has chosen. */
+  /** Highlights a move of the plan, counted from 0; `null` shows the user's selection again. */
   async highlight(move: number | null): Promise<void> {
     await this.ask((id) => ({ type: "do", id, deed: { do: "highlight", move } }));
   }
@@ -115,7 +115,7 @@ export class Frame extends EventTarget {
     return (await this.ask((id) => ({ type: "get", id }))) as FrameView;
   }
 
-  /** The picture as it is looked at, as the text of an SVG; `null` where there is no plan. */
+  /** The picture in its present view, as SVG text; `null` without a plan. */
   async picture(): Promise<string | null> {
     return (await this.ask((id) => ({ type: "picture", id }))) as string | null;
   }

@@ -22,11 +22,11 @@ export interface FrameState {
   panels?: string;
   /** `cam` shows what only the author of a postprocessor needs. */
   mode?: "setter" | "cam";
-  /** Where the picture is looked at from. */
+  /** The view of the picture. */
   view?: "top" | "front" | "side" | "isometric";
-  /** What a machine measured, as text. */
+  /** Measured points, results or a log, as text. */
   measured?: string;
-  /** Colours and font, as the custom properties of the element have them: they do not cross a frame by themselves. */
+  /** Colours and font: the values of the element's custom properties, which do not cross a frame. */
   appearance?: Partial<Record<Token, string>>;
 }
 
@@ -40,11 +40,11 @@ export interface FrameView {
   /** Its plan; `null` where it has errors. */
   plan: Plan | null;
   findings: Finding[];
-  /** What a machine measured, as it was entered. */
+  /** The measured points, as entered. */
   measured: string;
 }
 
-/** What a portal can have done. */
+/** An action that a portal can ask for. */
 export type Deed = { do: "save" } | { do: "undo" } | { do: "redo" } | { do: "highlight"; move: number | null };
 
 /** To the frame's window, with a port. `saves`: the portal saves programs itself. */

@@ -203,7 +203,7 @@ export class App extends LitElement {
     all.find((one) => one.checkVisibility())?.focus(options);
   }
 
-  /** Where the picture is looked at from, or would be where none is shown. */
+  /** The view of the picture; without one, the view that it will have. */
   get view(): View {
     return this.picture?.from ?? this.sight;
   }
@@ -221,12 +221,12 @@ export class App extends LitElement {
     return this.renderRoot.querySelector<PicturePart>("tp-picture");
   }
 
-  /** The picture as an SVG; null where there never was a plan. */
+  /** The picture as an SVG; null without a plan. */
   svg(): string | null {
     return this.store.blank ? null : this.outlet.svg();
   }
 
-  /** Saves the program; false where there is none. */
+  /** Saves the program; false if the job has errors. */
   save(): boolean {
     return this.outlet.program();
   }

@@ -36,7 +36,7 @@ export class Export {
     private readonly page: Page,
   ) {}
 
-  /** Saves the program; only ever that of the form as it stands. False where there is none. */
+  /** Saves the program, only ever that of the present form. False if the form has errors. */
   program(): boolean {
     const { store } = this;
     if (store.stale) return false;
