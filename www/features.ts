@@ -7,7 +7,7 @@ import { complete, type Draft, isObject, type Own, ownIn } from "./job.js";
 /** A cycle of a set-up. */
 export interface Feature extends Own {
   name: string;
-  /** Whether somebody has named it; else it is called by what it measures. */
+  /** Whether the user has named it; otherwise its name follows what it measures. */
   named: boolean;
   /** Left out of the program. */
   off: boolean;
@@ -236,7 +236,7 @@ export class Features {
     form.cycle = this.all[this.hand]?.cycle ?? form.cycle;
   }
 
-  /** The one in hand measures something else now: it is called so, where nobody has named it. */
+  /** The cycle in hand measures something else now: its name follows, unless the user has named it. */
   called(form: Draft): void {
     const one = this.all[this.hand];
     if (one && !one.named) this.rename(form, this.hand, this.free(form.cycle as Draft, this.hand), false);
@@ -277,7 +277,7 @@ export class Features {
       .filter((one) => !dropped.includes(one))
       .map((one) => ({ ...one, of: one.of.map((of) => (is(of) ? `${to}${of.slice(from.length)}` : of)) }));
     for (const { name } of dropped) this.refer(name, null);
-    // What follows a cycle that is gone is left to the check: nobody else knows where it is to be.
+    // What follows a cycle that is gone is left to the check: only the user knows where it should be.
     if (to !== null) this.all = this.all.map((one) => ({ ...one, cycle: following(one.cycle, from, to) }));
     for (const axis of AXES) {
       const said = this.datum[axis];

@@ -141,7 +141,7 @@ export class Store extends Entries {
   private points = noPoints();
   /** Whether the page around gave them: the user's undo keeps them then. */
   private pointsGiven = false;
-  /** The paths that somebody has given a value; the others still hold what a new job begins with. Null where a whole job was given. */
+  /** The paths that were given a value; the other fields still have their defaults. Null for a job that was given whole. */
   private given: Set<string> | null = new Set();
   private readonly judged = new Judged(this);
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
@@ -595,7 +595,7 @@ export class Store extends Entries {
       },
       back?.units ?? units,
     );
-    // A form that comes back was somebody's.
+    // A form that comes back was filled in before.
     for (const path of [...(this.given ?? [])]) if (path.startsWith("cycle")) this.given?.delete(path);
     if (back) this.given?.add("cycle");
     this.draft.cycle = cycle;
@@ -677,7 +677,7 @@ export class Store extends Entries {
     );
   }
 
-  /** Takes a whole job, one that fits the form. `given`: what of it somebody gave a value. */
+  /** Takes a whole job, one that fits the form. `given`: the paths that were given a value. */
   load(job: Draft, measured = "", given: Set<string> | null = null): void {
     if (this.refuses) return;
     const fixed = this.fixed(true);

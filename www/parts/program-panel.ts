@@ -126,7 +126,7 @@ class ProgramPart extends Part {
       const touch = move === undefined ? undefined : numbers.get(move);
       return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="no">${numberOf(line)}</span>`}<span class="text">${text}</span>${touch === undefined ? nothing : html`<span class="disc" role="img" aria-label=${this.t("touch {touch}", touch)}>${touch}</span>`}</div>`;
     };
-    /** Lines that make no move, and that nobody looks for, under one mark. */
+    /** Lines that make no move and are rarely looked for, under one mark. */
     const rows = (lines: Line[]) => {
       const plain = ({ text, line }: Line) => !moveAt.has(line) && !SEEN.test(text);
       const runs: Line[][] = [];
