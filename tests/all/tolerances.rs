@@ -78,6 +78,26 @@ fn a_result_out_of_its_tolerance_stops_the_program_or_is_marked_or_only_judged()
     }
 }
 
+/// A path that ends with a retract which nothing watches: the control stands still before it asks, since its alarm would stop the ball on the
+/// way.
+#[test]
+fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {
+    let short = |post: &str, then: &str| {
+        let job = job(&format!(
+            r#"{{ "format": 1, "control": {{ "post": "{post}" }}, "cycle": {{ "type": "surface", "elevation": 50, "feedDistance": 0 }},
+                "tolerances": {{ "deviation": {{ "tolerance": "±0.001", "action": "{then}" }} }} }}"#
+        ));
+        let text = planned(&job).program.text;
+        let lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        let retract = lines.iter().rposition(|line| line.starts_with("G1 X")).unwrap();
+        lines[retract + 1].clone()
+    };
+    for (post, halt) in [("fanuc", "G53"), ("haas", "G103 P1")] {
+        assert_eq!(short(post, "stop"), halt, "{post}");
+        assert_ne!(short(post, "mark"), halt, "{post}: a message stops nothing");
+    }
+}
+
 /// A program without consequences is that of a job without tolerances, but for its header.
 #[test]
 fn a_tolerance_that_nothing_follows_from_changes_no_block() {

@@ -49,7 +49,8 @@ fn push_variable(text: &mut String, n: usize) {
 
 /// The program of a request, with what one of the two has of its own.
 pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
-    let skip = &mut Skip { request, flavour, registers: request.registers(), labels: 0, implausible: Vec::new() };
+    let skip =
+        &mut Skip { request, flavour, registers: request.registers(), labels: 0, moves_on: false, implausible: Vec::new() };
     moves::write(request, skip)
 }
 
@@ -59,6 +60,8 @@ struct Skip<'a> {
     flavour: &'static Flavour,
     registers: &'a Registers,
     labels: usize,
+    /// Whether the control may reach the next block while the ball is still moving: the move before it was not probing.
+    moves_on: bool,
     /// What the alarms of results that are not plausible say, in the order of their labels.
     implausible: Vec<String>,
 }
@@ -134,14 +137,26 @@ impl Skip<'_> {
     }
 
     /// A probing move, and the block that keeps the control from reading ahead.
-    fn probe(&self, w: &mut Writer<'_>, words: &str, rate: f64, alarm: &str) {
+    fn probe(&mut self, w: &mut Writer<'_>, words: &str, rate: f64, alarm: &str) {
         let feed = w.number(rate);
         w.parts(&["G31", words, " F", &feed, alarm]);
+        self.halt(w);
+    }
+
+    /// Keeps the control from reading ahead.
+    fn halt(&mut self, w: &mut Writer<'_>) {
         w.line(self.flavour.halt);
+        self.moves_on = false;
+    }
+
+    /// A move that is not watched.
+    fn moves(&mut self, w: &mut Writer<'_>, to: Vec3, step: &Move) {
+        w.straight("G1", to, true, Some(self.rate(step)));
+        self.moves_on = true;
     }
 
     /// A watched move, and its check on the axes whose places are known.
-    fn goes(&self, w: &mut Writer<'_>, words: &str, to: Vec3, step: &Move, axes: &[usize], exit: &str) {
+    fn goes(&mut self, w: &mut Writer<'_>, words: &str, to: Vec3, step: &Move, axes: &[usize], exit: &str) {
         let rate = self.rate(step);
         self.probe(w, words, rate, self.flavour.free);
         if !axes.is_empty() {
@@ -278,7 +293,7 @@ impl Moves for Skip<'_> {
         w.makes_move();
         each_piece(self.request, step, |from, to| {
             if from.is_some_and(|from| from.distance(to) < SHORTEST_PROBE) {
-                w.straight("G1", to, true, Some(self.rate(step.step)));
+                self.moves(w, to, step.step);
                 return;
             }
             let exit = if upwards(self.request, from, to) > 0 { BLOCKED } else { FREE };
@@ -323,7 +338,7 @@ impl Moves for Skip<'_> {
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         w.makes_move();
-        w.straight("G1", step.step.to, true, Some(self.rate(step.step)));
+        self.moves(w, step.step.to, step.step);
     }
 
     fn assign(&mut self, w: &mut Writer<'_>, formula: &Formula, index: usize) {
@@ -341,7 +356,7 @@ impl Moves for Skip<'_> {
 
     fn results(&mut self, w: &mut Writer<'_>, _formula: &Formula) {
         if self.request.corrects() {
-            w.line(self.flavour.halt);
+            self.halt(w);
         }
         for &(copy, index) in &self.registers.copies {
             w.line(&format!("{}={}", variable(copy), variable(self.registers.variables[index])));
@@ -364,6 +379,10 @@ impl Moves for Skip<'_> {
         let whole = says(&formula.code(result));
         let alarm = if whole.len() <= LONGEST_ALARM { whole } else { says(result.code) };
         if question.stops(self.request.corrects()) {
+            // An alarm would stop the ball on its way.
+            if self.moves_on {
+                self.halt(w);
+            }
             let label = RESULTS.0 + self.implausible.len();
             w.line(&format!("IF [ABS[{off}] GT {limit}] GOTO {label}"));
             self.implausible.push(alarm);
