@@ -16,24 +16,25 @@ import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { configSchema } from "./config-schema.mjs";
-import { at, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
+import { at, beside, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
 
-/** The WebAssembly module and its bindings, into www/core/wasm/. */
-async function buildWasm() {
+/** Where the two modules are built: one whole, and without what a first visit of the page does not need. */
+const MODULES = { whole: { folder: "", flags: [] }, first: { folder: "first", flags: ["--no-default-features"] } };
+
+/** A WebAssembly module and its bindings, optimised; gives the folder they are in. */
+async function buildModule(/** @type {{ folder: string, flags: string[] }} */ { folder, flags }) {
   const bin = ensureBindgen();
-  run("cargo", ["build", "--quiet", "--locked", "--release", "--target", "wasm32-unknown-unknown", "--lib"]);
-  const out = at("www", "core", "wasm");
+  // A folder of its own: cargo builds one thing at a time in a folder.
+  const target = join(process.env.CARGO_TARGET_DIR ?? at("target"), folder);
+  const cargo = ["build", "--quiet", "--locked", "--release", "--target", "wasm32-unknown-unknown", "--lib"];
+  await beside("cargo", [...cargo, ...flags, "--target-dir", target]);
+  const out = join(target, "wasm");
   rmSync(out, { recursive: true, force: true });
-  mkdirSync(out, { recursive: true });
-  const target = process.env.CARGO_TARGET_DIR ?? at("target");
-  const module = `${target}/wasm32-unknown-unknown/release/touchpath.wasm`;
   // With the function that replaces a broken instance: www/core/instance.ts calls it.
+  const module = `${target}/wasm32-unknown-unknown/release/touchpath.wasm`;
   run(`${bin}/wasm-bindgen`, [module, "--target", "web", "--out-dir", out, "--experimental-reset-state-function"]);
-  // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
-  const types = `${out}/touchpath.d.ts`;
-  writeFileSync(types, readFileSync(types, "utf8").replaceAll(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, ""));
   const wasm = `${out}/touchpath_bg.wasm`;
   await trapPanics(wasm);
   // Judged by what is sent, not by the module: inlining, packed memory and shared expressions make it smaller and its compressed bytes more. Jumps are
@@ -45,25 +46,40 @@ async function buildWasm() {
   const skip = passes.map((pass) => `--skip-pass=${pass}`);
   // The first kilobyte is the far end of the stack, which the linker puts first: no address is computed from below it.
   const assume = ["--low-memory-unused"];
-  run("node", [
-    at("node_modules", "binaryen", "bin", "wasm-opt"),
-    ...inline,
-    ...optimize,
-    ...skip,
-    ...assume,
-    wasm,
-    "-o",
-    wasm,
-  ]);
+  const optimizer = at("node_modules", "binaryen", "bin", "wasm-opt");
+  await beside("node", [optimizer, ...inline, ...optimize, ...skip, ...assume, wasm, "-o", wasm]);
+  return out;
+}
+
+/** Both modules, into www/core/wasm/, with the bindings of the whole one: they serve both. */
+async function buildWasm() {
+  const [whole, first] = await Promise.all([buildModule(MODULES.whole), buildModule(MODULES.first)]);
+  const out = at("www", "core", "wasm");
+  rmSync(out, { recursive: true, force: true });
+  cpSync(whole, out, { recursive: true });
+  cpSync(join(first, "touchpath_bg.wasm"), join(out, "first.wasm"));
+  // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
+  const types = `${out}/touchpath.d.ts`;
+  const plain = readFileSync(types, "utf8").replaceAll(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, "");
+  writeFileSync(types, `${plain}\nexport function use(module: WebAssembly.Module): void;\n`);
+  appendFileSync(
+    `${out}/touchpath.js`,
+    "\n/** Puts another build of the module in the place of this one. */\nexport function use(module) {\n    wasmModule = module;\n    __wbg_reset_state();\n}\n",
+  );
   // For servers that are bundled into one file.
-  writeFileSync(`${out}/inline.js`, `export const base64 = "${readFileSync(wasm, "base64")}";\n`);
+  const wasm = readFileSync(`${out}/touchpath_bg.wasm`, "base64");
+  writeFileSync(`${out}/inline.js`, `export const base64 = "${wasm}";\n`);
   writeFileSync(`${out}/inline.d.ts`, "export const base64: string;\n");
 }
 
 function buildPackage() {
   rmSync(at("dist"), { recursive: true, force: true });
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
-  cpSync(at("www", "core", "wasm"), at("dist", "wasm"), { recursive: true });
+  // The first module is the page's alone.
+  cpSync(at("www", "core", "wasm"), at("dist", "wasm"), {
+    recursive: true,
+    filter: (path) => !path.endsWith("first.wasm"),
+  });
   writeFileSync(at("dist", "licences.txt"), crateLicences());
   for (const name of ["embed.html", "frame.schema.json", "react.d.ts", "react.js"])
     cpSync(at("www", name), at("dist", name));
@@ -112,13 +128,9 @@ function writeWorker() {
     .sort();
   const hash = createHash("sha256");
   for (const file of files) hash.update(file).update(readFileSync(join(page, file)));
-  const rare = ["program-editor", ...readdirSync(at("www", "words")).map((name) => name.replace(".json", ""))];
-  const names = rare.map((name) => `assets/${name}-`);
-  const wanted = files.filter(
-    (file) =>
-      file === "licences.txt" ||
-      names.some((name) => file.startsWith(name) && file.length === `${name}01234567.js`.length),
-  );
+  const words = readdirSync(at("www", "words")).map((name) => name.replace(".json", ""));
+  const rare = new RegExp(`^assets/(${["program-editor", "touchpath_bg", ...words].join("|")})-[\\w-]{8}\\.\\w+$`);
+  const wanted = files.filter((file) => file === "licences.txt" || rare.test(file));
   const all = ["./", ...files.filter((file) => file !== "index.html" && !wanted.includes(file))];
   const worker = readFileSync(at("www", "sw.js"), "utf8")
     .replace("const FILES = [];", `const FILES = ${JSON.stringify(all)};`)

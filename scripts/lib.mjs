@@ -1,5 +1,5 @@
 // What the scripts share: running commands, timing stages, and setting up what a machine lacks. Node built-ins only.
-import { spawnSync } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
@@ -28,12 +28,24 @@ export function run(command, args, { env = {}, cwd = root, quiet = false } = {})
   });
   if (done.status !== 0) {
     if (quiet) process.stderr.write(`${done.stdout ?? ""}${done.stderr ?? ""}`);
-    const why = done.error ? done.error.message : `exit ${done.status ?? done.signal}`;
-    console.error(`\nFailed: ${command} ${args.join(" ")} (${why})`);
-    summary();
-    process.exit(1);
+    failed(command, args, done.error ? done.error.message : `exit ${done.status ?? done.signal}`);
   }
   return done.stdout ?? "";
+}
+
+/** Runs a command beside others: as `run`, but what it prints may be mixed with what they print. */
+export async function beside(/** @type {string} */ command, /** @type {string[]} */ args) {
+  const code = await new Promise((done) => {
+    spawn(command, args, { cwd: root, stdio: "inherit" }).on("close", done).on("error", done);
+  });
+  if (code !== 0) failed(command, args, `exit ${code}`);
+}
+
+/** Ends the script with the command that failed. @returns {never} */
+function failed(/** @type {string} */ command, /** @type {string[]} */ args, /** @type {string} */ why) {
+  console.error(`\nFailed: ${command} ${args.join(" ")} (${why})`);
+  summary();
+  process.exit(1);
 }
 
 /** The laws asked of random jobs: half of them the same every time, half fresh. Ends the script where one breaks a law. */

@@ -91,17 +91,9 @@ if (only !== "setup") {
     npx("biome", "ci", "--error-on-warnings", ".");
     run("cargo", ["fmt", "--all", "--check"]);
     run("cargo", ["clippy", "--quiet", "--locked", "--all-targets", "--", "-D", "warnings"]);
-    run("cargo", [
-      "clippy",
-      "--quiet",
-      "--locked",
-      "--lib",
-      "--target",
-      "wasm32-unknown-unknown",
-      "--",
-      "-D",
-      "warnings",
-    ]);
+    const wasm = ["clippy", "--quiet", "--locked", "--lib", "--target", "wasm32-unknown-unknown"];
+    for (const features of [[], ["--no-default-features"]])
+      run("cargo", [...wasm, ...features, "--", "-D", "warnings"]);
     run("cargo", ["doc", "--quiet", "--locked", "--no-deps", "--lib"], { env: { RUSTDOCFLAGS: "-D warnings" } });
   });
 }

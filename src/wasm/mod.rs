@@ -6,6 +6,8 @@
 
 mod sink;
 mod view;
+#[cfg(feature = "whole")]
+mod whole;
 
 pub use sink::Sink;
 pub use view::View;
@@ -13,9 +15,8 @@ pub use view::View;
 use std::cell::RefCell;
 use std::rc::Rc;
 
-use js_sys::{Array, Float64Array, Object, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Array, Object, Reflect};
 use serde::Serialize;
-use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use crate::border::coded::decoded;
@@ -23,11 +24,8 @@ use crate::border::packed;
 use crate::config::Config;
 use crate::describe;
 use crate::form::{Finding, Level, Value};
-use crate::import::toolpath::Known;
-use crate::import::{self, Imported, Toolpath, toolpath};
 use crate::job::{self, JobError, Planned};
 use crate::text::text;
-use crate::tool_length;
 use crate::view::scene::Projection;
 use crate::wasm::sink::text_of;
 
@@ -214,155 +212,10 @@ pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue>
     job::svg(&value, projection).map_err(refused)
 }
 
-/// JSON Schema (2020-12) of a job.
-#[wasm_bindgen(js_name = jobSchema)]
-pub fn job_schema() -> JsValue {
-    value_to_js(&describe::job_schema())
-}
-
 /// The longest text that a job is made of, and the longest program whose moves are read, in UTF-16 units.
 #[wasm_bindgen]
 pub fn limits() -> Vec<u32> {
     [job::LONGEST_TEXT, job::LONGEST_PROGRAM].map(|most| most as u32).to_vec()
-}
-
-/// A job from text: job JSON, a dump of CmdPrm codes (text, CSV, a JSON list) or a program. Gives `{ kind: "job", job, findings }`; of a program
-/// of moves that holds no job `{ kind: "moves", job: null, trace, findings }`. Throws where neither can be made of it. `codes` and `json` are the text
-/// read as JSON, with no codes where it is not JSON; where the job is just that, `job` is left out.
-#[wasm_bindgen(js_name = importJob)]
-pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, JsValue> {
-    let length = text.dyn_ref::<js_sys::JsString>().map_or(0, |text| text.length() as usize);
-    if length > job::LONGEST_TEXT {
-        // Not even copied.
-        return Err(refused(import::too_long(length)));
-    }
-    let text = text.as_string().unwrap_or_default();
-    let value = (!codes.is_empty()).then(|| decoded(codes, json));
-    let imported = import::import_with(&text, value.as_ref()).map_err(refused)?;
-    let result = Object::new();
-    match &imported {
-        Imported::Job { job, .. } => {
-            set(&result, "kind", &JsValue::from_str("job"));
-            // A job in JSON is returned as it is, also where it holds more than a job can.
-            if value.as_ref() != Some(job) {
-                set(&result, "job", &value_to_js(job));
-            }
-        }
-        Imported::Moves { trace, .. } => {
-            set(&result, "kind", &JsValue::from_str("moves"));
-            set(&result, "job", &JsValue::NULL);
-            set(&result, "trace", &to_js(trace)?);
-        }
-    }
-    set(&result, "findings", &to_js(&imported.findings())?);
-    Ok(result.into())
-}
-
-/// The moves of any program, as columns; throws where the text is too long or the dialect unknown. The text comes as UTF-8, which is several
-/// times as fast as a string; of one that is too long only the length.
-#[wasm_bindgen(js_name = readProgram)]
-pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsValue, JsValue> {
-    if length > toolpath::LONGEST_PROGRAM {
-        return Err(refused(toolpath::too_long(length)));
-    }
-    let wanted = text_of(dialect, 100);
-    let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
-    if known.is_none() && !dialect.is_undefined() {
-        let message = text!("The dialect must be one of {list}", toolpath::DIALECTS.join(", "));
-        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)]));
-    }
-    columns(&toolpath::read_program(&utf8(text), known)).map(JsValue::from)
-}
-
-/// The same, run with what is known beside the text, an object as `runProgram` of the package has it.
-#[wasm_bindgen(js_name = runProgram)]
-pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Result<JsValue, JsValue> {
-    if length > toolpath::LONGEST_PROGRAM {
-        return Err(refused(toolpath::too_long(length)));
-    }
-    let value = decoded(codes, known);
-    let text = utf8(text);
-    let run = toolpath::run_program(&text, &Known::of(&value).map_err(refused)?);
-    let result = columns(&run)?;
-    set(&result, "file", &Uint32Array::from(run.file.as_slice()));
-    set(&result, "contacts", &Float64Array::from(run.contacts.concat().as_slice()));
-    set(&result, "resumes", &Float64Array::from(run.resumes.concat().as_slice()));
-    let findings: Array = result_findings(&run)?;
-    set(&result, "findings", &findings);
-    set(&result, "asks", &to_js(&run.asks)?);
-    let calls: Array = run
-        .calls
-        .iter()
-        .map(|call| {
-            let row = to_js(call)?;
-            set(&row, "job", &call.job.as_ref().map_or(JsValue::NULL, value_to_js));
-            Ok::<JsValue, JsValue>(row)
-        })
-        .collect::<Result<Array, JsValue>>()?;
-    set(&result, "calls", &calls);
-    set(&result, "rules", &to_js(&run.rules)?);
-    set(&result, "outline", &to_js(&toolpath::outline(&text))?);
-    Ok(result.into())
-}
-
-/// JavaScript writes nothing but UTF-8; asked so, it is found to be that at once.
-fn utf8(text: &[u8]) -> std::borrow::Cow<'_, str> {
-    match std::str::from_utf8(text) {
-        Ok(text) => text.into(),
-        Err(_) => String::from_utf8_lossy(text),
-    }
-}
-
-/// The findings of a run, each with its lines.
-fn result_findings(run: &Toolpath) -> Result<Array, JsValue> {
-    let with_lines = |(finding, lines): (&Finding, &Vec<u32>)| {
-        let finding = to_js(finding)?;
-        set(&finding, "lines", &to_js(lines)?);
-        Ok(finding)
-    };
-    run.findings.iter().zip(&run.finding_lines).map(with_lines).collect()
-}
-
-fn columns(path: &Toolpath) -> Result<Object, JsValue> {
-    let columns = Object::new();
-    set(&columns, "dialect", &JsValue::from_str(path.dialect));
-    let units = path.metric.map(|metric| JsValue::from_str(if metric { "mm" } else { "inch" }));
-    set(&columns, "units", &units.unwrap_or(JsValue::NULL));
-    set(&columns, "plane", &JsValue::from_str(path.plane.word()));
-    set(&columns, "to", &Float64Array::from(path.to.as_slice()));
-    set(&columns, "kind", &Uint8Array::from(path.kind.as_slice()));
-    set(&columns, "feed", &Float64Array::from(path.feed.as_slice()));
-    set(&columns, "line", &Uint32Array::from(path.line.as_slice()));
-    set(&columns, "arcs", &Float64Array::from(path.arcs.concat().as_slice()));
-    set(&columns, "findings", &to_js(&path.findings)?);
-    Ok(columns)
-}
-
-/// SINUMERIK's LENTOAX: `{ status, axind, matrix }`. Throws where the query itself is wrong.
-#[wasm_bindgen]
-pub fn lentoax(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
-    let query = job::lentoax_query(&decoded(codes, text)).map_err(refused)?;
-    let answer = tool_length::lentoax(&query);
-    let result = Object::new();
-    set(&result, "status", &JsValue::from(answer.status));
-    let list = |row: &[f64; 3]| row.iter().map(|x| JsValue::from_f64(*x)).collect::<Array>();
-    set(&result, "axind", &answer.axind.iter().map(|i| JsValue::from(*i)).collect::<Array>());
-    set(&result, "matrix", &answer.matrix.iter().map(list).collect::<Array>());
-    Ok(result.into())
-}
-
-/// The same in words: `{ meaning, sentence, program }`, the last being NC lines that ask the control itself.
-#[wasm_bindgen(js_name = lentoaxWords)]
-pub fn lentoax_words(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
-    let query = job::lentoax_query(&decoded(codes, text)).map_err(refused)?;
-    let answer = tool_length::lentoax(&query);
-    let result = Object::new();
-    set(&result, "meaning", &JsValue::from_str(tool_length::meaning(answer.status)));
-    let sentence = tool_length::sentence(query.plane, &answer);
-    set(&result, "sentence", &JsValue::from_str(&sentence.english()));
-    set(&result, "said", &to_js(&sentence)?);
-    set(&result, "program", &JsValue::from_str(&tool_length::nc_block(&query)));
-    Ok(result.into())
 }
 
 /// The crate's version.

@@ -2,21 +2,21 @@
 
 mod dimensions;
 mod drag;
+#[cfg(feature = "whole")]
+mod whole;
 
 use std::cell::Cell;
 use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::border::coded::decoded;
 use crate::geom::{Plane, Vec2, Vec3};
-use crate::import::toolpath::{Feature, Known, run_program};
-use crate::import::{Toolpath, read_program};
+use crate::import::Toolpath;
+use crate::import::toolpath::Feature;
 use crate::job;
 use crate::view::Legend;
 use crate::view::camera::{Camera, SMALL_MARGIN};
 use crate::view::canvas::{Marks, Painter, Theme, axis_at, is_long};
-use crate::view::lengths;
 use crate::view::scene::program::{self, Moves};
 use crate::view::scene::{Projection, Scene};
 use crate::wasm::Last;
@@ -218,45 +218,12 @@ impl View {
         true
     }
 
-    /// Shows the moves of any program, as `readProgram` reads it.
-    #[wasm_bindgen(js_name = showProgram)]
-    pub fn show_program(&mut self, text: &str) {
-        if !crate::import::fits(text, crate::import::toolpath::LONGEST_PROGRAM) {
-            return;
-        }
-        self.show_moves(read_program(text, None), None);
-    }
-
-    /// The same of a program that is run with what is known, coded; a text that is too long, or what is known wrongly, leaves the picture as it is.
-    #[wasm_bindgen(js_name = showRunCoded)]
-    pub fn show_run(&mut self, text: &str, codes: &[f64], known: &str) {
-        let value = decoded(codes, known);
-        let fits = crate::import::fits(text, crate::import::toolpath::LONGEST_PROGRAM);
-        if let Some(known) = Known::of(&value).ok().filter(|_| fits) {
-            self.show_moves(run_program(text, &known), known.feature);
-        }
-    }
-
     /// Shows a job as a small picture: isometric, without axes, numbers and handles.
     #[wasm_bindgen(js_name = showSmallCoded)]
     pub fn show_small(&mut self, codes: &[f64], text: &str) -> bool {
         self.painter.small = true;
         self.projection = Projection::Isometric;
         self.show(codes, text)
-    }
-
-    /// Shows the answer of a LENTOAX query: the axes of the coordinate system, the lengths as arrows, and, where the workpiece
-    /// system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`.
-    #[wasm_bindgen(js_name = showLentoaxCoded)]
-    pub fn show_lentoax(&mut self, codes: &[f64], text: &str) -> bool {
-        let Ok(query) = job::lentoax_query(&decoded(codes, text)) else { return false };
-        let arrows = lengths::arrows(&query);
-        self.shown = None;
-        // The longest arrows end at 1.15; their names need a little room beyond.
-        let camera = Camera::fit(self.camera.size, [Vec2::splat(-1.25), Vec2::splat(1.25)], 22.0);
-        self.painter.draw_arrows(&arrows, &camera);
-        self.paint_lit();
-        true
     }
 
     /// Looks from `top`, `front`, `side` or `isometric`.
