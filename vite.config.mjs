@@ -1,5 +1,6 @@
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
@@ -11,16 +12,78 @@ const preload = () => ({
     order: "post",
     handler(html, { bundle }) {
       const files = Object.values(bundle ?? {});
-      const module = files.find(({ fileName }) => fileName.endsWith(".wasm"));
+      const module = files.find(({ fileName }) => /\bfirst-[^/]*\.wasm$/.test(fileName));
       const app = files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/parts/app.ts"));
+      const early = files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/first-answers.ts"));
       const scripts = app?.type === "chunk" ? [app.fileName, ...app.imports] : [];
+      if (early) scripts.unshift(early.fileName);
       const links = scripts
         .filter((name) => !html.includes(name))
         .map((name) => ({ rel: "modulepreload", href: `./${name}` }));
-      const as = { rel: "preload", as: "fetch", type: "application/wasm", crossorigin: true };
+      // A server that sends one after the other sends scripts first: with them the page can be read.
+      const as = { rel: "preload", as: "fetch", type: "application/wasm", crossorigin: true, fetchpriority: "low" };
       const wasm = module ? [{ ...as, href: `./${module.fileName}` }] : [];
       return [...wasm, ...links].map((attrs) => ({ tag: "link", attrs, injectTo: "head" }));
     },
+  },
+});
+
+/** The page begins with a smaller module; its workers read with the whole one. @returns {import("vite").Plugin} */
+const smaller = () => ({
+  name: "smaller-module",
+  enforce: "pre",
+  resolveId: (id, from) =>
+    id === "./load.js" && from?.endsWith("/core/browser.ts")
+      ? fileURLToPath(new URL("www/load-first.ts", import.meta.url))
+      : null,
+});
+
+/** A value as a script that makes it: JSON knows neither NaN nor -0. @returns {string} */
+function written(/** @type {unknown} */ value) {
+  if (typeof value === "number") return Object.is(value, -0) ? "-0" : String(value);
+  if (ArrayBuffer.isView(value))
+    return `new ${value.constructor.name}([${Array.from(/** @type {Float64Array} */ (value), written).join(",")}])`;
+  if (Array.isArray(value)) return `[${value.map(written).join(",")}]`;
+  if (value === null || typeof value !== "object") return JSON.stringify(value) ?? "void 0";
+  return `{${Object.entries(value)
+    .map(([key, inner]) => `${JSON.stringify(key)}:${written(inner)}`)
+    .join(",")}}`;
+}
+
+/**
+ * What the module says of the jobs that a first visit begins with: www/first-answers.ts answers with it until the module is there. @returns {import("vite").Plugin}
+ */
+const answers = () => ({
+  name: "first-answers",
+  resolveId: (id) => (id === "virtual:first-answers" ? id : null),
+  async load(id) {
+    if (id !== "virtual:first-answers") return null;
+    const dist = (/** @type {string} */ name) => new URL(`dist/${name}`, import.meta.url);
+    const raw = await import(dist("wasm/touchpath.js").href);
+    const { coded } = await import(dist("coded.js").href);
+    const { Sink } = await import(dist("instance.js").href);
+    raw.initSync({ module: readFileSync(dist("wasm/touchpath_bg.wasm")) });
+    const catalog = raw.catalog();
+    const { type } = catalog.cycles[0];
+    const known = (/** @type {"mm" | "inch"} */ units) => {
+      const job = raw.defaultJob(type, units);
+      const { codes, text } = coded(job);
+      const packed = (/** @type {"plan" | "table" | "meanings"} */ which) => {
+        const sink = new Sink();
+        raw[which](codes, text, sink);
+        return { numbers: sink.numbers, text: sink.text };
+      };
+      return {
+        job,
+        name: raw.jobName(codes, text),
+        misfit: raw.misfit(codes, text),
+        findings: raw.check(codes, text),
+        plan: packed("plan"),
+        table: packed("table"),
+        meanings: packed("meanings"),
+      };
+    };
+    return `export default ${written({ type, version: raw.version(), limits: raw.limits(), catalog, mm: known("mm"), inch: known("inch") })};`;
   },
 });
 
@@ -67,7 +130,7 @@ export default defineConfig({
   root: "www",
   define: { VERSION: JSON.stringify(version) },
   base: "./",
-  plugins: [preload(), first()],
+  plugins: [smaller(), answers(), preload(), first()],
   worker: { format: "es" },
   build: {
     outDir: "../dist/page",

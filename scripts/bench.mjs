@@ -311,8 +311,8 @@ function once(/** @type {() => unknown} */ work) {
   return Math.min(...rounds);
 }
 
-/** What version 0.2.0 had before jobs and plans crossed in one piece. */
-const BEFORE = { raw: 988_298, gzip: 411_649, brotli: 319_000, "page, gzip": 443_000 };
+/** What version 0.2.0 had before jobs and plans crossed in one piece; its page had the whole module. */
+const BEFORE = { raw: 988_298, gzip: 411_649, brotli: 319_000, "first, brotli": 319_000, "page, gzip": 443_000 };
 const bytes = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
 const gzip = (/** @type {Buffer} */ file) => gzipSync(file, { level: 9 }).length;
 // Loaded only where they are wanted: a language's words, the editor of opened programs and the worker that reads long texts.
@@ -320,6 +320,7 @@ const rare = [
   ...readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-")),
   "program-editor-",
   "reader-",
+  "touchpath_bg-",
 ];
 const page = readdirSync(at("dist", "page", "assets"))
   .filter((name) => !rare.some((start) => name.startsWith(start)))
@@ -328,13 +329,14 @@ const sizes = {
   raw: bytes.length,
   gzip: gzip(bytes),
   brotli: brotliCompressSync(bytes).length,
+  "first, brotli": brotliCompressSync(readFileSync(at("www", "core", "wasm", "first.wasm"))).length,
   "page, gzip": [...page, readFileSync(at("dist", "page", "index.html"))].reduce((sum, file) => sum + gzip(file), 0),
 };
 console.log("\nBytes of the wasm, and of a first visit of the page; before");
 for (const [name, size] of Object.entries(sizes)) {
   const before = BEFORE[/** @type {keyof typeof BEFORE} */ (name)];
   console.log(
-    name.padEnd(12),
+    name.padEnd(14),
     String(size).padStart(8),
     String(before).padStart(8),
     `${((100 * size) / before).toFixed(0)} %`.padStart(6),

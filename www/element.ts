@@ -137,6 +137,8 @@ export class TouchPath extends Base {
   /** What the attributes said before there was anything to put it into, and what was set since. */
   private readonly waiting: Inputs = {};
   private readonly later: Inputs = {};
+  /** What is set while the page is shown and its module not there yet; null at any other time. */
+  private early: Inputs | null = null;
   /** What the attributes that are words say, or last said that is known. */
   private readonly words = new Map<Wordy, string>();
   /** What the browser puts back into a form. */
@@ -499,11 +501,15 @@ export class TouchPath extends Base {
   private async load(): Promise<void> {
     try {
       // One module for every element of the page, and with it one WebAssembly module.
-      const { App, Store, styles } = await import("./parts/app.js");
+      const { App, Store, awaited, hold, styles } = await import("./parts/app.js");
       const local = this.storage === "local";
+      const given = { config: this.inScript(), ...this.waiting };
+      // Before the module is there only the job of a first visit can be shown.
+      if (Object.values({ ...given, ...this.later, restored: this.restored }).some((value) => value !== undefined))
+        await awaited();
       const store = new Store({ local });
       this.store = store;
-      this.take({ config: this.inScript(), ...this.waiting });
+      this.take(given);
       this.take(this.later);
       for (const name of Object.keys(WORDS)) this.word(name as Wordy, this.getAttribute(name));
       this.first = structuredClone(store.job);
@@ -520,6 +526,7 @@ export class TouchPath extends Base {
       if (this.words.has("view")) app.view = this.words.get("view") as View;
       // One that was taken out meanwhile is drawn when it is put in again.
       if (this.isConnected) await app.updateComplete;
+      if (awaited()) await this.arrive(app, hold(this.shadow));
     } catch (thrown) {
       // What an element shows that could not be loaded: nothing else can say it.
       const note = document.createElement("p");
@@ -528,6 +535,16 @@ export class TouchPath extends Base {
       this.shadow.replaceChildren(note);
       throw thrown;
     }
+  }
+
+  /** Waits for the module, and catches up with what was done and set until then. */
+  private async arrive(app: App, release: () => void): Promise<void> {
+    this.early = {};
+    await app.arrived();
+    const { early } = this;
+    this.early = null;
+    this.take(early);
+    release();
   }
 
   /** Dispatches events and sets the form's value whenever the job changes. */
@@ -620,6 +637,7 @@ export class TouchPath extends Base {
   private put(input: Input, value: unknown, early = this.later): void {
     if (value === undefined || (value === null && input === "job")) return;
     if (!this.store) early[input] = value;
+    else if (this.early) this.early[input] = value;
     else if (value !== null) this.use(input, value);
     else if (input !== "job" && input !== "measured") this.store.outside.release(input);
     if (this.store && input === "config") this.applyOptions();

@@ -8,5 +8,15 @@ declare module "*?worker&url" {
   export default address;
 }
 
+declare module "*.wasm?url" {
+  const address: string;
+  export default address;
+}
+
+declare module "virtual:first-answers" {
+  const answers: import("./first-answers.js").Answers;
+  export default answers;
+}
+
 /** The version of the package. */
 declare const VERSION: string;

@@ -80,6 +80,8 @@ test("the package had no licence text", () => {
     "dist/words/zh-Hant.json",
     ...wasm,
     "dist/licences.txt",
+    "dist/load.d.ts",
+    "dist/load.js",
     "CHANGELOG.md",
     "LICENSE-APACHE",
     "LICENSE-MIT",

@@ -93,6 +93,8 @@ export async function openTab() {
 export async function ready(tab = page) {
   await tab.getByRole("heading", { name: "Touchpath" }).waitFor();
   await tab.locator(`tp-picture ${PICTURE}`).waitFor({ state: "attached" });
+  // A first visit is shown before its module is there.
+  await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
   await unfold(tab);
 }
 

@@ -291,8 +291,17 @@ test("what had the focus and is gone leaves it to what is near, not to the start
     await page.keyboard.press("Escape");
     await settled("More");
   }
-  await more.press("Enter");
-  await page.locator("#menu").getByRole("button", { name: "Tool lengths" }).press("Enter");
+  const lengths = async () => {
+    await more.press("Enter");
+    await page.locator("#menu").getByRole("button", { name: "Tool lengths" }).press("Enter");
+    await page.locator("tp-lentoax").waitFor();
+  };
+  // The first time it is loaded: what has the focus meanwhile keeps it.
+  await lengths();
+  assert.equal(await at(), "More");
+  await page.getByRole("button", { name: "Back to the job" }).press("Enter");
+  await settled("More");
+  await lengths();
   await settled("← Back to the job");
   await page.keyboard.press("Enter");
   await settled("More");

@@ -36,14 +36,18 @@ const kept = (tab = page) =>
 
 /** Until the worker has written this file down: it does so beside the answer, not before it. */
 const written = (/** @type {string} */ name) =>
-  page.waitForFunction(async (part) => {
-    const caches = await Promise.all((await self.caches.keys()).map((key) => self.caches.open(key)));
-    const requests = (await Promise.all(caches.map((cache) => cache.keys()))).flat();
-    return requests.some((request) => request.url.includes(`/assets/${part}-`));
+  page.evaluate(async (part) => {
+    for (;;) {
+      const kept = await Promise.all((await caches.keys()).map(async (key) => (await caches.open(key)).keys()));
+      if (kept.flat().some((request) => request.url.includes(`/assets/${part}-`))) return;
+      await new Promise((done) => setTimeout(done, 50));
+    }
   }, name);
 
 test("without a network the page opens, plans, draws, saves and shows its other tools", async () => {
   assert.equal(await kept(), 1);
+  // What answers LENTOAX comes when the page has nothing else to do.
+  await written("touchpath_bg");
   await context.setOffline(true);
   await page.goto(new URL("index.html?from=home", page.url()).href);
   await ready();

@@ -1,15 +1,28 @@
 import { coded } from "./coded.js";
 import { attach, instance } from "./instance.js";
+import { arrival, loadWhole, raw as module, stand } from "./load.js";
 import type { ProgramKnown } from "./types.js";
-import init, * as raw from "./wasm/touchpath.js";
+import type * as raw from "./wasm/touchpath.js";
 
 export * from "./api.js";
 export { say } from "./said.js";
 export type * from "./types.js";
 
-await init();
+attach(stand ?? module, module.__wbg_reset_state);
+arrival?.then(
+  () => attach(module, module.__wbg_reset_state),
+  () => undefined,
+);
 
-attach(raw, raw.__wbg_reset_state);
+/** The arrival of the module, where the page is shown before it; null once it is there. @internal */
+export function awaited(): Promise<void> | null {
+  return arrival;
+}
+
+/** Loads what the module lacks, where the page has begun with a smaller one. @internal */
+export function whole(): Promise<void> {
+  return loadWhole();
+}
 
 /** What of the module's picture a page of yours may use. */
 type Shown = Pick<
@@ -41,7 +54,7 @@ export interface View extends Shown {
 }
 
 /** The same with what Touchpath's own page does with it: handles, dimensions, what is drawn on top. @internal */
-export class PageView extends raw.View implements View {
+export class PageView extends module.View implements View {
   private readonly madeBy: number;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -91,7 +104,7 @@ export class PageView extends raw.View implements View {
   }
 }
 
-for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDescriptors(raw.View.prototype))) {
+for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDescriptors(module.View.prototype))) {
   if (name === "constructor" || name === "free" || name.startsWith("__") || typeof method !== "function") continue;
   Object.defineProperty(PageView.prototype, name, {
     configurable: true,

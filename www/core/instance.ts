@@ -72,6 +72,13 @@ export class Instance {
     this.number++;
   }
 
+  /** Puts another module in the place of this one. What was made by this one is of no use to the other. */
+  replace(put: () => void): void {
+    put();
+    this.broken = false;
+    this.number++;
+  }
+
   call<T>(run: () => unknown): T {
     this.ready();
     this.depth++;

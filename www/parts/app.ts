@@ -1,6 +1,7 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { type Job, JobError, type Said } from "../core/browser.js";
+import { awaited, type Job, JobError, type Said, whole } from "../core/browser.js";
+import { hold } from "../hold.js";
 import { isObject } from "../job.js";
 import { keepTheme, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
@@ -31,7 +32,7 @@ import "./results.js";
 import { isShort } from "./shown.js";
 import "./table.js";
 
-export { Store };
+export { awaited, hold, Store };
 
 /** The styles of everything inside the element. */
 export const styles = new CSSStyleSheet();
@@ -73,6 +74,9 @@ const LATER: Record<string, () => Promise<unknown>> = {
   sheet: () => import("./sheet.js"),
   presets: () => import("./presets.js"),
 };
+
+/** What needs the whole module. */
+const WHOLE = new Set(["lengths", "viewer"]);
 
 const MISSING: Said = [w("This part of the page could not be loaded: is there a network?")];
 
@@ -391,9 +395,19 @@ export class App extends LitElement {
   }
 
   protected override firstUpdated(): void {
-    setTimeout(() => {
+    const later = () => {
       if (this.isConnected) for (const load of Object.values(LATER)) load().catch(() => undefined);
-    }, 500);
+    };
+    // Not while the module is still to come: they would share its line.
+    const there = awaited() ?? Promise.resolve();
+    there.then(() => setTimeout(later, 500)).catch(() => undefined);
+  }
+
+  /** Waits for the module, and draws what is shown without it. */
+  async arrived(): Promise<void> {
+    await awaited();
+    this.picture?.requestUpdate();
+    await this.picture?.updateComplete;
   }
 
   protected override updated(): void {
@@ -603,7 +617,7 @@ export class App extends LitElement {
   /** Loads what was not needed until now; false where it cannot be had. */
   private async loads(what: string): Promise<boolean> {
     try {
-      await LATER[what]?.();
+      await Promise.all([LATER[what]?.(), WHOLE.has(what) ? whole() : null]);
       this.there.add(what);
       this.requestUpdate();
       await this.updateComplete;

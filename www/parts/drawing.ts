@@ -1,5 +1,5 @@
 // The picture on a canvas, for the parts of the page that have one.
-import { PageView } from "../core/browser.js";
+import { awaited, PageView } from "../core/browser.js";
 import type { Store } from "../store.js";
 
 const COLOURS = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
@@ -34,12 +34,13 @@ export class Drawing {
   ) {
     // The browser may lose what a canvas shows, and the state it was drawn with.
     canvas.addEventListener("contextrestored", this.restored);
+    awaited()?.then(this.restored, () => undefined);
   }
 
   private readonly restored = () => this.restyle();
 
-  /** Works with the View. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
-  use<T>(work: (view: PageView) => T): T {
+  /** Works with the View; not before the module is there. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
+  use<T>(work: (view: PageView) => T): T | undefined {
     if (this.over) this.frame ||= requestAnimationFrame(() => this.paint());
     return this.with(work);
   }
@@ -110,7 +111,8 @@ export class Drawing {
     this.frame = 0;
   }
 
-  private with<T>(work: (view: PageView) => T): T {
+  private with<T>(work: (view: PageView) => T): T | undefined {
+    if (awaited()) return undefined;
     try {
       return work(this.view ?? this.make());
     } catch {

@@ -1,4 +1,4 @@
-import { type Finding, type Job, JobError, type ProgramMoves } from "../core/browser.js";
+import { type Finding, type Job, JobError, type ProgramMoves, whole } from "../core/browser.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
@@ -27,6 +27,12 @@ export interface Unread {
   signal: AbortSignal;
   reading: Promise<Reading> | null;
 }
+
+/** What reads texts could not be loaded. */
+class NotLoaded extends Error {}
+
+/** Milliseconds after which the user sees that a text is being read. */
+const SOON = 300;
 
 /** A text of as many characters and more is read beside the page: below, that takes longer than the reading. */
 const LONG = 100_000;
@@ -151,8 +157,12 @@ export class Intake {
       if (document === this.store.document) return this.take(text, reading, name);
       this.page.tell(this.store.t("Nothing was changed: the job was replaced while this text was read"));
       return false;
-    } catch {
-      if (!signal.aborted) this.page.tell(this.store.t("This text cannot be read"));
+    } catch (thrown) {
+      const why =
+        thrown instanceof NotLoaded
+          ? this.store.t("This part of the page could not be loaded: is there a network?")
+          : this.store.t("This text cannot be read");
+      if (!signal.aborted) this.page.tell(why);
       return false;
     }
   }
@@ -191,12 +201,25 @@ export class Intake {
   /** Reads a text: a long one beside the page, where that can be. */
   private async read(text: string, signal: AbortSignal): Promise<Reading> {
     const reading = text.length < LONG ? null : this.page.beside(text, signal);
-    if (!reading) return read(text);
+    if (!reading) return this.here(text);
     this.page.tell(this.store.t("This text is being read …"));
     return reading.catch((thrown) => {
       if (signal.aborted) throw thrown;
-      return read(text);
+      return this.here(text);
     });
+  }
+
+  /** Reads a text in the page itself, once the module that can is there. */
+  private async here(text: string): Promise<Reading> {
+    const late = setTimeout(() => this.page.tell(this.store.t("This text is being read …")), SOON);
+    try {
+      await whole();
+    } catch {
+      throw new NotLoaded();
+    } finally {
+      clearTimeout(late);
+    }
+    return read(text);
   }
 
   /** Takes the measured points of a log, where the page shows what they give. */

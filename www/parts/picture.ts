@@ -1,5 +1,5 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import type { PageView, Plan, Vec3 } from "../core/browser.js";
+import { awaited, type PageView, type Plan, type Vec3 } from "../core/browser.js";
 import { tidy } from "../number.js";
 import { deviations, rateOf } from "../sentences.js";
 import { DrawnPart } from "./canvas-part.js";
@@ -100,6 +100,7 @@ class PicturePart extends DrawnPart {
           @dblclick=${() => this.drawing?.use((view) => view.fit())}
           @keydown=${(e: KeyboardEvent) => (e.key === "Escape" ? this.store.pin(null) : this.grip || this.end ? undefined : this.drawing?.key(e))}></canvas>
         <canvas class="over" aria-hidden="true"></canvas>
+        ${awaited() ? html`<slot name="picture"></slot>` : nothing}
         <div class="stamps">
         ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : nothing}
         ${still ? html`<p class="stamp idle">${this.t("This cycle moves nothing: it is rows of the table")}</p>` : this.deviates()}
@@ -186,7 +187,7 @@ class PicturePart extends DrawnPart {
       if (this.refit) view.fit();
     });
     this.refit = false;
-    this.drawn = now;
+    if (!awaited()) this.drawn = now;
     this.timeline.mark();
     this.light();
     if (before !== this.live) this.requestUpdate();

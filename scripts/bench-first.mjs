@@ -1,0 +1,135 @@
+// A first visit over slow lines: when its picture is seen, when its form and program can be read, and when the first key is answered. All connections
+// share one line, as a phone's do: its bytes a second, and a round trip for every request.
+import { connect, createServer } from "node:net";
+import { Transform } from "node:stream";
+import { chromium } from "playwright-core";
+import { at, ensureChromium } from "./lib.mjs";
+import { addressOf, serve } from "./serve.mjs";
+
+/** Mbit a second, and milliseconds of a round trip. */
+const LINES = /** @type {const} */ ([
+  [1.6, 150],
+  [9, 60],
+]);
+const ROUNDS = 5;
+
+const server = await serve(0, at("dist", "page"), "127.0.0.1", true);
+const home = new URL(addressOf(server));
+const browser = await chromium.launch({
+  executablePath: ensureChromium().browser,
+  args: ["--no-sandbox", "--disable-gpu"],
+});
+
+/** A line to the server. @param {number} mbit @param {number} trip */
+async function lineOf(mbit, trip) {
+  const perMs = (mbit * 1e6) / 8 / 1000;
+  const line = { bytes: 0, free: 0, url: "", close: () => {} };
+  const wait = (/** @type {number} */ ms) => new Promise((done) => setTimeout(done, ms));
+  const slow = () =>
+    new Transform({
+      async transform(chunk, _, done) {
+        for (let i = 0; i < chunk.length; i += 8192) {
+          const piece = chunk.subarray(i, i + 8192);
+          line.free = Math.max(line.free, performance.now()) + piece.length / perMs;
+          line.bytes += piece.length;
+          await wait(line.free - performance.now());
+          this.push(piece);
+        }
+        done();
+      },
+    });
+  const late = () =>
+    new Transform({
+      transform(chunk, _, done) {
+        setTimeout(() => done(null, chunk), trip);
+      },
+    });
+  const proxy = createServer((near) => {
+    const far = connect(Number(home.port), "127.0.0.1");
+    near.pipe(late()).pipe(far);
+    far.pipe(slow()).pipe(near);
+    for (const end of [near, far]) end.on("error", () => [near, far].map((other) => other.destroy()));
+  });
+  await new Promise((done) => proxy.listen(0, "127.0.0.1", () => done(undefined)));
+  line.url = `http://localhost:${/** @type {import("node:net").AddressInfo} */ (proxy.address()).port}/`;
+  line.close = () => proxy.close();
+  return line;
+}
+
+/** The page of a first visit; gives the milliseconds from its beginning, and what had come by the answer. @param {string} url @param {{ bytes: number }} line */
+async function visit(url, line) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-GB" });
+  const page = await context.newPage();
+  await page.addInitScript(() => {
+    const own = /** @type {any} */ (globalThis);
+    const look = () => {
+      const root = document.querySelector("touch-path")?.shadowRoot;
+      const width = /** @type {HTMLInputElement | null} */ (root?.getElementById("f-cycle.width1") ?? null);
+      if (width && !own.read && root?.querySelector(".line")) {
+        own.read = performance.now();
+        width.value = "91";
+        width.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+      }
+      if (root?.querySelector("tp-program")?.textContent?.includes("X47.5") && !own.answered)
+        own.answered = performance.now();
+      if (!own.answered) requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+  line.bytes = 0;
+  await page.goto(url, { waitUntil: "commit" });
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).answered, undefined, { polling: 20 });
+  const { bytes } = line;
+  const times = await page.evaluate(() => ({
+    picture: performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? Number.NaN,
+    read: /** @type {number} */ (/** @type {any} */ (globalThis).read),
+    answered: /** @type {number} */ (/** @type {any} */ (globalThis).answered),
+  }));
+  await context.close();
+  return { ...times, bytes };
+}
+
+/** How long an empty page takes to its first paint. @param {string} url */
+async function empty(url) {
+  const page = await browser.newPage();
+  await page.route("**/*", (route) => route.continue());
+  await page.goto(`${url}licences.txt`, { waitUntil: "commit" });
+  await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
+  const time = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? 0);
+  await page.close();
+  return time;
+}
+
+const middle = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1] ?? Number.NaN;
+
+console.log(
+  "\nA first visit, ms: an empty page painted, picture seen, form and program read, first key answered; kB until then",
+);
+console.log(
+  "picture / empty (goal: 1.6), and answer / (bytes at the line's speed + 2 round trips) (goals: 1.25 and 1.8)",
+);
+for (const [mbit, trip] of LINES) {
+  const line = await lineOf(mbit, trip);
+  // A browser's first pages start its processes.
+  for (let i = 0; i < 2; i++) await visit(line.url, line);
+  /** @type {Awaited<ReturnType<typeof visit>>[]} */
+  const visits = [];
+  /** @type {number[]} */
+  const blank = [];
+  for (let i = 0; i < ROUNDS; i++) {
+    blank.push(await empty(line.url));
+    visits.push(await visit(line.url, line));
+  }
+  const of = (/** @type {"picture" | "read" | "answered" | "bytes"} */ key) => middle(visits.map((one) => one[key]));
+  const least = of("bytes") / ((mbit * 1e6) / 8000) + 2 * trip;
+  const cells = [middle(blank), of("picture"), of("read"), of("answered"), of("bytes") / 1000];
+  console.log(
+    `${mbit} Mbit/s, ${trip} ms`.padEnd(20),
+    ...cells.map((x) => x.toFixed(0).padStart(7)),
+    (of("picture") / middle(blank)).toFixed(2).padStart(8),
+    (of("answered") / least).toFixed(2).padStart(6),
+  );
+  line.close();
+}
+await browser.close();
+server.close();
