@@ -1,94 +1,164 @@
-// The page in Chromium: what a keystroke and a hover cost of its own work, until everything is updated, laid out and, in the next frame, drawn. The
-// wait for that frame does not count. Milliseconds of the browser's clock, so a busy machine shows; goals 8 and 2 at p95.
+// The page in Chromium: what a keystroke and a hover cost of its own work, until everything is updated, laid out and, in the next frame, drawn. The wait for
+// that frame does not count. Milliseconds of the browser's clock, so a busy machine shows: other builds of the page, given as folders, take turns with
+// this one, and what counts are the ratios to the first of them.
 import { chromium } from "playwright-core";
-import { ensureChromium } from "./lib.mjs";
+import { at, ensureChromium } from "./lib.mjs";
 import { addressOf, serve } from "./serve.mjs";
 
-const server = await serve(0);
+const KEYS = /** @type {const} */ ([
+  ["internal-rectangle-protected", "cycle.width1", [80, 81, 82.5]],
+  ["double-wall-internal-corner", "cycle.count1", [7, 8]],
+  ["probing-two-circles", "cycle.diameter1", [20, 21, 22.5]],
+]);
+/** How often the pages take turns, and how many keys and hovers a turn has; a first turn warms up. */
+const [TURNS, KEYS_A_TURN, HOVERS_A_TURN] = [6, 30, 40];
+
 const browser = await chromium.launch({
   executablePath: ensureChromium().browser,
   args: ["--no-sandbox", "--disable-gpu"],
 });
-// In millimetres, as the values below are.
-const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, locale: "en-GB" });
-// What the page does in its frames, milliseconds.
-await page.addInitScript(() => {
-  const own = /** @type {any} */ (globalThis);
-  const frame = requestAnimationFrame.bind(globalThis);
-  own.inFrames = 0;
-  own.nextFrame = frame;
-  own.requestAnimationFrame = (/** @type {FrameRequestCallback} */ work) =>
-    frame((at) => {
-      const start = performance.now();
-      work(at);
-      own.inFrames += performance.now() - start;
-    });
-});
-await page.goto(addressOf(server));
-await page.locator("touch-path .line").first().waitFor({ state: "attached" });
 
-console.log("\nThe page, ms: a keystroke p50 p95, a hover over the picture p50 p95");
-for (const [type, field, values] of /** @type {const} */ ([
-  ["internal-rectangle-protected", "cycle.width1", [80, 81, 82.5]],
-  ["double-wall-internal-corner", "cycle.count1", [2, 3, 4]],
-  ["probing-two-circles", "cycle.diameter1", [20, 21, 22.5]],
-])) {
-  const times = await page.evaluate(
-    async ([type, field, values]) => {
-      const element = /** @type {any} */ (document.querySelector("touch-path"));
-      const root = /** @type {ShadowRoot} */ (element.shadowRoot);
-      element.cycle = type;
-      // Looked for once: to look through the page again each time would be counted as its own work.
-      const parts = () => [...root.querySelectorAll("tp-app, tp-app *")].filter((part) => "updateComplete" in part);
-      let waited = parts();
-      const settled = async () => {
-        for (const part of waited) await /** @type {any} */ (part).updateComplete;
-      };
-      await settled();
-      waited = parts();
-      const input = /** @type {HTMLInputElement} */ (root.getElementById(`f-${field}`));
-      const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("tp-picture canvas"));
-      const box = canvas.getBoundingClientRect();
-      /** @param {() => void} act */
-      const time = async (act) => {
-        const own = /** @type {any} */ (globalThis);
-        own.inFrames = 0;
+/** A page of a folder, and what it costs. */
+async function opened(/** @type {string} */ folder) {
+  const server = await serve(0, folder);
+  // In millimetres, as the values are.
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, locale: "en-GB" });
+  // What the page does in its frames, milliseconds.
+  await page.addInitScript(() => {
+    const own = /** @type {any} */ (globalThis);
+    const frame = requestAnimationFrame.bind(globalThis);
+    own.inFrames = 0;
+    own.nextFrame = frame;
+    own.requestAnimationFrame = (/** @type {FrameRequestCallback} */ work) =>
+      frame((at) => {
         const start = performance.now();
-        act();
-        await settled();
-        document.body.getBoundingClientRect();
-        const spent = performance.now() - start;
-        // Frames that were asked for before this one have been by then.
-        await new Promise((done) => own.nextFrame(done));
-        return spent + own.inFrames;
-      };
-      const rounds = async (/** @type {number} */ count, /** @type {(i: number) => void} */ act) => {
-        const all = [];
-        for (let i = 0; i < count; i++) {
-          const ms = await time(() => act(i));
-          if (i >= 20) all.push(ms);
-        }
-        all.sort((a, b) => a - b);
-        return [all[Math.floor(all.length * 0.5)], all[Math.floor(all.length * 0.95)]].map(Number);
-      };
-      const keys = await rounds(120, (i) => {
-        input.value = String(values[i % values.length]);
-        input.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+        work(at);
+        own.inFrames += performance.now() - start;
       });
-      const hovers = await rounds(220, (i) => {
-        const at = {
-          clientX: box.left + box.width * (0.2 + 0.6 * ((i * 0.37) % 1)),
-          clientY: box.top + box.height * (0.2 + 0.6 * ((i * 0.61) % 1)),
+  });
+  await page.goto(addressOf(server));
+  await page.locator(".line").first().waitFor({ state: "attached" });
+  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path"))?.ready);
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  const counts = async () => {
+    const { metrics } = await session.send("Performance.getMetrics");
+    const of = (/** @type {string} */ name) => metrics.find((one) => one.name === name)?.value ?? Number.NaN;
+    return { layouts: of("LayoutCount"), styles: of("RecalcStyleCount") };
+  };
+  return { folder, page, counts, close: () => server.close() };
+}
+
+/** A turn of a page: milliseconds of keys and of hovers, and layouts and style passes a key. */
+async function turn(
+  /** @type {Awaited<ReturnType<typeof opened>>} */ { page, counts },
+  /** @type {(typeof KEYS)[number]} */ [type, field, values],
+) {
+  const act = (/** @type {"choose" | "key" | "hover"} */ what, /** @type {number} */ count) =>
+    page.evaluate(
+      async ([what, count, type, field, values]) => {
+        const own = /** @type {any} */ (globalThis);
+        const root = document.querySelector("touch-path")?.shadowRoot ?? document;
+        const id = (/** @type {string} */ name) => /** @type {HTMLInputElement} */ (root.getElementById(`f-${name}`));
+        const send = (/** @type {HTMLElement} */ to, /** @type {string} */ event) =>
+          to.dispatchEvent(new Event(event, { bubbles: true, composed: true }));
+        const parts = [...root.querySelectorAll("*")].filter((part) => "updateComplete" in part);
+        const settled = async () => {
+          for (const part of parts) await /** @type {any} */ (part).updateComplete;
         };
-        canvas.dispatchEvent(
-          new PointerEvent("pointermove", { ...at, pointerId: 1, pointerType: "mouse", bubbles: true }),
-        );
-      });
-      return [...keys, ...hovers];
-    },
-    /** @type {const} */ ([type, field, values]),
-  );
-  console.log(`${type.padEnd(30)} ${times.map((ms) => ms.toFixed(1).padStart(6)).join(" ")}`);
+        if (what === "choose" && id("cycle.type").value !== type) {
+          id("cycle.type").value = type;
+          send(id("cycle.type"), "change");
+        }
+        const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("tp-picture canvas"));
+        const box = canvas.getBoundingClientRect();
+        const times = [];
+        for (let i = 0; i < count; i++) {
+          own.inFrames = 0;
+          const start = performance.now();
+          if (what === "key") {
+            const input = id(field);
+            input.value = String(values[i % values.length]);
+            send(input, "input");
+          } else {
+            const place = {
+              clientX: box.left + box.width * (0.2 + 0.6 * ((i * 0.37) % 1)),
+              clientY: box.top + box.height * (0.2 + 0.6 * ((i * 0.61) % 1)),
+            };
+            const event = { ...place, pointerId: 1, pointerType: "mouse", bubbles: true };
+            canvas.dispatchEvent(new PointerEvent("pointermove", event));
+          }
+          await settled();
+          document.body.getBoundingClientRect();
+          const spent = performance.now() - start;
+          // Frames that were asked for before this one have been by then.
+          await new Promise((done) => own.nextFrame(() => setTimeout(done)));
+          times.push(spent + own.inFrames);
+        }
+        return times;
+      },
+      /** @type {const} */ ([what, count, type, field, values]),
+    );
+  await act("choose", 0);
+  await page.waitForTimeout(300);
+  const before = await counts();
+  const keys = await act("key", KEYS_A_TURN);
+  const after = await counts();
+  return {
+    keys,
+    hovers: await act("hover", HOVERS_A_TURN),
+    // One of them is asked for here, where the page would have its own in the next frame.
+    layouts: (after.layouts - before.layouts) / KEYS_A_TURN,
+    styles: (after.styles - before.styles) / KEYS_A_TURN,
+  };
+}
+
+const quantile = (/** @type {number[]} */ list, /** @type {number} */ share) =>
+  [...list].sort((a, b) => a - b)[Math.floor(list.length * share)] ?? Number.NaN;
+
+const pages = [];
+for (const folder of [at("dist", "page"), ...process.argv.slice(2)]) pages.push(await opened(folder));
+console.log("\nThe page, ms: a keystroke p50 p95, layouts and style passes of it, a hover over the picture p50 p95");
+if (pages.length > 1)
+  console.log("ratios of p50 to the first other page: keystroke, hover (goals: 0.7 and 1 of 0.1.0)");
+for (const kind of KEYS) {
+  /** @type {Awaited<ReturnType<typeof turn>>[][]} */
+  const turns = pages.map(() => []);
+  for (let i = 0; i <= TURNS; i++)
+    for (const [k, page] of pages.entries()) {
+      const one = await turn(page, kind);
+      if (i > 0) turns[k]?.push(one);
+    }
+  const middles = turns.map((own) => ({
+    key: quantile(
+      own.flatMap(({ keys }) => keys),
+      0.5,
+    ),
+    hover: quantile(
+      own.flatMap(({ hovers }) => hovers),
+      0.5,
+    ),
+  }));
+  for (const [k, own] of turns.entries()) {
+    const keys = own.flatMap((one) => one.keys);
+    const hovers = own.flatMap((one) => one.hovers);
+    const mean = (/** @type {"layouts" | "styles"} */ of) => own.reduce((sum, one) => sum + one[of], 0) / own.length;
+    const cells = [
+      quantile(keys, 0.5),
+      quantile(keys, 0.95),
+      mean("layouts"),
+      mean("styles"),
+      quantile(hovers, 0.5),
+      quantile(hovers, 0.95),
+    ];
+    const [mine, other] = [middles[0], middles[1]];
+    const ratio = k === 0 && mine && other ? [mine.key / other.key, mine.hover / other.hover] : [];
+    console.log(
+      (k === 0 ? kind[0] : `  ${pages[k]?.folder}`).padEnd(30),
+      ...cells.map((x) => x.toFixed(1).padStart(6)),
+      ...ratio.map((x) => x.toFixed(2).padStart(7)),
+    );
+  }
 }
 await browser.close();
-server.close();
+for (const page of pages) page.close();

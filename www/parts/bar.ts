@@ -256,9 +256,9 @@ class BarPart extends FieldPart {
   protected override updated(changed: Map<PropertyKey, unknown>): void {
     super.updated(changed);
     const { type } = this.store.cycle;
+    if (this.drawing && this.drawn === type) return;
     const canvas = this.querySelector<HTMLCanvasElement>("canvas.mini");
     if (!canvas?.checkVisibility()) return;
-    if (this.drawing && this.drawn === type) return;
     this.drawn = type;
     const show = (view: { showSmall(job: unknown): boolean }) => view.showSmall(defaultJob(type));
     if (this.drawing) this.drawing.use(show);

@@ -194,24 +194,50 @@ class FormPart extends FieldPart {
   /** The group that was gone to last, by its chip or by a field in it. */
   private near = "";
 
+  /** Whether there are chips: only where the form is narrow. Asked of the page itself it would be laid out at every keystroke. */
+  private chipped = false;
+  private readonly chips = new ResizeObserver(([entry]) => {
+    this.chipped = (entry?.contentRect.width ?? 0) > 0;
+    this.mark();
+  });
+  private marking = 0;
+
   override connectedCallback(): void {
     super.connectedCallback();
     this.addEventListener("scroll", this.mark, { passive: true });
-    this.addEventListener("focusin", this.mark);
+    this.addEventListener("focusin", this.goes);
+    if (this.hasUpdated) this.firstUpdated();
+  }
+
+  protected override firstUpdated(): void {
+    this.chips.observe(this.querySelector(".chips") as HTMLElement);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.removeEventListener("scroll", this.mark);
-    this.removeEventListener("focusin", this.mark);
+    this.removeEventListener("focusin", this.goes);
+    this.chips.disconnect();
+    cancelAnimationFrame(this.marking);
   }
 
-  /** Marks the chip of the group that is looked at: the one that was gone to last as long as it is in sight, else the first one below the chips. */
-  private readonly mark = (event?: Event): void => {
+  private readonly goes = ({ target }: Event): void => {
+    this.near = (target as HTMLElement).closest(".group")?.id ?? this.near;
+    this.mark();
+  };
+
+  /** Marks the chip of the group that is looked at in the next frame, which lays the page out in any case. */
+  private readonly mark = (): void => {
+    if (!this.chipped) return;
+    cancelAnimationFrame(this.marking);
+    this.marking = requestAnimationFrame(this.markNow);
+  };
+
+  /** Marks the chip of the group that was gone to last as long as it is in sight, else of the first one below the chips. */
+  private readonly markNow = (): void => {
     const chips = this.querySelector<HTMLElement>(".chips");
-    if (!chips?.checkVisibility()) return;
+    if (!chips) return;
     const groups = [...this.querySelectorAll<HTMLElement>(".group")];
-    if (event?.type === "focusin") this.near = (event.target as HTMLElement).closest(".group")?.id ?? this.near;
     const top = chips.getBoundingClientRect().bottom;
     const end = this.getBoundingClientRect().bottom;
     const seen = groups.filter((group) => {
