@@ -58,7 +58,7 @@ async function turn(
     page.evaluate(
       async ([what, count, type, field, values]) => {
         const own = /** @type {any} */ (globalThis);
-        const root = document.querySelector("touch-path")?.shadowRoot ?? document;
+        const root = document.querySelector("touch-path, touchpath-app")?.shadowRoot ?? document;
         const id = (/** @type {string} */ name) => /** @type {HTMLInputElement} */ (root.getElementById(`f-${name}`));
         const send = (/** @type {HTMLElement} */ to, /** @type {string} */ event) =>
           to.dispatchEvent(new Event(event, { bubbles: true, composed: true }));

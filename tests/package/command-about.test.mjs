@@ -1,6 +1,6 @@
 // The command's answers: what a code means, a new job, tool lengths, other units, help for one command; and how a pipe ends.
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -83,7 +83,7 @@ test("lentoax answers a query: the example of the manual", () => {
 test("help for one command names its options and no others", () => {
   const all = run(["--help"]).stdout;
   const usages = [...all.matchAll(/^ {2}touchpath (\w+)/gm)].map(([, name]) => String(name));
-  assert.equal(usages.length, 16);
+  assert.equal(usages.length, 17);
   for (const name of usages) {
     const { status, stdout, stderr } = run([name, "--help"]);
     assert.deepEqual([status, stderr], [0, ""], name);
@@ -129,4 +129,26 @@ test("a reader that has enough is no error", async () => {
   });
   const status = await new Promise((done) => child.on("close", done));
   assert.deepEqual([status, out, err], [0, "{\n", ""]);
+});
+
+test("a shell completes commands, options, what stands behind them, and files", () => {
+  const script = run(["completion", "bash"]).stdout;
+  /** What bash offers for the last of these words. @param {...string} words */
+  const offered = (...words) => {
+    const line = `${script}\nCOMP_WORDS=(touchpath ${words.map((word) => `'${word}'`).join(" ")}); COMP_CWORD=${words.length}; _touchpath; printf '%s\\n' "\${COMPREPLY[@]}"`;
+    const done = spawnSync("bash", ["--norc", "-c", line], { encoding: "utf8", cwd: at("tests", "package") });
+    assert.equal(done.stderr, "");
+    return done.stdout.trim().split("\n");
+  };
+  assert.deepEqual(offered("c"), ["check", "convert", "completion", "catalog"]);
+  assert.deepEqual(offered("plan", "--post", "ha"), ["haas"]);
+  assert.deepEqual(offered("plan", "--f"), ["--form", "--flat"]);
+  assert.deepEqual(offered("svg", "--view", ""), ["isometric", "top", "front", "side"]);
+  assert.deepEqual(offered("table", "--format", ""), ["text", "csv", "json"]);
+  assert.deepEqual(offered("examine", "--format", "s"), ["sarif"]);
+  assert.deepEqual(offered("new", "hol"), ["hole", "hole-protected"]);
+  assert.deepEqual(offered("explain", "ball-to"), ["ball-too-wide"]);
+  assert.deepEqual(offered("plan", "command-ab"), ["command-about.test.mjs"]);
+  assert.match(run(["completion", "powershell"]).stderr, /bash, zsh, fish/);
+  for (const shell of ["zsh", "fish"]) assert.match(run(["completion", shell]).stdout, /touchpath/);
 });

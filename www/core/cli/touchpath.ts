@@ -9,6 +9,7 @@ import { glob, isDynamicPattern } from "tinyglobby";
 import { type Config, catalog, checkConfig, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
 import { clock } from "../report.js";
 import { converted, explain, meant, newJob, toolLengths } from "./about.js";
+import { completion } from "./completion.js";
 import { sarif } from "./examine.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { linesOf } from "./lines.js";
@@ -45,6 +46,7 @@ const COMMANDS = {
   convert: ["JOB", "a job in other units: --units mm or inch"],
   lentoax: ["[QUERY]", "SINUMERIK's LENTOAX: which tool length acts on which axis; a query as in the reference"],
   explain: ["CODE", "what the code of a finding, or a safety rule, means"],
+  completion: ["SHELL", "a script that completes this command in bash, zsh or fish"],
   schema: ["", "the JSON Schema of a job"],
   catalog: ["", "cycles, fields and controls"],
 } as const satisfies Record<string, readonly [string, string, string?]>;
@@ -128,6 +130,34 @@ ${ENDS}
 `;
 }
 
+/** What a shell completes. */
+function completed(): Parameters<typeof completion>[1] {
+  const flags = (command: Command) =>
+    HELP_OF_OPTIONS.filter(([, , commands]) => commands.includes(command)).flatMap(([typed]) =>
+      [...typed.matchAll(/(?<=^|, )--?[a-z-]+/g)].map(([flag]) => flag),
+    );
+  const formats = NAMES.flatMap((name) => {
+    const [, , list]: readonly [string, string, string?] = COMMANDS[name];
+    return list ? [[name, list.split("|")] as const] : [];
+  });
+  const withFormat = (name: Command) => (formats.some(([own]) => own === name) ? ["--format"] : []);
+  return {
+    about: Object.fromEntries(NAMES.map((name) => [name, COMMANDS[name][1]])),
+    options: Object.fromEntries(NAMES.map((name) => [name, [...flags(name), ...withFormat(name), "--help"]])),
+    formats: Object.fromEntries(formats),
+    values: {
+      "--post": catalog().posts.map(({ id }) => id),
+      "--form": FORMS,
+      "--units": UNITS,
+      "--view": VIEWS,
+      "--reporter": REPORTERS,
+    },
+  };
+}
+
+const FORMS = ["moves", "cycle"];
+const UNITS = ["mm", "inch"];
+const REPORTERS = ["text", "github", "junit"];
 const VIEWS = ["isometric", "top", "front", "side"] as const;
 
 const OPTIONS = {
@@ -185,7 +215,7 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("reporter", "check", "verify");
   if (values.reporter !== undefined && values.json)
     throw new Refused("--reporter and --json are two forms of one output");
-  if (values.reporter !== undefined) oneOf("--reporter", values.reporter, ["text", "github", "junit"]);
+  if (values.reporter !== undefined) oneOf("--reporter", values.reporter, REPORTERS);
   only("units", "new", "convert");
   if (values.post !== undefined)
     task.post = oneOf(
@@ -193,7 +223,7 @@ function taskOf(command: Task["command"], values: Values): Task {
       values.post,
       catalog().posts.map((p) => p.id as string),
     );
-  if (values.form !== undefined) task.form = oneOf("--form", values.form, ["moves", "cycle"]);
+  if (values.form !== undefined) task.form = oneOf("--form", values.form, FORMS);
   if (values.view !== undefined) task.view = oneOf("--view", values.view, VIEWS);
   if (values.format !== undefined)
     task.format = oneOf<NonNullable<Task["format"]>>(
@@ -495,11 +525,14 @@ async function answered(command: Command, names: string[], values: Values): Prom
     case "explain":
       takes([1, 1], "the code of a finding, or the name of a safety rule");
       return explain(given, values.json === true);
+    case "completion":
+      takes([1, 1], "bash, zsh or fish");
+      return completion(given, completed());
     case "new": {
       takes([1, 1], "the type of a cycle", "post", "form", "units");
       const posts = catalog().posts.map(({ id }) => id as string);
       if (values.post !== undefined) oneOf("--post", values.post, posts);
-      if (values.form !== undefined) oneOf("--form", values.form, ["moves", "cycle"]);
+      if (values.form !== undefined) oneOf("--form", values.form, FORMS);
       return newJob(given, values);
     }
     case "convert":
