@@ -152,3 +152,32 @@ test("a shell completes commands, options, what stands behind them, and files", 
   assert.match(run(["completion", "powershell"]).stderr, /bash, zsh, fish/);
   for (const shell of ["zsh", "fish"]) assert.match(run(["completion", shell]).stdout, /touchpath/);
 });
+
+test("a plan depends on the job alone: not on time zone, locale, machine, order of keys or what was planned before", () => {
+  /** The same object with its keys in the opposite order. @returns {unknown} */
+  const turned = (/** @type {unknown} */ value) =>
+    typeof value === "object" && value !== null && !Array.isArray(value)
+      ? Object.fromEntries(
+          Object.entries(value)
+            .reverse()
+            .map(([key, inner]) => [key, turned(inner)]),
+        )
+      : value;
+  const hole = { ...job("hole"), part: { offset: [0.1, 0.2, 0], rotation: 0.5, sizes: { diameter: 0.02 } } };
+  const [one, other] = [file("one.json", hole), file("other.json", /** @type {any} */ (turned(hole)))];
+  const planned = (/** @type {string} */ name, env = {}) =>
+    spawnSync("node", [command, "plan", name, "--json"], {
+      cwd: folder,
+      encoding: "utf8",
+      env: { ...process.env, ...env },
+    });
+  const first = planned(one);
+  assert.equal(first.status, 0);
+  assert.equal(planned(one, { TZ: "Asia/Tokyo", LANG: "de_DE.UTF-8", LC_ALL: "de_DE.UTF-8" }).stdout, first.stdout);
+  assert.equal(planned(other).stdout, first.stdout);
+  assert.equal(JSON.parse(first.stdout).touches.length, 4);
+  const before = JSON.stringify(touchpath.plan(/** @type {any} */ (hole)));
+  for (const { type } of touchpath.catalog().cycles) touchpath.check(touchpath.defaultJob(type));
+  touchpath.importJob(JSON.parse(before).program.text);
+  assert.equal(JSON.stringify(touchpath.plan(/** @type {any} */ (turned(hole)))), before);
+});
