@@ -52,19 +52,22 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
     proven.is_some_and(|proof| proof.is_ok())
 }
 
-/// How long printing, proof and rules take, for the bench: each with what it needs done before, `rounds` times.
+/// How long printing, reading back, proof and rules take, for the bench: each with what it needs done before, `rounds` times. The proof reads, too.
 #[doc(hidden)]
 pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {
     use std::hint::black_box;
     about(value, true, |request| {
+        let Some(read) = request.post.read else { return };
         let program = (request.post.emit)(request);
         let prove = || {
             let followed = prove::follow(request, &program.text, Part::Path)?;
             prove::prove(request, &followed, &program.move_lines).map(|_| followed)
         };
-        let Ok(followed) = prove() else { return };
+        // In this order: nothing was read before that is not to be counted.
         timed("print", &mut || (0..rounds).for_each(|_| drop(black_box((request.post.emit)(request)))));
+        timed("read", &mut || (0..rounds).for_each(|_| drop(black_box(read(black_box(&program.text))))));
         timed("prove", &mut || (0..rounds).for_each(|_| drop(black_box(prove()))));
+        let Ok(followed) = prove() else { return };
         timed("rules", &mut || (0..rounds).for_each(|_| drop(black_box(safety::check(request, &followed, Restarts::Telling)))));
     });
 }
