@@ -9,7 +9,7 @@ pub use exits::deflected;
 use slots::{Mark, Slots};
 pub use tail::{Endings, Outcome, Tail, restarted};
 
-use std::cell::Cell;
+use std::cell::{Cell, OnceCell};
 
 use crate::control::iso::script::{Ahead, Block, BlockKind, Modes, Motion, NodeId, Part, Script, Slot, Trouble, Words};
 use crate::control::trace::{Ending, Kind, Place, Step, Trace};
@@ -108,6 +108,8 @@ struct Called {
 
 struct Machine<'s, 't> {
     script: &'s Script<'t>,
+    /// The variables that hold the arguments of a subroutine, where the program names them. Found at the first call: there may be none.
+    arguments: OnceCell<[Option<Slot>; ARGUMENTS.len()]>,
     state: State,
     /// The values of its variables.
     slots: Slots,
@@ -304,6 +306,7 @@ impl<'s, 't> Machine<'s, 't> {
         });
         Machine {
             script,
+            arguments: OnceCell::new(),
             state,
             slots: Slots::of(vec![f64::NAN; script.slots]),
             metric: units.map_or(f64::NAN, |metric| f64::from(u8::from(metric))),
@@ -478,10 +481,11 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// Goes into a subroutine with these arguments.
     fn call(&mut self, line: usize, target: usize, arguments: &[NodeId]) -> Result<(), Trouble> {
+        let slots = *self.arguments.get_or_init(|| ARGUMENTS.map(|name| self.script.find(name)));
         let values: Vec<(usize, f64)> = arguments
             .iter()
             .enumerate()
-            .filter_map(|(i, node)| Some((self.script.find(ARGUMENTS.get(i)?)? as usize, self.value(*node))))
+            .filter_map(|(i, node)| Some(((*slots.get(i)?)? as usize, self.value(*node))))
             .collect();
         let before = values.iter().map(|(slot, _)| (*slot, self.slots.get(*slot))).collect();
         if self.state.stack.len() >= ARGUMENTS.len() {
