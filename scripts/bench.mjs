@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { build } from "./build.mjs";
-import { at, run } from "./lib.mjs";
+import { at, run, works } from "./lib.mjs";
 
 await build();
 const { catalog, check, defaultJob, importJob, lentoax, plan, program, programs, readProgram } = await import(
@@ -88,6 +88,90 @@ const native = new Map(
     }),
 );
 
+/**
+ * What reading back and proving costs in instructions, which no load of the machine changes. Warm: the same program was read before, as at an edit. A
+ * series: other sizes every time, so that some lines are new. Cold: the first program of a process.
+ */
+function countInstructions() {
+  console.log(
+    "\nInstructions of reading a program back, for each of its bytes (goal: 35), and proof and rules / printing (goal: 1.6)",
+  );
+  if (!works("valgrind")) {
+    console.log("valgrind is not installed: not counted");
+    return;
+  }
+  const messages = run(
+    "cargo",
+    ["bench", "--quiet", "--locked", "--bench", "plan", "--no-run", "--message-format=json"],
+    {
+      quiet: true,
+    },
+  );
+  const built = messages.split("\n").filter((line) => line.includes('"executable":"'));
+  const bench = JSON.parse(built.at(-1) ?? "{}").executable;
+  const count = (/** @type {string} */ stage, /** @type {any[]} */ counted, warm = 0, skip = 0) => {
+    const tool = [
+      "--tool=callgrind",
+      "--toggle-collect=*counted*",
+      "--callgrind-out-file=/dev/null",
+      "--log-fd=1",
+      bench,
+    ];
+    const options = [`--count=${stage}`, `--warm=${warm}`, `--skip=${skip}`];
+    const said = run("valgrind", [...tool, ...options, ...counted.map((job) => JSON.stringify(job))], { quiet: true });
+    const [, instructions] = said.match(/Collected : (\d+)/) ?? [];
+    const [, length] = said.match(/^(\d+)$/m) ?? [];
+    return { instructions: Number(instructions), length: Number(length) };
+  };
+  const kinds = {
+    "a rectangle": (/** @type {string} */ post, vary = 0) => ({
+      format: 1,
+      cycle: {
+        type: "internal-rectangle-protected",
+        ...(vary && { width1: 60 + 7.313 * vary, width2: 90 - 1.171 * vary, origin: [3.137 * vary, -1.093 * vary, 0] }),
+      },
+      control: { post, workOffset: 1 },
+    }),
+    "16 touches": (/** @type {string} */ post, vary = 0) => ({
+      ...corner(8, 8),
+      cycle: {
+        ...corner(8, 8).cycle,
+        ...(vary && { step1: 7 - 0.137 * vary, origin: [3.137 * vary, -1.093 * vary, 0] }),
+      },
+      control: { post },
+    }),
+    1411: (/** @type {string} */ post, vary = 0) => ({
+      format: 1,
+      cycle: { type: "probing-two-circles", probePoints: 8, ...(vary && { origin: [3.137 * vary, -1.093 * vary, 0] }) },
+      control: { post },
+    }),
+  };
+  console.log("control, job                  warm   series     cold   proof and rules / printing: warm   series");
+  for (const post of ["linuxcnc", "sinumerik", "fanuc", "haas"])
+    for (const [name, job] of Object.entries(kinds)) {
+      const series = Array.from({ length: 16 }, (_, i) => job(post, i + 1));
+      const runs = /** @type {[any[], number, number][]} */ ([
+        [[job(post)], 3, 0],
+        [series, 0, 8],
+      ]);
+      const perByte = [...runs, /** @type {const} */ ([[job(post)], 0, 0])].map(([counted, warm, skip]) => {
+        const { instructions, length } = count("read", counted, warm, skip);
+        return instructions / length;
+      });
+      const ratios = runs.map(([counted, warm, skip]) => {
+        const [print = 1, prove = 0, rules = 0] = ["print", "prove", "rules"].map(
+          (stage) => count(stage, counted, warm, skip).instructions,
+        );
+        return (prove + rules) / print;
+      });
+      console.log(
+        `${post}, ${name}`.padEnd(25),
+        ...perByte.map((each) => each.toFixed(1).padStart(8)),
+        ...ratios.map((ratio) => ratio.toFixed(2).padStart(20)),
+      );
+    }
+}
+
 console.log("\nReading a program back and proving it, natively: by the time of printing it; rules by the same");
 for (const name of Object.keys(jobs)) {
   const [print, prove, rules] = ["print", "prove", "rules"].map(
@@ -96,6 +180,8 @@ for (const name of Object.keys(jobs)) {
   if (print && prove && rules)
     console.log(`${name.padEnd(26)} ${(prove / print).toFixed(2)}   ${(rules / print).toFixed(2)}`);
 }
+
+countInstructions();
 
 console.log("\nPrinting a program, natively, MB/s (goal: 250)");
 for (const [name, job] of Object.entries(jobs)) {
