@@ -52,6 +52,15 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
     proven.is_some_and(|proof| proof.is_ok())
 }
 
+/// Whether the reader of a control makes the same of a text with the lines that it remembers from earlier ones and without, for the fuzzer: the same
+/// program or the same troubles. None where it reads no program.
+#[doc(hidden)]
+pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
+    let read = crate::control::POSTS.iter().find(|known| known.key == post)?.read?;
+    let anew = crate::control::iso::memory::without(|| read(text));
+    Some(read(text) == anew)
+}
+
 /// How long printing, reading back, proof and rules take, for the bench: each with what it needs done before, `rounds` times. The proof reads, too.
 #[doc(hidden)]
 pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {

@@ -75,9 +75,9 @@ pub(crate) use tolerances::LONGEST_TOLERANCE;
 pub(crate) use units::known_units;
 pub(crate) use wear::WEAR;
 
-/// What `npm run bench` times. Nothing of it is promised.
+/// What `npm run bench` times, and what the fuzzer asks. Nothing of it is promised.
 #[doc(hidden)]
-pub use examine::stages;
+pub use examine::{reads_alike, stages};
 
 use crate::form::{Checker, Finding, Value};
 

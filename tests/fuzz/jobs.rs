@@ -454,6 +454,8 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         asked("program and job");
         read_back(&plan)?;
     }
+    asked("remembered lines");
+    readers::remembered(&plan, draw)?;
     if draw.once_in(6) {
         asked("mutated text");
         readers::mutated(&plan, draw)?;

@@ -71,6 +71,7 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
         "inch and mm",
         "dump and job",
         "program and job",
+        "remembered lines",
         "mutated text",
         "measured points",
         "planned as a set-up",

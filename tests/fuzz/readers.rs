@@ -4,7 +4,7 @@ use crate::common::import;
 use touchpath::describe::export_table;
 use touchpath::form::Value;
 use touchpath::import::read_program;
-use touchpath::job::{Plan, evaluate, plan};
+use touchpath::job::{Plan, evaluate, plan, reads_alike};
 
 use crate::draw::Draw;
 
@@ -49,6 +49,20 @@ fn mutate(draw: &mut Draw, text: &str) -> String {
         }
     }
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// The lines that a strict reader remembers change nothing of what it reads: not the program that was made, and not the same with some of it changed.
+/// One reader in four is that of another control.
+pub fn remembered(made: &Plan, draw: &mut Draw) -> Result<(), String> {
+    const READERS: [&str; 5] = ["linuxcnc", "grbl", "fanuc", "haas", "sinumerik"];
+    let text = &made.program.text;
+    for text in [text, &mutate(draw, text), &mutate(draw, text)] {
+        let post = if draw.once_in(4) { *draw.of(&READERS) } else { made.program.post };
+        if reads_alike(post, text) == Some(false) {
+            return Err(format!("the reader of {post} remembers another program than\n{text}"));
+        }
+    }
+    Ok(())
 }
 
 /// What a reader makes of a mutated program or dump is a job that is refused, or one whose touches are all in its path.

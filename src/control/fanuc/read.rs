@@ -1,10 +1,12 @@
 //! Reads Fanuc and Haas programs with G31: the blocks that the writer uses, and their like.
 
 use crate::control::iso::codes::Family;
-use crate::control::iso::lex::program_number;
-use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::lex::{Comment, program_number};
+use crate::control::iso::lines::{self, Blocks};
+use crate::control::iso::memory::Hand;
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, BlockKind, Part, Script, System, Trouble};
+use crate::control::iso::targets::Targets;
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -75,25 +77,29 @@ fn haas_takes(letter: u8, tenths: i32) -> Option<&'static str> {
 }
 
 pub fn fanuc(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    read(text, &FANUC)
+    read(text, Hand::Fanuc, &FANUC)
 }
 
 pub fn haas(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    read(text, &HAAS)
+    read(text, Hand::Haas, &HAAS)
 }
 
-fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
-    let mut script = Script::with_room_for(text);
-    script.straight = true;
-    script.vacant = Some(0.0);
-    script.ahead = Ahead::ReadsAndActs;
-    // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
-    script.full_circle = true;
-    let mut targets = Targets::default();
-    let mut numbered = false;
-    let semicolons = lines::with_semicolons(text);
-    let read = lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
+struct Program<'g> {
+    grammar: &'g Grammar,
+    numbered: bool,
+}
+
+impl<'t> Blocks<'t> for Program<'_> {
+    fn block(
+        &mut self,
+        script: &mut Script<'t>,
+        targets: &mut Targets<'t>,
+        line: usize,
+        code: &'t str,
+        comment: Option<Comment<'t>>,
+    ) -> Parsed<()> {
         let results = comment.and_then(|comment| comment.text.strip_prefix("RESULTS: "));
+        targets.depends |= results.is_some();
         for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
             let slot = script.slot(name.as_bytes());
             script.results.push((code, slot));
@@ -102,15 +108,29 @@ fn read<'t>(text: &'t str, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>
             return Ok(());
         }
         if program_number(code.as_bytes()).is_some() {
+            targets.depends = true;
             // Its own number stands above its blocks.
-            if numbered || !script.blocks.is_empty() {
+            if self.numbered || !script.blocks.is_empty() {
                 return fault(text!("another program begins here"));
             }
-            numbered = true;
+            self.numbered = true;
             return Ok(());
         }
-        block(script, line, code, grammar, &mut targets)
-    });
+        block(script, line, code, self.grammar, targets)
+    }
+}
+
+fn read<'t>(text: &'t str, hand: Hand, grammar: &Grammar) -> Result<Script<'t>, Vec<Trouble>> {
+    let mut script = Script::with_room_for(text);
+    script.straight = true;
+    script.vacant = Some(0.0);
+    script.ahead = Ahead::ReadsAndActs;
+    // As parameter 6004 has it by default. With the other range a program finds nothing above 180 that it would take a turn off.
+    script.full_circle = true;
+    let mut targets = Targets::default();
+    let semicolons = lines::with_semicolons(text);
+    let mut program = Program { grammar, numbered: false };
+    let read = lines::lines(text, (hand, b'('), &mut script, &mut targets, &mut program);
     if !semicolons.is_empty() {
         // A line with a semicolon is reported once.
         let mut troubles = semicolons;

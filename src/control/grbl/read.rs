@@ -1,10 +1,12 @@
 //! Reads grbl programs: words alone. grbl has no variables and no conditions.
 
 use crate::control::iso::codes::Family;
-use crate::control::iso::lex;
-use crate::control::iso::lines;
-use crate::control::iso::parse::{Cursor, Grammar, Names, WORD_OPERATORS, fault};
+use crate::control::iso::lex::{self, Comment};
+use crate::control::iso::lines::{self, Blocks};
+use crate::control::iso::memory::Hand;
+use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Script, Trouble};
+use crate::control::iso::targets::Targets;
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -18,9 +20,17 @@ static GRAMMAR: Grammar = Grammar {
     takes: words::rs274,
 };
 
-pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    let mut script = Script::with_room_for(text);
-    lines::lines(text, b'(', &mut script, &mut |script, line, code, _| {
+struct Program;
+
+impl<'t> Blocks<'t> for Program {
+    fn block(
+        &mut self,
+        script: &mut Script<'t>,
+        _: &mut Targets<'t>,
+        line: usize,
+        code: &'t str,
+        _: Option<Comment<'t>>,
+    ) -> Parsed<()> {
         if code.contains(['#', '[', '=']) {
             return fault(text!("this control has no variables"));
         }
@@ -30,6 +40,11 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         let what = words::words(&mut Cursor::new(lex::without_number(code)), &GRAMMAR, script)?;
         script.push(line, what);
         Ok(())
-    })?;
+    }
+}
+
+pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+    let mut script = Script::with_room_for(text);
+    lines::lines(text, (Hand::Grbl, b'('), &mut script, &mut Targets::default(), &mut Program)?;
     Ok(script)
 }

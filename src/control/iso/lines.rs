@@ -1,10 +1,10 @@
-//! A program line by line, as the strict readers take it: what a control would read otherwise is refused. Jumps by name.
-
-use std::collections::BTreeMap;
+//! A program line by line, as the strict readers take it: what a control would read otherwise is refused.
 
 use crate::control::iso::lex::{self, Comment, comment_at, hides, lines_of, next_line, trimmed};
+use crate::control::iso::memory::{Before, Hand, Memory};
 use crate::control::iso::parse::{Parsed, fault};
-use crate::control::iso::script::{BlockKind, Script, Trouble};
+use crate::control::iso::script::{Script, Trouble};
+use crate::control::iso::targets::{Later, Targets};
 use crate::geom::AXIS_NAMES;
 use crate::text::{Text, text};
 
@@ -35,14 +35,37 @@ pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
     Some([place[0]?, place[1]?, place[2]?])
 }
 
-/// What a control reads a line as: its number, its code, its comment.
-pub type Block<'f, 't> = dyn FnMut(&mut Script<'t>, usize, &'t str, Option<Comment<'t>>) -> Parsed<()> + 'f;
+/// What a control reads lines as.
+pub trait Blocks<'t> {
+    /// Reads a line: its number, its code, its comment. What it says is a function of its text and of [`Targets::place`] alone, or it says so in
+    /// [`Targets::depends`].
+    fn block(
+        &mut self,
+        script: &mut Script<'t>,
+        targets: &mut Targets<'t>,
+        line: usize,
+        code: &'t str,
+        comment: Option<Comment<'t>>,
+    ) -> Parsed<()>;
+
+    /// Carries out [`Targets::later`], behind the last block.
+    fn later(&mut self, _: &mut Script<'t>, _: &mut Targets<'t>, _: Later<'t>) -> Parsed<()> {
+        Ok(())
+    }
+}
 
 /// So many lines that are not understood are listed: after them a text is no program of this control, and is not read on.
 const MOST_TROUBLES: usize = 200;
 
-/// Reads line by line: `block` gets the code and the comment of each line. The lines that are not understood are listed.
-pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut Block<'_, 't>) -> Result<(), Vec<Trouble>> {
+/// Reads line by line. The lines that are not understood are listed.
+pub fn lines<'t>(
+    text: &'t str,
+    (hand, sign): (Hand, u8),
+    script: &mut Script<'t>,
+    targets: &mut Targets<'t>,
+    reader: &mut dyn Blocks<'t>,
+) -> Result<(), Vec<Trouble>> {
+    let mut memory = Memory::take();
     let mut troubles = Vec::new();
     let code = |line: &str| !line.is_empty() && !line.starts_with(['(', ';']);
     let hidden_any = hides(text);
@@ -55,6 +78,16 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
             break;
         }
         let full = next_line(&mut rest);
+        let returns = text.as_bytes()[..text.len() - rest.len()].ends_with(b"\r");
+        let place = (hand, targets.place);
+        // A line that was read before says something, and nothing is wrong with it.
+        if !returned && let Some(begins) = memory.as_mut().and_then(|memory| memory.put((line, full), place, script, targets)) {
+            (returned, begun) = (returns, begun || begins);
+            if let Err(message) = later(reader, script, targets) {
+                troubles.push(Trouble { line, message: *message, understood: false });
+            }
+            continue;
+        }
         if hidden_any && hides(full) {
             troubles.push(Trouble { line, message: hidden(), understood: false });
             continue;
@@ -67,7 +100,7 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
             returned = false;
             continue;
         }
-        returned = (returned || !trimmed.is_empty()) && text[..text.len() - rest.len()].ends_with('\r');
+        returned = (returned || !trimmed.is_empty()) && returns;
         // A tape sign stands before a program and after it: what stands after another is not loaded.
         if let Some(behind) = trimmed.strip_prefix('%') {
             if !is_tape_name(behind) {
@@ -77,18 +110,36 @@ pub fn lines<'t>(text: &'t str, sign: u8, script: &mut Script<'t>, block: &mut B
             }
             continue;
         }
-        begun |= !trimmed.is_empty() && !trimmed.starts_with(';');
+        let begins = !trimmed.is_empty() && !trimmed.starts_with(';');
+        begun |= begins;
+        let before = Before::of(script, targets);
+        targets.depends = trimmed.is_empty();
         let read = split_comment(full, sign).and_then(|(code, comment)| {
-            if let Some(comment) = comment {
-                script.start = script.start.or_else(|| stated_start(comment.text));
+            if let Some(start) = comment.and_then(|comment| stated_start(comment.text)) {
+                // Only the first of them counts.
+                targets.depends = true;
+                script.start.get_or_insert(start);
             }
-            block(script, line, lex::trimmed(code), comment)
+            reader.block(script, targets, line, lex::trimmed(code), comment)
         });
-        if let Err(message) = read {
+        if read.is_ok()
+            && !targets.depends
+            && let Some(memory) = &mut memory
+        {
+            memory.keep(full, (place, begins), before, script, targets);
+        }
+        // What is wrong behind it is only seen after it.
+        if let Err(message) = later(reader, script, targets).and(read) {
             troubles.push(Trouble { line, message: *message, understood: false });
         }
     }
+    Memory::give_back(memory);
+    script.asked = Vec::new();
     if troubles.is_empty() { Ok(()) } else { Err(troubles) }
+}
+
+fn later<'t>(reader: &mut dyn Blocks<'t>, script: &mut Script<'t>, targets: &mut Targets<'t>) -> Parsed<()> {
+    targets.later.take().map_or(Ok(()), |later| reader.later(script, targets, later))
 }
 
 /// Whether what stands behind a tape sign is no code: nothing, a comment, a number, or the name of an archive, `_N_PART_MPF`.
@@ -120,49 +171,4 @@ pub fn with_semicolons(text: &str) -> Vec<Trouble> {
         }
     }
     troubles
-}
-
-/// Jumps and calls by name, resolved when everything is read.
-#[derive(Debug, Default)]
-pub struct Targets<'t> {
-    /// Labels and subroutines, each with its index in the blocks.
-    pub known: Vec<(&'t [u8], usize)>,
-    /// Blocks that jump or call, each with the name it goes to.
-    pub wanted: Vec<(usize, &'t [u8])>,
-}
-
-/// In place of a place: the name is there more than once.
-const TWICE: u32 = u32::MAX;
-
-impl Targets<'_> {
-    /// Puts the targets in. Each must be there once; `below` is whether it has to stand below the jump.
-    pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
-        let mut troubles = Vec::new();
-        let names: Vec<Vec<u8>> = self.known.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
-        let mut places: BTreeMap<&[u8], u32> = BTreeMap::new();
-        for (name, (_, place)) in names.iter().zip(&self.known) {
-            places.entry(name).and_modify(|known| *known = TWICE).or_insert(*place as u32);
-        }
-        for (from, name) in &self.wanted {
-            let message = match places.get(name.to_ascii_lowercase().as_slice()) {
-                None => text!("the target of this jump does not exist"),
-                Some(&TWICE) => text!("the target of this jump exists more than once"),
-                Some(&to) if below && to as usize <= *from => text!("a forward jump whose label is only above it"),
-                Some(&to) => {
-                    match &mut script.blocks[*from].kind {
-                        BlockKind::Jump(target)
-                        | BlockKind::JumpIf(_, target)
-                        | BlockKind::JumpUnless(_, target)
-                        | BlockKind::Call(target, _) => {
-                            *target = to as usize;
-                        }
-                        _ => {}
-                    }
-                    continue;
-                }
-            };
-            troubles.push(Trouble { line: script.blocks[*from].line, message, understood: true });
-        }
-        if troubles.is_empty() { Ok(()) } else { Err(troubles) }
-    }
 }

@@ -26,6 +26,13 @@ pub struct Trouble {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NodeId(NonZeroU32);
 
+impl NodeId {
+    /// The value that stands by so many later in the list; past its end it goes on from the beginning.
+    pub fn shifted(self, by: u32) -> Self {
+        NodeId(NonZeroU32::new(self.0.get().wrapping_add(by)).unwrap_or(NonZeroU32::MAX))
+    }
+}
+
 /// A variable, by its number: the first is 0.
 pub type Slot = u32;
 
@@ -248,7 +255,7 @@ impl Modes {
 }
 
 /// A program that was read.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Script<'t> {
     pub blocks: Vec<Block>,
     pub nodes: Vec<Node>,
@@ -258,6 +265,8 @@ pub struct Script<'t> {
     names: HashMap<Cow<'t, [u8]>, Slot, FxBuildHasher>,
     /// The variables beyond [`USUAL_NAMES`].
     more_names: BTreeMap<Cow<'t, [u8]>, Slot>,
+    /// The variables that the line asked for which is being read, by the names that stand there.
+    pub asked: Vec<(Slot, &'t [u8])>,
     /// Where it takes the ball to be before the start, where it says so, in its units.
     pub start: Option<[f64; 3]>,
     /// Whether the work offsets of its control have no rotation.
@@ -308,18 +317,22 @@ impl<'t> Script<'t> {
 
     /// The variable of this name, made if it is new.
     pub fn slot(&mut self, name: &'t [u8]) -> Slot {
-        let name = spelled(name);
-        if let Some(slot) = self.find(&name) {
-            return slot;
-        }
+        let slot = self.spelled(spelled(name));
+        self.asked.push((slot, name));
+        slot
+    }
+
+    fn spelled(&mut self, name: Cow<'t, [u8]>) -> Slot {
         let new = self.slots as Slot;
-        self.slots += 1;
-        if self.names.len() < USUAL_NAMES {
-            self.names.insert(name, new);
+        let slot = if self.names.len() < USUAL_NAMES {
+            *self.names.entry(name).or_insert(new)
+        } else if let Some(slot) = self.names.get(&name) {
+            *slot
         } else {
-            self.more_names.insert(name, new);
-        }
-        new
+            *self.more_names.entry(name).or_insert(new)
+        };
+        self.slots += usize::from(slot == new);
+        slot
     }
 
     /// The variable of this name, spelled as below, where there is one.
@@ -379,7 +392,7 @@ impl<'t> Script<'t> {
 
     /// The results go out where they stand at the end.
     pub fn give_results(&mut self) {
-        let end = self.blocks.iter().position(|block| block.kind == BlockKind::End).unwrap_or(self.blocks.len());
+        let end = self.blocks.iter().position(|block| matches!(block.kind, BlockKind::End)).unwrap_or(self.blocks.len());
         let line = self.blocks.get(end).map_or(0, |block| block.line);
         let results = std::mem::take(&mut self.results);
         let outputs =
@@ -405,13 +418,17 @@ impl<'t> Script<'t> {
 
 /// A name as a control takes it: capitals, blanks and zeros in front of a number make no other variable.
 fn spelled(name: &[u8]) -> Cow<'_, [u8]> {
-    let (hash, blank) = (name.starts_with(b"#"), name.iter().any(u8::is_ascii_whitespace));
+    let hash = name.starts_with(b"#");
+    // In one pass: nearly every name is spelled so already.
+    let none = |name: &[u8], letters: std::ops::RangeInclusive<u8>| {
+        name.iter().all(|b| !(letters.contains(b) || b.is_ascii_whitespace()))
+    };
     let plain = match name {
         [b'#', b'[', ..] => true,
-        [b'#', b'<', rest @ ..] => !blank && !rest.iter().any(u8::is_ascii_uppercase),
+        [b'#', b'<', rest @ ..] => none(rest, b'A'..=b'Z'),
         [b'#', ..] => !name[1..].starts_with(b"0"),
         [b'R' | b'r', b'0', _, ..] => false,
-        _ => !blank && !name.iter().any(u8::is_ascii_lowercase),
+        _ => none(name, b'a'..=b'z'),
     };
     if plain {
         return Cow::Borrowed(name);

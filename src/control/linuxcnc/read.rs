@@ -2,9 +2,11 @@
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{self, Comment, after, trimmed};
-use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::lines::{self, Blocks};
+use crate::control::iso::memory::Hand;
 use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, WORD_OPERATORS, fault};
 use crate::control::iso::script::{Ahead, BlockKind, Node, NodeId, Part, Script, System, Trouble};
+use crate::control::iso::targets::{Later, Targets};
 use crate::control::iso::words;
 use crate::text::text;
 
@@ -60,16 +62,25 @@ enum Open<'t> {
     If(&'t [u8], usize, Option<usize>),
 }
 
-pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    let mut script = Script::with_room_for(text);
-    script.ahead = Ahead::Alarms;
-    let mut targets = Targets::default();
-    let mut open: Vec<Open<'_>> = Vec::new();
-    lines::lines(text, b'(', &mut script, &mut |script, line, code, comment| {
+/// A program as far as it was read: the O words that are open.
+#[derive(Default)]
+struct Program<'t> {
+    open: Vec<Open<'t>>,
+}
+
+impl<'t> Blocks<'t> for Program<'t> {
+    fn block(
+        &mut self,
+        script: &mut Script<'t>,
+        targets: &mut Targets<'t>,
+        line: usize,
+        code: &'t str,
+        comment: Option<Comment<'t>>,
+    ) -> Parsed<()> {
         if let Some(comment) = comment {
             active(script, line, comment)?;
         }
-        let in_sub = open.iter().any(|open| matches!(open, Open::Sub(..)));
+        let in_sub = targets.place == IN_SUB;
         if in_sub && (has_own(code) || comment.is_some_and(|comment| says_values(comment) && has_own(comment.text))) {
             return fault(text!("a subroutine has variables of its own: they are not followed"));
         }
@@ -79,7 +90,7 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         let code = lex::without_number(code);
         let mut cursor = Cursor::new(code);
         if code.starts_with(['o', 'O']) {
-            return o_word(script, line, &mut cursor, &mut open, &mut targets);
+            return o_word(script, line, &mut cursor, targets);
         }
         if let Some(name) = cursor.variable(Names::Hash) {
             cursor.expect("=")?;
@@ -101,8 +112,64 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         let what = words::words(&mut cursor, &GRAMMAR, script)?;
         script.push(line, what);
         Ok(())
-    })?;
-    if let Some(Open::Sub(_, begin) | Open::If(_, begin, _)) = open.last() {
+    }
+
+    /// What opens and closes.
+    fn later(&mut self, script: &mut Script<'t>, targets: &mut Targets<'t>, Later { what, label }: Later<'t>) -> Parsed<()> {
+        let here = script.blocks.len() - 1;
+        match what {
+            SUB => self.open.push(Open::Sub(label, here)),
+            IF => self.open.push(Open::If(label, here, None)),
+            ELSE => match self.open.last_mut() {
+                Some(Open::If(own, begin, middle @ None)) if *own == label => {
+                    jump_to(script, *begin, here + 1);
+                    *middle = Some(here);
+                }
+                _ => return fault(text!("an else without its if")),
+            },
+            END_SUB => match self.open.pop() {
+                Some(Open::Sub(own, begin)) if own == label => jump_to(script, begin, here + 1),
+                _ => {
+                    targets.place = self.place();
+                    return fault(text!("an endsub without its sub"));
+                }
+            },
+            _ => match self.open.pop() {
+                Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
+                _ => {
+                    targets.place = self.place();
+                    return fault(text!("an endif without its if"));
+                }
+            },
+        }
+        targets.place = self.place();
+        Ok(())
+    }
+}
+
+impl Program<'_> {
+    fn place(&self) -> u8 {
+        if self.open.iter().any(|open| matches!(open, Open::Sub(..))) { IN_SUB } else { 0 }
+    }
+}
+
+/// The place of the lines in a subroutine.
+const IN_SUB: u8 = 1;
+
+/// What opens and closes.
+const SUB: u8 = 0;
+const END_SUB: u8 = 1;
+const IF: u8 = 2;
+const ELSE: u8 = 3;
+const END_IF: u8 = 4;
+
+pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+    let mut script = Script::with_room_for(text);
+    script.ahead = Ahead::Alarms;
+    let mut targets = Targets::default();
+    let mut program = Program::default();
+    lines::lines(text, (Hand::LinuxCnc, b'('), &mut script, &mut targets, &mut program)?;
+    if let Some(Open::Sub(_, begin) | Open::If(_, begin, _)) = program.open.last() {
         let line = script.blocks[*begin].line;
         let message = text!("a subroutine or an if is not closed");
         return Err(vec![Trouble { line, message, understood: true }]);
@@ -164,62 +231,32 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
 }
 
 /// `o<name> sub`, `endsub`, `call`; `o1 if`, `else`, `endif`.
-fn o_word<'t>(
-    script: &mut Script<'t>,
-    line: usize,
-    cursor: &mut Cursor<'t>,
-    open: &mut Vec<Open<'t>>,
-    targets: &mut Targets<'t>,
-) -> Parsed<()> {
+fn o_word<'t>(script: &mut Script<'t>, line: usize, cursor: &mut Cursor<'t>, targets: &mut Targets<'t>) -> Parsed<()> {
     cursor.expect("o")?;
     let label = cursor.label().ok_or_else(|| text!("an O word without a name"))?;
     let here = script.blocks.len();
     let word = cursor.name().unwrap_or_default();
     let known =
         ["sub", "endsub", "call", "if", "else", "endif"].into_iter().find(|known| word.eq_ignore_ascii_case(known.as_bytes()));
-    match known.unwrap_or_default() {
+    let (block, later) = match known.unwrap_or_default() {
         "sub" => {
-            // The main program passes by.
-            script.push(line, BlockKind::Jump(0));
             targets.known.push((label, here + 1));
-            open.push(Open::Sub(label, here));
+            // The main program passes by.
+            (BlockKind::Jump(0), Some(SUB))
         }
-        "endsub" => {
-            script.push(line, BlockKind::Return);
-            match open.pop() {
-                Some(Open::Sub(own, begin)) if own == label => jump_to(script, begin, here + 1),
-                _ => return fault(text!("an endsub without its sub")),
-            }
-        }
+        "endsub" => (BlockKind::Return, Some(END_SUB)),
         "call" => {
             let arguments = arguments(script, cursor)?;
-            script.push(line, BlockKind::Call(0, arguments));
             targets.wanted.push((here, label));
+            (BlockKind::Call(0, arguments), None)
         }
-        "if" => {
-            let condition = cursor.bracketed(&GRAMMAR, script)?;
-            script.push(line, BlockKind::JumpUnless(condition, 0));
-            open.push(Open::If(label, here, None));
-        }
-        "else" => {
-            script.push(line, BlockKind::Jump(0));
-            match open.last_mut() {
-                Some(Open::If(own, begin, middle @ None)) if *own == label => {
-                    jump_to(script, *begin, here + 1);
-                    *middle = Some(here);
-                }
-                _ => return fault(text!("an else without its if")),
-            }
-        }
-        "endif" => {
-            script.push(line, BlockKind::Nothing);
-            match open.pop() {
-                Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
-                _ => return fault(text!("an endif without its if")),
-            }
-        }
+        "if" => (BlockKind::JumpUnless(cursor.bracketed(&GRAMMAR, script)?, 0), Some(IF)),
+        "else" => (BlockKind::Jump(0), Some(ELSE)),
+        "endif" => (BlockKind::Nothing, Some(END_IF)),
         _ => return fault(text!("this O word is not understood")),
-    }
+    };
+    script.push(line, block);
+    targets.later = later.map(|what| Later { what, label });
     cursor.end()
 }
 

@@ -1,10 +1,12 @@
 //! Reads SINUMERIK programs: the blocks that the writer uses, and their like.
 
 use crate::control::iso::codes::Family;
-use crate::control::iso::lex::{self, trimmed};
-use crate::control::iso::lines::{self, Targets};
+use crate::control::iso::lex::{self, Comment, trimmed};
+use crate::control::iso::lines::{self, Blocks};
+use crate::control::iso::memory::Hand;
 use crate::control::iso::parse::{Cursor, Grammar, Names, Parsed, SIGN_OPERATORS, fault};
-use crate::control::iso::script::{Ahead, BlockKind, Motion, Part, Script, System, Trouble};
+use crate::control::iso::script::{Ahead, Block, BlockKind, Motion, Part, Script, System, Trouble};
+use crate::control::iso::targets::{Later, Targets};
 use crate::control::iso::words;
 use crate::geom::AXIS_NAMES;
 use crate::text::text;
@@ -75,15 +77,23 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     }
 }
 
-pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
-    let mut script = Script::with_room_for(text);
-    script.sees_edges = true;
-    script.vacant = Some(0.0);
-    script.ahead = Ahead::Reads;
-    let mut targets = Targets::default();
-    let mut declared = Vec::new();
-    lines::lines(text, b';', &mut script, &mut |script, line, code, comment| {
+/// A program as far as it was read: of each variable whether it is the program's own.
+#[derive(Default)]
+struct Program {
+    declared: Vec<bool>,
+}
+
+impl<'t> Blocks<'t> for Program {
+    fn block(
+        &mut self,
+        script: &mut Script<'t>,
+        targets: &mut Targets<'t>,
+        line: usize,
+        code: &'t str,
+        comment: Option<Comment<'t>>,
+    ) -> Parsed<()> {
         if let Some(list) = comment.and_then(|comment| comment.text.strip_prefix("Results: ")) {
+            targets.depends = true;
             results(script, list);
         }
         let code = lex::without_number(code);
@@ -91,8 +101,28 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
         if code.is_empty() || code.starts_with('%') {
             return Ok(());
         }
-        block(script, line, code, &mut targets, &mut declared)
-    })?;
+        block(script, line, code, targets, &mut self.declared)
+    }
+
+    /// A variable that the program has declared is its own.
+    fn later(&mut self, script: &mut Script<'t>, _: &mut Targets<'t>, _: Later<'t>) -> Parsed<()> {
+        if let Some(Block { kind, .. }) = script.blocks.last_mut()
+            && let BlockKind::SetOther(slot, value) = *kind
+            && self.declared.get(slot as usize).is_some_and(|own| *own)
+        {
+            *kind = BlockKind::Set(slot, value);
+        }
+        Ok(())
+    }
+}
+
+pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
+    let mut script = Script::with_room_for(text);
+    script.sees_edges = true;
+    script.vacant = Some(0.0);
+    script.ahead = Ahead::Reads;
+    let mut targets = Targets::default();
+    lines::lines(text, (Hand::Sinumerik, b';'), &mut script, &mut targets, &mut Program::default())?;
     targets.resolve(&mut script, true)?;
     script.give_results();
     Ok(script)
@@ -136,6 +166,7 @@ fn block<'t>(
     } else if cursor.eat("DEF INT ") {
         let name = cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
         let slot = script.slot(name) as usize;
+        targets.depends = true;
         declared.resize(declared.len().max(slot + 1), false);
         declared[slot] = true;
         BlockKind::Nothing
@@ -157,7 +188,7 @@ fn block<'t>(
     {
         return call(script, line, name, arguments);
     } else if !begins_with_code(code) && (code.starts_with(['R', '$', 'T']) || code.contains('=')) {
-        assignment(script, code, &mut cursor, declared)?
+        assignment(script, code, &mut cursor)?
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {
             BlockKind::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
@@ -167,6 +198,9 @@ fn block<'t>(
         }
     };
     cursor.end()?;
+    if matches!(what, BlockKind::SetOther(..)) {
+        targets.later = Some(Later { what: 0, label: b"" });
+    }
     script.push(line, what);
     Ok(())
 }
@@ -188,7 +222,7 @@ fn measured<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<Bloc
 }
 
 /// `R1=5`, `TP_MOVE=3`, `$P_UIFR[1,X,TR]=…`.
-fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t>, declared: &[bool]) -> Parsed<BlockKind> {
+fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t>) -> Parsed<BlockKind> {
     let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
     if !cursor.eat("=") {
         return fault(text!("\"{left}\" is not understood", Cursor::new(code).left()));
@@ -199,8 +233,7 @@ fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t
         None if name.len() == 1 => fault(text!("this is not understood")),
         None => {
             let slot = script.slot(name);
-            let own = is_register(name) || declared.get(slot as usize).is_some_and(|own| *own);
-            Ok(if own { BlockKind::Set(slot, value) } else { BlockKind::SetOther(slot, value) })
+            Ok(if is_register(name) { BlockKind::Set(slot, value) } else { BlockKind::SetOther(slot, value) })
         }
         Some(System::Offset(part)) => Ok(BlockKind::SetOffset(part, value)),
         Some(_) => fault(text!("the control's own values must not be written")),

@@ -1,0 +1,384 @@
+//! Lines that were read before. What a line says is a function of its text and its control, until its names are resolved: nine of ten lines of a
+//! program stood in an earlier one, so what they say is kept, and put into the next program with the variables that the names have there.
+//!
+//! A line is found again by its whole text. What is kept changes no result: a program is read the same with any memory and with none, which the
+//! fuzzer holds against each other.
+
+use std::borrow::Cow;
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::hash::Hasher;
+
+use rustc_hash::FxHasher;
+
+use crate::control::iso::script::{Block, BlockKind, Node, NodeId, Script, Slot};
+use crate::control::iso::targets::{Later, Targets};
+
+/// The reader that a line is kept for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hand {
+    LinuxCnc,
+    Grbl,
+    Fanuc,
+    Haas,
+    Sinumerik,
+}
+
+/// So many lines are kept, in pairs: each in the pair that its text leads to, where the last two are that came twice.
+const LINES: usize = 4096;
+
+/// Longer lines, and those that say more, are read anew: with these limits the memory takes a few megabytes at the very most.
+const LONGEST: usize = 200;
+const MOST_NODES: usize = 40;
+const MOST_NAMES: usize = 12;
+
+/// So many names are known. After more of them everything is forgotten.
+const MOST_KNOWN: usize = 2000;
+
+/// In place of a variable: this program has not named it yet.
+const NOT_YET: Slot = Slot::MAX;
+
+thread_local! {
+    static MEMORY: Cell<Option<Box<Memory>>> = const { Cell::new(None) };
+    static OFF: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Does something with every program read anew: the slow twin that the memory is held against.
+pub fn without<T>(work: impl FnOnce() -> T) -> T {
+    let before = OFF.replace(true);
+    let done = work();
+    OFF.set(before);
+    done
+}
+
+/// A part of a line: where it begins, and its length.
+type Part = (u8, u8);
+
+/// What a line says. Its values are counted from its own first one, its blocks from its own first one, and variables stand in the order of its names.
+#[derive(Clone, Debug)]
+struct Line {
+    text: Box<str>,
+    /// The reader, and what else the meaning of a line depends on.
+    place: (Hand, u8),
+    begins: bool,
+    /// The names, and their numbers in the memory.
+    names: Box<[(Part, u32)]>,
+    nodes: Box<[Node]>,
+    blocks: Box<[BlockKind]>,
+    /// A label and a jump, each with its block.
+    known: Option<(Part, usize)>,
+    wanted: Option<(Part, usize)>,
+    later: Option<(u8, Part)>,
+}
+
+#[derive(Debug)]
+pub struct Memory {
+    lines: Vec<Option<Box<Line>>>,
+    /// What came once, likewise: a line is kept when it comes again, as most lines that are new never do.
+    once: Vec<u32>,
+    names: BTreeMap<Cow<'static, [u8]>, u32>,
+    /// The variables of the program that is being read, by the numbers of their names.
+    slots: Vec<Slot>,
+}
+
+/// How far a script was before a line.
+#[derive(Clone, Copy, Debug)]
+pub struct Before {
+    nodes: usize,
+    blocks: usize,
+    known: usize,
+    wanted: usize,
+}
+
+impl Before {
+    pub fn of(script: &mut Script<'_>, targets: &Targets<'_>) -> Self {
+        script.asked.clear();
+        Before {
+            nodes: script.nodes.len(),
+            blocks: script.blocks.len(),
+            known: targets.known.len(),
+            wanted: targets.wanted.len(),
+        }
+    }
+}
+
+impl Memory {
+    /// The memory of this thread, taken until it is given back. None where it is to be done without.
+    pub fn take() -> Option<Box<Self>> {
+        if OFF.get() {
+            return None;
+        }
+        let mut own = MEMORY.take().unwrap_or_else(|| Box::new(Memory::empty()));
+        own.slots.fill(NOT_YET);
+        Some(own)
+    }
+
+    pub fn give_back(own: Option<Box<Self>>) {
+        if own.is_some() {
+            MEMORY.set(own);
+        }
+    }
+
+    fn empty() -> Self {
+        Memory { lines: vec![None; LINES], once: vec![0; LINES], names: BTreeMap::new(), slots: Vec::new() }
+    }
+
+    /// Puts in what a line says, where it was read before: whether the program begins with it at the latest.
+    pub fn put<'t>(
+        &mut self,
+        (line, text): (usize, &'t str),
+        place: (Hand, u8),
+        script: &mut Script<'t>,
+        targets: &mut Targets<'t>,
+    ) -> Option<bool> {
+        let pair = pair(hashed(text, place)?);
+        let is_it = |own: &&Line| *own.text == *text && own.place == place;
+        let own = self.lines[pair..pair + 2].iter().filter_map(Option::as_deref).find(is_it)?;
+        let part = |(at, length): Part| &text.as_bytes()[usize::from(at)..][..usize::from(length)];
+        let mut slots = [0; MOST_NAMES];
+        for (slot, (name, number)) in slots.iter_mut().zip(&own.names) {
+            let known = &mut self.slots[*number as usize];
+            if *known == NOT_YET {
+                *known = script.slot(part(*name));
+            }
+            *slot = *known;
+        }
+        let slot = |slot: Slot| slots[slot as usize];
+        let (first, here) = (script.nodes.len() as u32, script.blocks.len());
+        script.nodes.extend(own.nodes.iter().map(|node| shifted(node, first, &slot)));
+        for kind in &own.blocks {
+            script.blocks.push(Block { line, kind: moved(kind, first, here, &slot) });
+        }
+        if let Some((label, block)) = own.known {
+            targets.known.push((part(label), here + block));
+        }
+        if let Some((label, block)) = own.wanted {
+            targets.wanted.push((here + block, part(label)));
+        }
+        targets.later = own.later.map(|(what, label)| Later { what, label: part(label) });
+        Some(own.begins)
+    }
+
+    /// Keeps what a line said, where it came before and is worth it.
+    pub fn keep(
+        &mut self,
+        text: &str,
+        (place, begins): ((Hand, u8), bool),
+        before: Before,
+        script: &Script<'_>,
+        targets: &Targets<'_>,
+    ) {
+        let Some(hash) = hashed(text, place) else { return };
+        let pair = pair(hash);
+        let [first, second] = [self.once[pair], self.once[pair + 1]];
+        if first != hash && second != hash {
+            (self.once[pair], self.once[pair + 1]) = (hash, first);
+        } else if let Some(own) = self.line(text, (place, begins), before, script, targets) {
+            self.lines[pair + 1] = self.lines[pair].replace(Box::new(own));
+        }
+    }
+
+    fn line(
+        &mut self,
+        text: &str,
+        (place, begins): ((Hand, u8), bool),
+        before: Before,
+        script: &Script<'_>,
+        targets: &Targets<'_>,
+    ) -> Option<Line> {
+        let nodes = &script.nodes[before.nodes..];
+        let blocks = &script.blocks[before.blocks..];
+        let (known, wanted) = (&targets.known[before.known..], &targets.wanted[before.wanted..]);
+        if nodes.len() > MOST_NODES || script.asked.len() > MOST_NODES || known.len() > 1 || wanted.len() > 1 {
+            return None;
+        }
+        // By their order; what is named again is the same variable.
+        let mut named: Vec<(Slot, &[u8])> = Vec::new();
+        for (slot, name) in &script.asked {
+            if !named.iter().any(|(own, _)| own == slot) {
+                named.push((*slot, name));
+            }
+        }
+        if named.len() > MOST_NAMES {
+            return None;
+        }
+        if self.names.len() + MOST_NAMES > MOST_KNOWN {
+            *self = Memory::empty();
+        }
+        let labelled = |label: &[u8], block: usize| Some((part_of(text, label)?, block - before.blocks));
+        let order = |slot: Slot| named.iter().position(|(own, _)| *own == slot).map_or(NOT_YET, |at| at as Slot);
+        let (first, here) = ((before.nodes as u32).wrapping_neg(), before.blocks.wrapping_neg());
+        let own = Line {
+            text: text.into(),
+            place,
+            begins,
+            names: named.iter().map(|(_, name)| Some((part_of(text, name)?, self.number(name)))).collect::<Option<_>>()?,
+            nodes: nodes.iter().map(|node| shifted(node, first, &order)).collect(),
+            blocks: blocks.iter().map(|block| moved(&block.kind, first, here, &order)).collect(),
+            known: known.first().map_or(Some(None), |(label, block)| labelled(label, *block).map(Some))?,
+            wanted: wanted.first().map_or(Some(None), |(block, label)| labelled(label, *block).map(Some))?,
+            later: targets.later.map_or(Some(None), |later| Some(Some((later.what, part_of(text, later.label)?))))?,
+        };
+        // What is kept must come out again as it was.
+        let slot = |slot: Slot| named.get(slot as usize).map_or(NOT_YET, |(own, _)| *own);
+        let (first, here) = (before.nodes as u32, before.blocks);
+        let same = own.nodes.iter().zip(nodes).all(|(kept, node)| shifted(kept, first, &slot) == *node)
+            && own.blocks.iter().zip(blocks).all(|(kept, block)| moved(kept, first, here, &slot) == block.kind);
+        same.then_some(own)
+    }
+
+    /// The number of a name.
+    fn number(&mut self, name: &[u8]) -> u32 {
+        if let Some(number) = self.names.get(name) {
+            return *number;
+        }
+        let new = self.names.len() as u32;
+        self.names.insert(Cow::Owned(name.to_vec()), new);
+        self.slots.push(NOT_YET);
+        new
+    }
+}
+
+/// What a line is found by, before it is compared; none of a line that is never kept.
+fn hashed(text: &str, (hand, more): (Hand, u8)) -> Option<u32> {
+    if !(1..=LONGEST).contains(&text.len()) {
+        return None;
+    }
+    let mut hasher = FxHasher::default();
+    hasher.write(text.as_bytes());
+    hasher.write_u8(hand as u8 * 2 + more);
+    Some(hasher.finish() as u32)
+}
+
+/// Where the pair of a line begins.
+fn pair(hash: u32) -> usize {
+    hash as usize % (LINES / 2) * 2
+}
+
+/// Where a part stands in its line.
+fn part_of(text: &str, part: &[u8]) -> Option<Part> {
+    if part.is_empty() {
+        return Some((0, 0));
+    }
+    let at = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize).filter(|at| *at <= LONGEST)?;
+    (text.as_bytes().get(at..at + part.len())? == part).then_some((at as u8, part.len() as u8))
+}
+
+/// A value whose own values stand by so many later, of other variables.
+#[inline]
+fn shifted(node: &Node, by: u32, slot: &impl Fn(Slot) -> Slot) -> Node {
+    match *node {
+        Node::Number(_) | Node::System(_) => *node,
+        Node::Slot(own) => Node::Slot(slot(own)),
+        Node::Unary(unary, inner) => Node::Unary(unary, inner.shifted(by)),
+        Node::Binary(binary, left, right) => Node::Binary(binary, left.shifted(by), right.shifted(by)),
+    }
+}
+
+/// A block likewise. A jump without a target has 0 in its place.
+fn moved(kind: &BlockKind, by: u32, blocks: usize, slot: &dyn Fn(Slot) -> Slot) -> BlockKind {
+    let later = |id: NodeId| id.shifted(by);
+    let place = |ids: [Option<NodeId>; 3]| ids.map(|id| id.map(later));
+    let target = |target: usize| if target == 0 { 0 } else { target.wrapping_add(blocks) };
+    match kind {
+        BlockKind::Words(words) => {
+            let mut words = words.clone();
+            words.to = place(words.to);
+            words.center = place(words.center);
+            words.feed = words.feed.map(later);
+            BlockKind::Words(words)
+        }
+        BlockKind::Set(own, value) => BlockKind::Set(slot(*own), later(*value)),
+        BlockKind::SetOther(own, value) => BlockKind::SetOther(slot(*own), later(*value)),
+        BlockKind::SetOffset(part, value) => BlockKind::SetOffset(*part, later(*value)),
+        BlockKind::Jump(to) => BlockKind::Jump(target(*to)),
+        BlockKind::JumpIf(value, to) => BlockKind::JumpIf(later(*value), target(*to)),
+        BlockKind::JumpUnless(value, to) => BlockKind::JumpUnless(later(*value), target(*to)),
+        BlockKind::Call(to, values) => BlockKind::Call(target(*to), values.iter().map(|id| later(*id)).collect()),
+        BlockKind::Output(code, value) => BlockKind::Output(code.clone(), later(*value)),
+        BlockKind::Reading(number, to) => BlockKind::Reading(*number, place(*to)),
+        BlockKind::Origin(number, to, turn) => BlockKind::Origin(*number, place(*to), turn.map(later)),
+        BlockKind::Nothing
+        | BlockKind::Elsewhere(_)
+        | BlockKind::Return
+        | BlockKind::Halt
+        | BlockKind::Alarm
+        | BlockKind::Warned
+        | BlockKind::Native
+        | BlockKind::End => kind.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LINES, MOST_KNOWN, Memory, without};
+    use crate::control::{POSTS, Reader};
+
+    fn reader(post: &str) -> Reader {
+        POSTS.iter().find(|known| known.key == post).and_then(|known| known.read).unwrap()
+    }
+
+    /// How many lines are kept.
+    fn kept() -> usize {
+        let own = Memory::take();
+        let kept = own.as_ref().map_or(0, |own| own.lines.iter().flatten().count());
+        Memory::give_back(own);
+        kept
+    }
+
+    /// With no memory, with what came once, and with what is kept: always the same.
+    fn same(post: &str, text: &str) {
+        let read = reader(post);
+        let anew = without(|| read(text));
+        for round in 0..4 {
+            assert_eq!(read(text), anew, "{post}, round {round}:\n{text}");
+        }
+    }
+
+    const LINUXCNC: &str = "(A)\nG21\no<a> sub\nG1 X#1 Y[#2+1] F100\no<a> endsub\n#<x>=[1+#5061]\n#<X>=#<x>\n#3=-[#<y>*2]\n\
+        o1 if [#<x> GT 1]\no<a> call [#<x>] [2]\no1 else\nG0 X1 Y2\no1 endif\n(DEBUG,x=#<x>)\n(LOG,a #<x> b=#<z> c)\nG10 L20 P1 X#<x>\nM2\n";
+    const SINUMERIK: &str = "; Results: R1 = a\nDEF INT TP_MOVE\nTP_MOVE=1\nTP_OTHER=1\nR1=R2*SIN(R3)\nIF (R1<>0) AND ($AC_MEA[1]==1) GOTOF END\n\
+        MEAS=1 G1 X=R1+2 F100\nSTOPRE\nMSG(\"a\"<<R1)\nEND:\nM30\n";
+    const FANUC: &str = "%\nO100(A)\n(RESULTS: #101 = a)\n#101=#5061\nIF[#101GT1.]THEN #102=#101\nIF[#102EQ#0]GOTO5\nG31X1.Y#102F100.\n\
+        N5#3000=1(A)\nG10L2P1X#101\nM30\n%\n";
+
+    #[test]
+    fn a_program_is_read_the_same_from_memory() {
+        for (post, text) in [
+            ("linuxcnc", LINUXCNC),
+            ("sinumerik", SINUMERIK),
+            ("fanuc", FANUC),
+            ("haas", FANUC),
+            ("grbl", "G21\nG38.2 Z-1 F100\nG0 X1\n"),
+        ] {
+            same(post, text);
+            assert!(kept() > 0, "{post}");
+            // What depends on lines before it does so when it is remembered: without them, the other way round, between others, twice.
+            let lines: Vec<&str> = text.lines().collect();
+            for at in 0..lines.len() {
+                same(post, &[&lines[..at], &lines[at + 1..]].concat().join("\n"));
+                same(post, &lines[at..].join("\r\n"));
+                same(post, &[&lines[at..], &lines[..at]].concat().join("\r"));
+                same(post, &[&lines[..=at], &lines[at..]].concat().join("\n"));
+            }
+            for other in ["linuxcnc", "sinumerik", "fanuc", "haas", "grbl"] {
+                same(other, text);
+            }
+        }
+    }
+
+    /// Lines without end, and names: what is kept stays bounded, and right.
+    #[test]
+    fn the_memory_is_bounded() {
+        let name = |n: usize| format!("#<n{n}>=[#<m{n}>+{n}]\n");
+        for from in 0..4 {
+            same("linuxcnc", &(0..MOST_KNOWN).map(|n| name(from * MOST_KNOWN / 2 + n)).collect::<String>());
+        }
+        same("linuxcnc", &(0..LINES / 4).map(|n| format!("G1 X{n} Y1\n")).collect::<String>());
+        assert!(kept() > LINES / 8);
+        same("linuxcnc", &(0..2 * LINES).map(|n| format!("G1 X{n} Y2\n")).collect::<String>());
+        same("linuxcnc", LINUXCNC);
+        let long = format!("#1=[{}1]\n", "1+".repeat(60));
+        same("linuxcnc", &long.repeat(3));
+    }
+}
