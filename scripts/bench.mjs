@@ -140,9 +140,9 @@ function countInstructions() {
       },
       control: { post },
     }),
-    1411: (/** @type {string} */ post, vary = 0) => ({
+    "type 1411": (/** @type {string} */ post, vary = 0) => ({
       format: 1,
-      cycle: { type: "probing-two-circles", probePoints: 8, ...(vary && { origin: [3.137 * vary, -1.093 * vary, 0] }) },
+      cycle: { type: "probing-two-circles", probePoints: 8, ...(vary && { startingAngle: 1.37 * vary }) },
       control: { post },
     }),
   };
