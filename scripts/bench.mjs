@@ -154,7 +154,7 @@ function countInstructions() {
         [[job(post)], 3, 0],
         [series, 0, 8],
       ]);
-      const perByte = [...runs, /** @type {const} */ ([[job(post)], 0, 0])].map(([counted, warm, skip]) => {
+      const perByte = [...runs, /** @type {[any[], number, number]} */ ([[job(post)], 0, 0])].map(([counted, warm, skip]) => {
         const { instructions, length } = count("read", counted, warm, skip);
         return instructions / length;
       });
