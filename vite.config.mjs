@@ -14,9 +14,7 @@ const preload = () => ({
       const files = Object.values(bundle ?? {});
       const module = files.find(({ fileName }) => /\bfirst-[^/]*\.wasm$/.test(fileName));
       const app = files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/parts/app.ts"));
-      const early = files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/first-answers.ts"));
       const scripts = app?.type === "chunk" ? [app.fileName, ...app.imports] : [];
-      if (early) scripts.unshift(early.fileName);
       const links = scripts
         .filter((name) => !html.includes(name))
         .map((name) => ({ rel: "modulepreload", href: `./${name}` }));
@@ -29,14 +27,22 @@ const preload = () => ({
 });
 
 /** The page begins with a smaller module; its workers read with the whole one. @returns {import("vite").Plugin} */
-const smaller = () => ({
-  name: "smaller-module",
-  enforce: "pre",
-  resolveId: (id, from) =>
-    id === "./load.js" && from?.endsWith("/core/browser.ts")
-      ? fileURLToPath(new URL("www/load-first.ts", import.meta.url))
-      : null,
-});
+const smaller = () => {
+  let replaced = false;
+  return {
+    name: "smaller-module",
+    enforce: "pre",
+    resolveId(id, from) {
+      if (id !== "./load.js" || !from?.endsWith("/core/browser.ts")) return null;
+      replaced = true;
+      return fileURLToPath(new URL("www/load-first.ts", import.meta.url));
+    },
+    buildEnd(error) {
+      if (!error && !replaced)
+        throw new Error("www/core/load.ts was not replaced: the page would begin with the whole module");
+    },
+  };
+};
 
 /** A value as a script that makes it: JSON knows neither NaN nor -0. @returns {string} */
 function written(/** @type {unknown} */ value) {
@@ -95,7 +101,7 @@ const first = () => ({
   apply: "build",
   transformIndexHtml: {
     order: "post",
-    async handler(html) {
+    async handler(html, { bundle }) {
       const { catalog, defaultJob, svg } = await import(new URL("dist/node.js", import.meta.url).href);
       const { type } = catalog().cycles[0];
       const picture = (/** @type {"mm" | "inch"} */ units) =>
@@ -112,7 +118,13 @@ const first = () => ({
       const cell = "<i></i><i></i><i></i>";
       if (!html.includes(cell)) throw new Error("the page has no place for its first picture");
       // In the page itself: fetched beside the module it would hold up the first paint. The policy allows this script alone.
-      const script = readFileSync(new URL("www/first.js", import.meta.url), "utf8").replace(/^\s*\/\/.*\n/gm, "");
+      const answers = Object.values(bundle ?? {}).find(
+        (file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/first-answers.ts"),
+      );
+      if (!answers) throw new Error("the answers of the first job have no file");
+      const script = readFileSync(new URL("www/first.js", import.meta.url), "utf8")
+        .replace(/^\s*\/\/.*\n/gm, "")
+        .replace("first-answers.js", answers.fileName);
       const hash = createHash("sha256").update(script).digest("base64");
       const allowed = "script-src 'self'";
       if (!html.includes(allowed)) throw new Error("the policy of the page is not as it was");

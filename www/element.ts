@@ -328,7 +328,7 @@ export class TouchPath extends Base {
 
   /** Saves the program as the Save button does: fires `program-save`, and saves a file unless that event is cancelled. Returns `false` if the job has errors or the element is not loaded. */
   save(): boolean {
-    return this.app?.save() ?? false;
+    return this.early === null && (this.app?.save() ?? false);
   }
 
   /** Undoes the user's last step, as Ctrl+Z does, and fires `job-change`. Returns `false` if there is nothing to undo. */
@@ -355,7 +355,7 @@ export class TouchPath extends Base {
 
   /** The picture in its present view, as SVG text; `null` without a plan. For a job with errors, the picture of its last good plan. */
   picture(): string | null {
-    return this.app?.svg() ?? null;
+    return this.early === null ? (this.app?.svg() ?? null) : null;
   }
 
   /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
@@ -501,13 +501,19 @@ export class TouchPath extends Base {
   private async load(): Promise<void> {
     try {
       // One module for every element of the page, and with it one WebAssembly module.
-      const { App, Store, awaited, hold, styles } = await import("./parts/app.js");
+      const { App, Store, awaited, hold, kept, styles } = await import("./parts/app.js");
       const local = this.storage === "local";
       const given = { config: this.inScript(), ...this.waiting };
-      // Before the module is there only the job of a first visit can be shown.
-      if (Object.values({ ...given, ...this.later, restored: this.restored }).some((value) => value !== undefined))
+      // Before the module is there only the job of a first visit can be shown: another tab may have kept one by now.
+      const inputs = { ...given, ...this.later, restored: this.restored };
+      if (
+        Object.values(inputs).some((value) => value !== undefined) ||
+        location.hash !== "" ||
+        (local && kept().length > 0)
+      )
         await awaited();
       const store = new Store({ local });
+      this.early = awaited() ? {} : null;
       this.store = store;
       this.take(given);
       this.take(this.later);
@@ -526,7 +532,7 @@ export class TouchPath extends Base {
       if (this.words.has("view")) app.view = this.words.get("view") as View;
       // One that was taken out meanwhile is drawn when it is put in again.
       if (this.isConnected) await app.updateComplete;
-      if (awaited()) await this.arrive(app, hold(this.shadow));
+      if (this.early) await this.arrive(app, hold(this.shadow));
     } catch (thrown) {
       // What an element shows that could not be loaded: nothing else can say it.
       const note = document.createElement("p");
@@ -537,14 +543,19 @@ export class TouchPath extends Base {
     }
   }
 
-  /** Waits for the module, and catches up with what was done and set until then. */
-  private async arrive(app: App, release: () => void): Promise<void> {
-    this.early = {};
-    await app.arrived();
+  /** Waits for the module, and catches up with what was typed and set until then. */
+  private async arrive(app: App, release: (enter: boolean) => void): Promise<void> {
+    try {
+      await app.arrived();
+    } catch (thrown) {
+      this.early = null;
+      release(false);
+      throw thrown;
+    }
     const { early } = this;
     this.early = null;
-    this.take(early);
-    release();
+    this.take(early ?? {});
+    release(true);
   }
 
   /** Dispatches events and sets the form's value whenever the job changes. */

@@ -6,5 +6,10 @@
   } catch {
     // No storage: the first job it is.
   }
+  // What the module says of it is needed at once.
+  const answers = document.createElement("link");
+  answers.rel = "modulepreload";
+  answers.href = "./first-answers.js";
+  document.head.append(answers);
   document.documentElement.classList.add(/^en-US\b/i.test(navigator.languages[0] ?? "") ? "first-inch" : "first-mm");
 })();

@@ -1,33 +1,72 @@
-// What a user does before the module is there waits for it: it is done again, in order, when it is.
+// Before the module is there the page can be read, and its fields typed into: what is typed waits. All else that could be pressed does nothing until then.
+import { letterOf } from "./parts/keys.js";
 
-/** Done again later. What is typed stands in its field meanwhile. */
-const KEPT = ["keydown", "input", "change", "click"];
-/** Without meaning until there is a picture to point at. */
-const LOST = ["pointerdown", "pointermove", "pointerup", "wheel", "dblclick"];
+/** The keys that act with Ctrl wherever they are pressed. Those of undo are left to the field: nothing else can be undone yet. */
+const COMMANDS = ["k", "s"];
+const UNDO = ["y", "z"];
+/** What the picture answers once there is one. */
+const POINTS = ["pointerdown", "pointermove", "pointerup", "wheel", "dblclick"];
 
-/** Holds what is done inside a root until the module is there. Gives a function that does it. */
-export function hold(root: ShadowRoot): () => void {
-  const held: { target: EventTarget; event: Event }[] = [];
-  const keep = (event: Event): void => {
-    const target = event.composedPath()[0];
-    if (!target) return;
+const isText = (target: unknown): target is HTMLInputElement =>
+  target instanceof HTMLInputElement && ["text", "search"].includes(target.type);
+
+/** Holds what is inside a root. Gives a function that ends it, and enters what was typed where `enter` says so. */
+export function hold(root: ShadowRoot): (enter: boolean) => void {
+  /** The texts in the order in which they were typed last, and whether their fields were left. */
+  const typed = new Map<HTMLInputElement, { text: string; left: boolean }>();
+  const isInside = (event: Event) => event.composedPath().includes(root);
+
+  const type = (event: Event): void => {
     event.stopImmediatePropagation();
-    // A box that is ticked now would be ticked again.
-    if (event.type === "click") event.preventDefault();
-    const last = held.at(-1);
-    // A field has its whole text at the end.
-    if (event.type === "input" && last?.event.type === "input" && last.target === target) return;
-    held.push({ target, event });
+    const [field] = event.composedPath();
+    if (!isText(field)) return;
+    typed.delete(field);
+    typed.set(field, { text: field.value, left: event.type === "change" });
+    // The program is no longer that of the form.
+    root.host.setAttribute("data-typed", "");
   };
-  const lose = (event: Event): void => event.stopImmediatePropagation();
-  for (const type of KEPT) root.addEventListener(type, keep, true);
-  for (const type of LOST) root.addEventListener(type, lose, true);
-  return () => {
-    for (const type of KEPT) root.removeEventListener(type, keep, true);
-    for (const type of LOST) root.removeEventListener(type, lose, true);
-    for (const { target, event } of held) {
-      const Again = event.constructor as typeof Event;
-      target.dispatchEvent(new Again(event.type, event));
+  const press = (event: Event): void => {
+    event.preventDefault();
+    event.stopImmediatePropagation();
+  };
+  const point = (event: Event): void => event.stopImmediatePropagation();
+  /** A list would open, and its choice be lost. */
+  const open = (event: Event): void => {
+    if (event.composedPath()[0] instanceof HTMLSelectElement) event.preventDefault();
+  };
+  const key = (event: KeyboardEvent): void => {
+    const [at] = event.composedPath();
+    if (!isInside(event) && at !== document.body) return;
+    const commands = (event.ctrlKey || event.metaKey) && !event.altKey;
+    const letter = letterOf(event);
+    if (commands && COMMANDS.includes(letter)) press(event);
+    else if (at instanceof HTMLSelectElement && event.key !== "Tab") press(event);
+    else if (isInside(event) || (commands && UNDO.includes(letter))) event.stopImmediatePropagation();
+  };
+
+  const ways: [EventTarget, string[], (event: never) => void][] = [
+    [root, ["input", "change"], type],
+    [root, ["click"], press],
+    [root, POINTS, point],
+    [root, ["mousedown"], open],
+    // Before what the page does with keys that are pressed beside every field.
+    [window, ["keydown"], key],
+  ];
+  for (const [at, names, act] of ways)
+    for (const name of names) at.addEventListener(name, act as EventListener, { capture: true, passive: false });
+  root.host.setAttribute("aria-busy", "true");
+
+  return (enter) => {
+    for (const [at, names, act] of ways)
+      for (const name of names) at.removeEventListener(name, act as EventListener, true);
+    root.host.removeAttribute("aria-busy");
+    root.host.removeAttribute("data-typed");
+    for (const [field, { text, left }] of enter ? typed : []) {
+      if (!field.isConnected) continue;
+      // The page may have been drawn again meanwhile.
+      field.value = text;
+      for (const name of left ? ["input", "change"] : ["input"])
+        field.dispatchEvent(new Event(name, { bubbles: true, composed: true }));
     }
   };
 }

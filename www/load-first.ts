@@ -1,4 +1,4 @@
-// The module of the page. A first visit loads it without what reads texts from outside and without LENTOAX: a quarter fewer bytes before the first answer.
+// The module of the page. It begins without what reads texts from outside and without LENTOAX: a quarter fewer bytes before the first answer.
 // The job of a first visit is always the same: what the module says of it comes with the page (www/first-answers.ts), and is shown until the module is
 // there.
 import { instance, type Raw } from "./core/instance.js";
@@ -11,10 +11,18 @@ export { raw };
 /** Whether the page begins with that job: first.js says so where nothing was kept and the address says no job. */
 const isFirst = /\bfirst-(mm|inch)\b/.test(document.documentElement.className);
 
-const loaded = init({ module_or_path: address }).then(() => {
-  arrival = null;
-  stand = null;
-});
+const pictures: SVGElement[] = [];
+const load = () => init({ module_or_path: address });
+/** Once more after a while: what was typed meanwhile must not be lost with a connection. */
+const again = () => new Promise((done) => setTimeout(done, 2000)).then(load);
+const loaded = load()
+  .catch(again)
+  .catch(again)
+  .then(() => {
+    arrival = null;
+    stand = null;
+    for (const picture of pictures) picture.remove();
+  });
 
 /** The arrival of the module, where the page is shown before it; null once it is there. */
 export let arrival: Promise<void> | null = isFirst ? loaded : null;
@@ -22,7 +30,7 @@ export let arrival: Promise<void> | null = isFirst ? loaded : null;
 /** What answers until the module is there. */
 export let stand: Raw | null = null;
 
-// Whoever awaits it learns that it did not come.
+// Who awaits it reports it.
 loaded.catch(() => undefined);
 const known = isFirst ? await import("./first-answers.js").catch(() => null) : null;
 // The module may have been faster.
@@ -31,7 +39,7 @@ if (known && arrival) {
   showPicture();
 } else await loaded;
 
-/** The picture that stands in the page is that of the page's own picture until the module draws it. */
+/** The picture in the page's markup takes the place of the canvas until the module draws it. */
 function showPicture(): void {
   const page = document.querySelector("touch-path");
   for (const svg of page?.querySelectorAll(".shell svg") ?? []) {
@@ -44,6 +52,7 @@ function showPicture(): void {
       for (const one of filled) one.setAttribute("fill", `url(#${hatch.id})`);
     }
     page?.append(picture);
+    pictures.push(picture);
   }
 }
 
@@ -51,15 +60,16 @@ let loading: Promise<void> | undefined;
 
 /** Puts the whole module in the place of the first one; Views are made anew. Fails without a network, and can be tried again then. */
 export function loadWhole(): Promise<void> {
-  loading ??= load().catch((thrown) => {
+  loading ??= replace().catch((thrown) => {
     loading = undefined;
     throw thrown;
   });
   return loading;
 }
 
-async function load(): Promise<void> {
+async function replace(): Promise<void> {
   const response = await fetch(rest);
+  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
   const module = await WebAssembly.compile(await response.arrayBuffer());
   await loaded;
   instance.replace(() => raw.use(module));

@@ -38,6 +38,8 @@ worker.addEventListener("activate", (event) => {
     const names = await caches.keys();
     const old = names.filter((name) => name.startsWith(OWN) && name !== CACHE);
     await Promise.all(old.map((name) => caches.delete(name)));
+    // The page of the first visit, too, finds here what is kept for it.
+    await worker.clients.claim();
   };
   event.waitUntil(others());
 });

@@ -6,7 +6,7 @@ use crate::control::safety::{self, Restarts};
 use crate::form::{Checker, Value};
 use crate::job::SafetyRow;
 use crate::job::defaults::resolved;
-use crate::job::plan::{read, request};
+use crate::job::plan::{plan_with_path, read, request};
 #[cfg(test)]
 use crate::job::planned::Planned;
 
@@ -61,7 +61,8 @@ pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
     Some(read(text) == anew)
 }
 
-/// How long printing, reading back, proof and rules take, for the bench: each with what it needs done before, `rounds` times. The proof reads, too.
+/// How long printing, reading back, proof, rules and a plan without its table take, for the bench: each with what it needs done before, `rounds` times.
+/// The proof reads, too.
 #[doc(hidden)]
 pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {
     use std::hint::black_box;
@@ -78,5 +79,6 @@ pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &m
         timed("prove", &mut || (0..rounds).for_each(|_| drop(black_box(prove()))));
         let Ok(followed) = prove() else { return };
         timed("rules", &mut || (0..rounds).for_each(|_| drop(black_box(safety::check(request, &followed, Restarts::Telling)))));
+        timed("plan", &mut || (0..rounds).for_each(|_| drop(black_box(plan_with_path(black_box(value))))));
     });
 }

@@ -95,32 +95,116 @@ test("form, picture and program are read before the module, and are what the mod
   }
 });
 
-test("what is typed, chosen and pressed before the module is there is not lost", async () => {
+const element = (/** @type {import("playwright-core").Page} */ tab) =>
+  tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
+
+test("what is typed before the module is there is not lost, and nothing else can be done until then", async () => {
   const { own, tab, go } = await waiting(page.url(), "en-GB");
   await tab.locator("tp-program .line").first().waitFor({ state: "attached" });
+  /** @type {string[]} */
+  const saved = [];
+  tab.on("download", (download) => saved.push(download.suggestedFilename()));
   const width = tab.locator("#f-cycle\\.width1");
   await width.click();
   await width.press("Control+a");
   await width.pressSequentially("91.5");
-  await tab.locator("#f-control\\.post").first().selectOption("sinumerik");
+  await width.press("Tab");
+  await tab.keyboard.press("Control+a");
+  await tab.keyboard.type("44");
+  assert.equal(await width.inputValue(), "91.5");
+  assert.equal((await stored(tab)).job.cycle.width1, 80, "it waits");
+  // The program is that of before: it looks so, and is not handed out.
+  assert.equal(await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).save()), false);
+  await width.press("Control+s");
+  await tab.mouse.click(700, 400);
+  await tab.keyboard.press("Control+s");
+  await tab.getByRole("button", { name: /^Save/ }).first().click();
   await tab.getByRole("tab", { name: "Results" }).click();
   await tab.evaluate(() => {
     /** @type {any} */ (document.querySelector("touch-path")).measured = "1 2 3";
   });
-  assert.equal(await width.inputValue(), "91.5");
-  assert.equal((await stored(tab)).job.cycle.width1, 80, "it waits");
   go();
-  await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
+  await element(tab);
   const { job, plan } = await stored(tab);
-  assert.equal(job.cycle.width1, 91.5);
-  assert.equal(job.control.post, "sinumerik");
-  assert.match(plan.program.text, /MEAS=1 .*X=?47\.75/);
-  assert.equal(await tab.getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "true");
+  assert.deepEqual([job.cycle.width1, job.cycle.width2], [91.5, 44]);
+  assert.match(plan.program.text, /G38\.2 X47\.75 /);
+  assert.equal(await tab.getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "false");
   assert.equal(await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).measured), "1 2 3");
+  assert.deepEqual(saved, []);
+  assert.equal(await tab.locator("touch-path").getAttribute("aria-busy"), null);
+  const download = tab.waitForEvent("download");
+  await tab.keyboard.press("Control+s");
+  assert.equal((await download).suggestedFilename(), "POCKET-91_5X44.ngc");
   await own.close();
 });
 
-test("a module that does not come is said, in place of the page that waited for it", async () => {
+test("a job that another tab keeps meanwhile, and a link that is pasted, wait for the module", async () => {
+  const { own, tab, go } = await waiting(page.url(), "en-GB", /\.wasm$|\/app-[^/]*$/);
+  await tab.evaluate(() => localStorage.setItem("touchpath.job.1", "{}"));
+  go();
+  await element(tab);
+  assert.equal((await stored(tab)).job.cycle.width1, 80);
+  await own.close();
+  const link = await page.evaluate(async () => {
+    const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+    store.set("cycle.width1", 77);
+    await navigator.clipboard.writeText("");
+    /** @type {any} */ (document.querySelector("touch-path")).app.ask("share");
+    for (;;) {
+      const text = await navigator.clipboard.readText();
+      if (text !== "") return text;
+      await new Promise((done) => setTimeout(done, 50));
+    }
+  });
+  const other = await waiting(page.url(), "en-GB");
+  await other.tab.locator("tp-program .line").first().waitFor({ state: "attached" });
+  await other.tab.evaluate((hash) => {
+    location.hash = hash;
+  }, new URL(link).hash);
+  other.go();
+  await element(other.tab);
+  await other.tab.waitForFunction(
+    () => /** @type {any} */ (document.querySelector("touch-path")).store.job.cycle.width1 === 77,
+  );
+  await other.own.close();
+});
+
+test("the page begins with the smaller module, and fetches the whole one when a text is opened", async () => {
+  const browser = /** @type {import("playwright-core").Browser} */ (context.browser());
+  const own = await browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
+  const tab = await own.newPage();
+  /** @type {string[]} */
+  const modules = [];
+  tab.on("request", (request) => {
+    const name = /([a-z_]+)-[\w-]{8}\.wasm$/.exec(request.url())?.[1];
+    if (name) modules.push(name);
+  });
+  await tab.goto(page.url());
+  await element(tab);
+  await tab.waitForTimeout(1000);
+  assert.deepEqual([...new Set(modules)], ["first"]);
+  const buffer = Buffer.from("G21\nG0 X1 Y2\nG1 Z-3 F100\nM2\n");
+  await tab.locator("#file").setInputFiles({ name: "some.ngc", mimeType: "text/plain", buffer });
+  await tab.locator("tp-viewer").waitFor();
+  assert.deepEqual([...new Set(modules)], ["first", "touchpath_bg"]);
+  await own.close();
+});
+
+test("a module that came on the third attempt lost nothing", async () => {
+  const browser = /** @type {import("playwright-core").Browser} */ (context.browser());
+  const own = await browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
+  const tab = await own.newPage();
+  let attempts = 0;
+  await tab.route(/\.wasm$/, (route) => (++attempts < 3 ? route.abort() : route.continue()));
+  await tab.goto(page.url());
+  await tab.locator("#f-cycle\\.width1").fill("91");
+  await element(tab);
+  assert.ok(attempts >= 3);
+  assert.equal((await stored(tab)).job.cycle.width1, 91);
+  await own.close();
+});
+
+test("without its module the page says so in its place", async () => {
   const browser = /** @type {import("playwright-core").Browser} */ (context.browser());
   const own = await browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
   const tab = await own.newPage();

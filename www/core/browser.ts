@@ -8,7 +8,7 @@ export * from "./api.js";
 export { say } from "./said.js";
 export type * from "./types.js";
 
-attach(stand ?? module, module.__wbg_reset_state);
+attach(stand ?? module, stand ? () => undefined : module.__wbg_reset_state);
 arrival?.then(
   () => attach(module, module.__wbg_reset_state),
   () => undefined,

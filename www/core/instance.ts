@@ -72,7 +72,7 @@ export class Instance {
     this.number++;
   }
 
-  /** Puts another module in the place of this one. What was made by this one is of no use to the other. */
+  /** Puts another module in the place of this one. What this one made cannot be used with the other. */
   replace(put: () => void): void {
     put();
     this.broken = false;

@@ -3,7 +3,7 @@ import { repeat } from "lit/directives/repeat.js";
 import { awaited, type Job, JobError, type Said, whole } from "../core/browser.js";
 import { hold } from "../hold.js";
 import { isObject } from "../job.js";
-import { keepTheme, keptTheme } from "../persistence.js";
+import { keepTheme, kept, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
 import { Store } from "../store.js";
 import css from "../style.css?inline";
@@ -32,7 +32,7 @@ import "./results.js";
 import { isShort } from "./shown.js";
 import "./table.js";
 
-export { awaited, hold, Store };
+export { awaited, hold, kept, Store };
 
 /** The styles of everything inside the element. */
 export const styles = new CSSStyleSheet();
@@ -78,6 +78,9 @@ const LATER: Record<string, () => Promise<unknown>> = {
 /** What needs the whole module. */
 const WHOLE = new Set(["lengths", "viewer"]);
 
+/** Milliseconds after which the user sees that something is being loaded. */
+const SOON = 300;
+const LOADING: Said = [w("This part of the page is being loaded …")];
 const MISSING: Said = [w("This part of the page could not be loaded: is there a network?")];
 
 const system = matchMedia("(prefers-color-scheme: dark)");
@@ -153,6 +156,7 @@ export class App extends LitElement {
         // The page keeps the editor of long programs for when there is no network.
         if (!isShort(viewed.text)) this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
       },
+      whole: () => this.whole(),
       beside: (text, signal) => {
         const detail: Unread = { text, signal, reading: null };
         this.around.host.dispatchEvent(new CustomEvent("read", { detail }));
@@ -614,10 +618,22 @@ export class App extends LitElement {
     }
   }
 
+  /** Loads the whole module, and says so where that takes a while. What is drawn is drawn anew by it. */
+  private async whole(): Promise<void> {
+    const late = setTimeout(() => this.tell(LOADING), SOON);
+    try {
+      await whole();
+    } finally {
+      clearTimeout(late);
+    }
+    if (this.said?.text === LOADING) this.tell(null);
+    this.store.dispatchEvent(new Event("recolour"));
+  }
+
   /** Loads what was not needed until now; false where it cannot be had. */
   private async loads(what: string): Promise<boolean> {
     try {
-      await Promise.all([LATER[what]?.(), WHOLE.has(what) ? whole() : null]);
+      await Promise.all([LATER[what]?.(), WHOLE.has(what) ? this.whole() : null]);
       this.there.add(what);
       this.requestUpdate();
       await this.updateComplete;

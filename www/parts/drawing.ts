@@ -37,7 +37,10 @@ export class Drawing {
     awaited()?.then(this.restored, () => undefined);
   }
 
-  private readonly restored = () => this.restyle();
+  private freed = false;
+  private readonly restored = () => {
+    if (!this.freed) this.restyle();
+  };
 
   /** Works with the View; not before the module is there. One that fails belongs to an earlier instance of the module: the work is done with a new one. */
   use<T>(work: (view: PageView) => T): T | undefined {
@@ -88,6 +91,7 @@ export class Drawing {
   }
 
   free(): void {
+    this.freed = true;
     // The canvas may have another drawing later.
     this.canvas.removeEventListener("contextrestored", this.restored);
     this.rest();

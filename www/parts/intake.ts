@@ -1,4 +1,4 @@
-import { type Finding, type Job, JobError, type ProgramMoves, whole } from "../core/browser.js";
+import { awaited, type Finding, type Job, JobError, type ProgramMoves } from "../core/browser.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
@@ -17,6 +17,8 @@ interface Page {
   showResults(): void;
   /** Shows the moves of a program that says no job. */
   showMoves(viewed: Viewed): void;
+  /** Loads what reads texts, and says so where that takes a while. */
+  whole(): Promise<void>;
   /** Reads a text beside the page, until the signal says that it is of no use any more; null where that cannot be. */
   beside(text: string, signal: AbortSignal): Promise<Reading> | null;
 }
@@ -30,9 +32,6 @@ export interface Unread {
 
 /** What reads texts could not be loaded. */
 class NotLoaded extends Error {}
-
-/** Milliseconds after which the user sees that a text is being read. */
-const SOON = 300;
 
 /** A text of as many characters and more is read beside the page: below, that takes longer than the reading. */
 const LONG = 100_000;
@@ -131,6 +130,7 @@ export class Intake {
   readonly link = async (): Promise<void> => {
     const { hash } = location;
     if (!isFragment(hash)) return;
+    await awaited();
     history.replaceState(history.state, "", location.pathname + location.search);
     const { signal } = this.begin();
     const state = await fromFragment(hash, this.store.longest);
@@ -152,6 +152,7 @@ export class Intake {
   async text(text: string, document = this.store.document, name: string | null = null): Promise<boolean> {
     const { signal } = this.begin();
     try {
+      await awaited();
       const reading = await this.read(text, signal);
       if (signal.aborted) return false;
       if (document === this.store.document) return this.take(text, reading, name);
@@ -209,15 +210,12 @@ export class Intake {
     });
   }
 
-  /** Reads a text in the page itself, once the module that can is there. */
+  /** Reads a text in the page itself. */
   private async here(text: string): Promise<Reading> {
-    const late = setTimeout(() => this.page.tell(this.store.t("This text is being read …")), SOON);
     try {
-      await whole();
+      await this.page.whole();
     } catch {
       throw new NotLoaded();
-    } finally {
-      clearTimeout(late);
     }
     return read(text);
   }

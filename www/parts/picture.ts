@@ -151,7 +151,8 @@ class PicturePart extends DrawnPart {
           view.look(this.look);
           label(view, this.store);
           view.setHand(this.store.features.inJob);
-          view.show(this.store.shown);
+          view.magnify(this.magnified);
+          if (!this.live || !view.show(this.store.job)) view.show(this.store.shown);
           view.focus(this.lit);
           view.grips(this.grips);
           view.highlight(this.store.highlight ?? undefined);

@@ -260,7 +260,7 @@ impl Moves for Skip<'_> {
         if let Some(n) = request.work_offset {
             w.line(&(request.post.work_offset_word)(n));
         }
-        w.line(self.flavour.halt);
+        self.halt(w);
         w.line(&format!("{}={}", variable(0), self.flavour.length));
         if request.corrects() {
             w.line(&format!("{}=0", variable(self.count())));

@@ -74,7 +74,7 @@ struct Line {
 #[derive(Debug)]
 pub struct Memory {
     lines: Vec<Option<Box<Line>>>,
-    /// What came once, likewise: a line is kept when it comes again, as most lines that are new never do.
+    /// The hashes of lines that came once, in the same pairs: a line is kept when it comes again, and most new lines never do.
     once: Vec<u32>,
     names: BTreeMap<Cow<'static, [u8]>, u32>,
     /// The variables of the program that is being read, by the numbers of their names.
@@ -103,7 +103,7 @@ impl Before {
 }
 
 impl Memory {
-    /// The memory of this thread, taken until it is given back. None where it is to be done without.
+    /// The memory of this thread, taken until it is given back. None where every line is to be read anew.
     pub fn take() -> Option<Box<Self>> {
         if OFF.get() {
             return None;
@@ -239,7 +239,7 @@ impl Memory {
     }
 }
 
-/// What a line is found by, before it is compared; none of a line that is never kept.
+/// What a line is found by, before it is compared. None for a line that is never kept.
 fn hashed(text: &str, (hand, more): (Hand, u8)) -> Option<u32> {
     if !(1..=LONGEST).contains(&text.len()) {
         return None;
@@ -318,12 +318,17 @@ mod tests {
         POSTS.iter().find(|known| known.key == post).and_then(|known| known.read).unwrap()
     }
 
-    /// How many lines are kept.
-    fn kept() -> usize {
+    /// How many lines are kept, and names known. Both are bounded.
+    fn kept() -> (usize, usize) {
         let own = Memory::take();
-        let kept = own.as_ref().map_or(0, |own| own.lines.iter().flatten().count());
+        let kept = own.as_ref().map_or((0, 0), |own| (own.lines.iter().flatten().count(), own.names.len()));
         Memory::give_back(own);
+        assert!(kept.0 <= LINES && kept.1 <= MOST_KNOWN, "{kept:?}");
         kept
+    }
+
+    fn forget() {
+        Memory::give_back(Some(Box::new(Memory::empty())));
     }
 
     /// With no memory, with what came once, and with what is kept: always the same.
@@ -351,8 +356,9 @@ mod tests {
             ("haas", FANUC),
             ("grbl", "G21\nG38.2 Z-1 F100\nG0 X1\n"),
         ] {
+            forget();
             same(post, text);
-            assert!(kept() > 0, "{post}");
+            assert!(kept().0 > 0, "{post}");
             // What depends on lines before it does so when it is remembered: without them, the other way round, between others, twice.
             let lines: Vec<&str> = text.lines().collect();
             for at in 0..lines.len() {
@@ -373,9 +379,10 @@ mod tests {
         let name = |n: usize| format!("#<n{n}>=[#<m{n}>+{n}]\n");
         for from in 0..4 {
             same("linuxcnc", &(0..MOST_KNOWN).map(|n| name(from * MOST_KNOWN / 2 + n)).collect::<String>());
+            assert!(kept().1 > 0);
         }
         same("linuxcnc", &(0..LINES / 4).map(|n| format!("G1 X{n} Y1\n")).collect::<String>());
-        assert!(kept() > LINES / 8);
+        assert!(kept().0 > LINES / 8);
         same("linuxcnc", &(0..2 * LINES).map(|n| format!("G1 X{n} Y2\n")).collect::<String>());
         same("linuxcnc", LINUXCNC);
         let long = format!("#1=[{}1]\n", "1+".repeat(60));

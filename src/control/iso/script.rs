@@ -27,7 +27,7 @@ pub struct Trouble {
 pub struct NodeId(NonZeroU32);
 
 impl NodeId {
-    /// The value that stands by so many later in the list; past its end it goes on from the beginning.
+    /// The value that stands by so many later in the list; past its end it wraps around.
     pub fn shifted(self, by: u32) -> Self {
         NodeId(NonZeroU32::new(self.0.get().wrapping_add(by)).unwrap_or(NonZeroU32::MAX))
     }

@@ -57,14 +57,10 @@ ${cases(Object.entries(options), list)}
 ${cases(Object.entries(behind), list)}
     esac
   fi
-  if [[ -n $words ]]; then
-    COMPREPLY=($(compgen -W "$words" -- "$cur"))
-  else
-    compopt -o filenames 2>/dev/null
-    COMPREPLY=($(compgen -f -- "$cur"))
-  fi
+  # With nothing to offer, files are: the shell itself knows how to write their names.
+  [[ -n $words ]] && COMPREPLY=($(compgen -W "$words" -- "$cur"))
 }
-complete -F _touchpath touchpath
+complete -o default -F _touchpath touchpath
 `;
 }
 
@@ -82,7 +78,9 @@ function fish({ about, options, formats, values }: Completed, behind: Behind): s
   for (const [name, says] of Object.entries(about))
     lines.push(`complete -c touchpath -n __fish_use_subcommand -f -a ${name} -d ${quoted(says)}`);
   for (const [name, words] of Object.entries(behind))
-    lines.push(`complete -c touchpath -n '__fish_seen_subcommand_from ${name}' -f -a ${joined(words)}`);
+    lines.push(
+      `complete -c touchpath -n 'test (count (commandline -opc)) -eq 2; and __fish_seen_subcommand_from ${name}' -f -a ${joined(words)}`,
+    );
   for (const [name, flags] of Object.entries(options))
     for (const flag of flags) {
       const long = flag.startsWith("--");
