@@ -30,7 +30,7 @@ export let arrival: Promise<void> | null = isFirst ? loaded : null;
 /** What answers until the module is there. */
 export let stand: Raw | null = null;
 
-// Who awaits it reports it.
+// Its failure is reported where it is awaited.
 loaded.catch(() => undefined);
 const known = isFirst ? await import("./first-answers.js").catch(() => null) : null;
 // The module may have been faster.
