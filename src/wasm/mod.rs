@@ -11,6 +11,8 @@ mod whole;
 
 pub use sink::Sink;
 pub use view::View;
+#[cfg(feature = "whole")]
+pub use whole::{import_job, job_schema, lentoax, lentoax_words, read_program, run_program};
 
 use std::cell::RefCell;
 use std::rc::Rc;
