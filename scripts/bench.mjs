@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { build } from "./build.mjs";
+import { rooms } from "./functions.mjs";
 import { at, run, works } from "./lib.mjs";
 
 await build();
@@ -448,3 +449,12 @@ for (const [name, size] of Object.entries(sizes)) {
     `${((100 * size) / before).toFixed(0)} %`.padStart(6),
   );
 }
+
+// By the names of the functions: what is shared, such as collections and formatting, is the rest. Mazak, Brother, Hurco and Okuma are entries of `renishaw`.
+const target = process.env.CARGO_TARGET_DIR ?? at("target");
+const built = (/** @type {string} */ folder) =>
+  new Map(rooms(readFileSync(join(target, folder, "wasm32-unknown-unknown", "release", "touchpath.wasm"))));
+const [all, begins] = [built(""), built("first")];
+console.log("\nCode by room and control, kB before wasm-opt: in the whole module, in the first one");
+for (const [name, size] of all)
+  console.log(name.padEnd(22), ...[size, begins.get(name) ?? 0].map((b) => (b / 1000).toFixed(1).padStart(8)));

@@ -4,6 +4,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
+import { functions } from "../../scripts/functions.mjs";
 
 const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
@@ -16,66 +17,6 @@ const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`
  * Each language's words, 65 to 73 kB, are loaded where they are wanted, and so are the editor of opened programs and the worker that reads long texts.
  */
 const BUDGET = { module: 571_000, first: 433_000, page: 689_000, words: 78_500, editor: 70_000, reader: 10_100 };
-
-/** The functions of a module that still says their names, with their bytes, largest first. */
-function functions(/** @type {Buffer} */ wasm) {
-  let i = 8;
-  const number = () => {
-    let [value, shift] = [0, 0];
-    for (;;) {
-      const byte = wasm[i++] ?? 0;
-      value += (byte & 127) * 2 ** shift;
-      shift += 7;
-      if (byte < 128) return value;
-    }
-  };
-  const text = () => {
-    const length = number();
-    i += length;
-    return wasm.toString("utf8", i - length, i);
-  };
-  let imported = 0;
-  /** @type {number[]} */
-  const sizes = [];
-  /** @type {Map<number, string>} */
-  const names = new Map();
-  while (i < wasm.length) {
-    const section = number();
-    const length = number();
-    const end = i + length;
-    if (section === 2) {
-      for (let count = number(); count > 0; count--) {
-        text();
-        text();
-        const kind = number();
-        if (kind === 0) imported++;
-        // A global has its type and whether it changes; a table a type in front of its limits.
-        if (kind === 1 || kind === 3) number();
-        const limits = number();
-        if (kind === 1 || kind === 2) for (let n = limits & 1 ? 2 : 1; n > 0; n--) number();
-      }
-    } else if (section === 10) {
-      for (let count = number(); count > 0; count--) {
-        const size = number();
-        sizes.push(size);
-        i += size;
-      }
-    } else if (section === 0 && text() === "name") {
-      while (i < end) {
-        const part = number();
-        const stop = number() + i;
-        if (part === 1) for (let count = number(); count > 0; count--) names.set(number(), text());
-        i = stop;
-      }
-    }
-    i = end;
-  }
-  const named = sizes.map((size, n) => ({
-    size,
-    name: (names.get(n + imported) ?? "?").replace(/^_ZN\d+|17h[0-9a-f]{16}E$/g, "").replace(/\d+(?=[a-z_$])/gi, "::"),
-  }));
-  return named.sort((a, b) => b.size - a.size);
-}
 
 test("the module and the page stay within their budgets", () => {
   const wasm = readFileSync(at("dist/wasm/touchpath_bg.wasm"));
