@@ -1,6 +1,9 @@
 // A first visit over slow lines: when its picture is seen, when its form and program can be read, and when the first key is answered. All connections
 // share one line, as a phone's do: its bytes a second, and a round trip for every request.
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { connect, createServer } from "node:net";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { Transform } from "node:stream";
 import { chromium } from "playwright-core";
 import { at, ensureChromium } from "./lib.mjs";
@@ -14,14 +17,18 @@ const LINES = /** @type {const} */ ([
 const ROUNDS = 5;
 
 const server = await serve(0, at("dist", "page"), "127.0.0.1", true);
-const home = new URL(addressOf(server));
+// As little as a page can be.
+const nothing = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
+writeFileSync(join(nothing, "index.html"), "<!doctype html><title>x</title><p>x</p>");
+const blankServer = await serve(0, nothing, "127.0.0.1", true);
 const browser = await chromium.launch({
   executablePath: ensureChromium().browser,
   args: ["--no-sandbox", "--disable-gpu"],
 });
 
-/** A line to the server. @param {number} mbit @param {number} trip */
-async function lineOf(mbit, trip) {
+/** A line to a server. @param {import("node:http").Server} to @param {number} mbit @param {number} trip */
+async function lineOf(to, mbit, trip) {
+  const home = new URL(addressOf(to));
   const perMs = (mbit * 1e6) / 8 / 1000;
   const line = { bytes: 0, free: 0, url: "", close: () => {} };
   const wait = (/** @type {number} */ ms) => new Promise((done) => setTimeout(done, ms));
@@ -92,8 +99,7 @@ async function visit(url, line) {
 /** How long an empty page takes to its first paint. @param {string} url */
 async function empty(url) {
   const page = await browser.newPage();
-  await page.route("**/*", (route) => route.continue());
-  await page.goto(`${url}licences.txt`, { waitUntil: "commit" });
+  await page.goto(url, { waitUntil: "commit" });
   await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
   const time = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? 0);
   await page.close();
@@ -109,15 +115,18 @@ console.log(
   "picture / empty (goal: 1.6), and answer / (bytes at the line's speed + 2 round trips) (goals: 1.25 and 1.8)",
 );
 for (const [mbit, trip] of LINES) {
-  const line = await lineOf(mbit, trip);
+  const [line, blankLine] = [await lineOf(server, mbit, trip), await lineOf(blankServer, mbit, trip)];
   // A browser's first pages start its processes.
-  for (let i = 0; i < 2; i++) await visit(line.url, line);
+  for (let i = 0; i < 2; i++) {
+    await visit(line.url, line);
+    await empty(blankLine.url);
+  }
   /** @type {Awaited<ReturnType<typeof visit>>[]} */
   const visits = [];
   /** @type {number[]} */
   const blank = [];
   for (let i = 0; i < ROUNDS; i++) {
-    blank.push(await empty(line.url));
+    blank.push(await empty(blankLine.url));
     visits.push(await visit(line.url, line));
   }
   const of = (/** @type {"picture" | "read" | "answered" | "bytes"} */ key) => middle(visits.map((one) => one[key]));
@@ -129,7 +138,8 @@ for (const [mbit, trip] of LINES) {
     (of("picture") / middle(blank)).toFixed(2).padStart(8),
     (of("answered") / least).toFixed(2).padStart(6),
   );
-  line.close();
+  for (const one of [line, blankLine]) one.close();
 }
 await browser.close();
-server.close();
+for (const one of [server, blankServer]) one.close();
+rmSync(nothing, { recursive: true });
