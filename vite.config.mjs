@@ -125,14 +125,23 @@ const first = () => ({
       const script = readFileSync(new URL("www/first.js", import.meta.url), "utf8")
         .replace(/^\s*\/\/.*\n/gm, "")
         .replace("first-answers.js", answers.fileName);
-      const hash = createHash("sha256").update(script).digest("base64");
-      const allowed = "script-src 'self'";
-      if (!html.includes(allowed)) throw new Error("the policy of the page is not as it was");
+      // So is its style, for which the first paint waits.
+      const [link, address = ""] = /<link rel="stylesheet"[^>]* href="\.\/([^"]+)">\s*/.exec(html) ?? [];
+      const sheet = bundle?.[address];
+      if (link === undefined || sheet?.type !== "asset") throw new Error("the page has no style");
+      const style = String(sheet.source).trim();
+      delete bundle?.[address];
+      const allow = (/** @type {string} */ page, /** @type {string} */ rule, /** @type {string} */ content) => {
+        if (!page.includes(rule)) throw new Error("the policy of the page is not as it was");
+        return page.replace(rule, `${rule} 'sha256-${createHash("sha256").update(content).digest("base64")}'`);
+      };
+      const whole = html.replace(link, "").replace(cell, `<i></i><i>${picture("mm")}${picture("inch")}</i><i></i>`);
       return {
-        html: html
-          .replace(cell, `<i></i><i>${picture("mm")}${picture("inch")}</i><i></i>`)
-          .replace(allowed, `${allowed} 'sha256-${hash}'`),
-        tags: [{ tag: "script", children: script, injectTo: "head" }],
+        html: allow(allow(whole, "script-src 'self'", script), "style-src 'self'", style),
+        tags: [
+          { tag: "style", children: style, injectTo: "head" },
+          { tag: "script", children: script, injectTo: "head" },
+        ],
       };
     },
   },
