@@ -206,10 +206,14 @@ class FormPart extends FieldPart {
     super.connectedCallback();
     this.addEventListener("scroll", this.mark, { passive: true });
     this.addEventListener("focusin", this.goes);
-    if (this.hasUpdated) this.firstUpdated();
+    if (this.hasUpdated) this.watchChips();
   }
 
   protected override firstUpdated(): void {
+    this.watchChips();
+  }
+
+  private watchChips(): void {
     this.chips.observe(this.querySelector(".chips") as HTMLElement);
   }
 
