@@ -8,7 +8,7 @@ use crate::control::{Program, Request};
 use crate::formula::{Datum, Formula, Question, Used, Variable};
 use crate::geom::Vec3;
 use crate::num::format_count;
-use crate::path::{Move, Path, Purpose, Touch};
+use crate::path::{Move, Purpose, Repeat, Touch};
 
 /// A move of the path, and its place in it.
 #[derive(Clone, Copy, Debug)]
@@ -101,6 +101,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let own = hooks.own_cycles();
     let needed = if request.when() == When::AtOnce { needed_touches(path) } else { Vec::new() };
     let (mut made, mut computed) = (0, 0);
+    let samples = path.samples();
     let mut from = path.start;
     for (index, step) in path.moves.iter().enumerate() {
         let place = Step { index, step, from };
@@ -125,7 +126,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
             Purpose::Position => hooks.position(&mut w, place),
             Purpose::Touch(k) => {
                 hooks.touch(&mut w, place, &path.touches[k]);
-                latch(&mut w, path, hooks, (k, &used), &mut stored);
+                latch(&mut w, hooks, (&samples[k], &used), &mut stored);
                 made += 1;
                 while needed.get(computed).is_some_and(|needed| *needed <= made) {
                     hooks.assign(&mut w, formula, computed);
@@ -167,8 +168,7 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
 }
 
 /// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
-fn latch(w: &mut Writer<'_>, path: &Path, hooks: &dyn Moves, (k, used): (usize, &Used), stored: &mut StoredCoordinate) {
-    let sample = path.samples(k);
+fn latch(w: &mut Writer<'_>, hooks: &dyn Moves, (sample, used): (&Repeat, &Used), stored: &mut StoredCoordinate) {
     for axis in (0..3).filter(|&axis| used.has(sample.index, axis)) {
         [&mut stored.variable, &mut stored.source, &mut stored.comment].into_iter().for_each(|text| text.clear());
         if !hooks.stores(sample.index, axis, stored) {

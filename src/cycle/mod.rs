@@ -2,6 +2,9 @@
 
 mod ency;
 mod heidenhain;
+mod repeat;
+
+pub use repeat::{REPEAT, Repeat};
 
 pub use ency::{CODE_GROUPS, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT, Pick, Placement, code_of, only_angular};
 

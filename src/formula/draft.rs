@@ -67,7 +67,7 @@ impl Draft {
 
     /// Coordinate `axis` of the trigger of a sample.
     pub fn trigger(&self, sample: usize, axis: usize) -> Expr<'_> {
-        debug_assert!(sample < MOST_SAMPLES && axis < 3, "sample {sample}, axis {axis}");
+        debug_assert!(axis < 3, "axis {axis}");
         self.push(Node::Trigger { sample: sample as u16, axis: axis as u8 })
     }
 
@@ -115,6 +115,7 @@ impl Draft {
             reference: nominal,
             variable,
             tolerance: None,
+            limit: None,
         });
     }
 
@@ -122,6 +123,13 @@ impl Draft {
     pub fn referred_to(&self, reference: f64) {
         if let Some(last) = self.0.borrow_mut().results.last_mut() {
             last.reference = reference;
+        }
+    }
+
+    /// The last result has a limit of its own, mm.
+    pub fn limited(&self, limit: Option<f64>) {
+        if let Some(last) = self.0.borrow_mut().results.last_mut() {
+            last.limit = limit;
         }
     }
 

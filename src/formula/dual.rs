@@ -8,29 +8,29 @@ use crate::geom::{Vec2, Vec3};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dual {
     pub value: f64,
-    /// The cycle of a set-up whose touches `by_touch` is of.
-    cycle: u16,
+    /// The first of the samples that `by_touch` is of.
+    first: u16,
     /// Its change for a unit shift of each trigger along its probing direction.
     by_touch: [f64; MOST_SAMPLES],
-    /// The same by the touches of further cycles.
+    /// The same by further samples, of repeated touches or of other cycles.
     others: Vec<(u16, [f64; MOST_SAMPLES])>,
 }
 
 impl Dual {
     /// A number that depends on no touch.
     pub const fn constant(value: f64) -> Self {
-        Dual { value, cycle: 0, by_touch: [0.0; MOST_SAMPLES], others: Vec::new() }
+        Dual { value, first: 0, by_touch: [0.0; MOST_SAMPLES], others: Vec::new() }
     }
 
-    /// Its derivatives, cycle by cycle: the cycle of a set-up, 0 elsewhere, and those by its touches.
-    pub fn by_cycle(&self) -> impl Iterator<Item = (usize, &[f64; MOST_SAMPLES])> {
-        let others = self.others.iter().map(|(cycle, by_touch)| (usize::from(*cycle), by_touch));
-        std::iter::once((usize::from(self.cycle), &self.by_touch)).chain(others)
+    /// Its derivatives: the first of some samples, and those by them and the following ones.
+    pub fn by_samples(&self) -> impl Iterator<Item = (usize, &[f64; MOST_SAMPLES])> {
+        let others = self.others.iter().map(|(first, by_touch)| (usize::from(*first), by_touch));
+        std::iter::once((usize::from(self.first), &self.by_touch)).chain(others)
     }
 
     /// Every derivative.
     fn slopes(&self) -> impl Iterator<Item = f64> {
-        self.by_cycle().flat_map(|(_, by_touch)| by_touch.iter().copied())
+        self.by_samples().flat_map(|(_, by_touch)| by_touch.iter().copied())
     }
 
     /// The sum of the sizes of its derivatives: by so much it changes at most where each touch does by 1.
@@ -56,14 +56,14 @@ impl Dual {
 
     /// Becomes f of itself and another number, by the chain rule.
     fn join(&mut self, other: &Dual, (value, slope, other_slope): Joined) {
-        if self.cycle == other.cycle && self.others.is_empty() && other.others.is_empty() {
+        if self.first == other.first && self.others.is_empty() && other.others.is_empty() {
             self.value = value;
             for (d, o) in self.by_touch.iter_mut().zip(&other.by_touch) {
                 *d = *d * slope + o * other_slope;
             }
             return;
         }
-        // What depends on no touch is of any cycle.
+        // What depends on no touch is of any samples.
         if self.is_constant() {
             *self = other.clone();
             return self.map(value, other_slope);
@@ -72,12 +72,12 @@ impl Dual {
         if other.is_constant() {
             return;
         }
-        for (cycle, slopes) in other.by_cycle() {
-            let own = if usize::from(self.cycle) == cycle {
+        for (first, slopes) in other.by_samples() {
+            let own = if usize::from(self.first) == first {
                 &mut self.by_touch
             } else {
-                let at = self.others.iter().position(|(known, _)| usize::from(*known) == cycle).unwrap_or_else(|| {
-                    self.others.push((cycle as u16, [0.0; MOST_SAMPLES]));
+                let at = self.others.iter().position(|(known, _)| usize::from(*known) == first).unwrap_or_else(|| {
+                    self.others.push((first as u16, [0.0; MOST_SAMPLES]));
                     self.others.len() - 1
                 });
                 &mut self.others[at].1
@@ -89,9 +89,9 @@ impl Dual {
     /// The same of two others.
     fn of(a: &Dual, b: &Dual, joined: Joined) -> Dual {
         let (value, by_a, by_b) = joined;
-        if a.cycle == b.cycle && a.others.is_empty() && b.others.is_empty() {
+        if a.first == b.first && a.others.is_empty() && b.others.is_empty() {
             let by_touch = std::array::from_fn(|k| a.by_touch[k] * by_a + b.by_touch[k] * by_b);
-            return Dual { value, cycle: a.cycle, by_touch, others: Vec::new() };
+            return Dual { value, first: a.first, by_touch, others: Vec::new() };
         }
         let mut both = a.clone();
         both.join(b, joined);
@@ -160,9 +160,8 @@ impl Formula {
     pub fn evaluate_on(&self, known: &mut Vec<Dual>, until: usize, triggers: &[Option<Vec3>], directions: &[Vec3]) {
         let values = std::mem::take(known);
         let begin = values.len();
-        let mut run = Run { nodes: &self.nodes, values, triggers, directions, cycle: 0, first: 0 };
+        let mut run = Run { nodes: &self.nodes, values, triggers, directions, first: 0 };
         for assignment in &self.assignments[begin..until] {
-            run.cycle = assignment.cycle;
             run.first = self.cycles.get(usize::from(assignment.cycle)).map_or(0, |cycle| cycle.first_sample);
             let mut value = Dual::constant(0.0);
             run.put(assignment.node, &mut value);
@@ -178,12 +177,17 @@ struct Run<'a> {
     values: Vec<Dual>,
     triggers: &'a [Option<Vec3>],
     directions: &'a [Vec3],
-    /// The cycle of a set-up that is evaluated, and its first sample.
-    cycle: u16,
+    /// The first sample of the cycle that is evaluated.
     first: usize,
 }
 
 impl Run<'_> {
+    /// The first of the samples that derivatives are kept with, of those that one is among: a cycle has as many as one keeps, or, where its touches are
+    /// repeated, some times as many.
+    fn first_beside(&self, sample: usize) -> usize {
+        sample - (sample - self.first) % MOST_SAMPLES
+    }
+
     /// Puts the value of a node into `out`.
     fn put(&self, node: NodeId, out: &mut Dual) {
         match self.nodes[node.0 as usize] {
@@ -192,8 +196,9 @@ impl Run<'_> {
             Node::Trigger { sample, axis } => {
                 let (sample, axis) = (usize::from(sample), usize::from(axis));
                 *out = Dual::constant(self.triggers[sample].map_or(f64::NAN, |t| t[axis]));
-                out.cycle = self.cycle;
-                out.by_touch[sample - self.first] = self.directions[sample][axis];
+                let first = self.first_beside(sample);
+                out.first = first as u16;
+                out.by_touch[sample - first] = self.directions[sample][axis];
             }
             Node::Binary(op, left, right) => self.two(left, right, out, |a, b| op.joined(a, b)),
             Node::Call(function, a) => {
@@ -244,7 +249,7 @@ impl Run<'_> {
             CirclePart::Radius => 2,
             CirclePart::Residual => return Dual::constant(fit.residual),
         };
-        let mut dual = Dual { cycle: self.cycle, ..Dual::constant(fit.center.extend(fit.radius)[row]) };
+        let mut dual = Dual { first: self.first as u16, ..Dual::constant(fit.center.extend(fit.radius)[row]) };
         for (i, k) in samples.range().enumerate() {
             let d = flat(&self.directions[k]);
             let [by_first, by_second] = fit.by_point[i];

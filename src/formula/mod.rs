@@ -16,6 +16,7 @@ mod name;
 mod node;
 mod plain;
 mod relate;
+mod repeat;
 
 pub use circle::{CircleFit, fit_circle};
 pub use draft::{Draft, Expr, Value};
@@ -24,10 +25,12 @@ pub use name::Name;
 pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
 pub use relate::{Operand, Relation, related};
 
+use crate::formula::repeat::Repeats;
+use crate::geom::Vec3;
 use crate::num::{decimal, tidy};
 use crate::text::Text;
 
-/// The most samples that the formula of one cycle computes with: a derivative is kept for each.
+/// The most samples that the formula of one cycle computes with, each touched once: a derivative is kept for each.
 pub const MOST_SAMPLES: usize = 16;
 
 /// How far a result may be off its nominal value before a program stops without writing; none is no limit.
@@ -180,6 +183,8 @@ pub enum Role {
     Turn,
     /// How far touches are from what is fitted through them, a length: their root mean square distance.
     Residual,
+    /// How far repeated touches of one point are apart, a length.
+    Spread,
 }
 
 impl Role {
@@ -188,7 +193,7 @@ impl Role {
         match self {
             Role::Angle | Role::Direction | Role::Turn => true,
             Role::Abscissa | Role::Ordinate | Role::Size | Role::Height | Role::Level | Role::Reading | Role::Shift => false,
-            Role::Residual => false,
+            Role::Residual | Role::Spread => false,
         }
     }
 }
@@ -211,6 +216,8 @@ pub struct ResultDef {
     pub variable: Option<Variable>,
     /// Its tolerance, where the job gives one.
     pub tolerance: Option<Tolerance>,
+    /// How far it may be off, where that is its own limit, mm.
+    pub limit: Option<f64>,
 }
 
 /// What the control computes from the triggers of the touches.
@@ -358,9 +365,24 @@ impl Formula {
         if !self.nodes.iter().any(|node| matches!(node, Node::Circle(..))) {
             return self;
         }
-        debug_assert!(self.cycles.is_empty(), "the cycles of a set-up are made plain before they are joined");
         let draft = Draft::with_room_for(MOST_SAMPLES);
-        let variables = plain::write(&self, &draft);
+        let variables = plain::write(&self, &draft, None);
+        self.written(draft, &variables)
+    }
+
+    /// The same of touches that are repeated: it computes with the mean of those of each sample, and has one more result, how far they are apart at
+    /// most. `along` has the probing direction of each sample; sample s becomes the samples from `times` · s on.
+    pub fn repeated(self, times: usize, along: &[Vec3], limit: Option<f64>) -> Formula {
+        let draft = Draft::with_room_for(times * along.len());
+        let repeats = Repeats::of(times, along, self.used());
+        let variables = plain::write(&self, &draft, Some(&repeats));
+        repeats.state(&draft, limit);
+        self.written(draft, &variables)
+    }
+
+    /// What a draft made of it, where its assignments stand there now.
+    fn written(self, draft: Draft, variables: &[Variable]) -> Formula {
+        debug_assert!(self.cycles.is_empty(), "the cycles of a set-up are written before they are joined");
         let moved = |variable: Variable| variables[variable.index()];
         let datum = self.datum.map(|datum| Datum {
             place: datum.place.map(|place| place.map(|place| Coordinate { measured: place.measured.map(moved), ..place })),
@@ -369,7 +391,8 @@ impl Formula {
         });
         let results = self.results.iter().map(|result| ResultDef { variable: result.variable.map(moved), ..result.clone() });
         let turn = self.turn.map(|(turn, about)| (moved(turn), about));
-        Formula { results: results.collect(), turn, ..draft.finish(datum) }
+        let drawn = draft.finish(datum);
+        Formula { results: results.chain(drawn.results.iter().cloned()).collect(), turn, ..drawn }
     }
 
     /// What a program asks of its results before it writes. First whether they are plausible, in their order: each value that the touches give, and that
@@ -383,6 +406,7 @@ impl Formula {
                 Role::Size => limits.size,
                 Role::Angle | Role::Direction => limits.angle,
                 Role::Residual => limits.residual,
+                Role::Spread => result.limit,
                 // Not probed, or said by another result.
                 Role::Height | Role::Shift | Role::Turn => None,
             };

@@ -1,11 +1,13 @@
-//! A formula written again in arithmetic that any control can do.
+//! A formula written again in arithmetic that any control can do, and of touches that are repeated.
 
 use crate::formula::node::{Samples, Variable};
+use crate::formula::repeat::Repeats;
 use crate::formula::{CirclePart, Draft, Expr, Formula, Name, Node, NodeId, Value};
 
-/// Writes the assignments of a formula, after those of the circles that they need. Where each of them stands now.
-pub(super) fn write(formula: &Formula, draft: &Draft) -> Vec<Variable> {
-    let mut plain = Plain { formula, draft, values: Vec::with_capacity(formula.assignments.len()), circles: Vec::new() };
+/// Writes the assignments of a formula, after those of the means and circles that they need. Where each of them stands now.
+pub(super) fn write<'f>(formula: &Formula, draft: &'f Draft, repeats: Option<&Repeats<'f>>) -> Vec<Variable> {
+    let values = Vec::with_capacity(formula.assignments.len());
+    let mut plain = Plain { formula, draft, repeats, values, circles: Vec::new() };
     for assignment in &formula.assignments {
         let node = plain.node(assignment.node);
         plain.values.push(draft.assign(assignment.name, node));
@@ -16,6 +18,8 @@ pub(super) fn write(formula: &Formula, draft: &Draft) -> Vec<Variable> {
 struct Plain<'a, 'f> {
     formula: &'a Formula,
     draft: &'f Draft,
+    /// How its touches are repeated; none where they are not.
+    repeats: Option<&'a Repeats<'f>>,
     /// The assignments so far.
     values: Vec<Value<'f>>,
     /// The circles so far: abscissa and ordinate of the centre, radius and residual.
@@ -28,7 +32,8 @@ impl<'f> Plain<'_, 'f> {
         let node = match self.formula.node(id) {
             Node::Variable(variable) => Node::Variable(self.values[variable.index()].variable),
             Node::Circle(samples, part) => Node::Variable(self.part(samples, part).variable),
-            leaf @ (Node::Number(_) | Node::Length(_) | Node::Trigger { .. }) => leaf,
+            Node::Trigger { sample, axis } => return self.trigger(usize::from(sample), usize::from(axis)).node,
+            leaf @ (Node::Number(_) | Node::Length(_)) => leaf,
             Node::Call(function, a) => Node::Call(function, self.node(a)),
             Node::Binary(op, a, b) => Node::Binary(op, self.node(a), self.node(b)),
             Node::Atan2(y, x) => Node::Atan2(self.node(y), self.node(x)),
@@ -36,12 +41,20 @@ impl<'f> Plain<'_, 'f> {
         self.draft.push(node).node
     }
 
+    /// Coordinate `axis` of a sample, or of the mean of its touches.
+    fn trigger(&self, sample: usize, axis: usize) -> Expr<'f> {
+        match self.repeats {
+            None => self.draft.trigger(sample, axis),
+            Some(repeats) => repeats.mean(self.draft, sample, axis).into(),
+        }
+    }
+
     /// A part of a circle, which is written where it is needed first.
     fn part(&mut self, samples: Samples, part: CirclePart) -> Value<'f> {
         let known = self.circles.iter().find(|(known, _)| *known == samples).map(|(_, values)| *values);
         let [x, y, r, residual] = known.unwrap_or_else(|| {
             let [a, o] = [samples.axes.0, samples.axes.1].map(usize::from);
-            let at = |k: usize, axis: usize| self.draft.trigger(k, if axis == 0 { a } else { o });
+            let at = |k: usize, axis: usize| self.trigger(k, if axis == 0 { a } else { o });
             let values = circle(self.draft, self.circles.len() + 1, samples.range(), &at);
             self.circles.push((samples, values));
             values

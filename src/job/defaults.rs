@@ -1,6 +1,6 @@
 //! Complete jobs: every value that a job leaves out.
 
-use crate::cycle::{self, CycleDef};
+use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, Value};
 use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, name_of};
 use crate::job::naming::job_name;
@@ -102,7 +102,8 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
     }
     let mut entries = vec![("type".to_owned(), Value::Text(def.key.to_owned()))];
     entries.extend(default_values(def.fields));
-    for section in def.sections {
+    // A cycle that repeats nothing has no word for it: its programs are those that were written before there were repeats.
+    for section in def.sections.iter().filter(|section| section.key != REPEAT.key) {
         let value = if section.optional { Value::Null } else { Value::Map(default_values(section.fields)) };
         entries.push((section.key.to_owned(), value));
     }

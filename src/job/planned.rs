@@ -3,6 +3,7 @@
 use crate::control::Form;
 use crate::control::own::machine::{Alarm, Met};
 use crate::control::own::{OwnCycles, OwnRequest, Refused, Several};
+use crate::cycle::Repeat;
 use crate::formula::Datum;
 use crate::geom::Vec3;
 use crate::job::Job;
@@ -120,6 +121,10 @@ impl Planned {
     /// The same in a set-up whose cycles go to the next one by themselves, at this height.
     pub fn at(job: Job, clear: Option<f64>) -> Self {
         let (path, refused) = own_path(&job, path_of(&job), clear);
+        let path = match &job.repeat {
+            Some(Repeat { times, spread }) if *times > 1 => path.repeated(*times as usize, *spread),
+            _ => path,
+        };
         let surfaces = actual_surfaces(&job, &path);
         let run = match (&path.own, job.post.own) {
             (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),
@@ -152,8 +157,8 @@ impl Planned {
         if !self.members.is_empty() {
             return self.members.iter().enumerate().flat_map(of).collect();
         }
-        // Of the cycle as it is documented, whoever makes it.
-        let documented = self.path.own.as_ref().map(|_| path_of(&self.job));
+        // Of the cycle as it is documented, whoever makes it, and however often.
+        let documented = (self.path.own.is_some() || self.job.repeat.is_some()).then(|| path_of(&self.job));
         let touches = documented.as_ref().map_or(&self.path.touches, |path| &path.touches);
         let parameters = self.job.cycle.parameters(&self.job.setup, touches);
         parameters.into_iter().map(|parameter| parameter_row(&self.job, parameter)).collect()

@@ -264,7 +264,7 @@ impl SafetyRow {
 pub const RESULT_CODES: &[&str] = &[
     "center.x", "center.y", "diameter", "residual", "width", "width1", "width2", "rotation", "height",
     "corner.x", "corner.y", "corner.z", "angle", "residual1", "residual2", "point.x", "point.y", "point.z", "deviation",
-    "offset.x", "offset.y", "offset.z", "offset.rotation", "distance", "difference", "difference.angle", "mean", "mean.angle",
+    "offset.x", "offset.y", "offset.z", "offset.rotation", "distance", "difference", "difference.angle", "mean", "mean.angle", "spread",
     "Q183", "Q950", "Q951", "Q952", "Q953", "Q954", "Q955", "Q964", "Q965", "Q966", "Q967", "Q970", "Q971", "Q973", "Q974",
     "Q980", "Q981", "Q982", "Q983", "Q984", "Q985", "Q994", "Q995", "Q996", "Q997", "form1", "form2",
     "preset.table", "preset.x", "preset.y", "preset.z", "preset.rotation", "table.turn",

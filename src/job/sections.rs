@@ -1,7 +1,7 @@
 //! The job's own form: everything around the cycle.
 
 use crate::control::{self, Form, Header, POSTS, PostDef, Report};
-use crate::cycle::{self, CYCLES, Cycle, CycleDef};
+use crate::cycle::{self, CYCLES, Cycle, CycleDef, REPEAT, Repeat};
 use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::{Limits, Wear};
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
@@ -276,6 +276,8 @@ pub struct Job {
     /// What is known of the cycle's type.
     pub def: &'static CycleDef,
     pub cycle: Box<dyn Cycle>,
+    /// How often it touches each point; none once.
+    pub repeat: Option<Repeat>,
     pub post: &'static PostDef,
     pub form: Form,
     /// Tool number of the probe; none is not called.
@@ -373,16 +375,24 @@ impl Job {
         let plane = Plane::named(&general.plane);
         let setup = Setup { plane, radius: stylus.diameter / 2.0, overtravel: general.overtravel };
         let cycle = read_cycle(checker, value);
-        if let Some((_, cycle)) = &cycle {
+        if let Some((_, cycle, _)) = &cycle {
             cycle.rules(&setup, checker);
         }
         let post = control::find(&control.post).expect("a checked choice is a post");
-        check_control(checker, post, &control, cycle.as_ref().map(|(def, _)| *def));
+        check_control(checker, post, &control, cycle.as_ref().map(|(def, ..)| *def));
         check_length(checker, post, &length);
         check_name(checker, post, &general.name);
+        if cycle.as_ref().is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1))
+            && Form::named(&control.form) == Form::Cycle
+        {
+            let message = text!(
+                "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
+            );
+            checker.error("repeat-unsupported", "cycle.repeat", message);
+        }
         let sizes = read_sizes(checker, value, cycle.as_ref(), &setup);
 
-        let (def, cycle) = cycle?;
+        let (def, cycle, repeat) = cycle?;
         if checker.failed() {
             return None;
         }
@@ -399,6 +409,7 @@ impl Job {
             feeds: feeds.feeds(),
             def,
             cycle,
+            repeat,
             post,
             form: Form::named(&control.form),
             tool: control.tool,
@@ -440,7 +451,10 @@ fn read_format(checker: &mut Checker, value: &Value) {
     }
 }
 
-fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef, Box<dyn Cycle>)> {
+/// The type of a cycle, its dimensions, and how often it touches.
+type Read = (&'static CycleDef, Box<dyn Cycle>, Option<Repeat>);
+
+fn read_cycle(checker: &mut Checker, value: &Value) -> Option<Read> {
     let known = || CYCLES.iter().map(|c| format!("\"{}\"", c.key)).collect::<Vec<_>>().join(", ");
     let Some(given) = value.get("cycle") else {
         checker.error("missing", "cycle", text!("The job must have a cycle"));
@@ -471,7 +485,8 @@ fn read_cycle(checker: &mut Checker, value: &Value) -> Option<(&'static CycleDef
     let others: Vec<&str> = std::iter::once("type").chain(def.sections.iter().map(|s| s.key)).chain(touches).collect();
     section.only(def.fields, &others);
     let cycle = (def.read)(def, &mut section);
-    Some((def, cycle))
+    let repeat = if def.sections.iter().any(|form| form.key == REPEAT.key) { section.sub(&REPEAT, Repeat::read) } else { None };
+    Some((def, cycle, repeat))
 }
 
 fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: Option<&CycleDef>) {
@@ -581,13 +596,8 @@ pub fn size_reach(field: &Field) -> Field {
 }
 
 /// The cycle resized to the actual part; none where all sizes are nominal.
-fn read_sizes(
-    checker: &mut Checker,
-    value: &Value,
-    cycle: Option<&(&'static CycleDef, Box<dyn Cycle>)>,
-    setup: &Setup,
-) -> Option<Box<dyn Cycle>> {
-    let (def, cycle) = cycle?;
+fn read_sizes(checker: &mut Checker, value: &Value, cycle: Option<&Read>, setup: &Setup) -> Option<Box<dyn Cycle>> {
+    let (def, cycle, _) = cycle?;
     let sizes = value.get("part")?.get("sizes")?;
     let Value::Map(entries) = sizes else {
         checker.error("wrong-type", "part.sizes", text!("part.sizes must be an object, not {given}", sizes.noun()));

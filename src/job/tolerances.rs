@@ -256,6 +256,8 @@ fn check_limit(checker: &mut Checker, job: &Job, formula: &Formula, (index, tole
             Role::Size => "size",
             Role::Angle | Role::Direction => "angle",
             Role::Residual => "residual",
+            // Its own limit is not one of these.
+            Role::Spread => return,
             _ => "position",
         };
         let message = text!(

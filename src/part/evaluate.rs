@@ -25,8 +25,8 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
         .iter()
         .map(|def| {
             let dual = def.variable.map(|v| &values[v.index()]).filter(|d| d.value.is_finite());
-            // On a good part the residual is nothing, and no derivative says how it grows.
-            let spread = dual.filter(|_| def.role != Role::Residual);
+            // On a good part these are nothing, and no derivative says how they grow.
+            let spread = dual.filter(|_| !matches!(def.role, Role::Residual | Role::Spread));
             let runout = spread.zip(scatter.runout).map(|(d, runout)| runout * of_runout(path, &samples, d));
             let touches = spread.map(|d| d.uncertainty(scatter.repeatability));
             ResultRow {
@@ -51,11 +51,7 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
 /// shares add up before they are squared: half the sum of the squares along both axes of the plane is the variance.
 fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     // The derivative is by the scatter of a mean; the eccentricity moves all of its touches alike.
-    let cycles = &path.formula.cycles;
-    let slopes = result.by_cycle().flat_map(|(cycle, by_touch)| {
-        let first = cycles.get(cycle).map_or(0, |cycle| cycle.first_sample);
-        samples.iter().skip(first).zip(by_touch)
-    });
+    let slopes = result.by_samples().flat_map(|(first, by_touch)| samples.iter().skip(first).zip(by_touch));
     let slopes: Vec<(&Sample, f64)> =
         slopes.map(|(sample, by_touch)| (sample, by_touch * (sample.count as f64).sqrt())).collect();
     let along = |axis: Vec3| -> f64 { slopes.iter().map(|(sample, whole)| whole * sample.direction.dot(axis)).sum() };
@@ -149,7 +145,7 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
                 nominal[w] = def.nominal;
                 placement.rigid.point(nominal)[w]
             }
-            Role::Height | Role::Reading | Role::Shift | Role::Turn | Role::Residual => continue,
+            Role::Height | Role::Reading | Role::Shift | Role::Turn | Role::Residual | Role::Spread => continue,
         };
         row.truth = Some(tidy(truth));
     }

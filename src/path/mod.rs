@@ -6,6 +6,7 @@
 mod feature;
 mod own;
 mod parameter;
+mod repeat;
 mod set_up;
 mod surface;
 mod tracer;
@@ -287,15 +288,23 @@ impl Path {
         pairs.map(|pair| pair[0].to.distance(pair[1].to)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Where touch `k` stands among those of its sample.
-    pub fn samples(&self, k: usize) -> Repeat {
-        let index = self.touches[k].sample;
-        let same = |t: &Touch| t.sample == index;
-        Repeat {
-            index,
-            count: self.touches.iter().filter(|t| same(t)).count(),
-            first: k == 0 || !same(&self.touches[k - 1]),
-            last: self.touches.get(k + 1).is_none_or(|t| !same(t)),
+    /// Where each touch stands among those of its sample.
+    pub fn samples(&self) -> Vec<Repeat> {
+        let mut counts: Vec<usize> = Vec::new();
+        let mut samples: Vec<Repeat> = Vec::with_capacity(self.touches.len());
+        for touch in &self.touches {
+            let index = touch.sample;
+            if counts.len() <= index {
+                counts.resize(index + 1, 0);
+            }
+            samples.push(Repeat { index, count: 0, first: counts[index] == 0, last: false });
+            counts[index] += 1;
         }
+        let mut left = counts.clone();
+        for own in &mut samples {
+            left[own.index] -= 1;
+            (own.count, own.last) = (counts[own.index], left[own.index] == 0);
+        }
+        samples
     }
 }

@@ -46,6 +46,19 @@ impl Given for Properties {
     fn given(&self) -> Value { map([("wcsMode", of(&self.wcs_mode)), ("wcsNumber", of(&self.wcs_number)), ("offsetTool", of(&self.offset_tool)), ("offsetCorrector1", of(&self.offset_corrector1)), ("offsetCorrector2", of(&self.offset_corrector2)), ("brokenTool", of(&self.broken_tool)), ("brokenCorrector1", of(&self.broken_corrector1)), ("brokenCorrector2", of(&self.broken_corrector2)), ("toolProbe", of(&self.tool_probe)), ("toolProbeCorrector1", of(&self.tool_probe_corrector1)), ("toolProbeCorrector2", of(&self.tool_probe_corrector2)), ("partProbe", of(&self.part_probe)), ("partProbeCorrector1", of(&self.part_probe_corrector1)), ("partProbeCorrector2", of(&self.part_probe_corrector2)), ("reportComponent", of(&self.report_component)), ("reportFeature", of(&self.report_feature))]) }
 }
 
+/// What cycles have as `repeat`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Repeat {
+    /// How often each point is touched. The mean of these touches counts.
+    pub times: Option<i32>,
+    /// Largest distance between touches of the same point. Beyond it the program writes nothing and stops; a program that only measures says so. Empty: no limit. `Some(None)`: no limit.
+    pub spread: Option<Option<f64>>,
+}
+
+impl Given for Repeat {
+    fn given(&self) -> Value { map([("times", of(&self.times)), ("spread", of(&self.spread))]) }
+}
+
 /// Internal rectangle, protected: ENCY/SprutCAM type 7.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InternalRectangleProtected {
@@ -73,6 +86,8 @@ pub struct InternalRectangleProtected {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -80,7 +95,7 @@ pub struct InternalRectangleProtected {
 }
 
 impl Given for InternalRectangleProtected {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width1", of(&self.width1)), ("width2", of(&self.width2)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance1", of(&self.side_clearance1)), ("sideClearance2", of(&self.side_clearance2)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width1", of(&self.width1)), ("width2", of(&self.width2)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance1", of(&self.side_clearance1)), ("sideClearance2", of(&self.side_clearance2)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Double wall internal corner: ENCY/SprutCAM type 13.
@@ -110,6 +125,8 @@ pub struct DoubleWallInternalCorner {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -117,7 +134,7 @@ pub struct DoubleWallInternalCorner {
 }
 
 impl Given for DoubleWallInternalCorner {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("count1", of(&self.count1)), ("count2", of(&self.count2)), ("step1", of(&self.step1)), ("step2", of(&self.step2)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("count1", of(&self.count1)), ("count2", of(&self.count2)), ("step1", of(&self.step1)), ("step2", of(&self.step2)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// What cycles have as `probe`.
@@ -197,10 +214,12 @@ pub struct ProbingTwoCircles {
     pub probe: Option<Probe>,
     /// `Some(None)`: none.
     pub extrusion: Option<Option<Extrusion>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
 }
 
 impl Given for ProbingTwoCircles {
-    fn given(&self) -> Value { map([("point1", of(&self.point1)), ("diameter1", of(&self.diameter1)), ("point2", of(&self.point2)), ("diameter2", of(&self.diameter2)), ("geometryType", of(&self.geometry_type)), ("probePoints", of(&self.probe_points)), ("startingAngle", of(&self.starting_angle)), ("angularLength", of(&self.angular_length)), ("setUpClearance", of(&self.set_up_clearance)), ("clearanceHeight", of(&self.clearance_height)), ("setUpClearancePredef", of(&self.set_up_clearance_predef)), ("clearanceHeightPredef", of(&self.clearance_height_predef)), ("clearanceHeightMode", of(&self.clearance_height_mode)), ("errorReaction", of(&self.error_reaction)), ("alignRotaryAxis", of(&self.align_rotary_axis)), ("transferPosition", of(&self.transfer_position)), ("confirmRotation", of(&self.confirm_rotation)), ("start", of(&self.start)), ("probe", of(&self.probe)), ("extrusion", of(&self.extrusion))]) }
+    fn given(&self) -> Value { map([("point1", of(&self.point1)), ("diameter1", of(&self.diameter1)), ("point2", of(&self.point2)), ("diameter2", of(&self.diameter2)), ("geometryType", of(&self.geometry_type)), ("probePoints", of(&self.probe_points)), ("startingAngle", of(&self.starting_angle)), ("angularLength", of(&self.angular_length)), ("setUpClearance", of(&self.set_up_clearance)), ("clearanceHeight", of(&self.clearance_height)), ("setUpClearancePredef", of(&self.set_up_clearance_predef)), ("clearanceHeightPredef", of(&self.clearance_height_predef)), ("clearanceHeightMode", of(&self.clearance_height_mode)), ("errorReaction", of(&self.error_reaction)), ("alignRotaryAxis", of(&self.align_rotary_axis)), ("transferPosition", of(&self.transfer_position)), ("confirmRotation", of(&self.confirm_rotation)), ("start", of(&self.start)), ("probe", of(&self.probe)), ("extrusion", of(&self.extrusion)), ("repeat", of(&self.repeat))]) }
 }
 
 /// Surface: ENCY/SprutCAM type 2.
@@ -222,6 +241,8 @@ pub struct Surface {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -229,7 +250,7 @@ pub struct Surface {
 }
 
 impl Given for Surface {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("elevation", of(&self.elevation)), ("clearance", of(&self.clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("elevation", of(&self.elevation)), ("clearance", of(&self.clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Angle of a wall: Touchpath.
@@ -245,10 +266,12 @@ pub struct WallAngle {
     pub clearance: Option<f64>,
     /// How far above its start the cycle begins, and how far it is lifted at its end.
     pub feed_distance: Option<f64>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
 }
 
 impl Given for WallAngle {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("distance", of(&self.distance)), ("clearance", of(&self.clearance)), ("feedDistance", of(&self.feed_distance))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("distance", of(&self.distance)), ("clearance", of(&self.clearance)), ("feedDistance", of(&self.feed_distance)), ("repeat", of(&self.repeat))]) }
 }
 
 /// Hole: ENCY/SprutCAM type 3.
@@ -278,6 +301,8 @@ pub struct Hole {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -285,7 +310,7 @@ pub struct Hole {
 }
 
 impl Given for Hole {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("diameter", of(&self.diameter)), ("depth", of(&self.depth)), ("variant", of(&self.variant)), ("startAngle", of(&self.start_angle)), ("angularStep", of(&self.angular_step)), ("stepCount", of(&self.step_count)), ("topClearance", of(&self.top_clearance)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("diameter", of(&self.diameter)), ("depth", of(&self.depth)), ("variant", of(&self.variant)), ("startAngle", of(&self.start_angle)), ("angularStep", of(&self.angular_step)), ("stepCount", of(&self.step_count)), ("topClearance", of(&self.top_clearance)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Hole, protected: ENCY/SprutCAM type 4.
@@ -319,6 +344,8 @@ pub struct HoleProtected {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -326,7 +353,7 @@ pub struct HoleProtected {
 }
 
 impl Given for HoleProtected {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("diameter", of(&self.diameter)), ("depth", of(&self.depth)), ("variant", of(&self.variant)), ("startAngle", of(&self.start_angle)), ("angularStep", of(&self.angular_step)), ("stepCount", of(&self.step_count)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("diameter", of(&self.diameter)), ("depth", of(&self.depth)), ("variant", of(&self.variant)), ("startAngle", of(&self.start_angle)), ("angularStep", of(&self.angular_step)), ("stepCount", of(&self.step_count)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Boss: ENCY/SprutCAM type 5.
@@ -360,6 +387,8 @@ pub struct Boss {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -367,7 +396,7 @@ pub struct Boss {
 }
 
 impl Given for Boss {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("diameter", of(&self.diameter)), ("depth", of(&self.depth)), ("variant", of(&self.variant)), ("startAngle", of(&self.start_angle)), ("angularStep", of(&self.angular_step)), ("stepCount", of(&self.step_count)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("diameter", of(&self.diameter)), ("depth", of(&self.depth)), ("variant", of(&self.variant)), ("startAngle", of(&self.start_angle)), ("angularStep", of(&self.angular_step)), ("stepCount", of(&self.step_count)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Internal rectangle: ENCY/SprutCAM type 6.
@@ -391,6 +420,8 @@ pub struct InternalRectangle {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -398,7 +429,7 @@ pub struct InternalRectangle {
 }
 
 impl Given for InternalRectangle {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width1", of(&self.width1)), ("width2", of(&self.width2)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width1", of(&self.width1)), ("width2", of(&self.width2)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// External rectangle: ENCY/SprutCAM type 8.
@@ -428,6 +459,8 @@ pub struct ExternalRectangle {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -435,7 +468,7 @@ pub struct ExternalRectangle {
 }
 
 impl Given for ExternalRectangle {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width1", of(&self.width1)), ("width2", of(&self.width2)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance1", of(&self.side_clearance1)), ("sideClearance2", of(&self.side_clearance2)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width1", of(&self.width1)), ("width2", of(&self.width2)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance1", of(&self.side_clearance1)), ("sideClearance2", of(&self.side_clearance2)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Web: ENCY/SprutCAM type 9.
@@ -461,6 +494,8 @@ pub struct Web {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -468,7 +503,7 @@ pub struct Web {
 }
 
 impl Given for Web {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Web, three points: ENCY/SprutCAM type 10.
@@ -494,6 +529,8 @@ pub struct WebThreePoints {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -501,7 +538,7 @@ pub struct WebThreePoints {
 }
 
 impl Given for WebThreePoints {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("sideClearance", of(&self.side_clearance)), ("middleClearance", of(&self.middle_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("sideClearance", of(&self.side_clearance)), ("middleClearance", of(&self.middle_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Groove: ENCY/SprutCAM type 11.
@@ -523,6 +560,8 @@ pub struct Groove {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -530,7 +569,7 @@ pub struct Groove {
 }
 
 impl Given for Groove {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Groove, protected: ENCY/SprutCAM type 12.
@@ -556,6 +595,8 @@ pub struct GrooveProtected {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -563,7 +604,7 @@ pub struct GrooveProtected {
 }
 
 impl Given for GrooveProtected {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("width", of(&self.width)), ("depth", of(&self.depth)), ("topClearance", of(&self.top_clearance)), ("sideClearance", of(&self.side_clearance)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Double wall external corner: ENCY/SprutCAM type 14.
@@ -599,6 +640,8 @@ pub struct DoubleWallExternalCorner {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -606,7 +649,7 @@ pub struct DoubleWallExternalCorner {
 }
 
 impl Given for DoubleWallExternalCorner {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("distance1", of(&self.distance1)), ("distance2", of(&self.distance2)), ("count1", of(&self.count1)), ("count2", of(&self.count2)), ("step1", of(&self.step1)), ("step2", of(&self.step2)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("distance1", of(&self.distance1)), ("distance2", of(&self.distance2)), ("count1", of(&self.count1)), ("count2", of(&self.count2)), ("step1", of(&self.step1)), ("step2", of(&self.step2)), ("feedDistance", of(&self.feed_distance)), ("compensateDimensions", of(&self.compensate_dimensions)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Triple wall internal corner: ENCY/SprutCAM type 15.
@@ -630,6 +673,8 @@ pub struct TripleWallInternalCorner {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -637,7 +682,7 @@ pub struct TripleWallInternalCorner {
 }
 
 impl Given for TripleWallInternalCorner {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("clearance3", of(&self.clearance3)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("clearance3", of(&self.clearance3)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Triple wall external corner: ENCY/SprutCAM type 16.
@@ -671,6 +716,8 @@ pub struct TripleWallExternalCorner {
     pub sub_code: Option<i32>,
     /// `Some(None)`: none.
     pub properties: Option<Option<Properties>>,
+    /// `Some(None)`: none.
+    pub repeat: Option<Option<Repeat>>,
     /// The Job Assignment's own picks: they replace the points that the dimensions give.
     pub touches: Option<Vec<PickedTouch>>,
     /// Codes of the user's own.
@@ -678,7 +725,7 @@ pub struct TripleWallExternalCorner {
 }
 
 impl Given for TripleWallExternalCorner {
-    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("depth", of(&self.depth)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("topClearance", of(&self.top_clearance)), ("distance1", of(&self.distance1)), ("distance2", of(&self.distance2)), ("topDistance1", of(&self.top_distance1)), ("topDistance2", of(&self.top_distance2)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
+    fn given(&self) -> Value { map([("origin", of(&self.origin)), ("rotation", of(&self.rotation)), ("angle", of(&self.angle)), ("depth", of(&self.depth)), ("clearance1", of(&self.clearance1)), ("clearance2", of(&self.clearance2)), ("topClearance", of(&self.top_clearance)), ("distance1", of(&self.distance1)), ("distance2", of(&self.distance2)), ("topDistance1", of(&self.top_distance1)), ("topDistance2", of(&self.top_distance2)), ("feedDistance", of(&self.feed_distance)), ("subCode", of(&self.sub_code)), ("properties", of(&self.properties)), ("repeat", of(&self.repeat)), ("touches", of(&self.touches)), ("custom", of(&self.custom))]) }
 }
 
 /// Probe on/off: ENCY/SprutCAM type 0.

@@ -220,8 +220,10 @@ fn manual(def: &CycleDef) -> String {
     let mut results: Vec<(ResultRow, String)> = default.results.into_iter().map(|row| (row, String::new())).collect();
     // What only a form inside the form brings.
     for section in def.sections.iter().filter(|section| section.optional) {
-        let job = with(&default_job(def.key).unwrap(), &format!("cycle.{}", section.key), Value::Map(Vec::new()));
-        for row in plan(&job).unwrap().results {
+        let own = with(&default_job(def.key).unwrap(), &format!("cycle.{}", section.key), Value::Map(Vec::new()));
+        // What a control's own cycle does not take, a program of moves does.
+        let moves = with(&own, "control", job(r#"{ "post": "linuxcnc", "form": "moves" }"#));
+        for row in plan(&own).or_else(|_| plan(&moves)).unwrap().results {
             if results.iter().all(|(known, _)| known.code != row.code) {
                 results.push((row, format!(" (only with `{}`)", section.key)));
             }

@@ -30,6 +30,7 @@ mod part;
 mod picture;
 mod plausible;
 mod problems;
+mod repeat;
 mod reread;
 mod runout;
 mod safety;

@@ -297,6 +297,7 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
             "offset",
             "diameter",
             "residual",
+            "spread",
             "width",
             "height",
             "deviation",

@@ -262,7 +262,9 @@ fn cycle(draw: &mut Draw, def: &CycleEntry, scale: f64) -> Value {
     let mut cycle = form(draw, &def.fields, scale, 2);
     cycle.push(("type".to_owned(), text(def.key)));
     for section in &def.sections {
-        if draw.once_in(if section.optional { 4 } else { 2 }) {
+        // The control's own cycles are refused with repeats.
+        let seldom = if section.key == "repeat" { 8 } else { 4 };
+        if draw.once_in(if section.optional { seldom } else { 2 }) {
             cycle.push((section.key.to_owned(), Value::Map(form(draw, &section.fields, scale, 3))));
         }
     }
@@ -429,6 +431,9 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
     }
     if plan.program.does.starts_with("corrects") {
         asked("planned with tools that are corrected");
+    }
+    if plan.results.iter().any(|row| row.code == "spread") {
+        asked("planned with repeated touches");
     }
     asked(&format!("planned for {}", plan.program.post));
     if word(job, &["control", "form"]) == "cycle" {

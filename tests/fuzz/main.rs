@@ -79,6 +79,7 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
         "planned with consequences",
         "planned with places that follow",
         "planned with tools that are corrected",
+        "planned with repeated touches",
     ]
     .map(str::to_owned);
     let others = ["G17", "G18", "G19", "mm", "inch", "checked", "none"].map(|word| format!("planned in {word}"));

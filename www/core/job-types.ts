@@ -63,6 +63,14 @@ export interface Properties {
   reportFeature?: number | null;
 }
 
+/** What several cycles have as `repeat`. */
+export interface Repeat {
+  /** How often each point is touched. The mean of these touches counts. */
+  times?: number;
+  /** Largest distance between touches of the same point. Beyond it the program writes nothing and stops; a program that only measures says so. Empty: no limit. `null`: no limit. */
+  spread?: number | null;
+}
+
 /** Internal rectangle, protected: ENCY/SprutCAM type 7. */
 export interface InternalRectangleProtected {
   type: "internal-rectangle-protected";
@@ -89,6 +97,7 @@ export interface InternalRectangleProtected {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -120,6 +129,7 @@ export interface DoubleWallInternalCorner {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -184,6 +194,7 @@ export interface ProbingTwoCircles {
     /** Extrusion probing: modal? Code Q1149. */
     modal?: 0 | 1;
   } | null;
+  repeat?: Repeat | null;
 }
 
 /** Surface: ENCY/SprutCAM type 2. */
@@ -204,6 +215,7 @@ export interface Surface {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -222,6 +234,7 @@ export interface WallAngle {
   clearance?: number;
   /** How far above its start the cycle begins, and how far it is lifted at its end. */
   feedDistance?: number;
+  repeat?: Repeat | null;
 }
 
 /** Hole: ENCY/SprutCAM type 3. */
@@ -250,6 +263,7 @@ export interface Hole {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -285,6 +299,7 @@ export interface HoleProtected {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -320,6 +335,7 @@ export interface Boss {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -345,6 +361,7 @@ export interface InternalRectangle {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -376,6 +393,7 @@ export interface ExternalRectangle {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -403,6 +421,7 @@ export interface Web {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -430,6 +449,7 @@ export interface WebThreePoints {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -453,6 +473,7 @@ export interface Groove {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -480,6 +501,7 @@ export interface GrooveProtected {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -517,6 +539,7 @@ export interface DoubleWallExternalCorner {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -542,6 +565,7 @@ export interface TripleWallInternalCorner {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;
@@ -577,6 +601,7 @@ export interface TripleWallExternalCorner {
   /** A free number for the postprocessor. -500 is that of Probe On/Off. Code CmdPrm.Int[-2]. */
   subCode?: number;
   properties?: Properties | null;
+  repeat?: Repeat | null;
   /** The Job Assignment's own picks: they replace the points that the dimensions give. */
   touches?: PickedTouch[] | null;
   custom?: CustomCode[] | null;

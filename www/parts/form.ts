@@ -1,6 +1,7 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
+import { isOut } from "../job.js";
 import { deviations } from "../sentences.js";
 import { sizeField } from "../store.js";
 import { w } from "../words.js";
@@ -40,9 +41,16 @@ const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
 /** What only the author of a postprocessor needs. */
 const FOR_CAM = /^Postprocessor/;
 /** The order of the groups that stand around the cycle's own. */
-const ORDER = ["Probe", "Feeds and limits", "Program and machine", "Tool length (SINUMERIK)", VIRTUAL];
+const ORDER = [
+  "Probe",
+  "Repeated touches",
+  "Feeds and limits",
+  "Program and machine",
+  "Tool length (SINUMERIK)",
+  VIRTUAL,
+];
 /** Groups of the cycle that are folded at first, as those around it are. */
-const FOLDED = /^(Postprocessor|After probing)/;
+const FOLDED = /^(Postprocessor|After probing|Repeated touches)/;
 
 /** The form, drawn from the catalog: groups that fold to a line of their values. */
 class FormPart extends FieldPart {
@@ -121,7 +129,7 @@ class FormPart extends FieldPart {
     for (const { key, optional, fields } of this.store.cycle.sections) {
       if (optional) this.optional.set(fields[0]?.group ?? key, { path: `cycle.${key}`, fields });
       const group = fields[0]?.group ?? key;
-      if (optional && this.store.get(`cycle.${key}`) === null) {
+      if (optional && isOut(this.store.get(`cycle.${key}`))) {
         if (this.store.cam || !FOR_CAM.test(group)) groups.set(group, []);
       } else for (const field of fields) add(`cycle.${key}.${field.key}`, field);
     }
@@ -315,7 +323,7 @@ class FormPart extends FieldPart {
     const section = this.optional.get(group);
     if (!section) return nothing;
     const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.begins(f) ?? null]));
-    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${this.store.get(section.path) !== null}
+    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${!isOut(this.store.get(section.path))}
       @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${this.t("Use it")}</label></div>`;
   }
 

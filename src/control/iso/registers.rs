@@ -121,10 +121,10 @@ impl Registers {
         // What each assignment is the last to read is free after it, the lowest first; results stay.
         let mut spent = Spent { first: vec![0; formula.assignments.len()], next: Vec::new() };
         let mut free: BinaryHeap<Reverse<usize>> = BinaryHeap::new();
-        let needed = needed_touches(path);
+        let (needed, samples) = (needed_touches(path), path.samples());
         let mut next = 0;
         for (n, (k, ..)) in path.searches().enumerate() {
-            let sample = path.samples(k);
+            let sample = &samples[k];
             for axis in (0..3).filter(|_| sample.first) {
                 let Some(last) = reads.triggers[sample.index][axis] else { continue };
                 let register = registers.take(&mut free);

@@ -24,7 +24,7 @@ pub use table::{CODE_GROUPS, code_of, only_angular};
 use custom::Custom;
 use shape::Seated;
 
-use crate::cycle::{Cycle, CycleDef};
+use crate::cycle::{Cycle, CycleDef, REPEAT};
 use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 use crate::formula::Formula;
 use crate::geom::{Plane, Vec3};
@@ -50,7 +50,7 @@ pub const BASE: CycleDef = CycleDef {
     number: None,
     most_touches: 0,
     fields: &[],
-    sections: &[PROPERTIES],
+    sections: &[PROPERTIES, REPEAT],
     home: ("linuxcnc", "moves"),
     steps: &[],
     readings: &[],

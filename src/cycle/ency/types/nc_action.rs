@@ -16,6 +16,7 @@ pub static DEF: CycleDef = CycleDef {
     number: Some(1),
     most_touches: 0,
     fields: Form::FIELDS,
+    sections: &[ency::PROPERTIES],
     readings: &["Nothing moves. What the action does is the postprocessor's, by SubCode and properties."],
     read: |def, section| ency::read(def, section, "NC action", dimensions),
     ..ency::BASE

@@ -2,8 +2,8 @@
 //!
 //! Two touches of one wall, which ENCY's family has as a part of its corners only.
 
-use crate::cycle::CycleDef;
 use crate::cycle::ency::{self, Dimensions, Shape, TwoTouches, field, words};
+use crate::cycle::{CycleDef, REPEAT};
 use crate::form::{Field, Section, form};
 use crate::geom::Vec3;
 use crate::path::Subject;
@@ -18,7 +18,7 @@ pub static DEF: CycleDef = CycleDef {
     probes: Subject::Wall,
     most_touches: 2,
     fields: Form::FIELDS,
-    sections: &[],
+    sections: &[REPEAT],
     steps: &[
         "To the feed distance above the start, then down to the start: the clearance in front of the middle of the wall",
         "Along the wall, to the clearance in front of the touch point",

@@ -13,7 +13,7 @@ mod verdicts;
 
 use crate::cycle::heidenhain::two_circles::form::{EXTRUSION, Extrusion, Form, PROBE, Probe};
 use crate::cycle::heidenhain::two_circles::q_parameters::rows;
-use crate::cycle::{Cycle, CycleDef};
+use crate::cycle::{Cycle, CycleDef, REPEAT};
 use crate::form::Checker;
 use crate::formula::{Formula, ResultRow};
 use crate::geom::{Frame, Vec3};
@@ -37,7 +37,7 @@ pub static DEF: CycleDef = CycleDef {
     most_touches: 2 * 8 * 99,
     place: None,
     fields: Form::FIELDS,
-    sections: &[PROBE, EXTRUSION],
+    sections: &[PROBE, EXTRUSION, REPEAT],
     home: ("heidenhain", "cycle"),
     steps: &[
         "At rapid, with positioning logic, to centre 1",

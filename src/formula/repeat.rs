@@ -1,0 +1,93 @@
+//! Touches that are repeated: the mean of those of each point, and how far they are apart.
+
+use std::cell::RefCell;
+
+use crate::formula::draft::{Draft, Expr, Value};
+use crate::formula::{Name, Role, Used};
+use crate::geom::Vec3;
+use crate::num::tidy;
+use crate::text::words;
+
+/// How the touches of a formula are repeated, while it is written.
+pub(super) struct Repeats<'f> {
+    times: usize,
+    /// The probing direction of each sample.
+    along: Vec<Vec3>,
+    /// What the formula reads of each sample.
+    used: Used,
+    written: RefCell<Written<'f>>,
+}
+
+/// What is written of them so far.
+#[derive(Default)]
+struct Written<'f> {
+    /// Of each coordinate of a sample that is read, its mean.
+    means: Vec<((usize, usize), Value<'f>)>,
+    /// How far the touches of a point are apart at most, and of how many points.
+    spread: Option<(Value<'f>, usize)>,
+}
+
+const MEANS: [&str; 3] = ["_x", "_y", "_z"];
+
+impl<'f> Repeats<'f> {
+    pub(super) fn of(times: usize, along: &[Vec3], used: Used) -> Self {
+        Repeats { times, along: along.to_vec(), used, written: RefCell::default() }
+    }
+
+    /// The mean of a coordinate of a sample. What is computed of a sample is written where it is needed first: a control keeps its touches no longer than
+    /// that.
+    pub(super) fn mean(&self, f: &'f Draft, sample: usize, axis: usize) -> Value<'f> {
+        let known =
+            |written: &Written<'f>| written.means.iter().find(|(key, _)| *key == (sample, axis)).map(|(_, value)| *value);
+        if let Some(value) = known(&self.written.borrow()) {
+            return value;
+        }
+        let mut written = self.written.borrow_mut();
+        for axis in (0..3).filter(|axis| self.used.has(sample, *axis)) {
+            let sum = f.sum((0..self.times).map(|n| f.trigger(self.times * sample + n, axis)));
+            let name = Name::new("mean", sample + 1).and(MEANS[axis]);
+            written.means.push(((sample, axis), f.set(name, sum / f.number(self.times as f64))));
+        }
+        let own = f.set(Name::new("apart", sample + 1), self.apart(f, sample));
+        written.spread = Some(match written.spread {
+            None => (own, 1),
+            Some((most, count)) => {
+                // The larger of two numbers is half of their sum and their distance.
+                let larger = (most + own + (most - own).abs()) / f.number(2.0);
+                (f.set(Name::new("spread", count + 1), larger), count + 1)
+            }
+        });
+        known(&written).expect("a formula reads what is used of it")
+    }
+
+    /// How far the touches of a sample are apart along their probing direction.
+    fn apart(&self, f: &'f Draft, sample: usize) -> Expr<'f> {
+        let along = self.along[sample].to_array().map(tidy);
+        let place = |n: usize| -> Expr<'f> {
+            let touch = self.times * sample + n;
+            let trigger = |axis: usize| f.trigger(touch, axis);
+            // Along an axis its coordinate says it, whichever way.
+            if let Some(axis) = (0..3).find(|axis| along[*axis].abs() == 1.0) {
+                return trigger(axis);
+            }
+            let plane = f.project(trigger(0), trigger(1), (along[0], along[1]));
+            let rest = trigger(2) * f.number(along[2].abs());
+            f.set(Name::new("along", touch + 1), if along[2] < 0.0 { plane - rest } else { plane + rest }).into()
+        };
+        let places: Vec<Expr<'f>> = (0..self.times).map(place).collect();
+        let between = |a: usize, b: usize| (places[a] - places[b]).abs();
+        match self.times {
+            2 => between(0, 1),
+            // Of three places the farthest two are as far apart as the other distances together.
+            _ => (between(0, 1) + between(1, 2) + between(0, 2)) / f.number(2.0),
+        }
+    }
+
+    /// States how far the touches of one point are apart at most, as the last result.
+    pub(super) fn state(&self, f: &'f Draft, limit: Option<f64>) {
+        let spread = self.written.borrow().spread;
+        let meaning = words!("Largest distance between touches of the same point");
+        f.result("spread", Role::Spread, meaning, 0.0, spread.map(|(most, _)| most));
+        f.limited(limit);
+    }
+}

@@ -1,0 +1,42 @@
+//! Touches that are repeated where they are.
+
+use crate::geom::Vec3;
+use crate::path::{Move, Path, Purpose, Touch};
+
+impl Path {
+    /// The same with every touch made so many times, each after the way back from the one before; the formula computes with the means. Repeated touches
+    /// may be farther apart by no more than `limit`, mm.
+    pub fn repeated(mut self, times: usize, limit: Option<f64>) -> Path {
+        let directions = self.directions();
+        self.formula = self.formula.repeated(times, &directions, limit);
+        let nth = |k: usize, n: usize| times * k + n;
+        let again = |touch: &Touch| (0..times).map(|n| Touch { sample: nth(touch.sample, n), ..*touch }).collect::<Vec<_>>();
+        self.touches = self.touches.iter().flat_map(again).collect();
+        let moves = std::mem::take(&mut self.moves);
+        for (index, step) in moves.iter().enumerate() {
+            match step.purpose {
+                Purpose::Position => self.moves.push(*step),
+                // With its way back.
+                Purpose::Touch(k) => {
+                    let back = moves.get(index + 1).filter(|next| next.purpose == Purpose::Back(k));
+                    for n in 0..times {
+                        self.moves.push(Move { purpose: Purpose::Touch(nth(k, n)), ..*step });
+                        self.moves.extend(back.map(|back| Move { purpose: Purpose::Back(nth(k, n)), ..*back }));
+                    }
+                }
+                // Of a control's own cycles alone, which repeat nothing.
+                Purpose::Search(_) => {}
+                Purpose::Back(_) => {}
+            }
+        }
+        self
+    }
+
+    /// The probing direction of each sample.
+    fn directions(&self) -> Vec<Vec3> {
+        let count = self.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
+        let mut directions = vec![Vec3::ZERO; count];
+        self.touches.iter().for_each(|touch| directions[touch.sample] = touch.vector);
+        directions
+    }
+}
