@@ -1,8 +1,8 @@
-// Many jobs: the command over 100,000 of them, and the example service under load beside a server that only sends the JSON back.
+// Many jobs: the command over 100,000 of them, and the service under load beside a server that only sends the JSON back.
 // Everything stays on this machine. Times are of the clock: the ratio counts.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
-import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { Agent, request } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -46,8 +46,8 @@ console.log("\nThe command, 100,000 jobs by the line: jobs a second, and the mos
 for (const threads of [1, 2]) await command(threads);
 
 /** Requests a second, the time that 99 of 100 need at most, and the server's memory after it. */
-async function load(/** @type {string} */ file, path = "/plan", count = 4000, atOnce = 16) {
-  const child = spawn("node", [file], { env: { ...process.env, PORT: "0" }, stdio: ["ignore", "pipe", "inherit"] });
+async function load(/** @type {string[]} */ args, path = "/plan", count = 4000, atOnce = 16) {
+  const child = spawn("node", args, { stdio: ["ignore", "pipe", "inherit"] });
   const [said] = await once(child.stdout, "data");
   const { hostname, port } = new URL(/http:\S+/.exec(String(said))?.[0] ?? "");
   const agent = new Agent({ keepAlive: true, maxSockets: atOnce });
@@ -90,23 +90,26 @@ async function load(/** @type {string} */ file, path = "/plan", count = 4000, at
 }
 
 const folder = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
-mkdirSync(join(folder, "node_modules"));
-symlinkSync(at(), join(folder, "node_modules", "touchpath"), "junction");
-symlinkSync(at("node_modules", "fastify"), join(folder, "node_modules", "fastify"), "junction");
-cpSync(at("examples", "service", "server.js"), join(folder, "server.mjs"));
+mkdirSync(join(folder, "node_modules", "@hono"), { recursive: true });
+for (const name of ["hono", join("@hono", "node-server")])
+  symlinkSync(at("node_modules", name), join(folder, "node_modules", name), "junction");
 writeFileSync(
   join(folder, "echo.mjs"),
-  `import Fastify from "fastify";
-const app = Fastify();
-app.post("/plan", async (request) => request.body);
-console.log("at", await app.listen({ port: 0, host: "127.0.0.1" }));
-process.once("SIGTERM", () => app.close());
+  `import { serve } from "@hono/node-server";
+import { Hono } from "hono";
+const app = new Hono();
+app.post("/plan", async (c) => c.json(await c.req.json()));
+const server = serve({ fetch: app.fetch, port: 0, hostname: "127.0.0.1" }, ({ port }) =>
+  console.log("at http://127.0.0.1:" + port),
+);
+process.once("SIGTERM", () => server.close());
 `,
 );
+const served = [at("dist", "cli", "touchpath.js"), "serve", "--port", "0"];
 console.log("\nThe service, 16 at once: requests a second, 99 of 100 within so many ms, memory MB");
-const echo = await load(join(folder, "echo.mjs"));
-const plans = await load(join(folder, "server.mjs"));
-const checks = await load(join(folder, "server.mjs"), "/check");
+const echo = await load([join(folder, "echo.mjs")]);
+const plans = await load(served);
+const checks = await load(served, "/check");
 for (const [name, { rate, p99, memory }] of Object.entries({
   "echo of the JSON": echo,
   "POST /check": checks,

@@ -62,6 +62,8 @@ test("the package had no licence text", () => {
     ...modules,
     ...manual,
     ...pieces,
+    "dist/cli/pool.js",
+    "dist/cli/serve.js",
     "dist/cli/tasks.js",
     "dist/cli/touchpath.js",
     "dist/cli/worker.js",

@@ -12,27 +12,36 @@ interface Waiting {
 }
 
 /** A thread, which answers in the order in which it is asked. */
-class Thread {
+export class Thread {
   private readonly worker: Worker;
   private readonly waiting: Waiting[] = [];
   /** Why it answers no more. */
   private dead: Error | null = null;
 
-  constructor(task: Task) {
-    this.worker = new Worker(new URL("./worker.js", import.meta.url), { workerData: task });
+  constructor() {
+    this.worker = new Worker(new URL("./worker.js", import.meta.url));
     this.worker.on("message", (outcomes: Outcome[]) => this.waiting.shift()?.done(outcomes));
     this.worker.on("error", (why) => this.die(why instanceof Error ? why : new Error(String(why))));
     this.worker.on("exit", () => this.die(new Error("A thread has ended")));
   }
 
-  ask(bunch: Item[]): Promise<Outcome[]> {
+  /** How many answers are still to come. */
+  get load(): number {
+    return this.waiting.length;
+  }
+
+  get isDead(): boolean {
+    return this.dead !== null;
+  }
+
+  ask(task: Task, bunch: Item[]): Promise<Outcome[]> {
     const answer = new Promise<Outcome[]>((done, fail) => {
       if (this.dead) fail(this.dead);
       else this.waiting.push({ done, fail });
     });
     // It may be rejected before it is awaited.
     answer.catch(() => undefined);
-    if (!this.dead) this.worker.postMessage(bunch);
+    if (!this.dead) this.worker.postMessage({ task, bunch });
     return answer;
   }
 
@@ -46,47 +55,57 @@ class Thread {
   }
 }
 
-/** Does the task with every item. Where no more items can be had, what is under way is handed on before that is said. */
-export async function* performAll(task: Task, items: AsyncIterable<Item>, threads: number): AsyncGenerator<Outcome> {
+/** Does the task with every item, on so many threads of its own or on those that are given. */
+export async function* performAll(
+  task: Task,
+  items: AsyncIterable<Item>,
+  threads: number | readonly Thread[],
+): AsyncGenerator<Outcome> {
+  if (typeof threads !== "number") return yield* performOn(threads, task, items);
   if (threads <= 1) {
     for await (const item of items) yield perform(task, item);
     return;
   }
-  const pool = Array.from({ length: threads }, () => new Thread(task));
+  const pool = Array.from({ length: threads }, () => new Thread());
   try {
-    const source = bunches(items);
-    let next: Promise<IteratorResult<Item[]>> | null = source.next();
-    /** What was asked and has not been handed on, in order. */
-    const under: Promise<Outcome[]>[] = [];
-    let turn = 0;
-    let failed: { why: unknown } | null = null;
-    while (next || under.length > 0) {
-      const [head] = under;
-      const settled = (promise: Promise<unknown>, name: string) =>
-        promise.then(
-          () => name,
-          () => name,
-        );
-      const full = under.length >= 2 * threads;
-      const first: string = await Promise.race([
-        ...(head ? [settled(head, "head")] : []),
-        ...(next && !full ? [settled(next, "next")] : []),
-      ]);
-      if (first === "head") yield* await (under.shift() as Promise<Outcome[]>);
-      else
-        try {
-          const { value, done } = await (next as Promise<IteratorResult<Item[]>>);
-          if (!done) under.push((pool[turn++ % threads] as Thread).ask(value));
-          next = done ? null : source.next();
-        } catch (why) {
-          failed = { why };
-          next = null;
-        }
-    }
-    if (failed) throw failed.why;
+    yield* performOn(pool, task, items);
   } finally {
     await Promise.all(pool.map((thread) => thread.end()));
   }
+}
+
+/** Where no more items can be had, what is under way is handed on before that is said. */
+async function* performOn(pool: readonly Thread[], task: Task, items: AsyncIterable<Item>): AsyncGenerator<Outcome> {
+  const source = bunches(items);
+  let next: Promise<IteratorResult<Item[]>> | null = source.next();
+  /** What was asked and has not been handed on, in order. */
+  const under: Promise<Outcome[]>[] = [];
+  let turn = 0;
+  let failed: { why: unknown } | null = null;
+  while (next || under.length > 0) {
+    const [head] = under;
+    const settled = (promise: Promise<unknown>, name: string) =>
+      promise.then(
+        () => name,
+        () => name,
+      );
+    const full = under.length >= 2 * pool.length;
+    const first: string = await Promise.race([
+      ...(head ? [settled(head, "head")] : []),
+      ...(next && !full ? [settled(next, "next")] : []),
+    ]);
+    if (first === "head") yield* await (under.shift() as Promise<Outcome[]>);
+    else
+      try {
+        const { value, done } = await (next as Promise<IteratorResult<Item[]>>);
+        if (!done) under.push((pool[turn++ % pool.length] as Thread).ask(task, value));
+        next = done ? null : source.next();
+      } catch (why) {
+        failed = { why };
+        next = null;
+      }
+  }
+  if (failed) throw failed.why;
 }
 
 /** Items by the bunch; those that are there, where the next one is not there yet. */

@@ -106,7 +106,9 @@ export function perform(task: Task, { source, place, ...item }: Item): Outcome {
     const message = thrown instanceof Error ? thrown.message : String(thrown);
     const findings =
       thrown instanceof JobError && thrown.findings.length > 0 ? thrown.findings : [problem("unreadable", message)];
-    return { source, place, output: null, control: null, findings, failed: true };
+    const { row } = item;
+    const none = { source, place, output: null, control: null, findings, failed: true };
+    return row === undefined ? none : { ...none, row };
   }
 }
 

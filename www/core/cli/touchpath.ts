@@ -12,6 +12,7 @@ import { converted, explain, meant, newJob, toolLengths } from "./about.js";
 import { completion } from "./completion.js";
 import { sarif } from "./examine.js";
 import { Folder, fileAt, Refused } from "./folder.js";
+import { LIMITS } from "./limits.js";
 import { linesOf } from "./lines.js";
 import { performAll } from "./pool.js";
 import { Progress } from "./progress.js";
@@ -47,6 +48,7 @@ const COMMANDS = {
   lentoax: ["[QUERY]", "SINUMERIK's LENTOAX: which tool length acts on which axis; a query as in the reference"],
   explain: ["CODE", "what the code of a finding, or a safety rule, means"],
   completion: ["SHELL", "a script that completes this command in bash, zsh or fish"],
+  serve: ["", "jobs over HTTP: plans, programs, tables, pictures, results; OpenAPI, metrics"],
   schema: ["", "the JSON Schema of a job"],
   catalog: ["", "cycles, fields and controls"],
 } as const satisfies Record<string, readonly [string, string, string?]>;
@@ -61,7 +63,7 @@ const FILES = [...JOBS, "import", "moves", "examine", "verify"];
 const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[] = [
   ["--post P", "for this control, in the place of the job's own", [...JOBS, "new"]],
   ["--form F", "moves or cycle, in the place of the job's own", [...JOBS, "new"]],
-  ["--config FILE", "the rules of a portal or a shop: jobs are filled in and judged by them", JOBS],
+  ["--config FILE", "the rules of a portal or a shop: jobs are filled in and judged by them", [...JOBS, "serve"]],
   ["--units U", "mm or inch", ["new", "convert"]],
   ["--view V", "isometric, top, front or side", ["svg"]],
   [
@@ -85,7 +87,14 @@ const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[]
   ],
   ["--flat", "with -o: all files into DIR itself", ["plan", "table", "svg", "import", "moves", "evaluate", "report"]],
   ["--ndjson", "one job per line in, one outcome per line out", FILES],
-  ["--jobs N", "on N threads; by default one per core for jobs by the line, else 1", FILES],
+  ["--jobs N", "on N threads; by default one per core for jobs by the line and serve, else 1", [...FILES, "serve"]],
+  ["--port N", "listens there: 3000, if left out; 0 takes a free one", ["serve"]],
+  ["--host H", "at this address: 127.0.0.1, if left out; 0.0.0.0 for all", ["serve"]],
+  [
+    "--limit NAME=N",
+    `body (bytes, ${LIMITS.body}), requests (at once, ${LIMITS.requests}), connections (${LIMITS.connections}), wait (ms, ${LIMITS.wait}); as often as there are some`,
+    ["serve"],
+  ],
   ["--reporter R", "text, github (annotations) or junit, for a build", ["check", "verify"]],
   ["--deny-warnings", "a warning ends with exit code 1, as an error does", FILES],
   ["--json", "findings, answers and errors as JSON; plan: the whole plan, with -o a line a file", NAMES],
@@ -182,6 +191,9 @@ const OPTIONS = {
   json: { type: "boolean" },
   units: { type: "string" },
   reporter: { type: "string" },
+  port: { type: "string" },
+  host: { type: "string" },
+  limit: { type: "string", multiple: true },
   "deny-warnings": { type: "boolean" },
   help: { type: "boolean", short: "h" },
   version: { type: "boolean", short: "V" },
@@ -217,6 +229,7 @@ function taskOf(command: Task["command"], values: Values): Task {
     throw new Refused("--reporter and --json are two forms of one output");
   if (values.reporter !== undefined) oneOf("--reporter", values.reporter, REPORTERS);
   only("units", "new", "convert");
+  for (const option of ["port", "host", "limit"] as const) only(option, "serve");
   if (values.post !== undefined)
     task.post = oneOf(
       "--post",
@@ -553,6 +566,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     await write(process.stdout, answer);
     return 0;
   }
+  if (command === "serve") return served(names, values);
   if (command === "schema" || command === "catalog") {
     const given = Object.keys(values).find((option) => option !== "json");
     if (names.length > 0 || given) throw new Refused(`${command} takes no files and no options`);
@@ -593,9 +607,7 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   if (JOBS.includes(command) && !byLine) task.places = true;
   task.whole = values.json === true && !byLine && values.out === undefined;
   const cores = byLine ? Math.min(availableParallelism(), 8) : 1;
-  const threads = values.jobs === undefined ? cores : Number(values.jobs);
-  if (!Number.isInteger(threads) || threads < 1 || threads > 64)
-    throw new Refused("--jobs is a whole number from 1 to 64");
+  const threads = threadsOf(values, cores);
   const { longestText, longestProgram } = catalog();
   const longest = ["moves", "examine", "verify"].includes(command) ? longestProgram : longestText;
   const progress = new Progress(process.stderr, byLine || files.length > 1);
@@ -611,6 +623,38 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     progress.end();
     folder?.leave();
   }
+}
+
+/** A whole number of an option. */
+function countOf(option: string, text: string, least: number, most: number): number {
+  const value = Number(text);
+  if (!/^\d+$/.test(text) || value < least || value > most)
+    throw new Refused(`${option} is a whole number from ${least} to ${most}, not ${text}`);
+  return value;
+}
+
+/** Serves until the process is told to end. */
+async function served(names: string[], values: Values): Promise<number> {
+  const other = Object.keys(values).find((option) => !["port", "host", "jobs", "limit", "config"].includes(option));
+  if (other !== undefined) throw new Refused(`--${other} is not for serve`);
+  if (names.length > 0) throw new Refused("serve takes no files");
+  const limits = { ...LIMITS };
+  for (const given of values.limit ?? []) {
+    const [name = "", number = ""] = given.split("=");
+    const known = oneOf("--limit", name, Object.keys(LIMITS) as (keyof typeof LIMITS)[]);
+    limits[known] = countOf(`--limit ${known}`, number, 1, 1_000_000_000);
+  }
+  const config = values.config === undefined ? undefined : await configOf(values.config);
+  const threads = threadsOf(values, Math.min(availableParallelism(), 8));
+  const { serve } = await import("./serve.js");
+  const port = countOf("--port", values.port ?? "3000", 0, 65_535);
+  await serve({ port, host: values.host ?? "127.0.0.1", threads, limits, config });
+  return 0;
+}
+
+/** On how many threads. */
+function threadsOf(values: Values, usual: number): number {
+  return values.jobs === undefined ? usual : countOf("--jobs", values.jobs, 1, 64);
 }
 
 /** The folder of the outputs. However the process ends, but for a kill that cannot be seen, nothing is left aside. */

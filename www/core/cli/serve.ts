@@ -1,0 +1,311 @@
+// Jobs over HTTP: a route a task, worked on by threads.
+import { createHash } from "node:crypto";
+import { once } from "node:events";
+import { readFileSync } from "node:fs";
+import type { IncomingMessage, Server } from "node:http";
+import { dirname, join } from "node:path";
+import { Readable } from "node:stream";
+import { fileURLToPath } from "node:url";
+import { createAdaptorServer, type HttpBindings } from "@hono/node-server";
+import { type Context, Hono } from "hono";
+import { HTTPException } from "hono/http-exception";
+import { requestId } from "hono/request-id";
+import { type Config, catalog, jobSchema, version } from "../node.js";
+import type { Limits } from "./limits.js";
+import { linesOf } from "./lines.js";
+import { Metrics } from "./metrics.js";
+import { openapi } from "./openapi.js";
+import { performAll, Thread } from "./pool.js";
+import { JSON_TYPE, ROUTES, type Route } from "./routes.js";
+import type { Item, Outcome, Task } from "./tasks.js";
+
+interface Settings {
+  port: number;
+  host: string;
+  threads: number;
+  limits: Limits;
+  config?: Config | undefined;
+}
+
+/** The content types of the forms of a table. */
+const FORMATS: Record<string, string> = { json: JSON_TYPE, csv: "text/csv", text: "text/plain" };
+
+type Env = { Bindings: HttpBindings };
+
+/** A refusal: a status and why. */
+const refused = (status: 400 | 404 | 412 | 413 | 415 | 503 | 504, message: string) =>
+  new HTTPException(status, { message });
+
+/** The threads of a service. One that ends, or does not answer, is put in place again. */
+class Crew {
+  private readonly threads: Thread[];
+
+  constructor(
+    count: number,
+    private readonly wait: number,
+  ) {
+    this.threads = Array.from({ length: count }, () => new Thread());
+  }
+
+  /** Does a task on the thread with the least to do. */
+  async perform(task: Task, item: Item): Promise<Outcome> {
+    const [thread] = [...this.all()].sort((a, b) => a.load - b.load) as [Thread];
+    let late: NodeJS.Timeout | undefined;
+    const over = new Promise<never>((_, fail) => {
+      late = setTimeout(() => {
+        void thread.end();
+        fail(refused(504, "the answer took too long"));
+      }, this.wait);
+    });
+    try {
+      const [outcome] = await Promise.race([thread.ask(task, [item]), over]);
+      return outcome as Outcome;
+    } finally {
+      clearTimeout(late);
+    }
+  }
+
+  all(): readonly Thread[] {
+    for (const [i, thread] of this.threads.entries()) if (thread.isDead) this.threads[i] = new Thread();
+    return this.threads;
+  }
+
+  async end(): Promise<void> {
+    await Promise.all(this.threads.map((thread) => thread.end()));
+  }
+}
+
+/** The body of a request: no more than so many bytes are read. */
+async function bodyOf(incoming: IncomingMessage, most: number): Promise<string> {
+  const chunks: Buffer[] = [];
+  let size = 0;
+  for await (const chunk of incoming) {
+    size += (chunk as Buffer).length;
+    if (size > most) throw refused(413, `the body is longer than ${most} bytes`);
+    chunks.push(chunk as Buffer);
+  }
+  return Buffer.concat(chunks).toString("utf8");
+}
+
+function json(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch (thrown) {
+    throw refused(400, `this is not JSON: ${(thrown as Error).message}`);
+  }
+}
+
+/** What a request of a route comes to, as a task and its text. */
+function asked(route: Route, text: string): { task: Task; text: string } {
+  if (route.takes === "text") return { task: route.task, text };
+  const given = json(text);
+  if (route.takes === "job") return { task: route.task, text };
+  const { job, measured } = (given ?? {}) as { job?: unknown; measured?: unknown };
+  if (job === undefined || typeof measured !== "string")
+    throw refused(400, 'this route takes { "job": …, "measured": "what the machine printed" }');
+  return { task: { ...route.task, points: measured }, text: JSON.stringify(job) };
+}
+
+/** The app and what ends it. */
+export class Service {
+  private readonly crew: Crew;
+  private readonly metrics = new Metrics();
+  private readonly app = new Hono<Env>();
+  private underWay = 0;
+  private closing = false;
+  private ready = false;
+  private readonly salt: string;
+  private server!: Server;
+
+  constructor(private readonly settings: Settings) {
+    this.crew = new Crew(settings.threads, settings.limits.wait);
+    this.salt = JSON.stringify([version(), settings.config ?? null]);
+    this.routes();
+  }
+
+  /** Listens; gives the address. */
+  async listen(): Promise<string> {
+    const { host, port, limits } = this.settings;
+    this.server = createAdaptorServer({
+      fetch: this.app.fetch,
+      serverOptions: {
+        requestTimeout: limits.wait,
+        headersTimeout: limits.wait,
+        // Node looks for requests that do not come only so often, by itself every 30 s.
+        connectionsCheckingInterval: Math.max(limits.wait / 10, 100),
+      },
+    }) as Server;
+    this.server.maxConnections = limits.connections;
+    this.server.listen(port, host);
+    await once(this.server, "listening");
+    const warm: Item = { source: "", place: "", text: '{"format":1,"cycle":{"type":"hole"}}' };
+    void Promise.all(this.crew.all().map((thread) => thread.ask({ command: "check" }, [warm]))).then(() => {
+      this.ready = true;
+    });
+    const address = this.server.address() as { address: string; port: number };
+    const name = address.address.includes(":") ? `[${address.address}]` : address.address;
+    return `http://${name}:${address.port}`;
+  }
+
+  /** What is under way is answered, nothing new is taken, and then it ends. */
+  async close(): Promise<void> {
+    this.closing = true;
+    const closed = once(this.server, "close");
+    this.server.close();
+    this.server.closeIdleConnections();
+    const late = setTimeout(() => this.server.closeAllConnections(), this.settings.limits.wait);
+    await closed;
+    clearTimeout(late);
+    await this.crew.end();
+  }
+
+  private routes(): void {
+    const { app, settings } = this;
+    app.use(requestId());
+    app.use(async (c, next) => {
+      const begin = performance.now();
+      if (this.closing) c.header("connection", "close");
+      await next();
+      this.metrics.count(c.req.routePath, c.res.status, (performance.now() - begin) / 1000);
+    });
+    app.onError((error, c) => {
+      const status = error instanceof HTTPException ? error.status : 500;
+      if (status === 500) console.error(`${c.get("requestId")}: ${error.stack ?? error}`);
+      if (status === 503) c.header("retry-after", "1");
+      // The rest of a body that is too long is not waited for.
+      if (status === 413) c.header("connection", "close");
+      return c.json({ error: status === 500 ? "this should not have happened" : error.message }, status);
+    });
+    app.notFound((c) => c.json({ error: `there is no ${c.req.method} ${c.req.path.slice(0, 100)}` }, 404));
+    for (const route of ROUTES) {
+      app.post(route.path, async (c) => {
+        const type = c.req.header("content-type")?.split(";")[0]?.trim().toLowerCase();
+        const wanted = route.takes === "text" ? "text/plain" : JSON_TYPE;
+        if (type !== wanted) throw refused(415, `the body of this route is ${wanted}`);
+        const text = await bodyOf(c.env.incoming, settings.limits.body);
+        return this.answer(c, route, text);
+      });
+      // A job in the address, so that what stands between may keep the answer.
+      if (route.takes === "job") app.get(route.path, async (c) => this.answer(c, route, c.req.query("job") ?? ""));
+    }
+    app.post("/programs", (c) => this.programs(c));
+    const documents: Record<string, () => object> = {
+      "/catalog": catalog,
+      "/schema": jobSchema,
+      "/answers.schema": answers,
+      "/openapi.json": () => openapi(ROUTES, answers()),
+    };
+    for (const [path, make] of Object.entries(documents)) {
+      app.get(path, (c) => {
+        const tag = this.tag(path, "");
+        if (c.req.header("if-none-match") === tag) return c.body(null, 304, { etag: tag });
+        return c.json(make(), 200, { etag: tag });
+      });
+    }
+    app.get("/health", (c) => c.json({ good: true, version: version() }));
+    app.get("/ready", (c) => {
+      const good = this.ready && !this.closing;
+      return c.json({ good }, good ? 200 : 503);
+    });
+    app.get("/metrics", (c) =>
+      c.text(this.metrics.text(this.underWay, this.settings.threads), 200, {
+        "content-type": "text/plain; version=0.0.4; charset=utf-8",
+      }),
+    );
+  }
+
+  /** The key of an answer: version, rules, route with its query, and what was sent. */
+  private tag(asked: string, text: string): string {
+    const hash = createHash("sha256").update(JSON.stringify([this.salt, asked, text]));
+    return `"${hash.digest("base64url")}"`;
+  }
+
+  /** Counts a request of which all is there until its answer has gone. More at once than are taken would only wait for each other. */
+  private enter({ incoming, outgoing }: HttpBindings): void {
+    const { socket } = incoming;
+    // Of a connection that is gone already there will be no end to hear of.
+    if (socket.destroyed) return;
+    if (this.underWay >= this.settings.limits.requests) throw refused(503, "too many requests at once");
+    this.underWay++;
+    // An answer that waits behind another one on its connection never closes where the connection does.
+    socket.setMaxListeners(0);
+    let over = false;
+    const end = () => {
+      if (over) return;
+      over = true;
+      this.underWay--;
+      socket.off("close", end);
+    };
+    outgoing.once("close", end);
+    socket.once("close", end);
+  }
+
+  private async answer(c: Context<Env>, route: Route, body: string): Promise<Response> {
+    const [word = "", forms = []] = route.query ?? [];
+    const form = word === "" ? undefined : c.req.query(word);
+    if (form !== undefined && !forms.includes(form)) throw refused(400, `${word} is one of ${forms.join(", ")}`);
+    const { task, text } = asked(route, body);
+    const tag = this.tag(`${route.path} ${form ?? ""}`, body);
+    const known = c.req
+      .header("if-none-match")
+      ?.split(",")
+      .map((one) => one.trim());
+    if (known?.includes(tag))
+      return c.req.method === "GET"
+        ? c.body(null, 304, { etag: tag })
+        : c.json({ error: "the answer is the one that you have" }, 412, { etag: tag });
+    this.enter(c.env);
+    const { config } = this.settings;
+    const own: Task = { ...task, ...(config ? { config } : {}), ...(form === undefined ? {} : { [word]: form }) };
+    const outcome = await this.crew.perform(own, { source: route.path, place: "", text });
+    c.header("etag", tag);
+    // What is kept is asked for again, and that costs no plan.
+    if (c.req.method === "GET") c.header("cache-control", "no-cache");
+    if (route.task.command === "check") return c.json(outcome.findings);
+    if (!outcome.output) {
+      const [first] = outcome.findings.filter(({ level }) => level === "error");
+      return c.json({ error: first?.message ?? "there is no answer", findings: outcome.findings }, 422);
+    }
+    const type = (route.path === "/table" && FORMATS[form ?? "json"]) || route.gives.type;
+    return c.body(outcome.output.text, 200, { "content-type": `${type}; charset=utf-8` });
+  }
+
+  /** A job a line in, an outcome a line out, as they come. */
+  private programs(c: Context<Env>): Response {
+    this.enter(c.env);
+    const { config, limits } = this.settings;
+    const task: Task = { command: "plan", ...(config ? { config } : {}) };
+    const crew = this.crew;
+    async function* items(): AsyncGenerator<Item> {
+      for await (const { number, text, tooLong } of linesOf(c.env.incoming, limits.body)) {
+        if (text.trim() === "" && !tooLong) continue;
+        const long = tooLong ? { refused: `a line is longer than ${limits.body} characters` } : {};
+        yield { source: String(number), row: number, place: "", text, ...long };
+      }
+    }
+    async function* lines(): AsyncGenerator<string> {
+      for await (const { row, output, findings } of performAll(task, items(), crew.all()))
+        yield `${JSON.stringify({ line: row, program: output?.text ?? null, findings })}\n`;
+    }
+    const stream = Readable.toWeb(Readable.from(lines(), { objectMode: false })) as ReadableStream;
+    return c.body(stream, 200, { "content-type": "application/x-ndjson; charset=utf-8" });
+  }
+}
+
+/** The schema of what comes out, as the package has it. */
+function answers(): Record<string, unknown> {
+  const file = join(dirname(fileURLToPath(import.meta.url)), "..", "answers.schema.json");
+  return JSON.parse(readFileSync(file, "utf8"));
+}
+
+/** Serves until it is told to end. */
+export async function serve(settings: Settings): Promise<void> {
+  const service = new Service(settings);
+  const address = await service.listen();
+  process.stdout.write(`Touchpath ${version()} at ${address}\n`);
+  await new Promise<void>((done) => {
+    for (const signal of ["SIGTERM", "SIGINT"] as const) process.once(signal, () => done());
+  });
+  await service.close();
+  process.stdout.write("closed\n");
+}
