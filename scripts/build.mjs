@@ -19,6 +19,7 @@ import { configSchema } from "./config-schema.mjs";
 import { at, beside, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
+import { webTypes } from "./web-types.mjs";
 
 /** Where the two modules are built: one whole, and without what a first visit of the page does not need. */
 const MODULES = { whole: { folder: "", flags: [] }, first: { folder: "first", flags: ["--no-default-features"] } };
@@ -72,6 +73,9 @@ async function buildWasm() {
   writeFileSync(`${out}/inline.d.ts`, "export const base64: string;\n");
 }
 
+/** What frameworks know of the element. */
+const TYPES = ["attributes.d.ts", "svelte.d.ts", "vue.d.ts"];
+
 function buildPackage() {
   rmSync(at("dist"), { recursive: true, force: true });
   run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
@@ -81,7 +85,7 @@ function buildPackage() {
     filter: (path) => !path.endsWith("first.wasm"),
   });
   writeFileSync(at("dist", "licences.txt"), crateLicences());
-  for (const name of ["embed.html", "frame.schema.json", "react.d.ts", "react.js"])
+  for (const name of ["embed.html", "frame.schema.json", "react.d.ts", "react.js", ...TYPES])
     cpSync(at("www", name), at("dist", name));
   cpSync(at("www", "page.css"), at("dist", "embed.css"));
   mkdirSync(at("dist", "words"));
@@ -105,6 +109,7 @@ function buildBundles() {
     rmSync(bundled);
   }
   run("npx", ["--no-install", "cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"]);
+  writeFileSync(at("dist", "web-types.json"), `${JSON.stringify(webTypes(), null, 2)}\n`);
 }
 
 /** The JSON Schemas of a job, of a config and of what is answered, as files. */

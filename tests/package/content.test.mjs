@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join, posix, relative } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { catalog } from "touchpath";
@@ -53,10 +53,23 @@ test("the package had no licence text", () => {
     "touchpath_bg.wasm",
     "touchpath_bg.wasm.d.ts",
   ].map((f) => `dist/wasm/${f}`);
-  // The manual, which README, types and catalog point to, without its pictures.
-  const manual = readdirSync(join(cwd, "docs"), { recursive: true, encoding: "utf8" })
-    .filter((name) => name.endsWith(".md"))
-    .map((name) => `docs/${name.replaceAll("\\", "/")}`);
+  // The manual, which README, types and catalog point to, and the examples that it points to.
+  const all = (/** @type {string} */ folder) =>
+    readdirSync(join(cwd, folder), { recursive: true, withFileTypes: true })
+      .filter((entry) => entry.isFile() && !entry.name.endsWith(".rs"))
+      .map((entry) => relative(cwd, join(entry.parentPath, entry.name)).replaceAll("\\", "/"));
+  const manual = [...all("docs"), ...all("examples")];
+  // Nothing in it leads out of the package.
+  for (const page of manual.filter((name) => name.endsWith(".md"))) {
+    const links = readFileSync(join(cwd, page), "utf8").matchAll(/\]\((?!https?:|#)([^)\s#]+)/g);
+    for (const [, link = ""] of links) {
+      const target = posix.join(dirname(page), link).replace(/\/$/, "");
+      assert.ok(
+        names.some((/** @type {string} */ name) => name === target || name.startsWith(`${target}/`)),
+        `${page}: ${link}`,
+      );
+    }
+  }
   for (const { doc } of catalog().cycles) assert.ok(manual.includes(doc), doc);
   const wanted = [
     ...modules,
@@ -73,7 +86,11 @@ test("the package had no licence text", () => {
     "dist/answers.schema.json",
     "dist/config.schema.json",
     "dist/frame.schema.json",
+    "dist/attributes.d.ts",
     "dist/react.d.ts",
+    "dist/svelte.d.ts",
+    "dist/vue.d.ts",
+    "dist/web-types.json",
     "dist/react.js",
     "dist/schema.json",
     "dist/words/de.json",

@@ -379,6 +379,49 @@ test("a portal that leaves, or gives up, leaves nothing dead behind; what is ask
   assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "POCKET-80X50");
 });
 
+test("a frame that is loaded anew keeps its listeners, and has back what was set and typed", async () => {
+  await open();
+  await connect({ saves: true });
+  await on(`frame.addEventListener("load", (event) => told.push({ type: "load", detail: event.detail }))`);
+  const job = { format: 1, name: "KEPT", cycle: { type: "boss", diameter: 31 } };
+  const appearance = { accent: "rgb(10, 20, 30)" };
+  await on(`frame.set(${JSON.stringify({ job, post: "haas", panels: "form program", appearance })})`);
+  const inside = page.frameLocator("iframe");
+  await inside.locator("[id='f-cycle.diameter']").fill("28");
+  await inside.locator("[id='f-cycle.depth']").fill("x");
+  await page.waitForFunction(() => JSON.stringify(/** @type {any} */ (window).told).includes('"depth":"x"'));
+  await told();
+  // What is asked while it is loaded waits for it.
+  await on(`document.querySelector("iframe").addEventListener("load", () => { window.during = frame.get(); })`);
+  const frames = page.frames().find((frame) => frame.url().includes("embed.html"));
+  await frames?.evaluate(() => location.reload()).catch(() => undefined);
+  await page.waitForFunction(() => /** @type {any} */ (window).during !== undefined);
+  const state = /** @type {any} */ (await on("during"));
+  assert.deepEqual(
+    [state.job.name, state.job.control.post, state.job.cycle.diameter, state.job.cycle.depth],
+    ["KEPT", "haas", 28, "x"],
+  );
+  assert.deepEqual(
+    (await told()).filter((/** @type {any} */ one) => one.type === "load"),
+    [{ type: "load", detail: { refused: null } }],
+  );
+  assert.equal(
+    await inside.locator("touch-path").evaluate((one) => one.style.getPropertyValue("--touchpath-accent")),
+    appearance.accent,
+  );
+  await inside.locator("[id='f-cycle.depth']").fill("12");
+  await inside.getByRole("button", { name: /^Save / }).click();
+  await page.waitForFunction(() =>
+    /** @type {any} */ (window).told.some((/** @type {any} */ one) => one.type === "program-save"),
+  );
+  const saved = (await told()).find((/** @type {any} */ one) => one.type === "program-save").detail;
+  assert.equal(saved.name, "KEPT.nc", "the portal still saves by itself");
+  // Another page in its place answers nothing, and a connection that is closed does not come back.
+  await on("(frame.close(), 0)");
+  await frames?.evaluate(() => location.reload()).catch(() => undefined);
+  assert.match(/** @type {any} */ (await on("frame.get()")).failed, /is closed/);
+});
+
 test("a frame that was taken out answers nothing: what is asked of it fails", async () => {
   await open();
   await connect({ patience: 5000 });

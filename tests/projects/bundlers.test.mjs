@@ -5,6 +5,7 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "nod
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
 import { test } from "node:test";
+import { at } from "../../scripts/lib.mjs";
 import { addressOf } from "../../scripts/serve.mjs";
 import { inBrowser, project, tarball } from "./installed.mjs";
 
@@ -212,6 +213,63 @@ element.cycle = "holes";
       ],
       { cwd: own, stdio: "inherit" },
     );
+});
+
+test("Vue's templates and Svelte's markup know the element, and refuse what it does not take", () => {
+  const own = project("frameworks", ["typescript", "vue", "@vue", "svelte", "csstype"]);
+  writeFileSync(
+    join(own, "use.ts"),
+    `import type {} from "touchpath/svelte";
+import type {} from "touchpath/vue";
+import type { SvelteHTMLElements } from "svelte/elements";
+import type { GlobalComponents } from "vue";
+type Vue = InstanceType<GlobalComponents["touch-path"]>["$props"];
+type Svelte = SvelteHTMLElements["touch-path"];
+const job = { format: 1, cycle: { type: "hole", diameter: 20 } } as const;
+export const vue: Vue = { job, theme: "dark", class: "wide", onJobChange: (event) => console.log(event.detail.job.name) };
+export const svelte: Svelte = { job, post: "haas", class: "wide", "onplan-change": ({ detail }) => console.log(detail.plan?.moves) };
+// @ts-expect-error there is no such theme
+export const blue: Vue = { theme: "blue" };
+// @ts-expect-error there is no such control
+export const post: Svelte = { post: "mazatrol" };
+// @ts-expect-error there is no such cycle
+export const cycle: Vue = { cycle: "holes" };
+// @ts-expect-error a plan has no such section
+export const plan: Svelte = { "onplan-change": ({ detail }) => console.log(detail.plan.nothing) };
+`,
+  );
+  writeFileSync(join(own, "package.json"), '{"type":"module"}');
+  const tsc = join(own, "node_modules", "typescript", "bin", "tsc");
+  const options = [
+    "--strict",
+    "--noEmit",
+    "--target",
+    "es2022",
+    "--lib",
+    "ES2023,DOM",
+    "--types",
+    "",
+    "--skipLibCheck",
+  ];
+  execFileSync(tsc, [...options, "--module", "esnext", "--moduleResolution", "bundler", "use.ts"], {
+    cwd: own,
+    stdio: "inherit",
+  });
+});
+
+test("JetBrains' editors know the element: every attribute, property and event of its manifest", () => {
+  const json = (/** @type {string} */ name) => JSON.parse(readFileSync(at("dist", name), "utf8"));
+  const own = JSON.parse(readFileSync(at("package.json"), "utf8"));
+  assert.equal(own["web-types"], "dist/web-types.json");
+  const types = json("web-types.json");
+  const [element, ...none] = types.contributions.html.elements;
+  const [declared] = json("custom-elements.json").modules.flatMap((/** @type {any} */ one) => one.declarations);
+  assert.deepEqual([none, types.version, element.name], [[], own.version, declared.tagName]);
+  const names = (/** @type {any[]} */ list) => list.map(({ name }) => name).sort();
+  assert.deepEqual(names(element.attributes), names(declared.attributes));
+  assert.deepEqual(names(element.js.events), names(declared.events));
+  assert.ok(names(element.js.properties).includes("measured") && !names(element.js.properties).includes("save"));
+  for (const one of [...element.attributes, ...element.js.events]) assert.ok(one.description, one.name);
 });
 
 test("publint and Are the types wrong? find nothing", async () => {

@@ -42,6 +42,8 @@ export interface FrameEvents {
   "measured-change": CustomEvent<{ measured: string }>;
   "program-save": CustomEvent<{ name: string; text: string; post: string; extension: string }>;
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
+  /** The frame was loaded anew and has back what it had; `refused` says what of it could not be set again. */
+  load: CustomEvent<{ refused: string | null }>;
 }
 
 interface Waiting {
@@ -49,21 +51,74 @@ interface Waiting {
   fail(why: FrameError): void;
 }
 
-/** A frame that has answered. Its events are those of `<touch-path>`: `job-change`, `plan-change`, `selection-change`, `measured-change`, `program-save`, `finding`. */
+/**
+ * A frame that has answered. Its events are those of `<touch-path>`: `job-change`, `plan-change`, `selection-change`, `measured-change`, `program-save`, `finding`;
+ * and `load` where the frame was loaded anew.
+ */
 export class Frame extends EventTarget {
   private readonly waiting = new Map<number, Waiting>();
   private last = 0;
   private ended = false;
+  private port: MessagePort;
+  /** What a frame that is loaded anew is given: all that was set, with the job and what was measured as they stand. */
+  private state: FrameState = {};
+  private of: string;
+  /** What is waited for while the frame is loaded anew. */
+  private there: Promise<void> = Promise.resolve();
 
   constructor(
-    private readonly port: MessagePort,
-    /** The version of Touchpath in the frame. */
-    readonly version: string,
+    port: MessagePort,
+    version: string,
     /** How long to wait for an answer, milliseconds. */
     private readonly patience = PATIENCE,
+    /** What else ends with the connection. */
+    private readonly over: () => void = () => undefined,
   ) {
     super();
-    port.onmessage = ({ data }: MessageEvent<Answer>) => this.receive(data);
+    this.port = port;
+    this.of = version;
+    this.listen();
+  }
+
+  /** The version of Touchpath in the frame. */
+  get version(): string {
+    return this.of;
+  }
+
+  private listen(): void {
+    this.port.onmessage = ({ data }: MessageEvent<Answer>) => this.receive(data);
+  }
+
+  /**
+   * The frame was loaded anew: `hello` gives the port and the version of what is there now. What is asked meanwhile waits for it. @internal
+   */
+  async loaded(hello: Promise<{ port: MessagePort; version: string }>): Promise<void> {
+    this.port.onmessage = null;
+    this.port.close();
+    this.fail("The frame was loaded anew");
+    let free = () => {};
+    this.there = new Promise((done) => {
+      free = done;
+    });
+    let refused: string | null = null;
+    try {
+      const { port, version } = await hello;
+      if (this.ended) {
+        port.postMessage({ type: "end" } satisfies Request);
+        port.close();
+        return;
+      }
+      [this.port, this.of] = [port, version];
+      this.listen();
+      const { state } = this;
+      if (Object.keys(state).length > 0) await this.send((id) => ({ type: "set", id, state }));
+    } catch (why) {
+      // Or it shows another page now: what is asked from here on gets no answer, and says so.
+      refused = (why as Error).message;
+    } finally {
+      free();
+    }
+    this.dispatchEvent(new CustomEvent("load", { detail: { refused } }));
   }
 
   override addEventListener<K extends keyof FrameEvents>(
@@ -88,6 +143,8 @@ export class Frame extends EventTarget {
   /** Sets the job, the control, what is shown: all of it, or, where any of it cannot be used, nothing. Then it fails with the reasons. */
   async set(state: FrameState): Promise<void> {
     await this.ask((id) => ({ type: "set", id, state }));
+    const appearance = { ...this.state.appearance, ...state.appearance };
+    this.state = { ...this.state, ...state, ...(Object.keys(appearance).length > 0 ? { appearance } : {}) };
   }
 
   /** Saves the program as the Save button does. Fails if the job has errors. */
@@ -129,12 +186,23 @@ export class Frame extends EventTarget {
 
   private end(why: string): void {
     this.ended = true;
+    this.over();
     this.port.close();
+    this.fail(why);
+  }
+
+  /** What was asked gets no answer. */
+  private fail(why: string): void {
     for (const { fail } of this.waiting.values()) fail(new FrameError(why));
     this.waiting.clear();
   }
 
-  private ask(request: (id: number) => Request): Promise<FrameView | string | null | undefined> {
+  private async ask(request: (id: number) => Request): Promise<FrameView | string | null | undefined> {
+    await this.there;
+    return this.send(request);
+  }
+
+  private send(request: (id: number) => Request): Promise<FrameView | string | null | undefined> {
     return new Promise((done, fail) => {
       if (this.ended) {
         fail(new FrameError("This connection with the frame is closed"));
@@ -162,6 +230,12 @@ export class Frame extends EventTarget {
 
   private receive(answer: Answer): void {
     if (answer.type === "ended") this.end("Another connection has replaced this one");
+    if (answer.type === "job-change") {
+      // A cycle that was set stands in the job by now.
+      const { cycle: _, ...state } = this.state;
+      this.state = { ...state, job: answer.detail.job };
+    }
+    if (answer.type === "measured-change") this.state = { ...this.state, measured: answer.detail.measured };
     if ("detail" in answer) this.dispatchEvent(new CustomEvent(answer.type, { detail: answer.detail }));
     if (!("id" in answer) || answer.id === null) return;
     const waiting = this.waiting.get(answer.id);
@@ -181,18 +255,13 @@ function originOf(address: unknown): string {
   }
 }
 
-/** Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. */
-export function connect(
+/** Says hello to a frame until it answers; gives the port that it answers through, and its version. */
+function hello(
   iframe: HTMLIFrameElement,
-  { origin, saves = false, patience = PATIENCE }: ConnectOptions,
-): Promise<Frame> {
+  own: string,
+  { saves = false, patience = PATIENCE }: ConnectOptions,
+): Promise<{ port: MessagePort; version: string }> {
   return new Promise((done, fail) => {
-    // What `querySelector` did not find.
-    if (!iframe || !("contentWindow" in iframe)) throw new FrameError("connect takes the iframe that shows embed.html");
-    // `*` and `/` mean something else to the browser: any origin, and this page's own.
-    const own = originOf(origin);
-    if (!own)
-      throw new FrameError(`${origin} is no origin: it must be that of the frame, such as https://touchpath.example`);
     let port: MessagePort | null = null;
     const end = () => {
       clearInterval(asking);
@@ -218,7 +287,7 @@ export function connect(
           fail(new FrameError(data.message, data.findings));
           return;
         }
-        done(new Frame(channel.port1, data.version, patience));
+        done({ port: channel.port1, version: data.version });
       };
       const hello: Hello = { touchpath: PROTOCOL, type: "hello", saves };
       iframe.contentWindow?.postMessage(hello, own, [channel.port2]);
@@ -234,4 +303,24 @@ export function connect(
     }, patience);
     ask();
   });
+}
+
+/**
+ * Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. Where the frame
+ * is loaded anew later, the connection holds: it is given what was set, with the job as it stood, and `load` says so.
+ */
+export async function connect(iframe: HTMLIFrameElement, options: ConnectOptions): Promise<Frame> {
+  // What `querySelector` did not find.
+  if (!iframe || !("contentWindow" in iframe)) throw new FrameError("connect takes the iframe that shows embed.html");
+  const { origin, patience } = options;
+  // `*` and `/` mean something else to the browser: any origin, and this page's own.
+  const own = originOf(origin);
+  if (!own)
+    throw new FrameError(`${origin} is no origin: it must be that of the frame, such as https://touchpath.example`);
+  let frame: Frame | null = null;
+  const again = () => void frame?.loaded(hello(iframe, own, options));
+  const { port, version } = await hello(iframe, own, options);
+  frame = new Frame(port, version, patience, () => iframe.removeEventListener("load", again));
+  iframe.addEventListener("load", again);
+  return frame;
 }

@@ -1,0 +1,27 @@
+// What `<touch-path>` takes in markup, for the types of frameworks.
+import type { TouchPathEvents } from "./element/element.js";
+import type { Config, Cycle, Job, PostId, SetUp } from "./types.js";
+
+/** The properties of `<touch-path>`. */
+export interface TouchPathAttributes {
+  config?: Config | string | null;
+  job?: Job | SetUp | string | null;
+  cycle?: Cycle["type"] | null;
+  post?: PostId | null;
+  units?: "mm" | "inch" | null;
+  theme?: "light" | "dark" | "auto";
+  readonly?: boolean;
+  panels?: string;
+  mode?: "setter" | "cam";
+  view?: "top" | "front" | "side" | "isometric";
+  measured?: string | null;
+  storage?: "none" | "local";
+  links?: boolean;
+  disabled?: boolean;
+  name?: string;
+}
+
+/** Its listeners, as React and Svelte have them: `onjob-change`. */
+export type TouchPathListeners = {
+  [K in keyof TouchPathEvents as `on${K}`]?: (event: TouchPathEvents[K]) => void;
+};

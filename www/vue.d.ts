@@ -1,0 +1,19 @@
+// What Vue's templates know of <touch-path>: `import type {} from "touchpath/vue"` in any file of a project.
+import type { HTMLAttributes, PublicProps } from "vue";
+import type { TouchPathAttributes } from "./attributes.js";
+import type { TouchPathEvents } from "./element/element.js";
+
+/** `job-change` is listened to as `@job-change`, which Vue types as `onJobChange`. */
+type Camel<S extends string> = S extends `${infer A}-${infer B}` ? `${A}${Capitalize<Camel<B>>}` : S;
+
+/** What a template gives the element. */
+export type TouchPathProps = TouchPathAttributes &
+  HTMLAttributes & {
+    [K in keyof TouchPathEvents as `on${Capitalize<Camel<K & string>>}`]?: (event: TouchPathEvents[K]) => void;
+  };
+
+declare module "vue" {
+  interface GlobalComponents {
+    "touch-path": new () => { $props: TouchPathProps & PublicProps; $slots: object };
+  }
+}
