@@ -9,6 +9,7 @@ import {
   mkdirSync,
   readdirSync,
   readFileSync,
+  rmSync,
   statSync,
   symlinkSync,
   utimesSync,
@@ -210,4 +211,101 @@ test("a file that was read is not written over, by whatever name it is reached",
   assert.equal(run(["import", "own/SELF.json", "-o", "alias", "--flat"]).status, 2);
   assert.equal(readFileSync(join(folder, "own/SELF.json"), "utf8"), before);
   assert.deepEqual(readdirSync(join(folder, "own")), ["SELF.json"]);
+});
+
+test("a list of the programs: what is missing, changed, strange, or of another job than it was", () => {
+  mkdirSync(join(folder, "shop"));
+  for (const [name, type] of Object.entries({ a: "hole", b: "boss", c: "groove", d: "web" }))
+    file(`shop/${name}.json`, job(/** @type {any} */ (type), name.toUpperCase()));
+  file("shop/many.ndjson", `${JSON.stringify(job("hole", "E"))}\n${JSON.stringify(job("boss", "F"))}\n`);
+  const args = ["plan", "shop/*.json", "shop/many.ndjson", "-o", "made", "--manifest"];
+  assert.equal(run(["plan", "shop/*.json", "-o", "made", "--manifest"]).status, 0);
+  const list = () => JSON.parse(readFileSync(join(folder, "made", "manifest.json"), "utf8"));
+  const sha = (/** @type {string} */ name) =>
+    createHash("sha256")
+      .update(readFileSync(join(folder, name)))
+      .digest("hex");
+  assert.deepEqual(list().files[0], {
+    file: "shop/A.ngc",
+    sha256: sha("made/shop/A.ngc"),
+    control: "linuxcnc",
+    job: { file: "../shop/a.json", line: null, sha256: sha("shop/a.json") },
+  });
+  // The same jobs make the same list, also from a file of jobs.
+  assert.equal(run(args.filter((arg) => arg !== "shop/*.json")).status, 0);
+  assert.deepEqual(
+    list().files.map((/** @type {any} */ one) => [one.file, one.job.file, one.job.line]),
+    [
+      ["shop/E.ngc", "../shop/many.ndjson", 1],
+      ["shop/F.ngc", "../shop/many.ndjson", 2],
+    ],
+  );
+  run(["plan", "shop/*.json", "-o", "made", "--manifest"]);
+  const before = readFileSync(join(folder, "made/manifest.json"));
+  run(["plan", "shop/*.json", "-o", "made", "--manifest"]);
+  assert.deepEqual(readFileSync(join(folder, "made/manifest.json")), before);
+  rmSync(join(folder, "made/shop/E.ngc"));
+  rmSync(join(folder, "made/shop/F.ngc"));
+  const good = run(["verify", "made", "--manifest"]);
+  assert.deepEqual([good.status, good.stdout.trimEnd().split("\n").length], [0, 4]);
+  // Each is one of what may happen to a folder.
+  writeFileSync(join(folder, "made/shop/A.ngc"), `${readFileSync(join(folder, "made/shop/A.ngc"), "utf8")}\n`);
+  rmSync(join(folder, "made/shop/B.ngc"));
+  file("shop/c.json", { ...job("groove", "C"), overtravel: 4 });
+  rmSync(join(folder, "shop/d.json"));
+  file("made/notes.txt", "of somebody");
+  const bad = run(["verify", "made", "--manifest", "--format", "json"]);
+  assert.equal(bad.status, 1);
+  assert.deepEqual(
+    bad.stdout
+      .trimEnd()
+      .split("\n")
+      .map((line) => JSON.parse(line))
+      .map(({ source, state }) => [source, state]),
+    [
+      ["made/shop/A.ngc", "changed"],
+      ["made/shop/B.ngc", "missing"],
+      ["made/shop/C.ngc", "job-changed"],
+      ["made/shop/D.ngc", "job-missing"],
+      ["made/notes.txt", "unlisted"],
+    ].map(([source = "", state]) => [join(source), state]),
+  );
+  assert.match(run(["verify", "made", "--manifest"]).stdout, /its job shop[/\\]c\.json was changed since/);
+  for (const wrong of [
+    ["verify", "shop", "--manifest"],
+    ["verify", "made/shop/A.ngc", "--manifest"],
+    ["plan", "shop/a.json", "--manifest"],
+    ["check", "shop/a.json", "--manifest"],
+  ])
+    assert.equal(run(wrong).status, 2, wrong.join(" "));
+  for (const text of [
+    "{",
+    "[]",
+    '{"files":[{"file":1}]}',
+    '{"files":[{"file":"x","sha256":"y","job":{"file":2,"sha256":""}}]}',
+  ]) {
+    writeFileSync(join(folder, "made/manifest.json"), text);
+    assert.equal(run(["verify", "made", "--manifest"]).status, 2, text);
+  }
+});
+
+test("rules that are found by themselves: those of the nearest folder, named ones before them, or none", () => {
+  mkdirSync(join(folder, "hall", "jobs"), { recursive: true });
+  const rules = (/** @type {string} */ title) => ({ format: 1, title, fields: { "feeds.work": { max: 100 } } });
+  file("hall/touchpath.config.json", rules("Hall"));
+  file("hall/other.json", { format: 1, fields: { "feeds.work": { max: 1000 } } });
+  file("hall/jobs/fast.json", { ...job("hole", "FAST"), feeds: { work: 140 } });
+  const inside = (/** @type {string[]} */ ...args) =>
+    spawnSync("node", [command, ...args], { cwd: join(folder, "hall", "jobs"), encoding: "utf8" });
+  const ruled = inside("check", "fast.json");
+  assert.deepEqual([ruled.status, /Hall.*\[not-allowed\]/.test(ruled.stdout)], [1, true], ruled.stdout);
+  assert.equal(inside("check", "fast.json", "--no-config").status, 0);
+  assert.equal(inside("check", "fast.json", "--config", "../other.json").status, 0);
+  assert.equal(inside("check", "fast.json", "--config", "../other.json", "--no-config").status, 2);
+  assert.equal(run(["check", "hall/jobs/fast.json"]).status, 0, "above it there are none");
+  file("hall/jobs/touchpath.config.json", { format: 1, tilte: "x" });
+  const broken = inside("plan", "fast.json");
+  assert.deepEqual([broken.status, broken.stdout], [2, ""]);
+  assert.match(broken.stderr, /touchpath\.config\.json: config\.tilte/);
+  assert.equal(inside("moves", "fast.json").status, 1, "it is for jobs");
 });

@@ -1,4 +1,5 @@
 // What the command does with one job: text in, texts out. No files, no streams, no exit codes.
+import { createHash } from "node:crypto";
 import {
   type Config,
   catalog,
@@ -40,6 +41,8 @@ export interface Task {
   whole?: boolean;
   /** Whether findings say where in the text of the job they stand. */
   places?: boolean;
+  /** Whether the outcome says the hash of the job's text. */
+  hashes?: boolean;
   /** The rules that jobs are filled in and judged by. */
   config?: Config;
   format?: "csv" | "html" | "json" | "text" | "sarif";
@@ -74,6 +77,8 @@ export interface Outcome {
   /** The line that it is about: of a job in a file of jobs, or the first of a program that differs. */
   row?: number;
   place: string;
+  /** The SHA-256 of the job's text, where the task asks for it. */
+  given?: string;
   /** The job's name, and what its output is called after it; `null` where there is no output. */
   output: { name: string; ending: string; text: string } | null;
   /** The control of the job, by the id of its post; `null` where it is not known. */
@@ -100,6 +105,7 @@ export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
     const outcome: Outcome = { source, place, ...done(task, source, item) };
     if (item.row !== undefined) outcome.row = item.row;
+    if (task.hashes) outcome.given = createHash("sha256").update(item.text).digest("hex");
     if (task.places) outcome.findings = placed(item.text, outcome.findings);
     return outcome;
   } catch (thrown) {

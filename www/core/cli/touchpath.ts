@@ -14,6 +14,7 @@ import { sarif } from "./examine.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { LIMITS } from "./limits.js";
 import { linesOf } from "./lines.js";
+import { heldAgainst, manifestOf } from "./manifest.js";
 import { performAll } from "./pool.js";
 import { Progress } from "./progress.js";
 import { github, junit } from "./reporters.js";
@@ -59,11 +60,19 @@ const NAMES = Object.keys(COMMANDS) as Command[];
 const JOBS = ["plan", "check", "table", "svg", "evaluate", "report"];
 const FILES = [...JOBS, "import", "moves", "examine", "verify"];
 
+/** The file of rules that is found by itself. */
+const CONFIG_FILE = "touchpath.config.json";
+
 /** The options: as they are typed, what they do, the commands that take them. */
 const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[] = [
   ["--post P", "for this control, in the place of the job's own", [...JOBS, "new"]],
   ["--form F", "moves or cycle, in the place of the job's own", [...JOBS, "new"]],
-  ["--config FILE", "the rules of a portal or a shop: jobs are filled in and judged by them", [...JOBS, "serve"]],
+  [
+    "--config FILE",
+    `the rules of a portal or a shop: jobs are filled in and judged by them; if left out, those of the nearest ${CONFIG_FILE} in this folder or above`,
+    [...JOBS, "serve"],
+  ],
+  ["--no-config", `no rules, whatever ${CONFIG_FILE} there is`, [...JOBS, "serve"]],
   ["--units U", "mm or inch", ["new", "convert"]],
   ["--view V", "isometric, top, front or side", ["svg"]],
   [
@@ -84,6 +93,11 @@ const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[]
     "-o, --out DIR",
     "into files there, named after the jobs, in folders as those of the jobs; existing files are replaced",
     ["plan", "table", "svg", "import", "moves", "evaluate", "report"],
+  ],
+  [
+    "--manifest",
+    "plan -o: lists the files in manifest.json there, each with its job and their hashes; verify DIR: holds the folder against that list",
+    ["plan", "verify"],
   ],
   ["--flat", "with -o: all files into DIR itself", ["plan", "table", "svg", "import", "moves", "evaluate", "report"]],
   ["--ndjson", "one job per line in, one outcome per line out", FILES],
@@ -173,10 +187,12 @@ const OPTIONS = {
   post: { type: "string" },
   form: { type: "string" },
   config: { type: "string" },
+  "no-config": { type: "boolean" },
   format: { type: "string" },
   view: { type: "string" },
   out: { type: "string", short: "o" },
   flat: { type: "boolean" },
+  manifest: { type: "boolean" },
   jobs: { type: "string" },
   set: { type: "string", multiple: true },
   start: { type: "string" },
@@ -217,6 +233,10 @@ function taskOf(command: Task["command"], values: Values): Task {
   };
   only("out", "plan", "table", "svg", "import", "moves", "evaluate", "report");
   if (values.flat && values.out === undefined) throw new Refused("--flat is for files in a folder (-o)");
+  only("manifest", "plan", "verify");
+  if (values.manifest && command === "plan" && values.out === undefined)
+    throw new Refused("--manifest is for programs in a folder (-o)");
+  task.hashes = values.manifest === true && command === "plan";
   only("format", "table", "moves", "examine", "verify", "evaluate", "report");
   for (const option of ["by", "machine", "when", "note"] as const) only(option, "report");
   for (const option of ["set", "start", "at", "positioning", "with"] as const) only(option, "moves", "examine");
@@ -224,6 +244,7 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("post", ...JOBS);
   only("form", ...JOBS);
   only("config", ...JOBS);
+  only("no-config", ...JOBS);
   only("reporter", "check", "verify");
   if (values.reporter !== undefined && values.json)
     throw new Refused("--reporter and --json are two forms of one output");
@@ -376,6 +397,19 @@ async function textOf(file: string): Promise<string> {
   }
 }
 
+/** The rules that jobs are judged by: of the file that is named, or else of the nearest one. */
+async function configFor(values: Values): Promise<Config | undefined> {
+  if (values.config !== undefined && values["no-config"])
+    throw new Refused("--config and --no-config are not for one run");
+  if (values.config !== undefined) return configOf(values.config);
+  if (values["no-config"]) return undefined;
+  for (let folder = process.cwd(); ; folder = dirname(folder)) {
+    const file = join(folder, CONFIG_FILE);
+    if ((await stat(file).catch(() => null))?.isFile()) return configOf(relative(process.cwd(), file));
+    if (folder === dirname(folder)) return undefined;
+  }
+}
+
 /** The rules of a file. */
 async function configOf(file: string): Promise<Config> {
   let config: unknown;
@@ -491,17 +525,26 @@ async function fileAway(
 ): Promise<boolean> {
   const json = byLine || values.json === true;
   let failed = false;
+  const made: Parameters<typeof manifestOf>[1] = [];
   for await (const outcome of outcomes) {
     failed ||= outcome.failed || isDenied(values, outcome);
     await folder.make();
     progress.count();
     const { source, place, output, findings } = outcome;
     const [file, hash] = output ? await folder.put(source, place, output) : [null, null];
+    if (values.manifest && file !== null && hash !== null)
+      made.push({ outcome: { ...outcome, output: null }, file, hash });
     await folder.note(outcomeLine(outcome, file, hash, json));
     if (json || findings.length === 0) continue;
     progress.clear();
     await report(task, values, outcome);
   }
+  if (values.manifest)
+    await folder.put("the list", "", {
+      name: "manifest",
+      ending: ".json",
+      text: manifestOf(values.out as string, made),
+    });
   await folder.finish();
   progress.clear();
   for await (const lines of folder.noted()) await write(process.stdout, lines);
@@ -575,7 +618,10 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   }
   judging = true;
   const task = taskOf(command as Task["command"], values);
-  if (values.config !== undefined) task.config = await configOf(values.config);
+  if (JOBS.includes(command)) {
+    const config = await configFor(values);
+    if (config) task.config = config;
+  }
   if (command === "evaluate") {
     const [, points] = names;
     if (names.length !== 2 || points === undefined || (names[0] === "-" && points === "-"))
@@ -591,6 +637,13 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     task.about = { when, ...(by ? { by } : {}), ...(machine ? { machine } : {}), ...(note ? { note } : {}) };
   }
   if (names.length === 0) throw new Refused(`${command} takes files; - is the standard input`);
+  if (command === "verify" && values.manifest) {
+    const [folder] = names;
+    if (names.length !== 1 || !folder || !(await stat(folder).catch(() => null))?.isDirectory())
+      throw new Refused("verify --manifest takes a folder with a list, as plan -o DIR --manifest writes it");
+    const silent = new Progress(process.stderr, false);
+    return Number(await handOut(task, values, heldAgainst(folder, task), false, silent));
+  }
   if (task.known && values.with)
     task.known.files = Object.fromEntries(
       await Promise.all(values.with.map(async (file) => [basename(file), await textOf(file)] as const)),
@@ -635,7 +688,9 @@ function countOf(option: string, text: string, least: number, most: number): num
 
 /** Serves until the process is told to end. */
 async function served(names: string[], values: Values): Promise<number> {
-  const other = Object.keys(values).find((option) => !["port", "host", "jobs", "limit", "config"].includes(option));
+  const other = Object.keys(values).find(
+    (option) => !["port", "host", "jobs", "limit", "config", "no-config"].includes(option),
+  );
   if (other !== undefined) throw new Refused(`--${other} is not for serve`);
   if (names.length > 0) throw new Refused("serve takes no files");
   const limits = { ...LIMITS };
@@ -644,7 +699,7 @@ async function served(names: string[], values: Values): Promise<number> {
     const known = oneOf("--limit", name, Object.keys(LIMITS) as (keyof typeof LIMITS)[]);
     limits[known] = countOf(`--limit ${known}`, number, 1, 1_000_000_000);
   }
-  const config = values.config === undefined ? undefined : await configOf(values.config);
+  const config = await configFor(values);
   const threads = threadsOf(values, Math.min(availableParallelism(), 8));
   const { serve } = await import("./serve.js");
   const port = countOf("--port", values.port ?? "3000", 0, 65_535);

@@ -3,8 +3,11 @@ import { type Finding, importJob, type Job, JobError, program } from "../node.js
 
 /** What became of a program. What its lines break of the safety rules is a finding, `unsafe-program`. */
 export interface Verified {
-  /** `same`, `version` where only another version wrote it, `changed`, `refused` where its job has no program any longer, `no-job`. */
-  state: "same" | "version" | "changed" | "refused" | "no-job";
+  /**
+   * `same`, `version` where only another version wrote it, `changed`, `refused` where its job has no program any longer, `no-job`; by the list of a folder also `missing`,
+   * `unlisted`, `job-changed`, `job-missing`.
+   */
+  state: "same" | "version" | "changed" | "refused" | "no-job" | "missing" | "unlisted" | "job-changed" | "job-missing";
   said: string;
   /** The first lines that differ, from 1, as they are and as they should be. */
   lines: { line: number; is: string | null; wanted: string | null }[];

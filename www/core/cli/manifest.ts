@@ -1,0 +1,113 @@
+// The list of a folder of programs: which file is of which job, each with its hash.
+import { createHash } from "node:crypto";
+import { readFile } from "node:fs/promises";
+import { join, relative, resolve, sep } from "node:path";
+import { glob } from "tinyglobby";
+import { version } from "../node.js";
+import { Refused } from "./folder.js";
+import { type Outcome, perform, type Task } from "./tasks.js";
+import { type Verified, verifiedText } from "./verify.js";
+
+/** A file of the list. Paths begin at the folder. */
+export interface Listed {
+  file: string;
+  sha256: string;
+  control: string | null;
+  /** The job's file, its line where that holds a job a line, and the SHA-256 of the job's text; no file where it came by the standard input. */
+  job: { file: string | null; line: number | null; sha256: string };
+}
+
+interface Manifest {
+  touchpath: string;
+  files: Listed[];
+}
+
+export const MANIFEST = "manifest.json";
+
+const hashOf = (text: string | Uint8Array) => createHash("sha256").update(text).digest("hex");
+const posix = (path: string) => path.split(sep).join("/");
+const byName = (a: string, b: string) => (a < b ? -1 : Number(a > b));
+
+/** The list of what was written into a folder, as text. */
+export function manifestOf(folder: string, made: { outcome: Outcome; file: string; hash: string }[]): string {
+  const from = (path: string) => posix(relative(resolve(folder), resolve(path)));
+  const files = made.map(({ outcome: { source, row, given, control }, file, hash }): Listed => {
+    const own = row === undefined ? source : source.slice(0, -`:${row}`.length);
+    const job = { file: own === "standard input" ? null : from(own), line: row ?? null, sha256: given ?? "" };
+    return { file: from(file), sha256: hash, control, job };
+  });
+  const list: Manifest = { touchpath: version(), files: files.sort((a, b) => byName(a.file, b.file)) };
+  return `${JSON.stringify(list, null, 2)}\n`;
+}
+
+/** The list of a folder. */
+async function listOf(folder: string): Promise<Listed[]> {
+  const path = join(folder, MANIFEST);
+  let list: unknown;
+  try {
+    list = JSON.parse(await readFile(path, "utf8"));
+  } catch (thrown) {
+    throw new Refused(`${path} cannot be read: ${(thrown as Error).message}`);
+  }
+  const { files } = (list ?? {}) as Partial<Manifest>;
+  const isText = (value: unknown) => typeof value === "string";
+  const good = (one: Partial<Listed> | null) =>
+    isText(one?.file) &&
+    isText(one?.sha256) &&
+    isText(one?.job?.sha256) &&
+    [null, "string"].includes(kind(one?.job?.file));
+  if (!Array.isArray(files) || !files.every(good)) throw new Refused(`${path} is no list of programs`);
+  return files;
+}
+
+const kind = (value: unknown) => (value === null ? null : typeof value);
+
+/** Holds a folder against its list: every file of it, its job, and what is not on it. */
+export async function* heldAgainst(folder: string, task: Task): AsyncGenerator<Outcome> {
+  const list = await listOf(folder);
+  const outcome = (source: string, state: Verified["state"], said: string): Outcome => {
+    const verified: Verified = { state, said, lines: [], findings: [] };
+    const text =
+      task.format === "json" ? `${JSON.stringify({ source, ...verified })}\n` : verifiedText(source, verified);
+    return {
+      source,
+      place: "",
+      output: { name: source, ending: "-verified.txt", text },
+      control: null,
+      findings: [],
+      failed: true,
+    };
+  };
+  const textOf = async (path: string) => readFile(resolve(folder, path)).catch(() => null);
+  for (const { file, sha256, job } of list) {
+    const source = join(folder, file);
+    const bytes = await textOf(file);
+    if (!bytes) yield outcome(source, "missing", "is on the list and not there");
+    else if (hashOf(bytes) !== sha256)
+      yield outcome(source, "changed", "is not the file that was listed: it was changed");
+    else {
+      // As whoever asks would name it.
+      const named = job.file === null ? "" : relative(process.cwd(), resolve(folder, job.file));
+      const of = job.file === null ? undefined : await jobOf(await textOf(job.file), job.line);
+      if (of === null) yield outcome(source, "job-missing", `its job ${named} is not there`);
+      else if (of !== undefined && hashOf(of) !== job.sha256)
+        yield outcome(
+          source,
+          "job-changed",
+          `its job ${named} was changed since: the program is that of the job before`,
+        );
+      else yield perform(task, { source, place: "", text: bytes.toString("utf8") });
+    }
+  }
+  const known = new Set(list.map(({ file }) => file));
+  for (const file of (await glob("**/*", { cwd: folder, dot: false, onlyFiles: true })).sort(byName))
+    if (!known.has(posix(file)) && file !== MANIFEST)
+      yield outcome(join(folder, file), "unlisted", "is not on the list");
+}
+
+/** The text of a job in its file; null where it is not there. */
+async function jobOf(bytes: Buffer | null, line: number | null): Promise<string | null> {
+  if (!bytes) return null;
+  const text = bytes.toString("utf8");
+  return line === null ? text : (text.split("\n")[line - 1] ?? null);
+}
