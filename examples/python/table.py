@@ -3,15 +3,17 @@
     python3 table.py job.json [touchpath]
 
 The job is planned by the command (npx touchpath, or the one that is named), which gives the whole plan as JSON: the keys are those of Plan in
-touchpath/answers.schema.json.
+touchpath/answers.schema.json, and touchpath_types.py has them as types (Python 3.11).
 """
 
 import json
 import subprocess
 import sys
 
+from touchpath_types import Plan
 
-def plan(job: str, command: list[str]) -> dict:
+
+def plan(job: str, command: list[str]) -> Plan:
     """The plan of a job's file. Where the job has errors, they are said as the command says them."""
     done = subprocess.run([*command, "plan", job, "--json"], capture_output=True, text=True)
     if done.returncode == 0:

@@ -6,6 +6,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { at } from "../../scripts/lib.mjs";
+import { pythonTypes } from "../../scripts/python-types.mjs";
 import { command, file, folder, run, setUp, touchpath, wrong } from "./command.mjs";
 
 setUp();
@@ -127,8 +128,71 @@ test("the schema refuses what is no answer", () => {
   );
 });
 
-const python = spawnSync("python3", ["--version"]).error === undefined;
-test("the example in Python plans a job by the command", { skip: !python && "there is no python3" }, () => {
+const python = /Python 3\.(1[1-9]|[2-9]\d)/.test(
+  spawnSync("python3", ["--version"], { encoding: "utf8" }).stdout ?? "",
+);
+
+test("the types for Python are those of the schema", () => {
+  const kept = readFileSync(at("examples", "python", "touchpath_types.py"), "utf8");
+  assert.equal(kept, pythonTypes(), "node scripts/python-types.mjs writes them");
+});
+
+/** Holds a value against a type, key by key, and says the first difference. */
+const HOLDS = `
+import json, sys, types
+from typing import Literal, NotRequired, Union, get_args, get_origin, get_type_hints, is_typeddict
+import touchpath_types
+def holds(value, kind, path):
+    origin = get_origin(kind)
+    if is_typeddict(kind):
+        hints = get_type_hints(kind)
+        if not isinstance(value, dict): return f"{path}: {value!r} is no {kind.__name__}"
+        missing = kind.__required_keys__ - value.keys()
+        unknown = value.keys() - hints.keys()
+        if missing or unknown: return f"{path}: missing {sorted(missing)}, unknown {sorted(unknown)}"
+        return next((bad for key, own in value.items() if (bad := holds(own, hints[key], f"{path}.{key}"))), None)
+    if origin is NotRequired: return holds(value, get_args(kind)[0], path)
+    if origin in (Union, types.UnionType):
+        bad = [holds(value, own, path) for own in get_args(kind)]
+        return None if None in bad else bad[0]
+    if origin is Literal: return None if value in get_args(kind) else f"{path}: {value!r} is not one of the words"
+    if origin is list:
+        if not isinstance(value, list): return f"{path}: {value!r} is no list"
+        return next((bad for i, own in enumerate(value) if (bad := holds(own, get_args(kind)[0], f"{path}[{i}]"))), None)
+    if origin is dict or kind is dict: return None if isinstance(value, dict) else f"{path}: {value!r} is no object"
+    if kind is type(None): return None if value is None else f"{path}: {value!r} is not None"
+    if kind is float: kind = (int, float)
+    if kind is object or str(kind) == "typing.Any": return None
+    return None if isinstance(value, kind) and not (isinstance(value, bool) and kind is not bool) else f"{path}: {value!r} is no {kind}"
+for name, value in json.load(sys.stdin):
+    print(holds(value, getattr(touchpath_types, name), name))
+`;
+test("what comes out is what Python's types say", { skip: !python && "there is no python3 of 3.11" }, () => {
+  const { catalog, measure, plan } = touchpath;
+  const hole = plan(touchpath.defaultJob("hole"));
+  const values = [
+    ["Plan", hole],
+    ["Plan", plan(touchpath.defaultJob("probing-two-circles"))],
+    ["Catalog", catalog()],
+    ["Measurement", measure(touchpath.defaultJob("hole"), "center.x=0\ncenter.y=0\ndiameter=40\nresidual=0")],
+    ["Finding", hole.findings[0]],
+    // A key that is not there, a word that is none.
+    ["Plan", { ...hole, moves: undefined }],
+    ["Plan", { ...hole, moves: [{ ...hole.moves[0], kind: "jump" }] }],
+  ];
+  const ran = spawnSync("python3", ["-c", HOLDS], {
+    cwd: at("examples", "python"),
+    input: JSON.stringify(values),
+    encoding: "utf8",
+    env: { ...process.env, PYTHONDONTWRITEBYTECODE: "1" },
+  });
+  const said = ran.stdout.trimEnd().split("\n");
+  assert.deepEqual(said.slice(0, 5), Array(5).fill("None"), ran.stderr);
+  assert.match(said[5] ?? "", /missing \['moves'\]/);
+  assert.match(said[6] ?? "", /moves\[0\]\.kind: 'jump'/);
+});
+
+test("the example in Python plans a job by the command", { skip: !python && "there is no python3 of 3.11" }, () => {
   const example = (/** @type {string} */ name) =>
     spawnSync("python3", [at("examples", "python", "table.py"), name, "node", command], {
       cwd: folder,
