@@ -197,6 +197,7 @@ test("the example in Python plans a job by the command", { skip: !python && "the
     spawnSync("python3", [at("examples", "python", "table.py"), name, "node", command], {
       cwd: folder,
       encoding: "utf8",
+      env: { ...process.env, PYTHONDONTWRITEBYTECODE: "1" },
     });
   const own = touchpath.defaultJob("hole");
   const { table, program, touches } = touchpath.plan(own);

@@ -56,7 +56,7 @@ test("the package had no licence text", () => {
   // The manual, which README, types and catalog point to, and the examples that it points to.
   const all = (/** @type {string} */ folder) =>
     readdirSync(join(cwd, folder), { recursive: true, withFileTypes: true })
-      .filter((entry) => entry.isFile() && !entry.name.endsWith(".rs"))
+      .filter((entry) => entry.isFile() && !/\.(rs|pyc)$/.test(entry.name))
       .map((entry) => relative(cwd, join(entry.parentPath, entry.name)).replaceAll("\\", "/"));
   const manual = [...all("docs"), ...all("examples")];
   // Nothing in it leads out of the package.
