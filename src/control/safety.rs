@@ -642,6 +642,7 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
     };
+    let writes = case.request.corrects();
     let mut endings = endings(case);
     let mut breaks: Vec<Break> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
@@ -650,9 +651,14 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
             Asked::Marks => false,
             Asked::Stops => true,
         };
-        // Just out of its tolerance: what is farther out may be implausible as well.
+        // Just out of its tolerance: that may be implausible as well, and then the program stops.
+        let implausible = |value: f64| {
+            let of_same = |other: &&Answer| other.slot == answer.slot && other.question.asked == Asked::Plausible;
+            writes && asked.iter().filter(of_same).any(|other| (value - other.wanted).abs() > other.limit)
+        };
         let other = [-1.01, 1.01].iter().any(|share| {
             let outcome = outcome(&mut endings, &asked, Some(i), *share);
+            let stops = stops || implausible(answer.wanted + answer.limit * share);
             if stops { !outcome.stops } else { !outcome.ends }
         });
         let good = [-0.99, 0.99].iter().all(|share| outcome(&mut endings, &asked, Some(i), *share).ends);

@@ -390,6 +390,13 @@ impl Job {
             );
             checker.error("repeat-unsupported", "cycle.repeat", message);
         }
+        let extruded = matches!(value.get("cycle").and_then(|cycle| cycle.get("extrusion")), Some(Value::Map(_)));
+        if extruded && cycle.as_ref().is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1)) {
+            let message = text!(
+                "Extrusion probing touches each point at several heights already: use that or repeated touches, not both"
+            );
+            checker.error("repeat-unsupported", "cycle.repeat", message);
+        }
         let sizes = read_sizes(checker, value, cycle.as_ref(), &setup);
 
         let (def, cycle, repeat) = cycle?;

@@ -256,8 +256,12 @@ fn check_limit(checker: &mut Checker, job: &Job, formula: &Formula, (index, tole
             Role::Size => "size",
             Role::Angle | Role::Direction => "angle",
             Role::Residual => "residual",
-            // Its own limit is not one of these.
-            Role::Spread => return,
+            Role::Spread => {
+                let message = text!(
+                    "This tolerance reaches beyond repeat.spread: touches within it would be refused as an implausible measurement. Enter a larger limit there"
+                );
+                return checker.error("tolerance-beyond-limit", path, message);
+            }
             _ => "position",
         };
         let message = text!(

@@ -5,7 +5,7 @@ use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{ending_at, import, interpret, interpret_until_stop, job, number, planned, with};
 use touchpath::describe::catalog;
-use touchpath::form::Value;
+use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, evaluate, plan};
 
 fn text(word: &str) -> Value {
@@ -188,6 +188,42 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
         }
     }
     assert!(planned_jobs > 60, "{planned_jobs}");
+}
+
+/// A tolerance of the spread may reach as far as its limit, and no farther; the points that extrusion probing touches are not repeated.
+#[test]
+fn limits_of_the_spread_go_together() {
+    let own = repeated(CYCLES[0], "linuxcnc", 2.0, "");
+    for (tolerance, action, code) in [
+        ("0..0.02", "mark", None),
+        ("0..0.02", "stop", None),
+        ("0..0.012", "mark", None),
+        ("0..0.021", "mark", Some("tolerance-beyond-limit")),
+        ("0..0.021", "go", Some("tolerance-beyond-limit")),
+    ] {
+        let rule = job(&format!(r#"{{ "spread": {{ "tolerance": "{tolerance}", "action": "{action}" }} }}"#));
+        let found = check(&with(&own, "tolerances", rule));
+        let errors: Vec<&str> = found.iter().filter(|f| f.level == Level::Error).map(|f| f.code.as_str()).collect();
+        assert_eq!(errors, Vec::from_iter(code), "{tolerance} {action}: {found:?}");
+    }
+    // As with every result whose tolerance reaches as far as its limit.
+    let size = with(&own, "tolerances", job(r#"{ "diameter": { "tolerance": "±0.5", "action": "mark" } }"#));
+    assert!(check(&size).iter().all(|f| f.level != Level::Error), "{:?}", check(&size));
+    // The limit of the program is that of the job, whatever the tolerance.
+    assert!(
+        planned(&with(&own, "tolerances", job(r#"{ "spread": { "tolerance": "0..0.006", "action": "mark" } }"#)))
+            .program
+            .text
+            .contains("GT 0.02]")
+    );
+    let circles = job(r#"{ "format": 1, "control": { "post": "linuxcnc", "form": "moves" },
+             "cycle": { "type": "probing-two-circles", "extrusion": { "points": 2 }, "repeat": { "times": 2 } } }"#);
+    assert!(
+        check(&circles).iter().any(|f| f.code == "repeat-unsupported" && f.path == "cycle.repeat"),
+        "{:?}",
+        check(&circles)
+    );
+    assert!(plan(&with(&circles, "cycle.extrusion", Value::Null)).is_ok());
 }
 
 /// In a set-up each cycle has its own, and its spread takes a tolerance as any result does.

@@ -254,6 +254,7 @@ test("a list of the programs: what is missing, changed, strange, or of another j
   file("shop/c.json", { ...job("groove", "C"), overtravel: 4 });
   rmSync(join(folder, "shop/d.json"));
   file("made/notes.txt", "of somebody");
+  file("made/.hidden.ngc", "G0");
   const bad = run(["verify", "made", "--manifest", "--format", "json"]);
   assert.equal(bad.status, 1);
   assert.deepEqual(
@@ -267,6 +268,7 @@ test("a list of the programs: what is missing, changed, strange, or of another j
       ["made/shop/B.ngc", "missing"],
       ["made/shop/C.ngc", "job-changed"],
       ["made/shop/D.ngc", "job-missing"],
+      ["made/.hidden.ngc", "unlisted"],
       ["made/notes.txt", "unlisted"],
     ].map(([source = "", state]) => [join(source), state]),
   );
@@ -278,11 +280,20 @@ test("a list of the programs: what is missing, changed, strange, or of another j
     ["check", "shop/a.json", "--manifest"],
   ])
     assert.equal(run(wrong).status, 2, wrong.join(" "));
+  const entry = (/** @type {object} */ more) => {
+    const one = { file: "x", sha256: "y", control: null, job: { file: null, line: null, sha256: "" }, ...more };
+    return JSON.stringify({ files: [one] });
+  };
   for (const text of [
     "{",
     "[]",
     '{"files":[{"file":1}]}',
-    '{"files":[{"file":"x","sha256":"y","job":{"file":2,"sha256":""}}]}',
+    entry({ file: "../../etc/passwd" }),
+    entry({ file: "/dev/zero" }),
+    entry({ file: "a\\..\\..\\b" }),
+    entry({ job: { file: 2, line: null, sha256: "" } }),
+    entry({ job: { file: "x", line: "x", sha256: "" } }),
+    entry({}).replace("[{", '[{"file":"X","sha256":"","control":null,"job":{"file":null,"line":null,"sha256":""}},{'),
   ]) {
     writeFileSync(join(folder, "made/manifest.json"), text);
     assert.equal(run(["verify", "made", "--manifest"]).status, 2, text);

@@ -18,7 +18,8 @@ after(() => {
 
 /** Starts the service; gives its address and how to end it. */
 async function service(/** @type {string[]} */ ...options) {
-  const child = spawn("node", [at("dist", "cli", "touchpath.js"), "serve", "--port", "0", ...options]);
+  const args = options.includes("--port") ? options : ["--port", "0", ...options];
+  const child = spawn("node", [at("dist", "cli", "touchpath.js"), "serve", ...args]);
   running.add(child);
   let said = "";
   child.stderr.on("data", (chunk) => {
@@ -199,6 +200,90 @@ test("it describes itself, and what it answers is as described", async () => {
     if (methods.get && !methods.post) assert.equal((await fetch(address + path)).status, 200, path);
   }
   assert.deepEqual(await (await fetch(`${address}/health`)).json(), { good: true, version: version() });
+  assert.deepEqual(await end(), [0, true]);
+});
+
+test("clients that leave, that are slow, that ask in other ways", async () => {
+  const { address, end, said } = await service("--jobs", "2", "--limit", "wait=1000");
+  const { hostname, port } = new URL(address);
+  const ndjson =
+    "POST /programs HTTP/1.1\r\nhost: x\r\ncontent-type: application/x-ndjson\r\ntransfer-encoding: chunked\r\n\r\n";
+  const slow = { ...HOLE, cycle: { ...HOLE.cycle, variant: 1, angularStep: 20, stepCount: 16, repeat: { times: 3 } } };
+  const lines = `${JSON.stringify(slow)}\n`.repeat(256);
+  // As many as the threads take at once, and then nobody is there any more.
+  for (const after of [5, 60, 150])
+    await new Promise((done) => {
+      const socket = connect(Number(port), hostname, () => {
+        socket.write(`${ndjson}${Buffer.byteLength(lines).toString(16)}\r\n${lines}\r\n`);
+        setTimeout(() => done(socket.destroy()), after);
+      });
+      socket.on("error", () => undefined);
+    });
+  // Jobs that come one by one, for longer than a request may take to come.
+  const answered = await new Promise((done) => {
+    let text = "";
+    const socket = connect(Number(port), hostname, async () => {
+      socket.write(ndjson);
+      const line = `${JSON.stringify(HOLE)}\n`;
+      for (let i = 0; i < 6; i++) {
+        socket.write(`${Buffer.byteLength(line).toString(16)}\r\n${line}\r\n`);
+        await new Promise((next) => setTimeout(next, 300));
+      }
+      socket.end("0\r\n\r\n");
+    });
+    socket.on("data", (chunk) => {
+      text += chunk;
+    });
+    socket.on("close", () => done(text));
+  });
+  assert.deepEqual(
+    [...String(answered).matchAll(/"line":(\d+)/g)].map(([, line]) => Number(line)),
+    [1, 2, 3, 4, 5, 6],
+  );
+  // Half a body, and away: no fault of the service.
+  const half = connect(Number(port), hostname, () => {
+    half.write("POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 100\r\n\r\n{");
+    setTimeout(() => half.destroy(), 50);
+  });
+  await closed([half]);
+  const of = `?job=${encodeURIComponent(JSON.stringify(HOLE))}`;
+  const tag = (await fetch(`${address}/plan${of}`)).headers.get("etag") ?? "";
+  const headers = { "if-none-match": `W/${tag}` };
+  const states = await Promise.all([
+    fetch(`${address}/plan${of}`, { headers }),
+    fetch(`${address}/plan${of}`, { headers, method: "HEAD" }),
+    fetch(`${address}/plan`, { method: "DELETE" }),
+    fetch(`${address}/programs`),
+    fetch(`${address}/programs`, { method: "POST", body: "{}", headers: { "content-type": "text/plain" } }),
+    fetch(`${address}/plan`),
+    fetch(`${address}/plan`, {
+      method: "POST",
+      body: "{}",
+      headers: { "content-type": "application/json", "content-encoding": "gzip" },
+    }),
+  ]);
+  assert.deepEqual(
+    states.map(({ status }) => status),
+    [304, 304, 405, 405, 415, 400, 415],
+  );
+  assert.equal(states[2]?.headers.get("allow"), "GET, HEAD, POST");
+  const bad = `?job=${encodeURIComponent('{"format":1}')}`;
+  assert.equal((await fetch(`${address}/plan${bad}`)).headers.get("etag"), null, "what is refused has no tag");
+  assert.doesNotMatch(said(), /Error|should not/);
+  assert.deepEqual(await end(), [0, true]);
+});
+
+test("it ends well from the first moment on, and says why it cannot begin", async () => {
+  for (const after of [0, 20, 100]) {
+    const { end } = await service("--jobs", "2");
+    await new Promise((done) => setTimeout(done, after));
+    assert.deepEqual(await end(), [0, true], `after ${after} ms`);
+  }
+  const { address, end } = await service("--jobs", "1");
+  const { port } = new URL(address);
+  await assert.rejects(service("--port", port), /ended with 2.*touchpath: 127\.0\.0\.1:\d+ cannot be listened at/s);
+  await assert.rejects(service("--host", "no.such.host.invalid"), /ended with 2.*cannot be listened at/s);
+  await assert.rejects(service("--limit", "wait=5=6"), /ended with 2/);
   assert.deepEqual(await end(), [0, true]);
 });
 

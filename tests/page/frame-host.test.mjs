@@ -51,6 +51,7 @@ before(async () => {
     `<!doctype html><html lang="en"><meta charset="utf-8"><title>Portal</title><iframe width="1200" height="700" src="${origin(0)}/embed.html" title="Probing"></iframe></html>`,
   );
   const index = readFileSync(join(portal, "index.html"), "utf8");
+  writeFileSync(join(own, "elsewhere.html"), "<!doctype html><title>Log in</title>");
   writeFileSync(join(portal, "sandboxed.html"), index.replace("<iframe ", `<iframe sandbox="${SANDBOX}" `));
   browser = await launch();
 });
@@ -416,6 +417,20 @@ test("a frame that is loaded anew keeps its listeners, and has back what was set
   );
   const saved = (await told()).find((/** @type {any} */ one) => one.type === "program-save").detail;
   assert.equal(saved.name, "KEPT.nc", "the portal still saves by itself");
+  // Over another page, as one that logs in: what stands there in the end is spoken to.
+  await frames?.evaluate((name) => location.assign(name), `${origin(0)}/elsewhere.html`).catch(() => undefined);
+  await page.waitForTimeout(1300);
+  const elsewhere = page.frames().find((frame) => frame.url().includes("elsewhere.html"));
+  await elsewhere?.evaluate((name) => location.assign(name), `${origin(0)}/embed.html`).catch(() => undefined);
+  await page.waitForFunction(() =>
+    /** @type {any} */ (window).told.some((/** @type {any} */ one) => one.type === "load"),
+  );
+  await page.waitForTimeout(700);
+  assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "KEPT");
+  assert.deepEqual(
+    (await told()).filter((/** @type {any} */ one) => one.type === "load"),
+    [{ type: "load", detail: { refused: null } }],
+  );
   // Another page in its place answers nothing, and a connection that is closed does not come back.
   await on("(frame.close(), 0)");
   await frames?.evaluate(() => location.reload()).catch(() => undefined);

@@ -60,18 +60,18 @@ export class Frame extends EventTarget {
   private last = 0;
   private ended = false;
   private port: MessagePort;
-  /** What a frame that is loaded anew is given: all that was set, with the job and what was measured as they stand. */
+  // What a frame that is loaded anew is given: all that was set, with the job and what was measured as they stand.
   private state: FrameState = {};
   private of: string;
-  /** What is waited for while the frame is loaded anew. */
+  // What is waited for while the frame is loaded anew; the last load counts.
   private there: Promise<void> = Promise.resolve();
 
   constructor(
     port: MessagePort,
     version: string,
-    /** How long to wait for an answer, milliseconds. */
+    // How long to wait for an answer, milliseconds.
     private readonly patience = PATIENCE,
-    /** What else ends with the connection. */
+    // What else ends with the connection.
     private readonly over: () => void = () => undefined,
   ) {
     super();
@@ -97,13 +97,14 @@ export class Frame extends EventTarget {
     this.port.close();
     this.fail("The frame was loaded anew");
     let free = () => {};
-    this.there = new Promise((done) => {
+    const there = new Promise<void>((done) => {
       free = done;
     });
+    this.there = there;
     let refused: string | null = null;
     try {
       const { port, version } = await hello;
-      if (this.ended) {
+      if (this.ended || this.there !== there) {
         port.postMessage({ type: "end" } satisfies Request);
         port.close();
         return;
@@ -113,6 +114,7 @@ export class Frame extends EventTarget {
       const { state } = this;
       if (Object.keys(state).length > 0) await this.send((id) => ({ type: "set", id, state }));
     } catch (why) {
+      if (this.there !== there) return;
       // Or it shows another page now: what is asked from here on gets no answer, and says so.
       refused = (why as Error).message;
     } finally {
@@ -191,14 +193,19 @@ export class Frame extends EventTarget {
     this.fail(why);
   }
 
-  /** What was asked gets no answer. */
+  // What was asked gets no answer.
   private fail(why: string): void {
     for (const { fail } of this.waiting.values()) fail(new FrameError(why));
     this.waiting.clear();
   }
 
   private async ask(request: (id: number) => Request): Promise<FrameView | string | null | undefined> {
-    await this.there;
+    // Another load may come while one is waited for.
+    let there: Promise<void>;
+    do {
+      there = this.there;
+      await there;
+    } while (there !== this.there);
     return this.send(request);
   }
 
@@ -260,6 +267,7 @@ function hello(
   iframe: HTMLIFrameElement,
   own: string,
   { saves = false, patience = PATIENCE }: ConnectOptions,
+  signal?: AbortSignal,
 ): Promise<{ port: MessagePort; version: string }> {
   return new Promise((done, fail) => {
     let port: MessagePort | null = null;
@@ -292,6 +300,11 @@ function hello(
       const hello: Hello = { touchpath: PROTOCOL, type: "hello", saves };
       iframe.contentWindow?.postMessage(hello, own, [channel.port2]);
     };
+    signal?.addEventListener("abort", () => {
+      end();
+      port?.close();
+      fail(new FrameError("The frame was loaded anew"));
+    });
     addEventListener("message", refused);
     const asking = setInterval(ask, 500);
     const ending = setTimeout(() => {
@@ -318,7 +331,13 @@ export async function connect(iframe: HTMLIFrameElement, options: ConnectOptions
   if (!own)
     throw new FrameError(`${origin} is no origin: it must be that of the frame, such as https://touchpath.example`);
   let frame: Frame | null = null;
-  const again = () => void frame?.loaded(hello(iframe, own, options));
+  // Of several loads, as over a page that logs in, the last one is spoken to.
+  let last = new AbortController();
+  const again = () => {
+    last.abort();
+    last = new AbortController();
+    void frame?.loaded(hello(iframe, own, options, last.signal));
+  };
   const { port, version } = await hello(iframe, own, options);
   frame = new Frame(port, version, patience, () => iframe.removeEventListener("load", again));
   iframe.addEventListener("load", again);

@@ -146,7 +146,7 @@ export const CODES: Record<string, string> = {
   "rapid-at-feed": "A rapid runs at a feed, because it is watched or goes down.",
   "reaction-unsupported": "A program of moves checks no tolerances, and so does not react to them (Q309).",
   "relation-of": "A set-up: a relation is of something that it cannot be of.",
-  "repeat-unsupported": "Each point is to be touched several times, and a cycle of the control's own does not take that.",
+  "repeat-unsupported": "Each point is to be touched several times, and neither a cycle of the control's own nor extrusion probing takes that.",
   "result-missing": "A text with results lacks some of the job's.",
   "result-twice": "A text gives two values of one result.",
   "result-untrue": "On this part the control stores values that differ from what is true of it.",

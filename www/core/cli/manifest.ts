@@ -1,9 +1,9 @@
 // The list of a folder of programs: which file is of which job, each with its hash.
 import { createHash } from "node:crypto";
-import { readFile } from "node:fs/promises";
-import { join, relative, resolve, sep } from "node:path";
+import { readFile, stat } from "node:fs/promises";
+import { isAbsolute, join, relative, resolve, sep } from "node:path";
 import { glob } from "tinyglobby";
-import { version } from "../node.js";
+import { catalog, version } from "../node.js";
 import { Refused } from "./folder.js";
 import { type Outcome, perform, type Task } from "./tasks.js";
 import { type Verified, verifiedText } from "./verify.js";
@@ -50,17 +50,27 @@ async function listOf(folder: string): Promise<Listed[]> {
     throw new Refused(`${path} cannot be read: ${(thrown as Error).message}`);
   }
   const { files } = (list ?? {}) as Partial<Manifest>;
-  const isText = (value: unknown) => typeof value === "string";
-  const good = (one: Partial<Listed> | null) =>
-    isText(one?.file) &&
-    isText(one?.sha256) &&
-    isText(one?.job?.sha256) &&
-    [null, "string"].includes(kind(one?.job?.file));
-  if (!Array.isArray(files) || !files.every(good)) throw new Refused(`${path} is no list of programs`);
+  if (!Array.isArray(files) || !files.every(isListed)) throw new Refused(`${path} is not a list of programs`);
+  const names = files.map(({ file }) => file.normalize("NFC").toLowerCase());
+  if (new Set(names).size < names.length) throw new Refused(`${path} names a file twice`);
   return files;
 }
 
-const kind = (value: unknown) => (value === null ? null : typeof value);
+/** Whether something is an entry of a list, of a file inside its folder. */
+function isListed(one: unknown): one is Listed {
+  const { file, sha256, control, job } = (one ?? {}) as Partial<Listed>;
+  const isText = (value: unknown) => typeof value === "string";
+  const isInside = isText(file) && !isAbsolute(String(file)) && !String(file).split(/[/\\]/).includes("..");
+  const isLine = job?.line === null || Number.isSafeInteger(job?.line);
+  const isJob = (job?.file === null || isText(job?.file)) && isText(job?.sha256) && isLine;
+  return isInside && isText(sha256) && (control === null || isText(control)) && isJob;
+}
+
+/** The bytes of a plain file that is no longer than a program may be; null where there is none. */
+async function bytesOf(path: string): Promise<Buffer | null> {
+  const there = await stat(path).catch(() => null);
+  return there?.isFile() && there.size <= 4 * catalog().longestProgram ? readFile(path).catch(() => null) : null;
+}
 
 /** Holds a folder against its list: every file of it, its job, and what is not on it. */
 export async function* heldAgainst(folder: string, task: Task): AsyncGenerator<Outcome> {
@@ -78,13 +88,12 @@ export async function* heldAgainst(folder: string, task: Task): AsyncGenerator<O
       failed: true,
     };
   };
-  const textOf = async (path: string) => readFile(resolve(folder, path)).catch(() => null);
+  const textOf = (path: string) => bytesOf(resolve(folder, path));
   for (const { file, sha256, job } of list) {
     const source = join(folder, file);
     const bytes = await textOf(file);
     if (!bytes) yield outcome(source, "missing", "is on the list and not there");
-    else if (hashOf(bytes) !== sha256)
-      yield outcome(source, "changed", "is not the file that was listed: it was changed");
+    else if (hashOf(bytes) !== sha256) yield outcome(source, "changed", "has changed since it was listed");
     else {
       // As whoever asks would name it.
       const named = job.file === null ? "" : relative(process.cwd(), resolve(folder, job.file));
@@ -100,7 +109,7 @@ export async function* heldAgainst(folder: string, task: Task): AsyncGenerator<O
     }
   }
   const known = new Set(list.map(({ file }) => file));
-  for (const file of (await glob("**/*", { cwd: folder, dot: false, onlyFiles: true })).sort(byName))
+  for (const file of (await glob("**/*", { cwd: folder, dot: true, onlyFiles: true })).sort(byName))
     if (!known.has(posix(file)) && file !== MANIFEST)
       yield outcome(join(folder, file), "unlisted", "is not on the list");
 }

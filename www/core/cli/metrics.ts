@@ -31,7 +31,7 @@ export class Metrics {
       "# HELP touchpath_requests_total Requests that were answered.",
       "# TYPE touchpath_requests_total counter",
       ...[...this.requests].map(([labels, count]) => `touchpath_requests_total{${labels}} ${count}`),
-      "# HELP touchpath_request_seconds From the begin of a request to its answer.",
+      "# HELP touchpath_request_seconds From the start of a request to its answer.",
       "# TYPE touchpath_request_seconds histogram",
     ];
     for (const [path, { within, sum, count }] of this.times) {

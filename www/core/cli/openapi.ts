@@ -24,6 +24,7 @@ const FAULTS: readonly [string, string][] = [
   ["415", "The body is of another content type"],
   ["422", "The job has errors: findings says which"],
   ["503", "Too many requests at once"],
+  ["500", "A fault of the service, which its log says by x-request-id"],
   ["504", "The answer took too long"],
 ];
 
@@ -88,11 +89,20 @@ export function openapi(routes: readonly Route[], answers: Record<string, unknow
   const flag = object({ good: { type: "boolean" } });
   const documents: [string, string, string, object][] = [
     ["/catalog", "catalog", "Cycles, fields and controls", named("Catalog")],
+    ["/schema", "schema", "The JSON Schema of a job", { type: "object" }],
+    ["/answers.schema", "answersSchema", "The JSON Schema of what comes out", { type: "object" }],
     ["/health", "health", "Whether the service lives", object({ good: { type: "boolean" }, version: text })],
     ["/ready", "ready", "Whether it takes requests; 503 where it does not", flag],
   ];
-  for (const [path, operationId, summary, schema] of documents)
-    paths[path] = { get: { operationId, summary, responses: { 200: answer("Good", "application/json", schema) } } };
+  for (const [path, operationId, summary, schema] of documents) {
+    const late = path === "/ready" ? { 503: answer("It does not", "application/json", schema) } : {};
+    const responses = { 200: answer("Good", "application/json", schema), ...late };
+    paths[path] = { get: { operationId, summary, responses } };
+  }
+  const metrics = { 200: answer("Good", "text/plain", text) };
+  paths["/metrics"] = {
+    get: { operationId: "metrics", summary: "Counters, as Prometheus reads them", responses: metrics },
+  };
   // The definitions stand here under components, and the job beside them.
   const here = JSON.stringify(answers.$defs)
     .replaceAll("#/$defs/", "#/components/schemas/")

@@ -25,15 +25,6 @@ export class Thread {
     this.worker.on("exit", () => this.die(new Error("A thread has ended")));
   }
 
-  /** How many answers are still to come. */
-  get load(): number {
-    return this.waiting.length;
-  }
-
-  get isDead(): boolean {
-    return this.dead !== null;
-  }
-
   ask(task: Task, bunch: Item[]): Promise<Outcome[]> {
     const answer = new Promise<Outcome[]>((done, fail) => {
       if (this.dead) fail(this.dead);
@@ -55,32 +46,34 @@ export class Thread {
   }
 }
 
-/** Does the task with every item, on so many threads of its own or on those that are given. */
-export async function* performAll(
-  task: Task,
-  items: AsyncIterable<Item>,
-  threads: number | readonly Thread[],
-): AsyncGenerator<Outcome> {
-  if (typeof threads !== "number") return yield* performOn(threads, task, items);
+/** Whoever does tasks: so many bunches at once. */
+export interface Workers {
+  readonly width: number;
+  ask(task: Task, bunch: Item[]): Promise<Outcome[]>;
+}
+
+/** Does the task with every item, on so many threads. */
+export async function* performAll(task: Task, items: AsyncIterable<Item>, threads: number): AsyncGenerator<Outcome> {
   if (threads <= 1) {
     for await (const item of items) yield perform(task, item);
     return;
   }
   const pool = Array.from({ length: threads }, () => new Thread());
+  let turn = 0;
+  const ask = (task: Task, bunch: Item[]) => (pool[turn++ % threads] as Thread).ask(task, bunch);
   try {
-    yield* performOn(pool, task, items);
+    yield* performOn({ width: threads, ask }, task, items);
   } finally {
     await Promise.all(pool.map((thread) => thread.end()));
   }
 }
 
-/** Where no more items can be had, what is under way is handed on before that is said. */
-async function* performOn(pool: readonly Thread[], task: Task, items: AsyncIterable<Item>): AsyncGenerator<Outcome> {
+/** Does the task with every item. Where no more items can be had, what is under way is handed on before that is said. */
+export async function* performOn(workers: Workers, task: Task, items: AsyncIterable<Item>): AsyncGenerator<Outcome> {
   const source = bunches(items);
-  let next: Promise<IteratorResult<Item[]>> | null = source.next();
+  let next: Promise<IteratorResult<Item[]>> | null = started(source.next());
   /** What was asked and has not been handed on, in order. */
   const under: Promise<Outcome[]>[] = [];
-  let turn = 0;
   let failed: { why: unknown } | null = null;
   while (next || under.length > 0) {
     const [head] = under;
@@ -89,7 +82,7 @@ async function* performOn(pool: readonly Thread[], task: Task, items: AsyncItera
         () => name,
         () => name,
       );
-    const full = under.length >= 2 * pool.length;
+    const full = under.length >= 2 * workers.width;
     const first: string = await Promise.race([
       ...(head ? [settled(head, "head")] : []),
       ...(next && !full ? [settled(next, "next")] : []),
@@ -98,14 +91,20 @@ async function* performOn(pool: readonly Thread[], task: Task, items: AsyncItera
     else
       try {
         const { value, done } = await (next as Promise<IteratorResult<Item[]>>);
-        if (!done) under.push((pool[turn++ % pool.length] as Thread).ask(task, value));
-        next = done ? null : source.next();
+        if (!done) under.push(started(workers.ask(task, value)));
+        next = done ? null : started(source.next());
       } catch (why) {
         failed = { why };
         next = null;
       }
   }
   if (failed) throw failed.why;
+}
+
+/** A promise that is looked at later: until then its failure is no fault of the process. */
+function started<T>(promise: Promise<T>): Promise<T> {
+  promise.catch(() => undefined);
+  return promise;
 }
 
 /** Items by the bunch; those that are there, where the next one is not there yet. */

@@ -11,11 +11,12 @@ import { type Context, Hono } from "hono";
 import { HTTPException } from "hono/http-exception";
 import { requestId } from "hono/request-id";
 import { type Config, catalog, jobSchema, version } from "../node.js";
+import { Refused } from "./folder.js";
 import type { Limits } from "./limits.js";
 import { linesOf } from "./lines.js";
 import { Metrics } from "./metrics.js";
 import { openapi } from "./openapi.js";
-import { performAll, Thread } from "./pool.js";
+import { performOn, Thread, type Workers } from "./pool.js";
 import { JSON_TYPE, ROUTES, type Route } from "./routes.js";
 import type { Item, Outcome, Task } from "./tasks.js";
 
@@ -36,56 +37,113 @@ type Env = { Bindings: HttpBindings };
 const refused = (status: 400 | 404 | 412 | 413 | 415 | 503 | 504, message: string) =>
   new HTTPException(status, { message });
 
-/** The threads of a service. One that ends, or does not answer, is put in place again. */
-class Crew {
+/** What waits for a thread. */
+interface Waiting {
+  task: Task;
+  bunch: Item[];
+  done(outcomes: Outcome[]): void;
+  fail(why: unknown): void;
+}
+
+/** The threads of a service. Each has one thing to do at a time; one that ends, or does not answer, is put in place again. */
+class Crew implements Workers {
   private readonly threads: Thread[];
+  private readonly busy: boolean[];
+  /** Single requests come before the bunches of those that send many jobs. */
+  private readonly single: Waiting[] = [];
+  private readonly many: Waiting[] = [];
+  private ended = false;
 
   constructor(
-    count: number,
+    readonly width: number,
     private readonly wait: number,
   ) {
-    this.threads = Array.from({ length: count }, () => new Thread());
+    this.threads = Array.from({ length: width }, () => new Thread());
+    this.busy = this.threads.map(() => false);
   }
 
-  /** Does a task on the thread with the least to do. */
+  /** Does a task with one item. */
   async perform(task: Task, item: Item): Promise<Outcome> {
-    const [thread] = [...this.all()].sort((a, b) => a.load - b.load) as [Thread];
-    let late: NodeJS.Timeout | undefined;
-    const over = new Promise<never>((_, fail) => {
-      late = setTimeout(() => {
-        void thread.end();
-        fail(refused(504, "the answer took too long"));
-      }, this.wait);
-    });
-    try {
-      const [outcome] = await Promise.race([thread.ask(task, [item]), over]);
-      return outcome as Outcome;
-    } finally {
-      clearTimeout(late);
-    }
+    const [outcome] = await this.queued(this.single, task, [item]);
+    return outcome as Outcome;
   }
 
-  all(): readonly Thread[] {
-    for (const [i, thread] of this.threads.entries()) if (thread.isDead) this.threads[i] = new Thread();
-    return this.threads;
+  ask(task: Task, bunch: Item[]): Promise<Outcome[]> {
+    return this.queued(this.many, task, bunch);
+  }
+
+  /** Has every thread load the module. */
+  async warm(): Promise<void> {
+    const item: Item = { source: "", place: "", text: '{"format":1,"cycle":{"type":"hole"}}' };
+    await Promise.all(this.threads.map(() => this.perform({ command: "check" }, item)));
   }
 
   async end(): Promise<void> {
+    this.ended = true;
     await Promise.all(this.threads.map((thread) => thread.end()));
+  }
+
+  private queued(queue: Waiting[], task: Task, bunch: Item[]): Promise<Outcome[]> {
+    return new Promise((done, fail) => {
+      queue.push({ task, bunch, done, fail });
+      this.next();
+    });
+  }
+
+  private next(): void {
+    for (const [i, busy] of this.busy.entries()) {
+      if (busy) continue;
+      const work = this.single.shift() ?? this.many.shift();
+      if (!work) return;
+      void this.work(i, work);
+    }
+  }
+
+  private async work(i: number, { task, bunch, done, fail }: Waiting): Promise<void> {
+    const thread = this.threads[i] as Thread;
+    this.busy[i] = true;
+    let late: NodeJS.Timeout | undefined;
+    const over = new Promise<never>((_, fail) => {
+      late = setTimeout(() => fail(refused(504, "the answer took too long")), this.wait);
+    });
+    try {
+      done(await Promise.race([thread.ask(task, bunch), over]));
+    } catch (why) {
+      void thread.end();
+      if (!this.ended) this.threads[i] = new Thread();
+      fail(why);
+    } finally {
+      clearTimeout(late);
+      this.busy[i] = false;
+      this.next();
+    }
   }
 }
 
-/** The body of a request: no more than so many bytes are read. */
-async function bodyOf(incoming: IncomingMessage, most: number): Promise<string> {
+/** The body of a request: no more than so many bytes are read, and no longer than so many milliseconds are waited. */
+async function bodyOf(incoming: IncomingMessage, most: number, wait: number): Promise<string> {
   const chunks: Buffer[] = [];
   let size = 0;
-  for await (const chunk of incoming) {
-    size += (chunk as Buffer).length;
-    if (size > most) throw refused(413, `the body is longer than ${most} bytes`);
-    chunks.push(chunk as Buffer);
+  const late = setTimeout(() => incoming.destroy(), wait);
+  try {
+    for await (const chunk of incoming) {
+      size += (chunk as Buffer).length;
+      if (size > most) throw refused(413, `the body is longer than ${most} bytes`);
+      chunks.push(chunk as Buffer);
+    }
+  } catch (thrown) {
+    if (thrown instanceof HTTPException) throw thrown;
+    // Whoever sent it has gone.
+    throw refused(400, "the body did not come to its end");
+  } finally {
+    clearTimeout(late);
   }
   return Buffer.concat(chunks).toString("utf8");
 }
+
+/** Whether If-None-Match names a tag. A proxy that compresses makes it a weak one. */
+const isKnown = (header: string | undefined, tag: string) =>
+  (header ?? "").split(",").some((one) => one.trim().replace(/^W\//, "") === tag);
 
 function json(text: string): unknown {
   try {
@@ -129,19 +187,31 @@ export class Service {
     this.server = createAdaptorServer({
       fetch: this.app.fetch,
       serverOptions: {
-        requestTimeout: limits.wait,
+        // A body is waited for where it is read: jobs by the line may come as long as there are some.
+        requestTimeout: 0,
         headersTimeout: limits.wait,
         // Node looks for requests that do not come only so often, by itself every 30 s.
         connectionsCheckingInterval: Math.max(limits.wait / 10, 100),
       },
     }) as Server;
     this.server.maxConnections = limits.connections;
+    // Of a connection on which nothing happens at all.
+    this.server.timeout = 6 * limits.wait;
     this.server.listen(port, host);
-    await once(this.server, "listening");
-    const warm: Item = { source: "", place: "", text: '{"format":1,"cycle":{"type":"hole"}}' };
-    void Promise.all(this.crew.all().map((thread) => thread.ask({ command: "check" }, [warm]))).then(() => {
-      this.ready = true;
-    });
+    try {
+      await once(this.server, "listening");
+    } catch (thrown) {
+      await this.crew.end();
+      throw new Refused(`${host}:${port} cannot be listened at: ${(thrown as Error).message}`);
+    }
+    this.crew.warm().then(
+      () => {
+        this.ready = true;
+      },
+      (why) => {
+        if (!this.closing) console.error(`the threads did not begin: ${why}`);
+      },
+    );
     const address = this.server.address() as { address: string; port: number };
     const name = address.address.includes(":") ? `[${address.address}]` : address.address;
     return `http://${name}:${address.port}`;
@@ -182,13 +252,22 @@ export class Service {
         const type = c.req.header("content-type")?.split(";")[0]?.trim().toLowerCase();
         const wanted = route.takes === "text" ? "text/plain" : JSON_TYPE;
         if (type !== wanted) throw refused(415, `the body of this route is ${wanted}`);
-        const text = await bodyOf(c.env.incoming, settings.limits.body);
+        if ((c.req.header("content-encoding") ?? "identity") !== "identity")
+          throw refused(415, "the body comes as it is, without content-encoding");
+        const text = await bodyOf(c.env.incoming, settings.limits.body, settings.limits.wait);
         return this.answer(c, route, text);
       });
       // A job in the address, so that what stands between may keep the answer.
-      if (route.takes === "job") app.get(route.path, async (c) => this.answer(c, route, c.req.query("job") ?? ""));
+      if (route.takes === "job")
+        app.get(route.path, async (c) => {
+          const job = c.req.query("job");
+          if (job === undefined) throw refused(400, "the query has no job: ?job=, as JSON");
+          return this.answer(c, route, job);
+        });
+      this.others(route.path, route.takes === "job" ? "GET, HEAD, POST" : "POST");
     }
     app.post("/programs", (c) => this.programs(c));
+    this.others("/programs", "POST");
     const documents: Record<string, () => object> = {
       "/catalog": catalog,
       "/schema": jobSchema,
@@ -198,9 +277,10 @@ export class Service {
     for (const [path, make] of Object.entries(documents)) {
       app.get(path, (c) => {
         const tag = this.tag(path, "");
-        if (c.req.header("if-none-match") === tag) return c.body(null, 304, { etag: tag });
+        if (isKnown(c.req.header("if-none-match"), tag)) return c.body(null, 304, { etag: tag });
         return c.json(make(), 200, { etag: tag });
       });
+      this.others(path, "GET, HEAD");
     }
     app.get("/health", (c) => c.json({ good: true, version: version() }));
     app.get("/ready", (c) => {
@@ -212,6 +292,11 @@ export class Service {
         "content-type": "text/plain; version=0.0.4; charset=utf-8",
       }),
     );
+  }
+
+  /** Refuses the methods that a path does not have. */
+  private others(path: string, allowed: string): void {
+    this.app.all(path, (c) => c.json({ error: `${path} takes ${allowed}` }, 405, { allow: allowed }));
   }
 
   /** The key of an answer: version, rules, route with its query, and what was sent. */
@@ -246,21 +331,20 @@ export class Service {
     if (form !== undefined && !forms.includes(form)) throw refused(400, `${word} is one of ${forms.join(", ")}`);
     const { task, text } = asked(route, body);
     const tag = this.tag(`${route.path} ${form ?? ""}`, body);
-    const known = c.req
-      .header("if-none-match")
-      ?.split(",")
-      .map((one) => one.trim());
-    if (known?.includes(tag))
-      return c.req.method === "GET"
+    const reads = c.req.method !== "POST";
+    if (isKnown(c.req.header("if-none-match"), tag))
+      return reads
         ? c.body(null, 304, { etag: tag })
         : c.json({ error: "the answer is the one that you have" }, 412, { etag: tag });
     this.enter(c.env);
     const { config } = this.settings;
     const own: Task = { ...task, ...(config ? { config } : {}), ...(form === undefined ? {} : { [word]: form }) };
     const outcome = await this.crew.perform(own, { source: route.path, place: "", text });
-    c.header("etag", tag);
+    const isGood = outcome.output !== null || route.task.command === "check";
+    // An answer that is not good is asked for anew, and costs its plan.
+    if (isGood) c.header("etag", tag);
     // What is kept is asked for again, and that costs no plan.
-    if (c.req.method === "GET") c.header("cache-control", "no-cache");
+    if (reads) c.header("cache-control", "no-cache");
     if (route.task.command === "check") return c.json(outcome.findings);
     if (!outcome.output) {
       const [first] = outcome.findings.filter(({ level }) => level === "error");
@@ -272,6 +356,8 @@ export class Service {
 
   /** A job a line in, an outcome a line out, as they come. */
   private programs(c: Context<Env>): Response {
+    if (!c.req.header("content-type")?.startsWith("application/x-ndjson"))
+      throw refused(415, "the body of this route is application/x-ndjson");
     this.enter(c.env);
     const { config, limits } = this.settings;
     const task: Task = { command: "plan", ...(config ? { config } : {}) };
@@ -284,7 +370,7 @@ export class Service {
       }
     }
     async function* lines(): AsyncGenerator<string> {
-      for await (const { row, output, findings } of performAll(task, items(), crew.all()))
+      for await (const { row, output, findings } of performOn(crew, task, items()))
         yield `${JSON.stringify({ line: row, program: output?.text ?? null, findings })}\n`;
     }
     const stream = Readable.toWeb(Readable.from(lines(), { objectMode: false })) as ReadableStream;
@@ -300,12 +386,13 @@ function answers(): Record<string, unknown> {
 
 /** Serves until it is told to end. */
 export async function serve(settings: Settings): Promise<void> {
+  const told = new Promise<void>((done) => {
+    for (const signal of ["SIGTERM", "SIGINT"] as const) process.once(signal, () => done());
+  });
   const service = new Service(settings);
   const address = await service.listen();
   process.stdout.write(`Touchpath ${version()} at ${address}\n`);
-  await new Promise<void>((done) => {
-    for (const signal of ["SIGTERM", "SIGINT"] as const) process.once(signal, () => done());
-  });
+  await told;
   await service.close();
   process.stdout.write("closed\n");
 }

@@ -111,7 +111,11 @@ const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[]
   ],
   ["--reporter R", "text, github (annotations) or junit, for a build", ["check", "verify"]],
   ["--deny-warnings", "a warning ends with exit code 1, as an error does", FILES],
-  ["--json", "findings, answers and errors as JSON; plan: the whole plan, with -o a line a file", NAMES],
+  [
+    "--json",
+    "findings, answers and errors as JSON; plan: the whole plan, with -o a line a file",
+    NAMES.filter((name) => name !== "serve"),
+  ],
 ];
 
 const INPUT = `JOB is a file with a job, a pattern ('jobs/**/*.json'), or - for the standard input.
@@ -695,7 +699,7 @@ async function served(names: string[], values: Values): Promise<number> {
   if (names.length > 0) throw new Refused("serve takes no files");
   const limits = { ...LIMITS };
   for (const given of values.limit ?? []) {
-    const [name = "", number = ""] = given.split("=");
+    const [name = "", number = ""] = given.split(/=(.*)/s);
     const known = oneOf("--limit", name, Object.keys(LIMITS) as (keyof typeof LIMITS)[]);
     limits[known] = countOf(`--limit ${known}`, number, 1, 1_000_000_000);
   }
