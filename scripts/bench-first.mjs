@@ -1,6 +1,6 @@
 // A first visit over slow lines: when its picture is seen, when its form and program can be read, and when the first key is answered. All connections
 // share one line, as a phone's do: its bytes a second, and a round trip for every request.
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { connect, createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -21,10 +21,47 @@ const server = await serve(0, at("dist", "page"), "127.0.0.1", true);
 const nothing = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
 writeFileSync(join(nothing, "index.html"), "<!doctype html><title>x</title><p>x</p>");
 const blankServer = await serve(0, nothing, "127.0.0.1", true);
+const peer = await peerPage();
+const peerServer = await serve(0, join(peer, "dist"), "127.0.0.1", true);
 const browser = await chromium.launch({
   executablePath: ensureChromium().browser,
-  args: ["--no-sandbox", "--disable-gpu"],
+  // The peer draws by WebGL, without a GPU by its software.
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
+
+/** The smallest page by which gcode-preview draws the moves of the first job; gives its folder. */
+async function peerPage() {
+  const { defaultJob, plan } = await import("touchpath");
+  const { build } = await import("vite");
+  const blocks = plan(defaultJob("internal-rectangle-protected")).moves.map(
+    ({ to: [x, y, z] }) => `G1 X${x} Y${y} Z${z} F1000`,
+  );
+  const folder = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
+  symlinkSync(at("node_modules"), join(folder, "node_modules"), "junction");
+  const html =
+    '<!doctype html><title>x</title><canvas width="800" height="600"></canvas><script type="module" src="main.js"></script>';
+  writeFileSync(join(folder, "index.html"), html);
+  writeFileSync(
+    join(folder, "main.js"),
+    `import { WebGLPreview } from "gcode-preview";
+const preview = new WebGLPreview({ canvas: document.querySelector("canvas"), renderTravel: true });
+preview.processGCode(${JSON.stringify(["G21 G90", ...blocks].join("\n"))});
+requestAnimationFrame(() => requestAnimationFrame(() => { globalThis.drawn = performance.now(); }));
+`,
+  );
+  await build({ root: folder, configFile: false, logLevel: "error", build: { target: "es2022" } });
+  return folder;
+}
+
+/** How long the peer's page takes until its moves are drawn. @param {string} url */
+async function drawn(url) {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  await page.goto(url, { waitUntil: "commit" });
+  await page.waitForFunction(() => /** @type {any} */ (globalThis).drawn, undefined, { polling: 20 });
+  const time = await page.evaluate(() => /** @type {number} */ (/** @type {any} */ (globalThis).drawn));
+  await page.close();
+  return time;
+}
 
 /** A line to a server. @param {import("node:http").Server} to @param {number} mbit @param {number} trip */
 async function lineOf(to, mbit, trip) {
@@ -109,37 +146,43 @@ async function empty(url) {
 const middle = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1] ?? Number.NaN;
 
 console.log(
-  "\nA first visit, ms: an empty page painted, picture seen, form and program read, first key answered; kB until then",
+  "\nA first visit, ms: an empty page painted, picture seen, form and program read, first key answered; kB until then; gcode-preview's smallest page draws the moves",
 );
 console.log(
-  "picture / empty (goal: 1.6), and answer / (bytes at the line's speed + 2 round trips) (goals: 1.25 and 1.8)",
+  "picture / empty (goal: 1.6), answer / (bytes at the line's speed + 2 round trips) (goals: 1.25 and 1.8), picture / gcode-preview's (goal: 1)",
 );
 for (const [mbit, trip] of LINES) {
   const [line, blankLine] = [await lineOf(server, mbit, trip), await lineOf(blankServer, mbit, trip)];
+  const peerLine = await lineOf(peerServer, mbit, trip);
   // A browser's first pages start its processes.
   for (let i = 0; i < 2; i++) {
     await visit(line.url, line);
     await empty(blankLine.url);
+    await drawn(peerLine.url);
   }
   /** @type {Awaited<ReturnType<typeof visit>>[]} */
   const visits = [];
   /** @type {number[]} */
   const blank = [];
+  /** @type {number[]} */
+  const others = [];
   for (let i = 0; i < ROUNDS; i++) {
     blank.push(await empty(blankLine.url));
     visits.push(await visit(line.url, line));
+    others.push(await drawn(peerLine.url));
   }
   const of = (/** @type {"picture" | "read" | "answered" | "bytes"} */ key) => middle(visits.map((one) => one[key]));
   const least = of("bytes") / ((mbit * 1e6) / 8000) + 2 * trip;
-  const cells = [middle(blank), of("picture"), of("read"), of("answered"), of("bytes") / 1000];
+  const cells = [middle(blank), of("picture"), of("read"), of("answered"), of("bytes") / 1000, middle(others)];
   console.log(
     `${mbit} Mbit/s, ${trip} ms`.padEnd(20),
     ...cells.map((x) => x.toFixed(0).padStart(7)),
     (of("picture") / middle(blank)).toFixed(2).padStart(8),
     (of("answered") / least).toFixed(2).padStart(6),
+    (of("picture") / middle(others)).toFixed(2).padStart(6),
   );
-  for (const one of [line, blankLine]) one.close();
+  for (const one of [line, blankLine, peerLine]) one.close();
 }
 await browser.close();
-for (const one of [server, blankServer]) one.close();
-rmSync(nothing, { recursive: true });
+for (const one of [server, blankServer, peerServer]) one.close();
+for (const folder of [nothing, peer]) rmSync(folder, { recursive: true });
