@@ -24,9 +24,8 @@ impl Path {
                         self.moves.extend(back.map(|back| Move { purpose: Purpose::Back(nth(k, n)), ..*back }));
                     }
                 }
-                // Of a control's own cycles alone, which repeat nothing.
-                Purpose::Search(_) => {}
-                Purpose::Back(_) => {}
+                // Ways back go with their touches; searches are those of a control's own cycles, which repeat nothing.
+                Purpose::Back(_) | Purpose::Search(_) => {}
             }
         }
         self
