@@ -133,6 +133,7 @@ test("to a group of fields, to the cycle or to a picked touch there was no way",
     '{"format":1,"cycle":{"type":"boss","touches":[{"point":[20,0,-10],"vector":[1,0,0]},{"point":[0,20,-10],"vector":[0,1,0]},{"point":[-20,0,-10],"vector":[-1,0,0]}]}}',
   );
   await page.setViewportSize({ width: 390, height: 844 });
+  await page.getByRole("tab", { name: "Setup" }).waitFor();
   for (const [path, id] of [
     ["cycle.touches[1]", "f-cycle.touches[1].point[0]"],
     ["feeds", "f-feeds.approach"],
