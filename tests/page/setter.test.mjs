@@ -25,7 +25,7 @@ const asVisitor = async (/** @type {import("playwright-core").BrowserContextOpti
 const tabs = () => page.getByRole("tab").allTextContents();
 const groups = () => page.locator("tp-form .group h2 b").allTextContents();
 
-test("a setter has seven groups and three tabs; what CAM needs comes with its switch, with a dump, or with a portal that asks", async () => {
+test("a setter has eight groups and three tabs; what CAM needs comes with its switch, with a dump, or with a portal that asks", async () => {
   await asVisitor();
   assert.deepEqual(await tabs(), ["Program", "Results", "Checks"]);
   assert.deepEqual(await groups(), [
@@ -33,6 +33,7 @@ test("a setter has seven groups and three tabs; what CAM needs comes with its sw
     "Size",
     "Clearances",
     "Probe",
+    "Repeated touches",
     "Feeds and limits",
     "Program and machine",
     "Virtual part",
