@@ -23,11 +23,11 @@ writeFileSync(join(nothing, "index.html"), "<!doctype html><title>x</title><p>x<
 const blankServer = await serve(0, nothing, "127.0.0.1", true);
 const peer = await peerPage();
 const peerServer = await serve(0, join(peer, "dist"), "127.0.0.1", true);
-const browser = await chromium.launch({
-  executablePath: ensureChromium().browser,
-  // The peer draws by WebGL, without a GPU by its software.
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
+const launch = (/** @type {string[]} */ ...more) =>
+  chromium.launch({ executablePath: ensureChromium().browser, args: ["--no-sandbox", ...more] });
+const browser = await launch("--disable-gpu");
+// The peer draws by WebGL, without a GPU by its software, which holds up every other page.
+const drawing = await launch("--use-angle=swiftshader", "--enable-unsafe-swiftshader");
 
 /** The smallest page by which gcode-preview draws the moves of the first job; gives its folder. */
 async function peerPage() {
@@ -55,7 +55,7 @@ requestAnimationFrame(() => requestAnimationFrame(() => { globalThis.drawn = per
 
 /** How long the peer's page takes until its moves are drawn. @param {string} url */
 async function drawn(url) {
-  const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
+  const page = await drawing.newPage({ viewport: { width: 1440, height: 900 } });
   await page.goto(url, { waitUntil: "commit" });
   await page.waitForFunction(() => /** @type {any} */ (globalThis).drawn, undefined, { polling: 20 });
   const time = await page.evaluate(() => /** @type {number} */ (/** @type {any} */ (globalThis).drawn));
@@ -183,6 +183,6 @@ for (const [mbit, trip] of LINES) {
   );
   for (const one of [line, blankLine, peerLine]) one.close();
 }
-await browser.close();
+await Promise.all([browser.close(), drawing.close()]);
 for (const one of [server, blankServer, peerServer]) one.close();
 for (const folder of [nothing, peer]) rmSync(folder, { recursive: true });
