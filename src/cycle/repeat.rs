@@ -2,7 +2,7 @@
 
 use crate::form::{Field, SubForm, form};
 
-/// The most touches of one point. HEIDENHAIN's controls repeat a touch up to three times as well.
+/// The most touches of one point. HEIDENHAIN's controls repeat a touch up to three times as well [R].
 const MOST_TIMES: i32 = 3;
 
 form! {
