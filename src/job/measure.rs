@@ -7,7 +7,7 @@ use crate::formula::{Asked, Role};
 use crate::geom::Vec3;
 use crate::job::judge::judge;
 use crate::job::plan::request;
-use crate::job::planned::Planned;
+use crate::job::planned::{Planned, judge_touches};
 use crate::job::rows::{ResultRow, Triple, result_rows, triple};
 use crate::job::{Job, JobError, datum, relations, set_up};
 use crate::part::{self, Expected, Stand};
@@ -59,7 +59,7 @@ fn evaluated(planned: &Planned, points: &[Option<Vec3>], stated: Option<&[Option
             Some(results) => part::stated(path, job.setup.radius, job.scatter(), results),
             None => part::evaluate(path, points, job.scatter()),
         };
-        job.cycle.judge(&job.setup, path, points, &mut rows);
+        judge_touches(job, path, points, &mut rows);
         let plausible = judge(job, path, &mut rows).iter().all(|question| question.asked != Asked::Plausible);
         return (result_rows(job, path, rows), plausible);
     }

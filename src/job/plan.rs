@@ -13,7 +13,7 @@ use crate::geom::Vec3;
 use crate::job::cycles::is_set_up;
 use crate::job::inertia::report_inertia;
 use crate::job::judge::{judge, report_judged};
-use crate::job::planned::Planned;
+use crate::job::planned::{Planned, judge_touches};
 use crate::job::rows::{Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows, triple};
 use crate::job::stylus::{report_stylus, report_unknown};
 use crate::job::{Job, JobError, datum, follows, relations, resolved, set_up, tolerances, wear};
@@ -32,8 +32,9 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
 
 /// What the whole path must hold, whatever cycle it is of.
 fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
-    for (k, fault) in path.touch_faults(job.setup.radius) {
-        let field = if path.picked { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
+    // The first touch of a point speaks for those that repeat it.
+    for (k, fault) in path.touch_faults(job.setup.radius).into_iter().filter(|(k, _)| k % job.times() == 0) {
+        let field = picked(job, path, k);
         let n = k + 1;
         let (code, message) = match fault {
             TouchFault::Missing => {
@@ -92,8 +93,12 @@ fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
             far
         )
     };
-    let field = if path.picked { format!("cycle.touches[{k}]") } else { "cycle".to_owned() };
-    checker.warning("touch-close", field, message);
+    checker.warning("touch-close", picked(job, path, k), message);
+}
+
+/// The place in the job that says where a touch is: its pick, or the cycle.
+fn picked(job: &Job, path: &Path, k: usize) -> String {
+    if path.picked { format!("cycle.touches[{}]", k / job.times()) } else { "cycle".to_owned() }
 }
 
 /// A positioning move that passes the drawn part closely: on a part displaced by that much, it makes contact.
@@ -213,7 +218,7 @@ fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> 
     );
     // The macros judge by their own letters.
     if path.own.is_none() {
-        job.cycle.judge(&job.setup, path, &run.triggers, &mut rows);
+        judge_touches(job, path, &run.triggers, &mut rows);
     }
     if run.collision.is_none() && run.halt.is_none() {
         let off = judge(job, path, &mut rows);

@@ -4,7 +4,7 @@ use crate::control::Form;
 use crate::control::own::machine::{Alarm, Met};
 use crate::control::own::{OwnCycles, OwnRequest, Refused, Several};
 use crate::cycle::Repeat;
-use crate::formula::Datum;
+use crate::formula::{Datum, ResultRow};
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::rows::{ParameterRow, parameter_row};
@@ -70,6 +70,20 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
     }
 }
 
+/// Adds what the cycle says of its touches beyond the formula: of points that are touched several times by their means.
+pub fn judge_touches(job: &Job, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
+    let times = job.times();
+    if times == 1 {
+        return job.cycle.judge(&job.setup, path, triggers, rows);
+    }
+    let mean = |same: &[Option<Vec3>]| {
+        let sum = same.iter().copied().try_fold(Vec3::ZERO, |sum, trigger| Some(sum + trigger?));
+        sum.map(|sum| sum / times as f64)
+    };
+    let means: Vec<Option<Vec3>> = triggers.chunks(times).map(mean).collect();
+    job.cycle.judge(&job.setup, &path_of(job), &means, rows);
+}
+
 /// Runs the calls of a path on the actual part.
 fn own_run(path: &Path, own: &Own, cycles: &OwnCycles, surfaces: &[Surface], radius: f64) -> part::Run {
     let (made, alarm) = (cycles.rerun)(own, radius, &meets(surfaces, path.frame.w, radius));
@@ -122,7 +136,7 @@ impl Planned {
     pub fn at(job: Job, clear: Option<f64>) -> Self {
         let (path, refused) = own_path(&job, path_of(&job), clear);
         let path = match &job.repeat {
-            Some(Repeat { times, spread }) if *times > 1 => path.repeated(*times as usize, *spread),
+            Some(Repeat { spread, .. }) if job.times() > 1 => path.repeated(job.times(), *spread),
             _ => path,
         };
         let surfaces = actual_surfaces(&job, &path);
@@ -157,11 +171,13 @@ impl Planned {
         if !self.members.is_empty() {
             return self.members.iter().enumerate().flat_map(of).collect();
         }
-        // Of the cycle as it is documented, whoever makes it, and however often.
-        let documented = (self.path.own.is_some() || self.job.repeat.is_some()).then(|| path_of(&self.job));
+        // Of the cycle as it is documented, whoever makes it, and however often. A row is of the first touch of its point.
+        let times = self.job.times();
+        let documented = (self.path.own.is_some() || times > 1).then(|| path_of(&self.job));
         let touches = documented.as_ref().map_or(&self.path.touches, |path| &path.touches);
         let parameters = self.job.cycle.parameters(&self.job.setup, touches);
-        parameters.into_iter().map(|parameter| parameter_row(&self.job, parameter)).collect()
+        let row = |parameter| parameter_row(&self.job, parameter);
+        parameters.into_iter().map(row).map(|row| ParameterRow { touch: row.touch.map(|k| k * times), ..row }).collect()
     }
 }
 

@@ -350,6 +350,11 @@ impl Job {
         Scatter { repeatability: self.repeatability, runout: self.runout.filter(|_| self.orient.is_none()) }
     }
 
+    /// How often each point is touched.
+    pub fn times(&self) -> usize {
+        self.repeat.as_ref().map_or(1, |repeat| repeat.times as usize)
+    }
+
     /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
     pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
         if !matches!(value, Value::Map(_)) {
@@ -382,16 +387,15 @@ impl Job {
         check_control(checker, post, &control, cycle.as_ref().map(|(def, ..)| *def));
         check_length(checker, post, &length);
         check_name(checker, post, &general.name);
-        if cycle.as_ref().is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1))
-            && Form::named(&control.form) == Form::Cycle
-        {
+        let repeats = cycle.as_ref().is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1));
+        if repeats && Form::named(&control.form) == Form::Cycle {
             let message = text!(
                 "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
             );
             checker.error("repeat-unsupported", "cycle.repeat", message);
         }
         let extruded = matches!(value.get("cycle").and_then(|cycle| cycle.get("extrusion")), Some(Value::Map(_)));
-        if extruded && cycle.as_ref().is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1)) {
+        if repeats && extruded {
             let message = text!(
                 "Extrusion probing touches each point at several heights already: use that or repeated touches, not both"
             );

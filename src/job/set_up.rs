@@ -90,7 +90,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
             members = members.into_iter().map(|planned| Planned::at(planned.job, at)).collect();
         }
     }
-    let mut whole = join(Job { def: &WHOLE, ..whole? }, members, (names, follows), clear);
+    let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (names, follows), clear);
     relations::read(checker, value, &mut whole.path, several.is_some());
     let source = datum::read(checker, value, &whole, offset.is_some())?;
     whole.path.write_from(&source);

@@ -34,7 +34,7 @@ fn scattered(plan: &Plan) -> Vec<[f64; 3]> {
     plan.touches.iter().enumerate().map(of).collect()
 }
 
-fn points(points: &[[f64; 3]]) -> Value {
+fn points_of(points: &[[f64; 3]]) -> Value {
     Value::List(points.iter().map(|point| Value::List(point.map(Value::Number).to_vec())).collect())
 }
 
@@ -81,7 +81,7 @@ fn means_count_and_the_spread_is_told() {
             assert_eq!(spread.0, "spread");
             assert!((spread.1 - wanted).abs() < 2e-6, "{cycle}: {} apart, by hand {wanted}", spread.1);
             // And what the page makes of the points.
-            let rows = evaluate(&own, &points(&triggers)).unwrap();
+            let rows = evaluate(&own, &points_of(&triggers)).unwrap();
             let row = rows.iter().find(|row| row.code == "spread").unwrap();
             assert!((row.value.unwrap() - wanted).abs() < 1e-6, "{cycle}");
             assert!(ran.written.is_some(), "{cycle}");
@@ -180,7 +180,18 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
                 }
                 let three = planned(&own);
                 assert_eq!(three.touches.len(), 3 * one.touches.len());
-                assert_eq!(three.table, one.table, "{} on {}", entry.key, post.id);
+                // The table is the cycle's: each row of a touch names the first one of its point.
+                for (row, own) in one.table.iter().zip(&three.table) {
+                    assert_eq!((&row.code, &row.value), (&own.code, &own.value), "{} on {}", entry.key, post.id);
+                    assert_eq!(
+                        row.touch.map(|k| one.touches[k].point),
+                        own.touch.map(|k| three.touches[k].point),
+                        "{}",
+                        row.code
+                    );
+                    assert!(own.touch.is_none_or(|k| k % 3 == 0), "{}", row.code);
+                }
+                assert_eq!(three.table.len(), one.table.len());
                 let again = import(&three.program.text).unwrap().job;
                 assert_eq!(again.get("cycle").and_then(|c| c.get("repeat")).and_then(|r| r.get("times")), Some(&number(3.0)));
                 planned_jobs += 1;
@@ -188,6 +199,38 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
         }
     }
     assert!(planned_jobs > 60, "{planned_jobs}");
+}
+
+/// What 1411 says of the form of its circles is of the means, and a finding of a picked touch names the pick.
+#[test]
+fn what_is_beyond_the_formula_is_of_the_points() {
+    let circles = r#"{ "type": "probing-two-circles", "probePoints": 4 }"#;
+    let own = repeated(circles, "linuxcnc", 3.0, "");
+    let plan = planned(&own);
+    let triggers = scattered(&plan);
+    let means: Vec<[f64; 3]> =
+        triggers.chunks(3).map(|same| [0, 1, 2].map(|axis| same.iter().map(|p| p[axis]).sum::<f64>() / 3.0)).collect();
+    let form = |job: &Value, points: &[[f64; 3]]| {
+        let rows = evaluate(job, &points_of(points)).unwrap();
+        ["form1", "form2"].map(|code| rows.iter().find(|row| row.code == code).and_then(|row| row.value).expect("a form error"))
+    };
+    let (three, once) = (form(&own, &triggers), form(&with(&own, "cycle.repeat", Value::Null), &means));
+    for (own, wanted) in three.iter().zip(once) {
+        assert!(wanted > 1e-4 && (own - wanted).abs() < 1e-6, "{own}, of the means {wanted}");
+    }
+    let picks = r#"{ "type": "surface", "touches": [{ "point": [0, 0, 0], "vector": [0, 0, 1] }] }"#;
+    let hole = r#"{ "type": "hole", "diameter": 6.03, "touches": [
+        { "point": [3.015, 0, -10], "vector": [-1, 0, 0] }, { "point": [-3.015, 0, -10], "vector": [1, 0, 0] },
+        { "point": [0, 3.015, -10], "vector": [0, -1, 0] }, { "point": [0, -3.015, -10], "vector": [0, 1, 0] }] }"#;
+    assert!(check(&repeated(picks, "linuxcnc", 3.0, "")).iter().all(|f| f.level != Level::Error));
+    let paths = |job: &Value| {
+        let of = |f: touchpath::form::Finding| (f.code == "touch-close" || f.code == "touch-too-short").then_some(f.path);
+        check(job).into_iter().filter_map(of).collect::<Vec<_>>()
+    };
+    let tight = repeated(hole, "linuxcnc", 3.0, "");
+    let (many, one) = (paths(&tight), paths(&with(&tight, "cycle.repeat", Value::Null)));
+    assert!(!one.is_empty() && one.iter().all(|path| path.starts_with("cycle.touches[")), "{one:?}");
+    assert_eq!(many, one);
 }
 
 /// A tolerance of the spread may reach as far as its limit, and no farther; the points that extrusion probing touches are not repeated.

@@ -253,7 +253,7 @@ test("a list of the programs: what is missing, changed, strange, or of another j
   rmSync(join(folder, "made/shop/B.ngc"));
   file("shop/c.json", { ...job("groove", "C"), overtravel: 4 });
   rmSync(join(folder, "shop/d.json"));
-  file("made/notes.txt", "of somebody");
+  file("made/notes.txt", "notes");
   file("made/.hidden.ngc", "G0");
   const bad = run(["verify", "made", "--manifest", "--format", "json"]);
   assert.equal(bad.status, 1);

@@ -210,7 +210,7 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
     "POST /programs HTTP/1.1\r\nhost: x\r\ncontent-type: application/x-ndjson\r\ntransfer-encoding: chunked\r\n\r\n";
   const slow = { ...HOLE, cycle: { ...HOLE.cycle, variant: 1, angularStep: 20, stepCount: 16, repeat: { times: 3 } } };
   const lines = `${JSON.stringify(slow)}\n`.repeat(256);
-  // As many as the threads take at once, and then nobody is there any more.
+  // As many as the threads take at once, and then the client leaves.
   for (const after of [5, 60, 150])
     await new Promise((done) => {
       const socket = connect(Number(port), hostname, () => {
@@ -344,7 +344,7 @@ async function halfOpen(
 const closed = (/** @type {import("node:net").Socket[]} */ sockets) =>
   Promise.all(sockets.map((socket) => socket.destroyed || new Promise((done) => socket.once("close", done))));
 
-test("requests whose bodies never come hold nobody up, and are shown out", async () => {
+test("requests whose bodies never come block no other, and are closed", async () => {
   const { address, end } = await service("--limit", "wait=2000", "--limit", "connections=300");
   const planned = async () => (await post(`${address}/plan`, JSON.stringify(HOLE))).status;
   const begun = Date.now();

@@ -7,7 +7,9 @@ import {
   type ParameterRow,
   type Plan,
   type Said,
+  type TouchPoint,
 } from "../core/browser.js";
+import { alike } from "../job.js";
 import { w } from "../words.js";
 import { copied, copy, download, withheld } from "./download.js";
 import { Part } from "./part.js";
@@ -81,7 +83,12 @@ class TablePart extends Part {
   /** The rows of the touch that is pointed at. */
   protected override light(): void {
     const { highlight, plan } = this.store;
-    const touch = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
+    const touched = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
+    // A row is of the first touch of its point.
+    const one = touched === null ? undefined : plan.touches[touched];
+    const same = (other: TouchPoint) =>
+      other.cycle === one?.cycle && alike(other.point, one.point) && alike(other.vector, one.vector);
+    const touch = one ? plan.touches.findIndex(same) : null;
     let first = null as HTMLElement | null;
     for (const row of this.querySelectorAll<HTMLElement>("tr[data-touch]")) {
       const is = touch !== null && row.dataset.touch === String(touch);

@@ -22,7 +22,9 @@ interface Manifest {
   files: Listed[];
 }
 
-export const MANIFEST = "manifest.json";
+/** What the list is called in its folder. */
+export const LIST = { name: "manifest", ending: ".json" };
+const MANIFEST = `${LIST.name}${LIST.ending}`;
 
 const hashOf = (text: string | Uint8Array) => createHash("sha256").update(text).digest("hex");
 const posix = (path: string) => path.split(sep).join("/");

@@ -23,8 +23,8 @@ const FAULTS: readonly [string, string][] = [
   ["413", "The body is too long"],
   ["415", "The body is of another content type"],
   ["422", "The job has errors: findings says which"],
-  ["503", "Too many requests at once"],
   ["500", "A fault of the service, which its log says by x-request-id"],
+  ["503", "Too many requests at once"],
   ["504", "The answer took too long"],
 ];
 
@@ -83,7 +83,7 @@ export function openapi(routes: readonly Route[], answers: Record<string, unknow
       operationId: "programs",
       summary: "The programs of many jobs, a job a line, as they come",
       requestBody: { required: true, content: content(lines, text) },
-      responses: { 200: ndjson, 503: others["503"] },
+      responses: { 200: ndjson, 415: others["415"], 503: others["503"] },
     },
   };
   const flag = object({ good: { type: "boolean" } });

@@ -384,7 +384,7 @@ function answers(): Record<string, unknown> {
   return JSON.parse(readFileSync(file, "utf8"));
 }
 
-/** Serves until it is told to end. */
+/** Serves until a signal ends it. */
 export async function serve(settings: Settings): Promise<void> {
   const told = new Promise<void>((done) => {
     for (const signal of ["SIGTERM", "SIGINT"] as const) process.once(signal, () => done());

@@ -14,7 +14,7 @@ import { sarif } from "./examine.js";
 import { Folder, fileAt, Refused } from "./folder.js";
 import { LIMITS } from "./limits.js";
 import { linesOf } from "./lines.js";
-import { heldAgainst, manifestOf } from "./manifest.js";
+import { heldAgainst, LIST, manifestOf } from "./manifest.js";
 import { performAll } from "./pool.js";
 import { Progress } from "./progress.js";
 import { github, junit } from "./reporters.js";
@@ -543,12 +543,7 @@ async function fileAway(
     progress.clear();
     await report(task, values, outcome);
   }
-  if (values.manifest)
-    await folder.put("the list", "", {
-      name: "manifest",
-      ending: ".json",
-      text: manifestOf(values.out as string, made),
-    });
+  if (values.manifest) await folder.put("the list", "", { ...LIST, text: manifestOf(values.out as string, made) });
   await folder.finish();
   progress.clear();
   for await (const lines of folder.noted()) await write(process.stdout, lines);
@@ -690,7 +685,7 @@ function countOf(option: string, text: string, least: number, most: number): num
   return value;
 }
 
-/** Serves until the process is told to end. */
+/** Serves until a signal ends the process. */
 async function served(names: string[], values: Values): Promise<number> {
   const other = Object.keys(values).find(
     (option) => !["port", "host", "jobs", "limit", "config", "no-config"].includes(option),
