@@ -53,6 +53,27 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
   assert.deepEqual(found, ["G38.2 X42 Y0 Z-10 F150"]);
 });
 
+test("each touch of a point that is touched three times lights up the rows of the point", async () => {
+  await openText('{"format":1,"cycle":{"type":"hole","repeat":{"times":3}}}');
+  await page.getByRole("tab", { name: "Parameters" }).click();
+  const lit = page.locator("tp-table tr.lit code");
+  /** @type {string[]} */
+  const codes = [];
+  for (let touch = 0; touch < 6; touch++) {
+    await page.evaluate((touch) => {
+      const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+      store.point(
+        store.plan.moves.findIndex((/** @type {any} */ move) => move.kind === "touch" && move.touch === touch),
+      );
+    }, touch);
+    await settles(async () => (await lit.count()) > 0);
+    codes.push((await lit.allTextContents()).join());
+  }
+  assert.match(codes[0] ?? "", /CmdPrm/);
+  assert.deepEqual([codes[1], codes[2], codes[4], codes[5]], [codes[0], codes[0], codes[3], codes[3]]);
+  assert.notEqual(codes[0], codes[3]);
+});
+
 test("copy and save with the control's extension", async () => {
   await field("name").fill("MY POCKET");
   await page.getByRole("button", { name: "Copy" }).click();
