@@ -55,6 +55,14 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
 
 test("each touch of a point that is touched three times lights up the rows of the point", async () => {
   await openText('{"format":1,"cycle":{"type":"hole","repeat":{"times":3}}}');
+  // A file is read after its field has it: the plan is awaited, or the touches pointed at are those of the job before.
+  await settles(() =>
+    page.evaluate(() => {
+      const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+      const { moves } = store.plan;
+      return !store.stale && moves.some((/** @type {any} */ move) => move.kind === "touch" && move.touch === 11);
+    }),
+  );
   await page.getByRole("tab", { name: "Parameters" }).click();
   const lit = page.locator("tp-table tr.lit code");
   /** @type {string[]} */
