@@ -14,6 +14,35 @@ use touchpath::form::{Finding, Value};
 use touchpath::import::{Imported, TraceRow};
 use touchpath::job::{JobError, Plan, from_json, plan};
 
+/// A sequence of numbers from 0 to 1 that is the same in every run.
+pub struct Draws(pub u64);
+
+impl Draws {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as f64 / (1u64 << 31) as f64
+    }
+
+    pub fn of(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+
+    pub fn below(&mut self, count: usize) -> usize {
+        (self.next() * count as f64) as usize % count
+    }
+}
+
+/// A program with a comment behind every block that has nothing but plain words: it means the same, and its reader reads it word by word.
+pub fn with_comments(text: &str) -> String {
+    let is_plain = |line: &str| line.bytes().all(|b| b.is_ascii_digit() || b" \t+-.NGXYZFngxyzf".contains(&b));
+    text.split_inclusive('\n')
+        .map(|line| match line.strip_suffix('\n').filter(|code| is_plain(code) && !code.trim().is_empty()) {
+            Some(code) => format!("{code} ;\n"),
+            None => line.to_owned(),
+        })
+        .collect()
+}
+
 /// The jobs of the repository: name and value.
 pub fn jobs() -> Vec<(String, Value)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/jobs");

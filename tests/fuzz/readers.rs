@@ -1,6 +1,6 @@
 //! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
 
-use crate::common::import;
+use crate::common::{import, with_comments};
 use touchpath::describe::export_table;
 use touchpath::form::Value;
 use touchpath::import::read_program;
@@ -79,6 +79,9 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
             || path.line.iter().any(|line| *line as usize > text.len())
         {
             return Err(format!("the columns of this program do not fit together:\n{text}"));
+        }
+        if format!("{path:?}") != format!("{:?}", read_program(&with_comments(&text), Some(path.dialect))) {
+            return Err(format!("with comments behind its blocks this program is another one:\n{text}"));
         }
         let Ok(imported) = import(&text) else { continue };
         let Ok(plan) = plan(&imported.job) else { continue };

@@ -21,6 +21,7 @@ mod moves;
 mod native;
 mod outline;
 mod own_path;
+mod plain;
 mod reader;
 mod rules;
 mod sinumerik;

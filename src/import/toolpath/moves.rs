@@ -39,19 +39,26 @@ impl Reader {
         if block.curve || block.once.is_none() && self.modes.curve {
             count(&mut self.arcs_unsolved, self.line);
         }
-        self.place.into_iter().for_each(|x| self.path.to.push(x));
+        let kind = self.arrives(motion);
+        if kind == PROBE && self.run.is_some() {
+            let known = |axis: usize| if stale & (1 << axis) == 0 { from[axis] } else { f64::NAN };
+            self.touched([known(0), known(1), known(2)], motion, block);
+        }
+    }
+
+    /// A move ends where the stylus stands now: what kind of move.
+    #[inline]
+    pub fn arrives(&mut self, motion: Motion) -> u8 {
         let kind = match motion {
             Motion::Rapid => RAPID,
             motion if motion.probes() => PROBE,
             _ => FEED,
         };
+        self.path.to.extend_from_slice(&self.place);
         self.path.kind.push(kind);
         self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
         self.path.line.push(self.line as u32);
-        if kind == PROBE && self.run.is_some() {
-            let known = |axis: usize| if stale & (1 << axis) == 0 { from[axis] } else { f64::NAN };
-            self.touched([known(0), known(1), known(2)], motion, block);
-        }
+        kind
     }
 
     /// Where a block goes.

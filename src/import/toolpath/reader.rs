@@ -230,6 +230,9 @@ impl Reader {
     /// Reads one line, into a block that is used again for every line.
     pub fn read(&mut self, line: &[u8], block: &mut Block) {
         let Some(&first) = line.first() else { return };
+        if self.plain(line) {
+            return;
+        }
         if first == b'%' {
             if !self.sinumerik && line.last() == Some(&b'*') {
                 return self.heidenhain_head(line);

@@ -249,7 +249,7 @@ impl Reader {
 }
 
 /// Ten times the number of a code; of one with more decimals, or too large for any control, a number that is no code's.
-fn tenths(code: f64) -> i32 {
+pub(super) fn tenths(code: f64) -> i32 {
     let tenths = (code * 10.0 + 0.5) as i32;
     if (f64::from(tenths) - code * 10.0).abs() < 1e-6 { tenths } else { -1 }
 }

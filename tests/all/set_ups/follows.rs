@@ -1,10 +1,10 @@
 //! Cycles whose place follows a result of an earlier one, held against LinuxCNC's interpreter, the tests' machines and hand calculations.
 
-use super::{Draws, cycle};
+use super::cycle;
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
+use crate::common::{Draws, ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 

@@ -6,7 +6,7 @@ mod refused;
 mod relations;
 
 use crate::common::fanuc::Control;
-use crate::common::{import, interpret, job, number_at, planned, with};
+use crate::common::{Draws, import, interpret, job, number_at, planned, with};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{Move, Plan, default_job, evaluate};
@@ -199,24 +199,6 @@ fn after_the_write_the_vise_is_where_the_drawing_says() {
     let offset = |code: &str| plan.results.iter().find(|row| row.code == code).and_then(|row| row.value).unwrap();
     for (code, wanted) in [("offset.x", 0.3), ("offset.y", -0.2), ("offset.z", 0.15), ("offset.rotation", 0.4)] {
         assert!((offset(code) - wanted).abs() < 1e-5, "{code}: {}", offset(code));
-    }
-}
-
-/// A sequence of numbers from 0 to 1 that is the same in every run.
-struct Draws(u64);
-
-impl Draws {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 33) as f64 / (1u64 << 31) as f64
-    }
-
-    fn of(&mut self, low: f64, high: f64) -> f64 {
-        (low + (high - low) * self.next()) * 1.0
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() * count as f64) as usize % count
     }
 }
 

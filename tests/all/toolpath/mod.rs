@@ -1,6 +1,7 @@
 //! The reader of any program's moves: against LinuxCNC's interpreter, against the plans whose programs it reads, and by hand.
 
 mod macros;
+mod plain;
 mod runs;
 mod state;
 

@@ -1,0 +1,86 @@
+//! Blocks of plain words: `N20 G1 X5 Y-3.2 F800`. Nearly all blocks of long programs are such, and need none of what the others need.
+
+use crate::control::iso::codes::{Effect, effect};
+use crate::control::iso::lex::head;
+use crate::control::iso::script::Motion;
+use crate::import::toolpath::reader::{Given, Modes, Reader};
+use crate::num::read_digits;
+
+impl Reader {
+    /// Follows a block that is nothing but a motion along a line, places and a feed, each at most once and with a plain number. False, and nothing taken, where
+    /// it is another one, or where something before makes more of it: then it is read word by word, with the same outcome.
+    pub(super) fn plain(&mut self, line: &[u8]) -> bool {
+        if !self.takes_plain() {
+            return false;
+        }
+        let mut rest = match line {
+            [b'N' | b'n', ..] => &line[head(line).end..],
+            _ => line,
+        };
+        let (mut motion, mut feed) = (None, None);
+        let (mut places, mut given) = (self.place, 0);
+        while let [letter, value @ ..] = rest {
+            let letter = letter.to_ascii_uppercase();
+            if !matches!(letter, b'X'..=b'Z' | b'G' | b'F') {
+                if !matches!(letter, b' ' | b'\t') {
+                    return false;
+                }
+                rest = value;
+                continue;
+            }
+            let (negative, digits) = match value {
+                [b'-', digits @ ..] => (true, digits),
+                [b'+', digits @ ..] => (false, digits),
+                digits => (false, digits),
+            };
+            let Some((size, length)) = read_digits(digits) else { return false };
+            let value = if negative { -size } else { size };
+            rest = &digits[length..];
+            match letter {
+                b'G' if motion.is_none() => match line_motion(self, value) {
+                    Some(line) => motion = Some(line),
+                    None => return false,
+                },
+                b'F' if feed.is_none() => feed = Some(value),
+                b'X'..=b'Z' if given & 1 << (letter - b'X') == 0 => {
+                    places[usize::from(letter - b'X')] = value * self.modes.scale;
+                    given |= 1 << (letter - b'X');
+                }
+                _ => return false,
+            }
+        }
+        let motion = motion.unwrap_or(self.modes.motion);
+        if matches!(motion, Motion::Clockwise | Motion::Counter) {
+            return false;
+        }
+        (self.begun, self.leaps, self.modes.motion) = (true, false, motion);
+        if let Some(feed) = feed {
+            self.feed = feed * self.modes.scale;
+        }
+        if given != 0 {
+            self.place = places;
+            self.stale &= !given;
+            self.relative &= !given;
+            self.arrives(motion);
+        }
+        true
+    }
+
+    /// Whether a place is just where the axes go, and nothing is kept for the next block or asked of it.
+    #[inline]
+    fn takes_plain(&self) -> bool {
+        let Modes { curve, given, absolute, diameter, .. } = self.modes;
+        let modes = absolute && !curve && !diameter && given == Given::Place;
+        modes && !self.ended && !self.inside && !self.turned && self.lost == 0 && self.run.is_none() && self.log.is_none()
+    }
+}
+
+/// The motion along a line that a G code begins.
+#[inline]
+fn line_motion(reader: &Reader, code: f64) -> Option<Motion> {
+    match effect(reader.family(), b'G', super::words::tenths(code))? {
+        Effect::Motion(Motion::Clockwise | Motion::Counter) => None,
+        Effect::Motion(motion) => Some(motion),
+        _ => None,
+    }
+}

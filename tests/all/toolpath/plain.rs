@@ -1,0 +1,73 @@
+//! Blocks of plain words have a reader of their own. A comment behind such a block changes nothing of it, and has it read word by word: both must agree.
+
+use super::read_program;
+use crate::common::{Draws, with_comments};
+use touchpath::import::toolpath::DIALECTS;
+
+/// What blocks are made of: plain words far more often than what changes what these mean.
+const PLAIN: [&str; 18] = [
+    "G0", "G1", "G01", "g00", "G1.", "G38.2", "G38.3", "X1.5", "Y-2", "Z+.25", "x3", "F100", "f250.5", "X 4", "G2", "X0Y0",
+    "N10", "Z-0",
+];
+const OTHER: [&str; 34] = [
+    "G91",
+    "G90",
+    "G20",
+    "G21",
+    "G18",
+    "G81 R2",
+    "G80",
+    "G3 I1 J2",
+    "G53",
+    "G54",
+    "G55",
+    "G92 X1",
+    "G10 L2 P1 X3",
+    "G43 H1",
+    "G7",
+    "G8",
+    "G93",
+    "G94",
+    "M70",
+    "M72",
+    "G5.2",
+    "/",
+    "A10",
+    "U1",
+    "#1=5",
+    "X#1",
+    "IF [#1 EQ 2] GOTO 5",
+    "G31 Z-1",
+    "M6 T2",
+    "G999",
+    "IF R1==2 GOTOF END",
+    "M30",
+    "G68 R10 &",
+    "G51 &",
+];
+
+#[test]
+fn a_block_of_plain_words_is_what_it_is_word_by_word() {
+    let mut draws = Draws(0x9E37_79B9);
+    let mut plain = 0;
+    for round in 0..1500 {
+        let mut text = String::new();
+        for _ in 0..25 {
+            if draws.below(14) == 0 {
+                text.push_str(OTHER[draws.below(OTHER.len())]);
+                text.push_str(["", " ", "\n"][draws.below(3)]);
+            }
+            for _ in 0..draws.below(5) {
+                text.push_str(PLAIN[draws.below(PLAIN.len())]);
+                text.push_str(["", " ", "\t"][draws.below(3)]);
+            }
+            text.push('\n');
+        }
+        let slow = with_comments(&text);
+        plain += slow.matches(';').count();
+        let dialect = Some(DIALECTS[round % 2]);
+        let (fast, slow) = (read_program(&text, dialect), read_program(&slow, dialect));
+        assert_eq!(format!("{fast:?}"), format!("{slow:?}"), "{text}");
+    }
+    assert!(plain > 20_000, "{plain} plain blocks");
+}
