@@ -4,11 +4,22 @@ import { defineConfig } from "vite";
 
 const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
 
+/** A page may hold two versions: the elements inside have the version in their names, for a name can be taken once only. @returns {import("vite").Plugin} */
+const named = () => ({
+  name: "named-by-version",
+  enforce: "pre",
+  transform: (code, id) =>
+    /\/www\/.*\.(?:ts|css)(?:\?|$)/.test(id)
+      ? code.replaceAll(/\btp-(?=[a-z])/g, `tp-${version.replaceAll(".", "-")}-`)
+      : null,
+});
+
 export default defineConfig({
   root: "www",
   define: { VERSION: JSON.stringify(version) },
   publicDir: false,
   plugins: [
+    named(),
     {
       name: "core",
       enforce: "pre",

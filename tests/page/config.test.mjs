@@ -1,7 +1,7 @@
 // The portal in charge: what its config lets the user of <touch-path> see, choose and change.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, heard, LISTEN, on, open, page, set, setUp } from "./element.mjs";
+import { field, heard, inner, LISTEN, on, open, page, set, setUp } from "./element.mjs";
 
 setUp();
 
@@ -43,27 +43,32 @@ test("the form offers what the config allows, and begins with what it fills in",
   assert.deepEqual(machines.slice(-2), ["Fanuc 30i / 0i-F", "Haas NGC"]);
   assert.equal(machines.length, 3);
   assert.equal((await options("control.workOffset")).length, 3, "two work offsets, and the way to the limits");
-  assert.equal(await page.locator('tp-bar input[name="units"]').count(), 1);
+  assert.equal(await page.locator(`${inner("bar")} input[name="units"]`).count(), 1);
   assert.equal(await page.locator("#tab-checks").count(), 0);
   assert.equal(await page.getByLabel("Add a cycle to this program").count(), 0);
   // The gallery and the list of everything offer no more.
-  await page.locator("tp-bar .gallery").click();
-  await page.locator("tp-gallery button[data-type]").first().waitFor();
+  await page.locator(`${inner("bar")} .gallery`).click();
+  await page
+    .locator(`${inner("gallery")} button[data-type]`)
+    .first()
+    .waitFor();
   assert.deepEqual(
-    await page.locator("tp-gallery button[data-type]").evaluateAll((all) => all.map((one) => one.dataset.type)),
+    await page
+      .locator(`${inner("gallery")} button[data-type]`)
+      .evaluateAll((all) => all.map((one) => one.dataset.type)),
     ["hole", "web"],
   );
   await page.getByRole("button", { name: "Back to the job" }).click();
-  await page.locator("tp-bar .find").click();
-  await page.locator("tp-commands input").fill("control");
-  const found = await page.locator("tp-commands li b").allTextContents();
+  await page.locator(`${inner("bar")} .find`).click();
+  await page.locator(`${inner("commands")} input`).fill("control");
+  const found = await page.locator(`${inner("commands")} li b`).allTextContents();
   assert.ok(found.includes("Haas NGC") && !found.some((name) => /LinuxCNC|HEIDENHAIN/.test(name)), `${found}`);
   await page.keyboard.press("Escape");
 });
 
 test("a fixed field cannot be changed and says why, a hidden one is not there", async () => {
   await open(`<touch-path>${script(HALL)}</touch-path>`);
-  await on((element) => element.app.querySelector("tp-form").unfold());
+  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
   const work = field("feeds.work");
   assert.ok(await work.isDisabled());
   assert.equal(
@@ -88,7 +93,7 @@ test("a fixed field cannot be changed and says why, a hidden one is not there", 
 
 test("machines and styli of the portal are chosen by name", async () => {
   await open(`<touch-path>${script(HALL)}</touch-path>`);
-  await on((element) => element.app.querySelector("tp-form").unfold());
+  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
   await page.locator('select[id="f-control.post"]').selectOption("machine:VF-2");
   assert.deepEqual(
     await on((element) => [element.job.control.tool, element.job.overtravel, element.job.control.workOffset]),
@@ -151,7 +156,13 @@ test("a path beyond the travel is drawn, and has no program", async () => {
     events.some(([name, detail]) => name === "finding" && !detail.refused) &&
       events.every(([name]) => name !== "job-change"),
   );
-  assert.equal(await page.locator("form, tp-bar button.main").first().isVisible(), true);
+  assert.equal(
+    await page
+      .locator(`form, ${inner("bar")} button.main`)
+      .first()
+      .isVisible(),
+    true,
+  );
   await set("config", null);
   assert.deepEqual(await errors(), []);
 });
@@ -201,7 +212,7 @@ test("nothing that the user does changes a fixed field", async () => {
   const styli = [{ name: "Ball 4", diameter: 4, length: 30 }];
   const machines = [{ name: "VF-2", stylus: { diameter: 3, shank: 2 } }];
   await open(`<touch-path cycle="hole">${script({ format: 1, fields, styli, machines })}</touch-path>`);
-  await on((element) => element.app.querySelector("tp-form").unfold());
+  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
   const now = () =>
     on((element) => [element.job.cycle.diameter, element.job.stylus.diameter, element.job.part.rotation]);
   const before = await now();
@@ -217,7 +228,7 @@ test("nothing that the user does changes a fixed field", async () => {
   await on((element) => element.store.reset());
   assert.deepEqual(await now(), before);
   // Other units convert it, to the last digit.
-  await page.locator('tp-bar input[value="inch"]').check({ force: true });
+  await page.locator(`${inner("bar")} input[value="inch"]`).check({ force: true });
   assert.deepEqual(await errors(), []);
   assert.equal(await on((element) => element.job.stylus.diameter), 0.19685);
 });
@@ -247,12 +258,12 @@ test("what the bar asks can be hidden, and is there again where it must be put r
     "feeds.work": { hidden: true, locked: true, value: 90 },
   };
   await open(`<touch-path>${script({ format: 1, allow: { controls: ["haas"] }, fields })}</touch-path>`);
-  await on((element) => element.app.querySelector("tp-form").unfold());
+  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
   const seen = async () => {
     const all = ["control.post", "control.workOffset", "feeds.work"].map((path) =>
       page.locator(`[id="f-${path}"]`).count(),
     );
-    return [...(await Promise.all(all)), await page.locator('tp-bar input[name="units"]').count()];
+    return [...(await Promise.all(all)), await page.locator(`${inner("bar")} input[name="units"]`).count()];
   };
   assert.deepEqual(await seen(), [0, 0, 0, 0]);
   await set("job", { format: 1, cycle: { type: "hole" }, control: { post: "fanuc" }, feeds: { work: 80 } });

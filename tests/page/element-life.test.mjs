@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { cpSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { field, folder, on, open, page, problems, setUp, visit } from "./element.mjs";
+import { field, folder, inner, on, open, page, problems, setUp, visit } from "./element.mjs";
 
 setUp();
 
@@ -185,11 +185,11 @@ test("what was asked for last is shown, however late what was asked for before c
   const coming = page.waitForResponse(/\/gallery\.js$/);
   await page.getByRole("button", { name: "Gallery" }).click();
   await page.getByRole("button", { name: "Setup sheet" }).click();
-  await page.locator("tp-sheet").waitFor();
+  await page.locator(inner("sheet")).waitFor();
   await coming;
   await page.waitForTimeout(200);
-  assert.ok(await page.locator("tp-sheet").isVisible());
-  assert.equal(await page.locator("tp-gallery").count(), 0);
+  assert.ok(await page.locator(inner("sheet")).isVisible());
+  assert.equal(await page.locator(inner("gallery")).count(), 0);
 });
 
 test("a name that is set before the element is known is its name", async () => {

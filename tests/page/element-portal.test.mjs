@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { wordsOf } from "../../scripts/words.mjs";
-import { address, field, heard, LISTEN, on, open, page, problems, set, setUp } from "./element.mjs";
+import { address, field, heard, inner, LISTEN, on, open, page, problems, set, setUp } from "./element.mjs";
 
 setUp();
 
@@ -11,12 +11,12 @@ test("panels, theme, slots, parts and custom properties", async () => {
     `<touch-path panels="stage program" theme="dark"><p>later</p><b slot="header">Our portal</b><i slot="footer">by us</i></touch-path>`,
   );
   const shown = (/** @type {string} */ what) => page.locator(what).isVisible();
-  assert.ok((await shown("tp-picture")) && (await shown("tp-program")));
-  for (const gone of ["tp-form", "tp-table", "tp-results", "tp-checks", ".tabs", "h1"])
+  assert.ok((await shown(inner("picture"))) && (await shown(inner("program"))));
+  for (const gone of [inner("form"), inner("table"), inner("results"), inner("checks"), ".tabs", "h1"])
     assert.ok(!(await shown(gone)), gone);
   assert.ok((await page.getByText("Our portal").isVisible()) && (await page.getByText("by us").isVisible()));
   assert.ok(!(await page.getByText("later").isVisible()), "what stood there until now is gone");
-  const background = () => page.locator("tp-app").evaluate((app) => getComputedStyle(app).backgroundColor);
+  const background = () => page.locator(inner("app")).evaluate((app) => getComputedStyle(app).backgroundColor);
   assert.equal(await background(), "rgb(18, 23, 29)");
   await set("theme", "light");
   assert.equal(await background(), "rgb(255, 255, 255)");

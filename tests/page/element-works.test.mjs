@@ -1,7 +1,7 @@
 // <touch-path> worked by the page around: what is put in and taken out beside the job, and the control of a form that libraries look for.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, on, open, page, set, setUp } from "./element.mjs";
+import { field, inner, on, open, page, set, setUp } from "./element.mjs";
 
 setUp();
 
@@ -23,7 +23,9 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   assert.ok((await names()).includes("load"));
   const pressed = () =>
     page
-      .locator('tp-picture .tools button[aria-pressed="true"], tp-picture button[aria-pressed="true"]')
+      .locator(
+        `${inner("picture")} .tools button[aria-pressed="true"], ${inner("picture")} button[aria-pressed="true"]`,
+      )
       .first()
       .textContent();
   assert.deepEqual([await on((element) => element.view), await pressed()], ["front", "front"]);
@@ -63,7 +65,7 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   assert.equal(await on((element) => element.measured), points);
   assert.deepEqual(await names(), []);
   await page.locator("#tab-results").click();
-  await page.locator("tp-results textarea").fill("center.x=0.2");
+  await page.locator(`${inner("results")} textarea`).fill("center.x=0.2");
   const measured = (await said()).find(([name]) => name === "measured-change");
   assert.deepEqual(measured?.[1], { measured: "center.x=0.2" });
   await set("measured", null);
@@ -193,7 +195,7 @@ test("boxes in the slots are the page's, words can be taken back, and the view h
   assert.notEqual((await picture())[1], before);
   await set("view", "isometric");
   await set("panels", null);
-  await page.locator('tp-picture button[aria-pressed="true"]', { hasText: "isometric" }).waitFor();
+  await page.locator(`${inner("picture")} button[aria-pressed="true"]`, { hasText: "isometric" }).waitFor();
   assert.equal(await on((element) => element.getAttribute("panels")), null);
   // The picture is that which was asked for, at once.
   const sides = await on((element) => {

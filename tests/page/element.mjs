@@ -1,6 +1,6 @@
 // What the tests of <touch-path> share: a page of somebody else's, the package's files beside it, and nothing between them and the browser.
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before } from "node:test";
@@ -9,6 +9,8 @@ import { addressOf, serve } from "../../scripts/serve.mjs";
 import { launch } from "./common.mjs";
 
 /** @import {} from "../../www/element.ts" */
+
+const { version } = JSON.parse(readFileSync(at("package.json"), "utf8"));
 
 /** @type {string} */
 export let folder;
@@ -23,7 +25,7 @@ export let problems = [];
 /** The modules that were loaded. @type {string[]} */
 export let modules = [];
 
-const POLICY =
+export const POLICY =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; connect-src 'self'; require-trusted-types-for 'script'; trusted-types lit-html";
 
 /** The package in a folder that is served; a problem on a page fails its test. */
@@ -48,6 +50,9 @@ export function setUp() {
   });
 }
 
+/** What an element inside is called in the package: by its version, since a page may hold two. */
+export const inner = (/** @type {string} */ name) => `tp-${version.replaceAll(".", "-")}-${name}`;
+
 /** Where a file of the folder is served. */
 export const address = (/** @type {string} */ name) => `${addressOf(server)}${name}`;
 
@@ -58,12 +63,12 @@ export async function visit(/** @type {string} */ name) {
 }
 
 /** Opens a page with this body; every element of it is loaded. */
-export async function open(/** @type {string} */ body, script = "") {
+export async function open(/** @type {string} */ body, script = "", policy = POLICY) {
   writeFileSync(join(folder, "page.css"), "html, body { height: 100%; margin: 0 } touch-path { height: 650px }");
   writeFileSync(join(folder, "page.js"), script);
   writeFileSync(
     join(folder, "page.html"),
-    `<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${POLICY}"><title>Host</title>
+    `<!doctype html><html lang="en"><meta charset="utf-8"><meta http-equiv="Content-Security-Policy" content="${policy}"><title>Host</title>
 <link rel="stylesheet" href="page.css"><script src="page.js"></script><script type="module" src="touchpath/element/element.js"></script>${body}</html>`,
   );
   problems = [];

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PICTURE } from "./common.mjs";
-import { field, heard, LISTEN, modules, on, open, page, set, setUp } from "./element.mjs";
+import { field, heard, inner, LISTEN, modules, on, open, page, set, setUp } from "./element.mjs";
 
 setUp();
 
@@ -152,20 +152,20 @@ test("readonly: nothing changes the job but the page around, and the program can
   assert.ok(await field("cycle.diameter").isDisabled());
   assert.ok(await field("cycle.type").isDisabled());
   const kept = await on((element) => element.job);
-  await page.locator(`tp-picture ${PICTURE}`).focus();
+  await page.locator(`${inner("picture")} ${PICTURE}`).focus();
   await page.keyboard.press("Control+z");
-  const canvas = await page.locator(`tp-picture ${PICTURE}`).boundingBox();
+  const canvas = await page.locator(`${inner("picture")} ${PICTURE}`).boundingBox();
   assert.ok(canvas);
   // The virtual part's handle stands at the feature's own origin.
-  const spot = await page.evaluate(() => {
-    const picture = /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture"));
+  const spot = await page.evaluate((name) => {
+    const picture = /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector(name));
     return [
       ...picture.drawing.use((/** @type {any} */ view) => {
         view.grips(true);
         return view.handleSpot("shift");
       }),
     ];
-  });
+  }, inner("picture"));
   await page.mouse.move(canvas.x + spot[0], canvas.y + spot[1]);
   await page.mouse.down();
   await page.mouse.move(canvas.x + spot[0] + 30, canvas.y + spot[1] + 30);
@@ -212,10 +212,10 @@ test("a word that is not known was passed over in silence: it is refused, and wh
     "storage must be one of none, local",
   ])
     assert.ok(said.join("\n").includes(reason), reason);
-  assert.ok(await page.locator("tp-form").isVisible(), "all is shown, as without the attribute");
+  assert.ok(await page.locator(inner("form")).isVisible(), "all is shown, as without the attribute");
   await set("panels", "stage");
   await set("panels", "stage forms");
-  assert.ok(!(await page.locator("tp-form").isVisible()) && (await page.locator("tp-picture").isVisible()));
+  assert.ok(!(await page.locator(inner("form")).isVisible()) && (await page.locator(inner("picture")).isVisible()));
 });
 
 test("another job is another document: the user cannot undo into the one before, and no value of it comes back", async () => {
@@ -223,7 +223,7 @@ test("another job is another document: the user cannot undo into the one before,
   await set("job", { format: 1, name: "A", cycle: { type: "hole", diameter: 32 } });
   await set("job", { format: 1, name: "B", cycle: { type: "boss", diameter: 20 } });
   assert.ok(await page.getByRole("button", { name: "Undo" }).isDisabled());
-  await page.locator(`tp-picture ${PICTURE}`).focus();
+  await page.locator(`${inner("picture")} ${PICTURE}`).focus();
   await page.keyboard.press("Control+z");
   assert.equal(await on((element) => element.job.name), "B");
   await set("cycle", "hole");
@@ -306,17 +306,16 @@ test("what a page puts in as undefined is not there: the default stands in, and 
 
 test("a job of thousands of touches held up the page: few of them are listed", async () => {
   await open("<touch-path cycle=hole></touch-path>");
-  const rows = await on(async (element) => {
+  const rows = await on(async (element, form) => {
     const touches = Array.from({ length: 5000 }, () => ({ point: [1, 2, 3], vector: [1, 0, 0] }));
     element.job = { format: 1, cycle: { type: "hole", touches } };
-    const app = element.shadowRoot.querySelector("tp-app");
-    await app.updateComplete;
-    await element.shadowRoot.querySelector("tp-form").updateComplete;
+    await element.app.updateComplete;
+    await element.shadowRoot.querySelector(form).updateComplete;
     return [
       element.shadowRoot.querySelectorAll(".picks li").length,
       element.findings[0].code,
       element.job.cycle.touches.length,
     ];
-  });
+  }, inner("form"));
   assert.deepEqual(rows, [50, "too-many-touches", 5000]);
 });

@@ -9,6 +9,7 @@ import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
 import { wordsOf } from "../../scripts/words.mjs";
 import { launch } from "./common.mjs";
+import { inner } from "./element.mjs";
 
 /** @type {string} */
 let folder;
@@ -183,9 +184,9 @@ test("a portal rules, dresses and works the frame: config, appearance, view, sav
   isSpoken("answer", { type: "state", id: 1, state });
   assert.deepEqual([state.job.control.post, state.job.feeds.work, state.measured], ["haas", 90, "center.x=0.1"]);
   const inside = page.frameLocator("iframe");
-  const background = inside.locator("tp-app").evaluate((app) => getComputedStyle(app).backgroundColor);
+  const background = inside.locator(inner("app")).evaluate((app) => getComputedStyle(app).backgroundColor);
   assert.equal(await background, "rgb(1, 2, 3)");
-  await inside.locator('tp-picture button[aria-pressed="true"]', { hasText: "Isometric" }).waitFor();
+  await inside.locator(`${inner("picture")} button[aria-pressed="true"]`, { hasText: "Isometric" }).waitFor();
   const picture = await on("frame.picture()");
   assert.match(String(picture), /^<svg[\s\S]+<\/svg>\s*$/);
   isSpoken("answer", { type: "picture", id: 1, picture });
@@ -214,7 +215,10 @@ test("a portal rules, dresses and works the frame: config, appearance, view, sav
     const refused = /** @type {any} */ (await on(`frame.set(${JSON.stringify(wrong)})`));
     assert.match(refused.failed, /** @type {RegExp} */ (why));
   }
-  assert.equal(await inside.locator("tp-app").evaluate((app) => getComputedStyle(app).backgroundColor), "rgb(1, 2, 3)");
+  assert.equal(
+    await inside.locator(inner("app")).evaluate((app) => getComputedStyle(app).backgroundColor),
+    "rgb(1, 2, 3)",
+  );
 });
 
 test("a frame in a sandbox works with the words of the docs, and saves a file", async () => {

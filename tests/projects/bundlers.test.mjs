@@ -40,7 +40,7 @@ async function opens(/** @type {string} */ folder, modules = 1) {
     return {
       text: element.plan.program.text,
       title: document.title,
-      shown: element.shadowRoot.querySelectorAll("tp-program .line").length,
+      shown: element.shadowRoot.querySelectorAll("#panel-program .line").length,
     };
   });
   const { defaultJob, plan } = await import("touchpath");
