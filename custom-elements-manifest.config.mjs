@@ -1,4 +1,4 @@
-// What editors and other tools read of the element: made of the doc comments of www/element.ts.
+// What editors and other tools read of the elements: made of the doc comments of www/element.ts.
 export default {
   globs: ["www/element.ts"],
   outdir: "dist",
@@ -8,20 +8,20 @@ export default {
       // What is the element's own business is no business of an editor; and the file is another one in the package.
       /** @param {any} phase */
       packageLinkPhase({ customElementsManifest }) {
+        const names = new Set(["TouchPath", "TouchForm", "TouchPicture", "TouchProgram"]);
         for (const module of customElementsManifest.modules) {
           module.path = "dist/element/element.js";
-          module.declarations = module.declarations.filter((/** @type {any} */ one) => one.customElement);
-          module.exports = module.exports.filter(
-            (/** @type {any} */ one) => one.name === "TouchPath" || one.kind !== "js",
-          );
+          const shared = module.declarations.find((/** @type {any} */ one) => one.name === "TouchPart");
+          module.declarations = module.declarations.filter((/** @type {any} */ one) => names.has(one.name));
+          module.exports = module.exports.filter((/** @type {any} */ one) => names.has(one.declaration?.name));
           for (const one of module.declarations) {
             // The events by their names; the analyzer also finds the one place that sends them.
-            one.events = one.events.filter((/** @type {any} */ event) => event.name !== "name");
+            one.events = (one.events ?? []).filter((/** @type {any} */ event) => event.name !== "name");
             const hidden = (/** @type {any} */ member) =>
-              member.privacy === "private" ||
+              ["private", "protected"].includes(member.privacy) ||
               /Callback$/.test(member.name) ||
               /@internal/.test(member.description ?? "");
-            one.members = one.members.filter(
+            one.members = (one.members ?? shared.members).filter(
               (/** @type {any} */ member) =>
                 !hidden(member) &&
                 !["formAssociated", "observedAttributes", "store", "app", "tell"].includes(member.name),

@@ -122,6 +122,18 @@ ${table("part, meaning", one.cssParts, (p) => [code(p.name), p.description])}
 ${table("custom property, meaning", one.cssProperties, (p) => [code(p.name), p.description])}`;
 }
 
+/** The elements that show panels of a job elsewhere: they differ in what they show. */
+function parts() {
+  const [, ...all] = JSON.parse(read("custom-elements.json")).modules[0].declarations;
+  const [one] = all;
+  const code = (/** @type {string} */ text) => (text ? `\`${text}\`` : "");
+  return `### Panels elsewhere on the page
+
+${table("element, class, what it is", all, (part) => [code(`<${part.tagName}>`), code(part.name), part.description])}
+${table("attribute, type, meaning", one.attributes, (a) => [code(a.name), code(a.type?.text), a.description])}
+${table("property, type, meaning", one.members, (m) => [code(m.name), code(m.type?.text), m.description])}`;
+}
+
 const forms = cycles();
 const help = execFileSync("node", [at("dist", "cli", "touchpath.js"), "--help"], { encoding: "utf8" });
 const page = `# Reference
@@ -171,11 +183,12 @@ ${forms.text}
 ## The element: \`import "touchpath/element"\`
 
 ${element()}
+${parts()}
 ### Types
 
-The class of the element is \`TouchPath\`.
+The class of the element is \`TouchPath\`, and that of panels elsewhere \`TouchPart\`.
 
-${types("element/element.d.ts", (name) => name !== "TouchPath")}
+${types("element/element.d.ts", (name) => !/^Touch(?:Path|Part|Form|Picture|Program)$/.test(name))}
 ### React
 
 \`import type {} from "touchpath/react"\` tells TSX of the element.

@@ -1,5 +1,5 @@
-// What `<touch-path>` takes in markup, for the types of frameworks.
-import type { TouchPathEvents } from "./element/element.js";
+// What the elements take in markup, for the types of frameworks.
+import type { TouchPath, TouchPathEvents } from "./element/element.js";
 import type { Config, Cycle, Job, PostId, SetUp } from "./types.js";
 
 /** The properties of `<touch-path>`. */
@@ -21,7 +21,14 @@ export interface TouchPathAttributes {
   name?: string;
 }
 
-/** Its listeners, as React and Svelte have them: `onjob-change`. */
+/** The properties of `<touch-form>`, `<touch-picture>` and `<touch-program>`. */
+export interface TouchPartAttributes {
+  for?: string;
+  session?: TouchPath | null;
+  panels?: string | null;
+}
+
+/** The listeners of `<touch-path>`, as React and Svelte have them: `onjob-change`. */
 export type TouchPathListeners = {
   [K in keyof TouchPathEvents as `on${K}`]?: (event: TouchPathEvents[K]) => void;
 };

@@ -39,7 +39,7 @@ type Inputs = Partial<Record<Input, unknown>>;
 /** The attributes that are words, and which there are. One that is not known changes nothing. */
 const WORDS = {
   theme: ["light", "dark", "auto"],
-  panels: PANEL_NAMES,
+  panels: [...PANEL_NAMES, "none"],
   mode: ["setter", "cam"],
   view: ["top", "front", "side", "isometric"],
   storage: ["none", "local"],
@@ -88,7 +88,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
  * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hans`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
  * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
- * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, but the table only if it is named here or the mode is `cam`.
+ * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, but the table only if it is named here or the mode is `cam`. `none`: the bar and the foot alone, for a job whose panels are elsewhere on the page (`<touch-form>`, `<touch-picture>`, `<touch-program>`).
  * @attr {"setter" | "cam"} mode - `cam` also shows what only the author of a postprocessor needs: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
  * @attr {"top" | "front" | "side" | "isometric"} view - The view of the picture, `top` by default. The user can change it; the property gives the present one.
  * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
@@ -123,7 +123,7 @@ const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
  */
 export class TouchPath extends Base {
   static readonly formAssociated = true;
-  /** The version of the package. If a page loads two versions, the first one defines the element. */
+  /** The version of the package. If a page loads two versions, the first one defines the elements; the other one is had by `define(name)`. */
   static readonly version = VERSION;
   static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "mode", "view", "storage"];
 
@@ -131,6 +131,8 @@ export class TouchPath extends Base {
   store?: Store;
   /** What is shown. Not part of what is promised. @internal */
   app?: App;
+  /** What shows panels of this job elsewhere on the page. */
+  private readonly lent = new Map<TouchPart, App>();
   private readonly inside: ElementInternals;
   private attempt = new Attempt();
   private loading = false;
@@ -309,7 +311,7 @@ export class TouchPath extends Base {
 
   /** The view of the picture. */
   get view(): View {
-    return this.app?.view ?? ((this.words.get("view") ?? "top") as View);
+    return this.pictured?.view ?? ((this.words.get("view") ?? "top") as View);
   }
 
   set view(value: View | null | undefined) {
@@ -355,7 +357,7 @@ export class TouchPath extends Base {
 
   /** The picture in its present view, as SVG text; `null` without a plan. For a job with errors, the picture of its last good plan. */
   picture(): string | null {
-    return this.early === null ? (this.app?.svg() ?? null) : null;
+    return this.early === null ? (this.pictured?.svg() ?? null) : null;
   }
 
   /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
@@ -534,11 +536,7 @@ export class TouchPath extends Base {
       if (this.isConnected) await app.updateComplete;
       if (this.early) await this.arrive(app, hold(this.shadow));
     } catch (thrown) {
-      // What an element shows that could not be loaded: nothing else can say it.
-      const note = document.createElement("p");
-      note.setAttribute("role", "alert");
-      note.textContent = `Touchpath could not be loaded: ${thrown instanceof Error ? thrown.message : String(thrown)}`;
-      this.shadow.replaceChildren(note);
+      this.shadow.replaceChildren(failure(thrown));
       throw thrown;
     }
   }
@@ -670,26 +668,194 @@ export class TouchPath extends Base {
     if (value === null) this.words.delete(name);
     else if (isKnown(name, value)) {
       this.words.set(name, value);
-      if (name === "view" && this.app) this.app.view = value as View;
+      if (name === "view") for (const app of [this.app, ...this.lent.values()]) if (app) app.view = value as View;
     } else {
       const refused = this.refusals({ [name]: value });
       if (refused.length > 0) this.tell("finding", { findings: refused, refused: true });
     }
   }
 
-  /** What is shown, and how. */
-  private applyOptions(): void {
+  /** What is shown, and how. @internal */
+  applyOptions(): void {
     const { app, store } = this;
     if (!app || !store) return;
     store.readonly = this.readonly || this.matches(":disabled");
-    const words = this.panels.split(/\s+/);
     store.askCam(this.words.has("mode") ? this.mode === "cam" : null);
-    app.applyOptions(
-      this.theme,
-      PANEL_NAMES.filter((name) => words.includes(name) && store.rules.shows(name)),
-      this.words.has("panels"),
-    );
+    const show = (app: App, panels: string, asked: boolean) => {
+      const words = panels.split(/\s+/);
+      app.applyOptions(
+        this.theme,
+        PANEL_NAMES.filter((name) => words.includes(name) && store.rules.shows(name)),
+        asked,
+      );
+    };
+    show(app, this.panels, this.words.has("panels"));
+    for (const [part, app] of this.lent) show(app, part.panels, true);
   }
+
+  /** Shows panels of the job in another element: what is to be put into it. @internal */
+  async lend(part: TouchPart): Promise<{ app: App; styles: CSSStyleSheet[] }> {
+    await this.ready;
+    const { App, partStyles, styles } = await import("./parts/app.js");
+    const app = new App(this.store as Store, { host: this, local: false, links: false, lent: true });
+    if (this.words.has("view")) app.view = this.view;
+    this.lent.set(part, app);
+    this.applyOptions();
+    return { app, styles: [styles, partStyles] };
+  }
+
+  /** The other element shows them no longer. @internal */
+  takeBack(part: TouchPart): void {
+    this.lent.delete(part);
+  }
+
+  /** What shows the job's picture: this element, or another one. */
+  private get pictured(): App | undefined {
+    return [this.app, ...this.lent.values()].find((app) => app?.hasPicture) ?? this.app;
+  }
+}
+
+/**
+ * Panels of the job of a `<touch-path>` elsewhere on the page. What is typed, pointed at or chosen in one of them is that in all. It fills its box.
+ */
+export class TouchPart extends Base {
+  static readonly observedAttributes = ["for", "panels"];
+  /** What it shows where `panels` says nothing else. */
+  protected readonly own: PanelName = "form";
+  private app?: App;
+  private whose: TouchPath | null = null;
+  private asked: TouchPath | null = null;
+  private attempt = new Attempt();
+
+  constructor() {
+    super();
+    this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
+  }
+
+  /** Settles when the panels are shown: their element is found, loaded, and this one is in a document. */
+  get ready(): Promise<void> {
+    return this.attempt.ready;
+  }
+
+  /** The element whose job it shows: that whose id is in `for`, unless another one is set. */
+  get session(): TouchPath | null {
+    return this.asked ?? this.found();
+  }
+
+  set session(session: TouchPath | null | undefined) {
+    this.asked = session ?? null;
+    this.attach();
+  }
+
+  /** Which panels are shown, as words with spaces between. */
+  get panels(): string {
+    const panels = this.getAttribute("panels");
+    return panels && isKnown("panels", panels) ? panels : this.own;
+  }
+
+  set panels(value: string | null | undefined) {
+    if (value === null || value === undefined) this.removeAttribute("panels");
+    else this.setAttribute("panels", value);
+  }
+
+  connectedCallback(): void {
+    for (const name of ["session", "panels"] as const) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = this[name];
+      delete (this as Record<string, unknown>)[name];
+      (this as Record<string, unknown>)[name] = value;
+    }
+    // Its element may be put into the page, or be known, after this one.
+    this.getRootNode().addEventListener("load", this.attach, true);
+    this.attach();
+  }
+
+  disconnectedCallback(): void {
+    this.getRootNode().removeEventListener("load", this.attach, true);
+    this.detach();
+  }
+
+  attributeChangedCallback(name: string, before: string | null, value: string | null): void {
+    if (value === before) return;
+    if (name === "for") this.attach();
+    else this.whose?.applyOptions();
+  }
+
+  private found(): TouchPath | null {
+    const id = this.getAttribute("for");
+    const root = this.getRootNode();
+    const found = id && (root instanceof Document || root instanceof ShadowRoot) ? root.getElementById(id) : null;
+    return found && "lend" in found ? (found as TouchPath) : null;
+  }
+
+  private readonly attach = async (): Promise<void> => {
+    const session = this.isConnected ? this.session : null;
+    if (session === this.whose) return;
+    this.detach();
+    this.whose = session;
+    if (!session) return;
+    if (this.attempt.over) this.attempt = new Attempt();
+    const { attempt } = this;
+    const root = this.shadowRoot as ShadowRoot;
+    try {
+      const { app, styles } = await session.lend(this);
+      if (this.whose !== session) return session.takeBack(this);
+      this.app = app;
+      root.adoptedStyleSheets = styles;
+      root.replaceChildren(app);
+      await app.updateComplete;
+      attempt.done();
+    } catch (why) {
+      root.replaceChildren(failure(why));
+      attempt.fail(why);
+    }
+  };
+
+  private detach(): void {
+    this.app?.remove();
+    this.app = undefined;
+    this.whose?.takeBack(this);
+    this.whose = null;
+  }
+}
+
+/**
+ * The form of the job of a `<touch-path>` elsewhere on the page.
+ *
+ * @tag touch-form
+ * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
+ * @attr {string} panels - Other panels in place of the form, or beside it: as those of `<touch-path>`.
+ */
+export class TouchForm extends TouchPart {}
+
+/**
+ * The picture of the job of a `<touch-path>` elsewhere on the page.
+ *
+ * @tag touch-picture
+ * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
+ * @attr {string} panels - Other panels in place of the picture, or beside it: as those of `<touch-path>`.
+ */
+export class TouchPicture extends TouchPart {
+  protected override readonly own = "stage";
+}
+
+/**
+ * The program of the job of a `<touch-path>` elsewhere on the page.
+ *
+ * @tag touch-program
+ * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
+ * @attr {string} panels - Other panels in place of the program, or beside it, behind tabs: as those of `<touch-path>`.
+ */
+export class TouchProgram extends TouchPart {
+  protected override readonly own = "program";
+}
+
+/** What an element shows that could not be loaded: nothing else can say it. */
+function failure(thrown: unknown): HTMLElement {
+  const note = document.createElement("p");
+  note.setAttribute("role", "alert");
+  note.textContent = `Touchpath could not be loaded: ${thrown instanceof Error ? thrown.message : String(thrown)}`;
+  return note;
 }
 
 /** The value as JSON; null if JSON cannot hold it. */
@@ -715,9 +881,28 @@ function copyOf(own: Plan): { plan: Plan } {
 declare global {
   interface HTMLElementTagNameMap {
     "touch-path": TouchPath;
+    "touch-form": TouchForm;
+    "touch-picture": TouchPicture;
+    "touch-program": TouchProgram;
   }
   interface HTMLElementEventMap extends TouchPathEvents {}
 }
 
-// Where another version of this file was first, its element stays.
-if (globalThis.customElements && !customElements.get("touch-path")) customElements.define("touch-path", TouchPath);
+// Where another version of this file was first, its elements stay: this one can be had by another name.
+if (globalThis.customElements) {
+  if (!customElements.get("touch-path")) customElements.define("touch-path", TouchPath);
+  if (!customElements.get("touch-form")) customElements.define("touch-form", TouchForm);
+  if (!customElements.get("touch-picture")) customElements.define("touch-picture", TouchPicture);
+  if (!customElements.get("touch-program")) customElements.define("touch-program", TouchProgram);
+}
+
+/**
+ * Gives the whole element of this version a name of its own, for a page that holds another version as `touch-path`. Its panels elsewhere on the page are those
+ * of `<touch-form>`, `<touch-picture>` and `<touch-program>`, whichever version these are of. Throws where the name is taken, or is none for an element.
+ */
+export function define(name: string): void {
+  // A second copy of one version shares what the first has defined inside.
+  const known = customElements.get("touch-path") as typeof TouchPath | undefined;
+  const version = known?.version === TouchPath.version ? known : TouchPath;
+  customElements.define(name, class extends version {});
+}

@@ -1,12 +1,15 @@
-// <touch-path> as a component, and what React's TSX knows of the bare tag: `import type {} from "touchpath/react"` in any file of a project.
+// <touch-path> as a component, and what React's TSX knows of the bare tags: `import type {} from "touchpath/react"` in any file of a project.
 import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
-import type { TouchPathAttributes, TouchPathListeners } from "./attributes.js";
-import type { TouchPath as TouchPathElement } from "./element/element.js";
+import type { TouchPartAttributes, TouchPathAttributes, TouchPathListeners } from "./attributes.js";
+import type { TouchPart, TouchPath as TouchPathElement } from "./element/element.js";
 
 /** The properties of `<touch-path>`. */
 export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPathElement>, TouchPathElement> &
   TouchPathAttributes &
   TouchPathListeners;
+
+/** The properties of the elements that show panels of another element's job. */
+export type TouchPartProps = DetailedHTMLProps<HTMLAttributes<TouchPart>, TouchPart> & TouchPartAttributes;
 
 /**
  * `<touch-path>` as a component, for React 19. In a tree that a server rendered React sets neither the properties nor the listeners of a custom element; this
@@ -18,6 +21,9 @@ declare module "react" {
   namespace JSX {
     interface IntrinsicElements {
       "touch-path": TouchPathProps;
+      "touch-form": TouchPartProps;
+      "touch-picture": TouchPartProps;
+      "touch-program": TouchPartProps;
     }
   }
 }

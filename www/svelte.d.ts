@@ -1,15 +1,20 @@
-// What Svelte's markup knows of <touch-path>: `import type {} from "touchpath/svelte"` in any file of a project.
+// What Svelte's markup knows of the elements: `import type {} from "touchpath/svelte"` in any file of a project.
 import type { HTMLAttributes } from "svelte/elements";
-import type { TouchPathAttributes, TouchPathListeners } from "./attributes.js";
-import type { TouchPath } from "./element/element.js";
+import type { TouchPartAttributes, TouchPathAttributes, TouchPathListeners } from "./attributes.js";
+import type { TouchPart, TouchPath } from "./element/element.js";
 
 /** What the markup gives the element. */
 export type TouchPathProps = Omit<HTMLAttributes<TouchPath>, keyof TouchPathListeners | keyof TouchPathAttributes> &
   TouchPathAttributes &
   TouchPathListeners;
 
+type Part = HTMLAttributes<TouchPart> & TouchPartAttributes;
+
 declare module "svelte/elements" {
   interface SvelteHTMLElements {
     "touch-path": TouchPathProps;
+    "touch-form": Part;
+    "touch-picture": Part;
+    "touch-program": Part;
   }
 }

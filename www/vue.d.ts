@@ -1,6 +1,6 @@
-// What Vue's templates know of <touch-path>: `import type {} from "touchpath/vue"` in any file of a project.
+// What Vue's templates know of the elements: `import type {} from "touchpath/vue"` in any file of a project.
 import type { HTMLAttributes, PublicProps } from "vue";
-import type { TouchPathAttributes } from "./attributes.js";
+import type { TouchPartAttributes, TouchPathAttributes } from "./attributes.js";
 import type { TouchPathEvents } from "./element/element.js";
 
 /** `job-change` is listened to as `@job-change`, which Vue types as `onJobChange`. */
@@ -12,8 +12,13 @@ export type TouchPathProps = TouchPathAttributes &
     [K in keyof TouchPathEvents as `on${Capitalize<Camel<K & string>>}`]?: (event: TouchPathEvents[K]) => void;
   };
 
+type Part = new () => { $props: TouchPartAttributes & HTMLAttributes & PublicProps; $slots: object };
+
 declare module "vue" {
   interface GlobalComponents {
     "touch-path": new () => { $props: TouchPathProps & PublicProps; $slots: object };
+    "touch-form": Part;
+    "touch-picture": Part;
+    "touch-program": Part;
   }
 }

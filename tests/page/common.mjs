@@ -263,10 +263,10 @@ export const held = (/** @type {string} */ path, tab = page) =>
   tab.evaluate((path) => /** @type {any} */ (document.querySelector("touch-path")).store.get(path), path);
 
 /** Until something holds that no selector says. */
-export async function settles(/** @type {() => Promise<boolean>} */ holds) {
+export async function settles(/** @type {() => Promise<boolean>} */ holds, tab = page) {
   for (let i = 0; i < 80; i++) {
     if (await holds()) return;
-    await page.waitForTimeout(50);
+    await tab.waitForTimeout(50);
   }
   assert.fail("it never holds");
 }

@@ -185,11 +185,15 @@ test("the types of the element and of the frame, in strict TypeScript", () => {
   const own = project("types", ["typescript"]);
   writeFileSync(
     join(own, "use.ts"),
-    `import { TouchPath, type TouchPathEvents } from "touchpath/element";
+    `import { define, TouchPath, type TouchPathEvents } from "touchpath/element";
 import { connect, FrameError, type FrameView } from "touchpath/frame";
 const element: TouchPath = document.createElement("touch-path");
 element.job = { format: 1, cycle: { type: "hole", diameter: 20 } };
 element.theme = "dark";
+document.createElement("touch-picture").session = element;
+define("acme-path");
+// @ts-expect-error no panel of a panel
+document.createElement("touch-form").session = document.createElement("touch-form");
 element.addEventListener("job-change", ({ detail }) => { const name: string | undefined = detail.job.name; console.log(name); });
 element.addEventListener("program-save", (event: TouchPathEvents["program-save"]) => { event.preventDefault(); console.log(event.detail.text); });
 const view: FrameView = await (await connect(document.createElement("iframe"), { origin: "https://x.example" })).get();
@@ -217,7 +221,11 @@ type Vue = InstanceType<GlobalComponents["touch-path"]>["$props"];
 type Svelte = SvelteHTMLElements["touch-path"];
 const job = { format: 1, cycle: { type: "hole", diameter: 20 } } as const;
 export const vue: Vue = { job, theme: "dark", class: "wide", onJobChange: (event) => console.log(event.detail.job.name) };
+export const part: InstanceType<GlobalComponents["touch-form"]>["$props"] = { for: "job", panels: "form checks" };
+export const program: SvelteHTMLElements["touch-program"] = { for: "job", session: null };
 export const svelte: Svelte = { job, post: "haas", class: "wide", "onplan-change": ({ detail }) => console.log(detail.plan?.moves) };
+// @ts-expect-error a panel has no job of its own
+export const own: SvelteHTMLElements["touch-program"] = { job };
 // @ts-expect-error there is no such theme
 export const blue: Vue = { theme: "blue" };
 // @ts-expect-error there is no such control
@@ -238,13 +246,15 @@ test("JetBrains' editors know the element: every attribute, property and event o
   const own = JSON.parse(readFileSync(at("package.json"), "utf8"));
   assert.equal(own["web-types"], "dist/web-types.json");
   const types = json("web-types.json");
-  const [element, ...none] = types.contributions.html.elements;
+  const [element, ...parts] = types.contributions.html.elements;
   const [declared] = json("custom-elements.json").modules.flatMap((/** @type {any} */ one) => one.declarations);
-  assert.deepEqual([none, types.version, element.name], [[], own.version, declared.tagName]);
+  assert.deepEqual([types.version, element.name], [own.version, declared.tagName]);
   const names = (/** @type {any[]} */ list) => list.map(({ name }) => name).sort();
   assert.deepEqual(names(element.attributes), names(declared.attributes));
   assert.deepEqual(names(element.js.events), names(declared.events));
   assert.ok(names(element.js.properties).includes("measured") && !names(element.js.properties).includes("save"));
+  assert.deepEqual(names(parts), ["touch-form", "touch-picture", "touch-program"]);
+  for (const part of parts) assert.deepEqual(names(part.attributes), ["for", "panels"]);
   for (const one of [...element.attributes, ...element.js.events]) assert.ok(one.description, one.name);
 });
 

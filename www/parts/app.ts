@@ -38,6 +38,10 @@ export { awaited, hold, kept, Store };
 export const styles = new CSSStyleSheet();
 styles.replaceSync(css);
 
+/** What panels elsewhere on the page have otherwise: they may be as low as the page around likes. */
+export const partStyles = new CSSStyleSheet();
+partStyles.replaceSync(":host { min-height: 8rem; }");
+
 const PANELS = {
   setup: w("Setup"),
   program: w("Program"),
@@ -103,6 +107,8 @@ interface Around {
   local: boolean;
   /** Whether links are followed and handed out. */
   links: boolean;
+  /** Whether it shows panels of the job of another element: without bar and foot, and in the language of that element. */
+  lent?: boolean;
 }
 
 /** The whole page. What fits beside the picture has a place of its own; the rest is behind tabs. */
@@ -121,7 +127,7 @@ export class App extends LitElement {
   private wanted: PanelName[] = [];
   private theme: Theme = "auto";
   private readonly observer = new ResizeObserver(() => this.measure());
-  private readonly language: Language;
+  private readonly language: Language | null;
   private readonly intake: Intake;
   private readonly outlet: Export;
   /** What has been loaded: what stands in the page before its class is known would lose what it was given. */
@@ -134,11 +140,13 @@ export class App extends LitElement {
     super();
     if (store.notice) this.tell(store.notice);
     new Refocus(this);
-    this.language = new Language(this, store, around, () => {
-      this.tell(MISSING);
-      const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
-      if (choice) choice.value = store.lang;
-    });
+    this.language = around.lent
+      ? null
+      : new Language(this, store, around, () => {
+          this.tell(MISSING);
+          const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
+          if (choice) choice.value = store.lang;
+        });
     this.intake = new Intake(store, {
       tell: (text) => this.tell(text === "" ? null : [text]),
       showsResults: () => this.panels.includes("results"),
@@ -229,6 +237,11 @@ export class App extends LitElement {
     return this.renderRoot.querySelector<PicturePart>("tp-picture");
   }
 
+  /** Whether the picture of the job is among what is shown. */
+  get hasPicture(): boolean {
+    return this.picture !== null;
+  }
+
   /** The picture as an SVG; null without a plan. */
   svg(): string | null {
     return this.store.blank ? null : this.outlet.svg();
@@ -261,6 +274,10 @@ export class App extends LitElement {
     this.store.addEventListener("change", this.listed);
     this.store.addEventListener("told", this.pass);
     this.store.addEventListener("cam", this.redraw);
+    this.store.addEventListener("language", this.reworded);
+    this.store.addEventListener("go", this.sought);
+    this.store.addEventListener("lines", this.sought);
+    this.reworded();
     this.around.host.addEventListener("update-ready", this.offer);
     for (const query of [system, forced]) query.addEventListener("change", this.recolour);
     if (!this.around.links) return;
@@ -283,6 +300,9 @@ export class App extends LitElement {
     this.store.removeEventListener("change", this.listed);
     this.store.removeEventListener("told", this.pass);
     this.store.removeEventListener("cam", this.redraw);
+    this.store.removeEventListener("language", this.reworded);
+    this.store.removeEventListener("go", this.sought);
+    this.store.removeEventListener("lines", this.sought);
     this.around.host.removeEventListener("update-ready", this.offer);
     for (const query of [system, forced]) query.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
@@ -307,8 +327,8 @@ export class App extends LitElement {
     ];
     return html`
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @about=${(e: CustomEvent<string>) => this.about(e.detail)} @choose=${(e: CustomEvent<string>) => this.choose(e.detail)}
-        @machine=${(e: CustomEvent<Preset>) => this.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.go(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.showLines(e.detail)}>
-      <header part="bar">
+        @machine=${(e: CustomEvent<Preset>) => this.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.seek("go", e.detail)} @lines=${(e: CustomEvent<number[]>) => this.seek("lines", e.detail)}>
+      <header part="bar" ?hidden=${this.around.lent}>
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .saves=${!narrow}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
@@ -355,7 +375,7 @@ export class App extends LitElement {
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
+      <footer part="footer" ?hidden=${this.around.lent} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
       ${this.there.has("commands") ? html`<tp-commands .store=${store} .actions=${actions(frame)}></tp-commands>` : nothing}
       <tp-paste .store=${store} .take=${this.intake.pasted} .stop=${() => this.intake.stop()} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
@@ -385,7 +405,7 @@ export class App extends LitElement {
         this.renderRoot.querySelector<HTMLElement>("#menu")?.hidePopover();
         this.ask(what);
       },
-      chooseLanguage: (lang) => this.language.choose(lang),
+      chooseLanguage: (lang) => this.language?.choose(lang),
       chooseTheme: (theme) => {
         around.host.theme = theme;
         if (around.local) keepTheme(theme);
@@ -394,8 +414,8 @@ export class App extends LitElement {
   }
 
   /** Shows everything in the language that is wanted, once its words are there. */
-  reword(): Promise<void> {
-    return this.language.follow();
+  async reword(): Promise<void> {
+    await this.language?.follow();
   }
 
   protected override firstUpdated(): void {
@@ -532,6 +552,37 @@ export class App extends LitElement {
 
   private readonly redraw = () => this.requestUpdate();
 
+  /** The job is shown in another language: what shows its panels elsewhere follows. */
+  private readonly reworded = (): void => {
+    if (!this.around.lent) return;
+    this.lang = this.store.lang;
+    this.requestUpdate();
+  };
+
+  /** Whether a panel can be seen here. */
+  private sees(panel: PanelName): boolean {
+    return this.wanted.includes(panel) && this.checkVisibility();
+  }
+
+  /** To a field, or to lines of the program: here, or in whatever else shows that panel of the job. */
+  private seek(what: "go" | "lines", detail: string | number[]): void {
+    const elsewhere = () => !this.store.dispatchEvent(new CustomEvent(what, { detail, cancelable: true }));
+    if (this.sees(what === "go" ? "form" : "program") || !elsewhere()) this.comes(detail);
+  }
+
+  private comes(detail: string | number[]): void {
+    if (typeof detail === "string") this.go(detail);
+    else this.showLines(detail);
+  }
+
+  /** Something else that shows the job asks for what is seen here. */
+  private readonly sought = (event: Event): void => {
+    const { type, detail } = event as CustomEvent<string | number[]>;
+    if (event.defaultPrevented || !this.sees(type === "go" ? "form" : "program")) return;
+    event.preventDefault();
+    this.comes(detail);
+  };
+
   /** Whether the list of cycles stands above the form. */
   private lists = false;
 
@@ -543,7 +594,10 @@ export class App extends LitElement {
   };
 
   /** Says what the store has done beside what it was asked for. */
-  private readonly pass = (event: Event): void => this.tell((event as CustomEvent<Said>).detail, true);
+  private readonly pass = (event: Event): void => {
+    // Once, where what it is about is typed.
+    if (!this.around.lent || this.sees("form")) this.tell((event as CustomEvent<Said>).detail, true);
+  };
 
   /** To the field of a path, or to the first one inside it; to Checks if no field is found. */
   private async go(wanted: string): Promise<void> {
@@ -759,7 +813,7 @@ export class App extends LitElement {
   /** `passing`: it is true of the job as it is now, and of no later one. */
   private tell(text: Said | null, passing = false, foot = passing): void {
     const { revision, document } = this.store;
-    this.said = text && { text, passing, at: passing ? revision : document, foot };
+    this.said = text && { text, passing, at: passing ? revision : document, foot: foot && !this.around.lent };
     this.requestUpdate();
   }
 }

@@ -1,0 +1,221 @@
+// Panels of a job elsewhere on the page, and two versions of the element on one page.
+import assert from "node:assert/strict";
+import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { PICTURE, settles } from "./common.mjs";
+import { folder, heard, inner, LISTEN, on, open, POLICY, page, set, setUp } from "./element.mjs";
+
+setUp();
+
+/** The panels before their element in the markup: the order is the portal's. */
+const PARTS = `<touch-form for="job"></touch-form><touch-picture for="job"></touch-picture><touch-program for="job"></touch-program>
+  <touch-path id="job" hidden panels="none"></touch-path>`;
+const part = (/** @type {string} */ name) => page.locator(`touch-${name}`);
+const width = () => part("form").locator('[id="f-cycle.width1"]');
+/** Whether something is ready, in a second. */
+const ready = (/** @type {string} */ selector) =>
+  page.evaluate(
+    (selector) =>
+      Promise.race([
+        /** @type {any} */ (document.querySelector(selector)).ready.then(() => true),
+        new Promise((done) => setTimeout(() => done(false), 1000)),
+      ]),
+    selector,
+  );
+const allReady = async () => {
+  for (const name of ["form", "picture", "program"]) assert.ok(await ready(`touch-${name}`), name);
+};
+
+test("form, picture and program stand where the portal puts them, and are one job", async () => {
+  await open(PARTS, LISTEN);
+  await allReady();
+  // Each shows its own panel and no other, without bar and foot.
+  const seen = await page.evaluate(() =>
+    ["form", "picture", "program"].map((name) => {
+      const root = document.querySelector(`touch-${name}`)?.shadowRoot;
+      const shown = (/** @type {string} */ what) =>
+        [...(root?.querySelectorAll(what) ?? [])].some((one) => one.checkVisibility());
+      return [".setup", ".picture", ".code", "header", "footer", ".tabs"].filter(shown).join(" ");
+    }),
+  );
+  assert.deepEqual(seen, [".setup", ".picture", ".code"]);
+  assert.equal(await page.locator("#job").isVisible(), false, "hidden is hidden");
+
+  await width().fill("64");
+  await width().press("Tab");
+  await settles(async () => {
+    const shown = await part("program").locator(".line.touch .text").allTextContents();
+    const { lines, text } = await on(({ plan }) => ({
+      lines: plan.program.moveLines.filter(
+        (/** @type {number} */ _, /** @type {number} */ move) => plan.moves[move].kind === "touch",
+      ),
+      text: plan.program.text.split("\n"),
+    }));
+    return (
+      (await on((element) => element.job.cycle.width1)) === 64 &&
+      shown.join() === lines.map((/** @type {number} */ line) => text[line]).join()
+    );
+  }, page);
+  const changes = (await heard()).filter(([name]) => name === "job-change");
+  assert.equal(changes.at(-1)?.[1].job.cycle.width1, 64, "the element says so, once a change");
+  assert.equal(await on((element) => element.job.cycle.width1), 64);
+  // What is set from outside is shown in all.
+  await set("cycle", "boss");
+  await part("form").locator('[id="f-cycle.diameter"]').waitFor();
+  await width().or(part("form").locator('[id="f-cycle.diameter"]')).press("Control+z");
+  await settles(async () => (await on((element) => element.job.cycle.type)) !== "boss", page);
+});
+
+test("a line lights up its move in the other panels, and a dimension leads to its field", async () => {
+  await open(PARTS);
+  await allReady();
+  const lit = () => on((element) => element.store.highlight);
+  await part("program").locator(".line.touch").first().hover();
+  assert.equal(typeof (await lit()), "number");
+  // Escape in the picture unpins; a click on a dimension asks for its field, which another element has.
+  await page.evaluate((name) => {
+    const picture = document.querySelector("touch-picture")?.shadowRoot?.querySelector(name);
+    picture?.dispatchEvent(new CustomEvent("go", { detail: "cycle.width2", bubbles: true }));
+  }, inner("picture"));
+  await settles(
+    () => page.evaluate(() => document.querySelector("touch-form")?.shadowRoot?.activeElement?.id === "f-cycle.width2"),
+    page,
+  );
+});
+
+test("theme, language, rules and panels of the element hold in its panels elsewhere", async () => {
+  await open(`${PARTS.replace("<touch-program ", '<touch-program panels="program results checks" ')}`);
+  await allReady();
+  await part("program").getByRole("tab", { name: "Results" }).click();
+  assert.ok(await part("program").locator("#panel-results").isVisible());
+  await set("theme", "dark");
+  assert.deepEqual(
+    await page.evaluate(
+      (app) =>
+        ["form", "picture", "program"].map((name) =>
+          document.querySelector(`touch-${name}`)?.shadowRoot?.querySelector(app)?.classList.contains("dark"),
+        ),
+      inner("app"),
+    ),
+    [true, true, true],
+  );
+  await set("lang", "de");
+  await part("program").getByRole("tab", { name: "Ergebnisse" }).waitFor();
+  await set("config", { format: 1, hide: { panels: ["results"] } });
+  await settles(async () => (await part("program").getByRole("tab").count()) === 2, page);
+  await set("readonly", true);
+  await settles(async () => !(await width().isEditable()), page);
+});
+
+test("the picture elsewhere is the element's picture: its view, as SVG, drawn", async () => {
+  await open(PARTS);
+  await allReady();
+  await set("view", "isometric");
+  await part("picture").locator('button[aria-pressed="true"]', { hasText: "isometric" }).waitFor();
+  assert.equal(await on((element) => element.view), "isometric");
+  assert.match(await on((element) => element.picture()), /^<svg/);
+  const ink = await part("picture")
+    .locator(PICTURE)
+    .evaluate((canvas) => {
+      const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
+      const context = /** @type {CanvasRenderingContext2D} */ (
+        /** @type {HTMLCanvasElement} */ (canvas).getContext("2d")
+      );
+      return new Set(new Uint32Array(context.getImageData(0, 0, width, height).data.buffer)).size;
+    });
+  assert.ok(ink > 10, `${ink} colours`);
+});
+
+test("panels find an element that comes later, follow another one, and leave nothing behind", async () => {
+  await open('<touch-form for="late"></touch-form>');
+  assert.equal(await ready("touch-form"), false);
+  await page.evaluate(() => {
+    const late = Object.assign(document.createElement("touch-path"), { id: "late", panels: "none", cycle: "boss" });
+    document.body.append(late);
+    const other = Object.assign(document.createElement("touch-path"), { id: "other", panels: "none", cycle: "wall" });
+    document.body.append(other);
+  });
+  await part("form").locator('[id="f-cycle.diameter"]').waitFor();
+  const lent = () =>
+    page.evaluate(() => ["late", "other"].map((id) => /** @type {any} */ (document.getElementById(id)).lent.size));
+  assert.deepEqual(await lent(), [1, 0]);
+  await part("form").evaluate((form) => form.setAttribute("for", "other"));
+  await settles(async () => (await part("form").locator('[id="f-cycle.diameter"]').count()) === 0, page);
+  await settles(async () => (await lent()).join() === "0,1", page);
+  await page.evaluate(async () => {
+    const form = /** @type {any} */ (document.querySelector("touch-form"));
+    for (let i = 0; i < 50; i++) {
+      form.remove();
+      document.body.append(form);
+      if (i % 10 === 0) await form.ready;
+    }
+    form.remove();
+  });
+  await settles(async () => (await lent()).join() === "0,0", page);
+  assert.deepEqual(
+    await page.evaluate(() => {
+      const form = /** @type {any} */ (document.createElement("touch-form"));
+      form.session = document.getElementById("late");
+      document.body.append(form);
+      return [form.session.id, form.panels];
+    }),
+    ["late", "form"],
+  );
+  await part("form").locator('[id="f-cycle.diameter"]').waitFor();
+});
+
+test("a page holds two versions: the later one by a name of its own, each with its own insides", async () => {
+  // The next version is this one with other names inside, as its build gives them.
+  const next = join(folder, "next");
+  cpSync(join(folder, "touchpath"), next, { recursive: true });
+  const { version } = JSON.parse(readFileSync("package.json", "utf8"));
+  for (const name of readdirSync(join(next, "element")).filter((name) => name.endsWith(".js"))) {
+    const file = join(next, "element", name);
+    writeFileSync(file, readFileSync(file, "utf8").replaceAll(inner(""), "tp-9-0-0-").replaceAll(version, "9.0.0"));
+  }
+  try {
+    // Both make the policy of Lit's markup for themselves.
+    await open(
+      "<touch-path></touch-path><acme-path id=acme cycle=boss></acme-path><touch-form for=acme></touch-form>",
+      "",
+      `${POLICY} 'allow-duplicates'`,
+    );
+    const versions = await page.evaluate(async () => {
+      const file = "./next/element/element.js";
+      const { define } = await import(new URL(file, location.href).href);
+      define("acme-path");
+      const all = ["touch-path", "acme-path"].map((name) => /** @type {any} */ (document.querySelector(name)));
+      await Promise.all(all.map((one) => one.ready));
+      let taken = "";
+      try {
+        define("acme-path");
+      } catch (thrown) {
+        taken = /** @type {Error} */ (thrown).name;
+      }
+      return [
+        ...all.map((one) => one.constructor.version),
+        ...all.map((one) => one.shadowRoot.firstElementChild.localName),
+        ...all.map((one) => one.plan.program.text.length > 100),
+        taken,
+      ];
+    });
+    assert.deepEqual(versions, [version, "9.0.0", inner("app"), "tp-9-0-0-app", true, true, "NotSupportedError"]);
+    // A panel shows what its element makes of itself, whichever version it is.
+    await part("form").locator('[id="f-cycle.diameter"]').waitFor();
+    assert.equal(await part("form").locator("tp-9-0-0-form").count(), 1);
+    // A second copy of one version shares what the first one has defined.
+    const same = await page.evaluate(async () => {
+      const file = "./touchpath/element/element.js?copy";
+      const { define } = await import(new URL(file, location.href).href);
+      define("acme-same");
+      const one = /** @type {any} */ (document.createElement("acme-same"));
+      document.body.append(one);
+      await one.ready;
+      return one.plan.program.text.length > 100;
+    });
+    assert.ok(same);
+  } finally {
+    rmSync(next, { recursive: true });
+  }
+});
