@@ -1,10 +1,11 @@
 // The schema of what comes out: every answer is as it says, and nothing is in an answer that it does not name.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
+import { csharpTypes } from "../../scripts/csharp-types.mjs";
 import { at } from "../../scripts/lib.mjs";
 import { pythonTypes } from "../../scripts/python-types.mjs";
 import { command, file, folder, run, setUp, touchpath, wrong } from "./command.mjs";
@@ -210,4 +211,83 @@ test("the example in Python plans a job by the command", { skip: !python && "the
   const bad = example(file("wrong.json", wrong()));
   assert.deepEqual([bad.status, bad.stdout], [1, ""]);
   assert.match(bad.stderr, /^wrong\.json:1: cycle\.diameter: /m);
+});
+
+const json = "/usr/lib/cli/Newtonsoft.Json-5.0/Newtonsoft.Json.dll";
+const mono = spawnSync("mcs", ["--version"]).status === 0 && existsSync(json);
+const without = { skip: !mono && "there is no mcs with Newtonsoft.Json" };
+/** Compiles a program with the types, and gives what runs it. @returns {(args: string[], input?: string) => import("node:child_process").SpawnSyncReturns<string>} */
+function compiled(/** @type {string} */ name, /** @type {string} */ source) {
+  const out = join(folder, `${name}.exe`);
+  const built = spawnSync("mcs", [`-out:${out}`, `-r:${json}`, source, at("examples", "csharp", "TouchpathTypes.cs")], {
+    encoding: "utf8",
+  });
+  assert.equal(built.status, 0, built.stdout + built.stderr);
+  return (args, input = "") =>
+    spawnSync("mono", [out, ...args], {
+      cwd: folder,
+      input,
+      encoding: "utf8",
+      env: { ...process.env, MONO_PATH: dirname(json) },
+    });
+}
+
+test("the types for C# are those of the schema", () => {
+  const kept = readFileSync(at("examples", "csharp", "TouchpathTypes.cs"), "utf8");
+  assert.equal(kept, csharpTypes(), "node scripts/csharp-types.mjs writes them");
+});
+
+/** Reads each value as its type, where a key that is not known is an error, and writes it again. */
+const AGAIN = `
+using System; using Newtonsoft.Json; using Newtonsoft.Json.Linq; using Newtonsoft.Json.Serialization;
+static class Again {
+  static void Main() {
+    var strict = new JsonSerializerSettings { MissingMemberHandling = MissingMemberHandling.Error, ContractResolver = new CamelCasePropertyNamesContractResolver() };
+    foreach (var pair in JArray.Parse(Console.In.ReadToEnd())) {
+      try {
+        var value = JsonConvert.DeserializeObject(pair[1].ToString(), Type.GetType("Touchpath." + pair[0]), strict);
+        Console.WriteLine(JsonConvert.SerializeObject(value, strict));
+      } catch (JsonException bad) { Console.WriteLine(JsonConvert.SerializeObject(bad.Message)); }
+    }
+  }
+}`;
+test("what comes out is the same after C#'s types have read and written it", without, () => {
+  const { catalog, measure, plan } = touchpath;
+  const hole = plan(touchpath.defaultJob("hole"));
+  const values = /** @type {[string, unknown][]} */ ([
+    ["Plan", hole],
+    ["Plan", plan(touchpath.defaultJob("probing-two-circles"))],
+    ["Catalog", catalog()],
+    ["Measurement", measure(touchpath.defaultJob("hole"), "center.x=0\ncenter.y=0\ndiameter=40\nresidual=0")],
+    ["Finding", hole.findings[0]],
+    ["Plan", { ...hole, unknown: 1 }],
+    ["Plan", { ...hole, moves: [{ ...hole.moves[0], step: "one" }] }],
+  ]);
+  const ran = compiled("again", join(folder, file("again.cs", AGAIN)))([], JSON.stringify(values));
+  const said = ran.stdout
+    .trimEnd()
+    .split("\n")
+    .map((line) => JSON.parse(line));
+  assert.deepEqual(
+    said.slice(0, 5),
+    JSON.parse(JSON.stringify(values.slice(0, 5).map(([, value]) => value))),
+    ran.stderr,
+  );
+  assert.match(said[5], /Could not find member 'unknown'/);
+  assert.match(said[6], /moves\[0\]\.step/);
+});
+
+test("the example in C# plans a job by the command", without, () => {
+  const run = compiled("table", at("examples", "csharp", "Table.cs"));
+  const own = touchpath.defaultJob("hole");
+  const { table, touches } = touchpath.plan(own);
+  const good = run([file("own.json", own), "node", command]);
+  assert.equal(good.status, 0, good.stderr);
+  const lines = good.stdout.split("\n");
+  assert.equal(lines.filter((line) => line.startsWith("CmdPrm.")).length, table.length);
+  assert.equal(lines.filter((line) => line.startsWith("touch ")).length, touches.length);
+  const bad = run([file("wrong.json", wrong()), "node", command]);
+  assert.deepEqual([bad.status, bad.stdout], [1, ""]);
+  assert.match(bad.stderr, /^wrong\.json: cycle\.diameter: /m);
+  assert.equal(run(["nothing.json", "node", command]).status, 2);
 });
