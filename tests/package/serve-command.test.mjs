@@ -1,10 +1,10 @@
 // `touchpath serve`: what it answers, what it refuses, and how it ends.
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { connect } from "node:net";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { after, test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { check, defaultJob, exportTable, measure, plan, program, svg, version } from "touchpath";
@@ -425,4 +425,27 @@ test("the container runs what the command takes, and its health check asks the s
   assert.equal(status, 0);
   assert.deepEqual(await end(), [0, true]);
   assert.equal(asks(port), 1);
+});
+
+test("in Kubernetes it runs what the command takes, with the config of the map, and the probes ask the service", async () => {
+  const file = readFileSync(at("examples", "kubernetes", "touchpath.yaml"), "utf8");
+  const words = (/** @type {string} */ key) => new RegExp(`\\b${key}: \\[(.*)\\]`).exec(file)?.[1]?.split(", ") ?? [];
+  const [name, command, ...options] = words("args").map((word) => word.replaceAll('"', ""));
+  assert.deepEqual([name, command], ["touchpath", "serve"]);
+  const config = options.indexOf("--config") + 1;
+  assert.match(file, new RegExp(`mountPath: ${dirname(options[config] ?? "")}\\b`));
+  const folder = mkdtempSync(join(tmpdir(), "touchpath-kubernetes-"));
+  options[config] = join(folder, "config.json");
+  writeFileSync(options[config], /config\.json: \|\n( {4}.*\n)+/.exec(file)?.[1] ?? "");
+  const { address, end } = await service(...options);
+  for (const [, path] of file.matchAll(/httpGet: \{ path: (\S+),/g)) {
+    let { status } = await fetch(new URL(String(path), address));
+    for (let i = 0; i < 50 && status === 503; i++) {
+      await new Promise((done) => setTimeout(done, 100));
+      ({ status } = await fetch(new URL(String(path), address)));
+    }
+    assert.equal(status, 200, path);
+  }
+  assert.deepEqual(await end(), [0, true]);
+  rmSync(folder, { recursive: true });
 });

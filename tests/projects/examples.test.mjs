@@ -106,3 +106,66 @@ export const plan = <touch-path onplan-change={(event) => event.detail.plan.noth
   const ran = spawnSync(tsc, [...options, ...resolution, ...lib, ...files], { cwd: own, encoding: "utf8" });
   assert.equal(ran.status, 0, ran.stdout + ran.stderr);
 });
+
+test("the worker at the edge answers a job with its program, and what is none with the reason", async () => {
+  const own = project("edge", [], "edge");
+  const job = { format: 1, name: "EDGE", cycle: { type: "hole", diameter: 30 } };
+  writeFileSync(
+    join(own, "ask.mjs"),
+    `import worker from "./worker.js";
+const ask = async (body, headers = {}, method = "POST") => {
+  const answer = await worker.fetch(new Request("http://edge.example/", { method, headers, body }));
+  return [answer.status, await answer.text(), answer.headers.get("etag")];
+};
+const job = ${JSON.stringify(JSON.stringify(job))};
+const first = await ask(job);
+console.log(JSON.stringify([first, await ask(job, { "if-none-match": first[2] }), await ask("{"), await ask(job.replace("30", "-3")), await ask(undefined, {}, "GET")]));`,
+  );
+  const ran = spawnSync("node", ["ask.mjs"], { cwd: own, encoding: "utf8" });
+  assert.equal(ran.status, 0, ran.stderr);
+  const answers = JSON.parse(ran.stdout);
+  const { plan } = await import("touchpath");
+  assert.equal(answers[0][1], plan(/** @type {any} */ (job)).program.text);
+  assert.deepEqual(
+    answers.map((/** @type {any} */ answer) => answer[0]),
+    [200, 412, 400, 422, 405],
+  );
+  assert.match(answers[0][2], /^"[0-9a-f]{64}"$/);
+  assert.equal(JSON.parse(answers[3][1]).findings[0].path, "cycle.diameter");
+});
+
+const duckdb = spawnSync("python3", ["-c", "import duckdb"]).status === 0;
+test("a table of features in DuckDB gets a program a row, part by part", {
+  skip: !duckdb && "there is no duckdb",
+}, () => {
+  const own = project("duckdb", [], "duckdb");
+  const sql = (/** @type {string} */ query) => {
+    const ran = spawnSync(
+      "python3",
+      ["-c", `import duckdb, json; print(json.dumps(duckdb.execute("""${query}""").fetchall()))`],
+      {
+        cwd: own,
+        encoding: "utf8",
+      },
+    );
+    assert.equal(ran.status, 0, ran.stderr);
+    return JSON.parse(ran.stdout);
+  };
+  sql(`COPY (SELECT 'BORE_' || i AS name, i * 0.5 AS x, 3.0 AS y, CASE i WHEN 7 THEN -1 ELSE 20 + i END AS diameter, 8.0 AS depth,
+    ['linuxcnc', 'haas'][1 + i % 2] AS post FROM range(40) t(i)) TO 'bores.parquet'`);
+  const make = (/** @type {string[]} */ ...args) =>
+    spawnSync("python3", ["programs.py", "bores.parquet", "it's", "--parts", "3", ...args], {
+      cwd: own,
+      encoding: "utf8",
+    });
+  const first = make("--only", "1");
+  assert.equal(first.status, 0, first.stderr);
+  assert.match(first.stdout, /^part 2 of 3\n$/);
+  assert.equal(make().status, 0);
+  const rows = sql(`SELECT name, program, findings FROM 'it''s/*.parquet' ORDER BY name`);
+  assert.equal(rows.length, 40);
+  for (const [name, program, findings] of rows) {
+    if (name === "BORE_7") assert.deepEqual([program, JSON.parse(findings)[0].path], [null, "cycle.diameter"]);
+    else assert.match(program, new RegExp(`\\(job: ${name}\\)`, "i"));
+  }
+});
