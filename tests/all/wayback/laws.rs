@@ -45,7 +45,8 @@ fn a_log_gives_what_its_points_give() {
             Ok(found) => found,
             Err(error) => return Err(TestCaseError::fail(format!("{log}\n{:#?}", error.findings))),
         };
-        let noise = |x: f64| 1e-6 * (1.0 + x.abs());
+        // Touches that lie close together make more of the last bits of a log.
+        let noise = |x: f64| 1e-5 * (1.0 + x.abs());
         for (a, b) in rows.iter().zip(&found.results) {
             prop_assert_eq!(&a.code, &b.code);
             prop_assert_eq!(a.value.is_some(), b.value.is_some());
