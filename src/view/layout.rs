@@ -3,7 +3,7 @@
 use crate::geom::Vec2;
 use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera, DIMENSION_MARGIN, DOWNWARDS, MARGIN};
 use crate::view::numbers::Number;
-use crate::view::plate::{Crowd, Plate};
+use crate::view::plate::{CUT_OFF, Crowd, Plate};
 use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
 
 /// How far the line of a dimension that comes with the focus stands from the part, pixels.
@@ -227,37 +227,48 @@ impl Camera {
         let own = drawn.aside * DOWNWARDS;
         let stands_off = self.stands_off();
         let clear = CLEAR * self.dimension_margin() / DIMENSION_MARGIN;
-        let mut best = placed(own, 0.0, stands_off, places[0].0);
+        let first = places[0].0;
+        let mut best = placed(own, 0.0, stands_off, first);
         let mut least = f64::INFINITY;
         // What comes with the focus changes sides only where there is no room on its own.
         let other = if drawn.either { 0.1 } else { 100.0 };
-        for (side, rank_of_side) in
-            [(own, 0.0), (-own, other)].into_iter().take(if drawn.either || drawn.on_demand { 2 } else { 1 })
-        {
-            let [begins, walls, all] = crowd.beside(ends, side);
-            // Extension lines begin where the part ends.
-            let (begin, near) = if drawn.on_demand {
-                (0.0, ON_DEMAND)
-            } else {
-                let (close, clear) = (walls + stands_off, all + clear + HIGH);
-                // Clear of all that reaches beyond the part, where that is still in the picture.
-                let seen = placed(side, begins, clear, places[0].0).name.bounds().iter().all(|at| crowd.sees(at));
-                (begins, if seen { close.max(clear) } else { close })
-            };
-            for step in 0..6 {
-                let far = near + f64::from(step) * (2.0 * HIGH + 4.0);
-                for (place, rank) in &places {
-                    let one = placed(side, begin, far, *place);
-                    // A name on the line, and a line that is not seen.
-                    let line = one.line;
-                    let struck = crowd.plates.iter().filter(|other| other.crosses(line, 2.0)).count()
-                        + 2 * line.iter().filter(|end| !crowd.sees(end)).count();
-                    let cost = crowd.cost(&one.name) + 300.0 * struck as f64 + rank + rank_of_side + (far - begin) / 20.0;
-                    if cost < least {
-                        (least, best) = (cost, one);
+        let sides = [(own, 0.0), (-own, other)];
+        let mut tries = |places: &[([f64; 4], f64)]| {
+            for (side, rank_of_side) in sides.into_iter().take(if drawn.either || drawn.on_demand { 2 } else { 1 }) {
+                let [begins, walls, all] = crowd.beside(ends, side);
+                // Extension lines begin where the part ends.
+                let (begin, near) = if drawn.on_demand {
+                    (0.0, ON_DEMAND)
+                } else {
+                    let (close, clear) = (walls + stands_off, all + clear + HIGH);
+                    // Clear of all that reaches beyond the part, where that is still in the picture.
+                    let seen = placed(side, begins, clear, first).name.bounds().iter().all(|at| crowd.sees(at));
+                    (begins, if seen { close.max(clear) } else { close })
+                };
+                for step in 0..6 {
+                    let far = near + f64::from(step) * (2.0 * HIGH + 4.0);
+                    for (place, rank) in places {
+                        let one = placed(side, begin, far, *place);
+                        // A name on the line, and a line that is not seen.
+                        let line = one.line;
+                        let struck = crowd.plates.iter().filter(|other| other.crosses(line, 2.0)).count()
+                            + 2 * line.iter().filter(|end| !crowd.sees(end)).count();
+                        let cost = crowd.cost(&one.name) + 300.0 * struck as f64 + rank + rank_of_side + (far - begin) / 20.0;
+                        if cost < least {
+                            (least, best) = (cost, one);
+                        }
                     }
                 }
             }
+            least
+        };
+        // Where all that is cut off, or lies on another name: beside the line, but not beside its middle.
+        if tries(&places) >= CUT_OFF {
+            // Up to the ends of the line, or just clear of a number in its middle.
+            let shifts = [(long - drawn.wide).max(0.0) / 2.0, half.x + 2.0 * HIGH];
+            let shifts = shifts.map(|shift| [shift, -shift]).concat();
+            let aside = shifts.iter().flat_map(|over| [beside, -beside].map(|across| [*over, across, 0.0, 0.0]));
+            tries(&aside.map(|place| (place, off_line)).collect::<Vec<_>>());
         }
         best
     }

@@ -66,6 +66,9 @@ pub fn within_box([from, to]: [Vec2; 2], [low, high]: [Vec2; 2]) -> Option<[f64;
     (enters <= leaves).then_some([enters, leaves])
 }
 
+/// What a plate costs that the edge of the picture cuts off.
+pub const CUT_OFF: f64 = 600.0;
+
 /// How deep material is seen behind an edge, pixels.
 pub const BAND: f64 = 36.0;
 
@@ -134,7 +137,7 @@ impl Crowd {
     pub fn cost(&self, plate: &Plate) -> f64 {
         let count = |many: usize, each: f64| many as f64 * each;
         let met = |others: &[Plate]| others.iter().filter(|other| plate.meets(other)).count();
-        count(usize::from(!plate.bounds().iter().all(|at| self.sees(at))), 600.0)
+        count(usize::from(!plate.bounds().iter().all(|at| self.sees(at))), CUT_OFF)
             + count(met(&self.plates), 1000.0)
             + count(met(&self.corners), 200.0)
             + count(self.discs.iter().filter(|(at, radius)| plate.covers(*at, *radius)).count(), 30.0)

@@ -199,3 +199,27 @@ fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
     }
     assert!(seen > 20, "{seen}");
 }
+
+/// In a picture 440 pixels wide "Width 2 50" read "Width 2 5": it ended beyond the edge.
+#[test]
+fn no_name_of_a_dimension_is_cut_off_by_the_edge_of_the_picture() {
+    let (mut seen, mut cut) = (0, Vec::new());
+    for cycle in touchpath::cycle::CYCLES {
+        for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
+            let (scene, _) = built(&of(cycle.key), view);
+            for wide in (360..=760).step_by(40) {
+                for high in (260..=700).step_by(40) {
+                    let size = [f64::from(wide), f64::from(high)];
+                    for placed in Camera::whole(size.into(), &scene).layout(&scene, None).dimensions {
+                        let inside = |at: &Vec2| (0..2).all(|i| at[i] >= 0.0 && at[i] <= size[i]);
+                        seen += 1;
+                        if !placed.name.bounds().iter().all(inside) {
+                            cut.push(format!("{} {view:?} {size:?} {}", cycle.key, placed.drawn.field));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen > 10_000 && cut.is_empty(), "{} of {seen}: {cut:?}", cut.len());
+}
