@@ -1,4 +1,4 @@
-// Many jobs: the command over 100,000 of them, and the service under load beside a server that only sends the JSON back.
+// Many jobs: the command over 100,000 of them, or as many as the first argument says, and the service under load beside a server that only sends the JSON back.
 // Everything stays on this machine. Times are of the clock: the ratio counts.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
@@ -16,7 +16,10 @@ const jobs = types.map((type) => JSON.stringify(defaultJob(type)));
 const resident = (/** @type {number | undefined} */ pid) =>
   Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, "utf8"))?.[1]) / 1000;
 
-async function command(/** @type {number} */ threads, count = 100_000) {
+/** How many jobs the command gets: 100 at a time. */
+const COUNT = Math.max(1, Math.round(Number(process.argv[2] ?? 100_000) / 100)) * 100;
+
+async function command(/** @type {number} */ threads, count = COUNT) {
   const child = spawn("node", [at("dist", "cli", "touchpath.js"), "plan", "-", "--ndjson", "--jobs", String(threads)], {
     stdio: ["pipe", "pipe", "inherit"],
   });
@@ -42,7 +45,9 @@ async function command(/** @type {number} */ threads, count = 100_000) {
   );
 }
 
-console.log("\nThe command, 100,000 jobs by the line: jobs a second, and the most memory in each fifth of them, MB");
+console.log(
+  `\nThe command, ${COUNT.toLocaleString("en")} jobs by the line: jobs a second, and the most memory in each fifth of them, MB`,
+);
 for (const threads of [1, 2]) await command(threads);
 
 /** Requests a second, the time that 99 of 100 need at most, and the server's memory after it. */
