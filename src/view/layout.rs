@@ -262,7 +262,7 @@ impl Camera {
             }
             least
         };
-        // Where all that is cut off, or lies on another name: beside the line, but not beside its middle.
+        // Every one of these is cut off by the edge or covers another name: then beside the line, away from its middle.
         if tries(&places) >= CUT_OFF {
             // Up to the ends of the line, or just clear of a number in its middle.
             let shifts = [(long - drawn.wide).max(0.0) / 2.0, half.x + 2.0 * HIGH];

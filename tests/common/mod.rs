@@ -34,7 +34,7 @@ impl Draws {
 
 /// A program with a comment behind every block that has nothing but plain words: it means the same, and its reader reads it word by word.
 pub fn with_comments(text: &str) -> String {
-    let is_plain = |line: &str| line.bytes().all(|b| b.is_ascii_digit() || b" \t+-.NGXYZFngxyzf".contains(&b));
+    let is_plain = |line: &str| line.bytes().all(|b| b.is_ascii_digit() || b" \t+-./NGXYZFngxyzf".contains(&b));
     text.split_inclusive('\n')
         .map(|line| match line.strip_suffix('\n').filter(|code| is_plain(code) && !code.trim().is_empty()) {
             Some(code) => format!("{code} ;\n"),

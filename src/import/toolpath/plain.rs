@@ -13,10 +13,15 @@ impl Reader {
         if !self.takes_plain() {
             return false;
         }
-        let mut rest = match line {
-            [b'N' | b'n', ..] => &line[head(line).end..],
-            _ => line,
-        };
+        let mut rest = line;
+        if matches!(line, [b'N' | b'n', ..]) {
+            let head = head(line);
+            // A block that may be left out is said.
+            if head.skips {
+                return false;
+            }
+            rest = &line[head.end..];
+        }
         let (mut motion, mut feed) = (None, None);
         let (mut places, mut given) = (self.place, 0);
         while let [letter, value @ ..] = rest {

@@ -5,11 +5,11 @@ use crate::common::{Draws, with_comments};
 use touchpath::import::toolpath::DIALECTS;
 
 /// What blocks are made of: plain words far more often than what changes what these mean.
-const PLAIN: [&str; 18] = [
+const PLAIN: [&str; 19] = [
     "G0", "G1", "G01", "g00", "G1.", "G38.2", "G38.3", "X1.5", "Y-2", "Z+.25", "x3", "F100", "f250.5", "X 4", "G2", "X0Y0",
-    "N10", "Z-0",
+    "N10", "N20 /", "Z-0",
 ];
-const OTHER: [&str; 34] = [
+const OTHER: [&str; 49] = [
     "G91",
     "G90",
     "G20",
@@ -44,6 +44,21 @@ const OTHER: [&str; 34] = [
     "M30",
     "G68 R10 &",
     "G51 &",
+    "O100 sub",
+    "O100 endsub",
+    "o<a> call",
+    "M98 P5",
+    "M99",
+    "WHILE [#1 LT 2] DO1",
+    "END1",
+    "REPEAT",
+    "N5",
+    "%",
+    "M98 P200",
+    "O200",
+    "(x)",
+    "%A G71 *",
+    "G01 X+5 *",
 ];
 
 #[test]
