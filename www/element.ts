@@ -73,6 +73,9 @@ class Attempt {
   }
 }
 
+/** Said where an element comes into a document: what shows its panels elsewhere may wait for it. */
+const HERE = "touchpath-here";
+
 // The class is named where there is no DOM, too: a server that imports this file renders the bare tag.
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
@@ -153,6 +156,7 @@ export class TouchPath extends Base {
     this.inside = this.attachInternals();
     // What the page around has put inside is seen until there is more.
     this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
+    this.addEventListener("invalid", this.unseen);
   }
 
   /** Settles when the element has been put into a document, is loaded and shown; fails where it cannot be loaded. Put into a document again it is tried again, and this is another promise. */
@@ -186,7 +190,12 @@ export class TouchPath extends Base {
       (this as Record<string, unknown>)[name] = value;
     }
     if (this.app) this.shadow.append(this.app);
-    if (this.loading) return;
+    if (!this.loading) this.begin();
+    this.dispatchEvent(new Event(HERE, { bubbles: true }));
+  }
+
+  /** Loads what is shown; where that has failed before, once more. */
+  private begin(): void {
     this.loading = true;
     if (this.attempt.over) this.attempt = new Attempt();
     const { attempt } = this;
@@ -458,6 +467,15 @@ export class TouchPath extends Base {
     if (this.store) this.put("job", this.first);
   }
 
+  /** A form that is sent cannot put the focus into an element that is not seen: it goes to what is wrong in the form elsewhere. */
+  private readonly unseen = (event: Event): void => {
+    if (this.checkVisibility() || this.lent.size === 0) return;
+    event.preventDefault();
+    const { store } = this;
+    const wrong = store?.findings.find((finding) => finding.level === "error");
+    if (wrong) this.app?.find(wrong.path);
+  };
+
   formDisabledCallback(): void {
     this.applyOptions();
   }
@@ -556,6 +574,14 @@ export class TouchPath extends Base {
     release(true);
   }
 
+  /** The element fires its own `input`; boxes in its slots belong to the page. */
+  private closes(app: App): void {
+    app.addEventListener("input", (event) => {
+      const [box] = event.composedPath() as Node[];
+      if (box?.getRootNode() === app.getRootNode()) event.stopPropagation();
+    });
+  }
+
   /** Dispatches events and sets the form's value whenever the job changes. */
   private follow(store: Store, app: App): void {
     let job = "";
@@ -616,11 +642,7 @@ export class TouchPath extends Base {
     });
     store.addEventListener("settled", committed);
     store.addEventListener("select", selected);
-    // The element fires its own; boxes in its slots belong to the page.
-    app.addEventListener("input", (event) => {
-      const [box] = event.composedPath() as Node[];
-      if (box?.getRootNode() === this.shadow) event.stopPropagation();
-    });
+    this.closes(app);
     app.updateComplete.then(() => changed(false));
   }
 
@@ -693,12 +715,15 @@ export class TouchPath extends Base {
     for (const [part, app] of this.lent) show(app, part.panels, true);
   }
 
-  /** Shows panels of the job in another element: what is to be put into it. @internal */
-  async lend(part: TouchPart): Promise<{ app: App; styles: CSSStyleSheet[] }> {
+  /** Shows panels of the job in another element: what is to be put into it, or is put into it again. @internal */
+  async lend(part: TouchPart, again?: App): Promise<{ app: App; styles: CSSStyleSheet[] }> {
     await this.ready;
     const { App, partStyles, styles } = await import("./parts/app.js");
-    const app = new App(this.store as Store, { host: this, local: false, links: false, lent: true });
-    if (this.words.has("view")) app.view = this.view;
+    const app = again ?? new App(this.store as Store, { host: this, local: false, links: false, lent: true });
+    if (!again) {
+      if (this.words.has("view")) app.view = this.view;
+      this.closes(app);
+    }
     this.lent.set(part, app);
     this.applyOptions();
     return { app, styles: [styles, partStyles] };
@@ -716,15 +741,18 @@ export class TouchPath extends Base {
 }
 
 /**
- * Panels of the job of a `<touch-path>` elsewhere on the page. What is typed, pointed at or chosen in one of them is that in all. It fills its box.
+ * Panels of the job of a `<touch-path>` elsewhere on the page. All of them show the same: what is typed, pointed at or chosen in one is seen in the others. It fills its box.
  */
 export class TouchPart extends Base {
   static readonly observedAttributes = ["for", "panels"];
   /** What it shows where `panels` says nothing else. */
   protected readonly own: PanelName = "form";
-  private app?: App;
+  /** What is shown, and of whose job: kept while this is out of the document. */
+  private held: { session: TouchPath; app: App } | null = null;
+  /** Whose job is shown, or is about to be. */
   private whose: TouchPath | null = null;
   private asked: TouchPath | null = null;
+  private root: Node | null = null;
   private attempt = new Attempt();
 
   constructor() {
@@ -732,7 +760,7 @@ export class TouchPart extends Base {
     this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
   }
 
-  /** Settles when the panels are shown: their element is found, loaded, and this one is in a document. */
+  /** Settles when the panels are shown: this element is in a document, and the one whose job it shows is found and loaded. After `for` or `session` has changed it is another promise. */
   get ready(): Promise<void> {
     return this.attempt.ready;
   }
@@ -766,19 +794,24 @@ export class TouchPart extends Base {
       (this as Record<string, unknown>)[name] = value;
     }
     // Its element may be put into the page, or be known, after this one.
-    this.getRootNode().addEventListener("load", this.attach, true);
+    this.root = this.getRootNode();
+    this.root.addEventListener(HERE, this.meet);
     this.attach();
   }
 
   disconnectedCallback(): void {
-    this.getRootNode().removeEventListener("load", this.attach, true);
+    this.root?.removeEventListener(HERE, this.meet);
     this.detach();
   }
 
   attributeChangedCallback(name: string, before: string | null, value: string | null): void {
     if (value === before) return;
     if (name === "for") this.attach();
-    else this.whose?.applyOptions();
+    else {
+      const refused = value === null ? [] : (this.whose?.refusals({ panels: value }) ?? []);
+      if (refused.length > 0) this.whose?.tell("finding", { findings: refused, refused: true });
+      this.whose?.applyOptions();
+    }
   }
 
   private found(): TouchPath | null {
@@ -788,34 +821,42 @@ export class TouchPart extends Base {
     return found && "lend" in found ? (found as TouchPath) : null;
   }
 
-  private readonly attach = async (): Promise<void> => {
+  /** An element has come into the page. */
+  private readonly meet = (): void => {
+    if (this.session) this.attach();
+  };
+
+  private async attach(): Promise<void> {
     const session = this.isConnected ? this.session : null;
     if (session === this.whose) return;
     this.detach();
     this.whose = session;
     if (!session) return;
-    if (this.attempt.over) this.attempt = new Attempt();
     const { attempt } = this;
     const root = this.shadowRoot as ShadowRoot;
     try {
-      const { app, styles } = await session.lend(this);
+      const { app, styles } = await session.lend(this, this.held?.session === session ? this.held.app : undefined);
       if (this.whose !== session) return session.takeBack(this);
-      this.app = app;
+      this.held = { session, app };
       root.adoptedStyleSheets = styles;
       root.replaceChildren(app);
       await app.updateComplete;
       attempt.done();
     } catch (why) {
+      if (this.whose !== session) return;
+      // It is tried again when the element comes back.
+      session.takeBack(this);
+      this.whose = null;
       root.replaceChildren(failure(why));
       attempt.fail(why);
     }
-  };
+  }
 
   private detach(): void {
-    this.app?.remove();
-    this.app = undefined;
+    if (this.attempt.over || this.whose) this.attempt = new Attempt();
     this.whose?.takeBack(this);
     this.whose = null;
+    this.shadowRoot?.replaceChildren(document.createElement("slot"));
   }
 }
 
@@ -824,7 +865,7 @@ export class TouchPart extends Base {
  *
  * @tag touch-form
  * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - Other panels in place of the form, or beside it: as those of `<touch-path>`.
+ * @attr {string} panels - What is shown in place of its own panel, as words of `panels` of `<touch-path>`; several stand side by side or behind tabs.
  */
 export class TouchForm extends TouchPart {}
 
@@ -833,7 +874,7 @@ export class TouchForm extends TouchPart {}
  *
  * @tag touch-picture
  * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - Other panels in place of the picture, or beside it: as those of `<touch-path>`.
+ * @attr {string} panels - What is shown in place of its own panel, as words of `panels` of `<touch-path>`; several stand side by side or behind tabs.
  */
 export class TouchPicture extends TouchPart {
   protected override readonly own = "stage";
@@ -844,7 +885,7 @@ export class TouchPicture extends TouchPart {
  *
  * @tag touch-program
  * @attr {string} for - The id of that element, in the same document or shadow root. From anywhere else the property `session` is set to it.
- * @attr {string} panels - Other panels in place of the program, or beside it, behind tabs: as those of `<touch-path>`.
+ * @attr {string} panels - What is shown in place of its own panel, as words of `panels` of `<touch-path>`; several stand side by side or behind tabs.
  */
 export class TouchProgram extends TouchPart {
   protected override readonly own = "program";
@@ -898,9 +939,11 @@ if (globalThis.customElements) {
 
 /**
  * Gives the whole element of this version a name of its own, for a page that holds another version as `touch-path`. Its panels elsewhere on the page are those
- * of `<touch-form>`, `<touch-picture>` and `<touch-program>`, whichever version these are of. Throws where the name is taken, or is none for an element.
+ * of `<touch-form>`, `<touch-picture>` and `<touch-program>`, whichever version these are of. Throws where the name is taken, or is none for an element; does
+ * nothing where there is no document.
  */
 export function define(name: string): void {
+  if (!globalThis.customElements) return;
   // A second copy of one version shares what the first has defined inside.
   const known = customElements.get("touch-path") as typeof TouchPath | undefined;
   const version = known?.version === TouchPath.version ? known : TouchPath;

@@ -11,6 +11,8 @@ using Touchpath;
 
 static class Table
 {
+    static readonly string Npx = Environment.OSVersion.Platform == PlatformID.Win32NT ? "npx.cmd" : "npx";
+
     static int Main(string[] args)
     {
         if (args.Length == 0)
@@ -18,7 +20,7 @@ static class Table
             Console.Error.WriteLine("usage: table job.json [touchpath ...]");
             return 2;
         }
-        var command = args.Length > 1 ? args.Skip(1).ToArray() : new[] { "npx", "--no-install", "touchpath" };
+        var command = args.Length > 1 ? args.Skip(1).ToArray() : new[] { Npx, "--no-install", "touchpath" };
         var words = command.Skip(1).Concat(new[] { "plan", args[0], "--json" }).Select(word => "\"" + word + "\"");
         var start = new ProcessStartInfo(command[0], string.Join(" ", words))
         {

@@ -2,8 +2,9 @@
 
     python3 programs.py features.parquet programs [touchpath ...] --parts 16
 
-The table has a row a bore: `name`, `x`, `y`, `diameter`, `depth` (mm) and `post`. Each part is a file of its own, `programs/part-0003.parquet`, with the
-name, the program and the findings of each row; a part that is there is not made again, and several machines may make parts of one table: --only 3,7,11.
+The table has a row a bore: `name`, `x`, `y`, `diameter`, `depth` (mm) and `post`. Each part is a file of its own, `part-0003-of-0016.parquet`, with the
+name, the program and the findings of each row. A part that is there is not made again: give another table, or another version, a folder of its own. Several
+machines may make parts of one table: --only 3,7,11.
 """
 
 import argparse
@@ -18,7 +19,7 @@ JOBS = """
 COPY (
     SELECT 1 AS format, name, {'post': post} AS control,
            {'type': 'hole', 'origin': [x, y, 0], 'diameter': diameter, 'depth': depth} AS cycle
-    FROM read_parquet($table) WHERE hash(name) %% $parts = $part ORDER BY name
+    FROM read_parquet($table) WHERE ('0x' || md5(name)[1:8])::UBIGINT %% $parts = $part ORDER BY name
 ) TO %s (FORMAT json)
 """
 # The command answers in the order of its lines.
@@ -38,7 +39,7 @@ def quoted(path: str) -> str:
 
 def make(table: str, out: str, part: int, parts: int, command: list[str]) -> None:
     """Makes one part: it is there as a whole, or not at all."""
-    target = os.path.join(out, f"part-{part:04}.parquet")
+    target = os.path.join(out, f"part-{part:04}-of-{parts:04}.parquet")
     if os.path.exists(target):
         return
     with tempfile.TemporaryDirectory(dir=out) as folder:

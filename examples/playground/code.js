@@ -52,6 +52,7 @@ export function Probing() {
     }
     case "Vue":
       return `<script setup>
+// In vite.config.js: vue({ template: { compilerOptions: { isCustomElement: (tag) => tag.startsWith("touch-") } } })
 import "touchpath/element";
 ${config ? `\nconst config = ${value(config)};\n` : ""}const keep = (event) => console.log(event.detail.job);
 </script>
@@ -89,7 +90,7 @@ ${config ? `  config = ${indented(value(config), 2)};\n` : ""}  keep(event: Touc
       const given = { ...attributes, ...(config ? { config } : {}) };
       return `<iframe src="https://touchpath.example/embed.html" title="Probing" width="100%" height="700"></iframe>
 <script type="module">
-  import { connect } from "touchpath/frame";
+  import { connect } from "./touchpath/frame.js";
   const frame = await connect(document.querySelector("iframe"), { origin: "https://touchpath.example", saves: true });
   await frame.set(${indented(value(given), 2)});
   frame.addEventListener("job-change", ({ detail }) => console.log(detail.job));

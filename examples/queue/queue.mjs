@@ -3,8 +3,8 @@
 //     node queue.mjs work                    a worker: one process a core
 //     node queue.mjs plan jobs/*.json        sends jobs, and writes each program beside its job
 //
-// REDIS=redis://host:6379 says where the queue is. With VERSION, CONFIG and job the same, the answer is the same: a job that was answered in the last hour
-// is not planned again.
+// REDIS=redis://host:6379 says where the queue is, CONFIG=shop.json which rules hold. Version and rules are in the queue's name, so that a job is planned by a
+// worker that has both. A job that was answered in the last hour is not planned again.
 import { createHash } from "node:crypto";
 import { readFile, writeFile } from "node:fs/promises";
 import { Queue, QueueEvents, Worker } from "bullmq";
@@ -13,9 +13,10 @@ import { JobError, plan, version } from "touchpath";
 
 /** A worker waits for its queue for as long as that is away. */
 const connection = new Redis(process.env.REDIS ?? "redis://127.0.0.1:6379", { maxRetriesPerRequest: null });
-const NAME = "touchpath";
 /** The rules of the shop, the same for all workers. */
 const config = process.env.CONFIG ? JSON.parse(await readFile(process.env.CONFIG, "utf8")) : undefined;
+const hash = (value) => createHash("sha256").update(JSON.stringify(value)).digest("hex");
+const NAME = `touchpath-${hash([version(), config ?? null]).slice(0, 16)}`;
 const HOUR = 3600;
 
 /** What a job is answered with. A job with errors is an answer, too: trying it again would find the same. */
@@ -45,16 +46,17 @@ async function send(files) {
   const events = new QueueEvents(NAME, { connection, lastEventId: `${seconds}000-0` });
   const one = async (file) => {
     const job = JSON.parse(await readFile(file, "utf8"));
-    // A queue takes a second job of one id for the first.
-    const key = createHash("sha256")
-      .update(JSON.stringify([version(), config ?? null, job]))
-      .digest("hex");
-    const kept = { age: HOUR };
-    const sent = await queue.add("plan", job, { jobId: key, attempts: 3, removeOnComplete: kept, removeOnFail: kept });
-    const { program, extension, findings } = await sent.waitUntilFinished(events, 60_000);
+    // A job whose id is in the queue already is not added again: its answer is that of both.
+    const sent = await queue.add("plan", job, {
+      jobId: hash(job),
+      attempts: 3,
+      removeOnComplete: { age: HOUR },
+      removeOnFail: true,
+    });
+    const { program, extension, findings } = await sent.waitUntilFinished(events);
     for (const { level, path, message } of findings)
       if (level === "error") console.error(`${file}: ${path}: ${message}`);
-    if (program !== null) await writeFile(file.replace(/\.json$/, `.${extension}`), program);
+    if (program !== null) await writeFile(`${file.replace(/\.json$/, "")}.${extension}`, program);
     return program !== null;
   };
   const good = await Promise.all(files.map(one));

@@ -4,7 +4,7 @@ import { cpSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:f
 import { join } from "node:path";
 import { test } from "node:test";
 import { PICTURE, settles } from "./common.mjs";
-import { folder, heard, inner, LISTEN, on, open, POLICY, page, set, setUp } from "./element.mjs";
+import { folder, heard, inner, LISTEN, on, open, POLICY, page, problems, set, setUp } from "./element.mjs";
 
 setUp();
 
@@ -58,7 +58,11 @@ test("form, picture and program stand where the portal puts them, and are one jo
     );
   }, page);
   const changes = (await heard()).filter(([name]) => name === "job-change");
-  assert.equal(changes.at(-1)?.[1].job.cycle.width1, 64, "the element says so, once a change");
+  assert.deepEqual(
+    changes.map(([, { job }]) => job.cycle.width1),
+    [64],
+    "the element says so, once a change",
+  );
   assert.equal(await on((element) => element.job.cycle.width1), 64);
   // What is set from outside is shown in all.
   await set("cycle", "boss");
@@ -70,9 +74,13 @@ test("form, picture and program stand where the portal puts them, and are one jo
 test("a line lights up its move in the other panels, and a dimension leads to its field", async () => {
   await open(PARTS);
   await allReady();
-  const lit = () => on((element) => element.store.highlight);
+  const over = () =>
+    part("picture")
+      .locator("canvas.over")
+      .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+  const before = await over();
   await part("program").locator(".line.touch").first().hover();
-  assert.equal(typeof (await lit()), "number");
+  await settles(async () => (await over()) !== before, page);
   // Escape in the picture unpins; a click on a dimension asks for its field, which another element has.
   await page.evaluate((name) => {
     const picture = document.querySelector("touch-picture")?.shadowRoot?.querySelector(name);
@@ -163,6 +171,86 @@ test("panels find an element that comes later, follow another one, and leave not
     ["late", "form"],
   );
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
+});
+
+test("an element that comes back has its panels again, and what is looked at is kept", async () => {
+  await open(PARTS.replace("<touch-program ", '<touch-program panels="program results" '));
+  await allReady();
+  await part("program").getByRole("tab", { name: "Results" }).click();
+  await page.evaluate(async () => {
+    const [path, form, program] = /** @type {any[]} */ (
+      ["touch-path", "touch-form", "touch-program"].map((name) => document.querySelector(name))
+    );
+    path.remove();
+    form.remove();
+    // Another element that comes meanwhile changes nothing.
+    document.body.append(document.createElement("touch-path"));
+    await new Promise((done) => setTimeout(done, 100));
+    if (program.shadowRoot.querySelector(".tabs") === null) throw new Error("the program is gone");
+    document.body.append(form);
+    document.body.append(path);
+    document.body.append(program);
+    await Promise.all([form.ready, program.ready]);
+  });
+  assert.ok(await width().isVisible());
+  assert.equal(await part("program").getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "true");
+});
+
+test("panels of an element that could not be loaded say so, and come when it is tried again", async () => {
+  await open('<touch-form for="later"></touch-form><main></main>');
+  await page.route(/\/app\.js$/, (route) => route.abort());
+  const shown = () =>
+    page.evaluate(async () => {
+      const form = /** @type {any} */ (document.querySelector("touch-form"));
+      const place = /** @type {Element} */ (document.querySelector("main"));
+      const element = /** @type {any} */ (place.firstElementChild ?? document.createElement("touch-path"));
+      element.id = "later";
+      element.remove();
+      place.append(element);
+      return form.ready.then(
+        () => "shown",
+        () => form.shadowRoot.querySelector("[role=alert]").textContent,
+      );
+    });
+  assert.match(await shown(), /could not be loaded/);
+  problems.length = 0;
+  await page.unroute(/\/app\.js$/);
+  assert.equal(await shown(), "shown");
+});
+
+test("a form that is sent leads to what is wrong in a panel elsewhere, and a panel sends no input of its own", async () => {
+  await open(`<form id="around">${PARTS.replace("<touch-path", '<touch-path name="job"')}<button>Send</button></form>`);
+  await allReady();
+  await page.evaluate(() => {
+    const own = /** @type {any} */ (window);
+    own.inputs = [];
+    document.addEventListener("input", (event) => own.inputs.push(/** @type {Element} */ (event.target).localName));
+  });
+  await part("form").locator('[id="f-cycle.width2"]').fill("-3");
+  assert.deepEqual(await page.evaluate(() => /** @type {any} */ (window).inputs), ["touch-path"]);
+  await page.getByRole("button", { name: "Send" }).click();
+  await settles(
+    () => page.evaluate(() => document.querySelector("touch-form")?.shadowRoot?.activeElement?.id === "f-cycle.width2"),
+    page,
+  );
+});
+
+test("findings lead to lines and fields of other panels", async () => {
+  await open(
+    `<touch-form for="job" panels="checks"></touch-form><touch-program for="job"></touch-program><touch-picture for="job" panels="form"></touch-picture>
+    <touch-path id="job" panels="none"></touch-path>`,
+  );
+  await allReady();
+  await part("form")
+    .locator("li button", { hasText: /[Ll]ine/ })
+    .first()
+    .click();
+  await settles(async () => (await part("program").locator(".line.match").count()) > 0, page);
+  await page.locator("#job").getByRole("button", { name: "Go to it" }).click();
+  // The length of the stylus is left out: its box has the focus.
+  const focused = () =>
+    page.evaluate(() => document.querySelector("touch-picture")?.shadowRoot?.activeElement?.ariaLabel);
+  await settles(async () => ((await focused()) ?? "").startsWith("Stylus length"), page);
 });
 
 test("a page holds two versions: the later one by a name of its own, each with its own insides", async () => {

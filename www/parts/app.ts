@@ -111,6 +111,18 @@ interface Around {
   lent?: boolean;
 }
 
+/** What shows a job: its element, and what shows panels of it elsewhere on the page. */
+const showing = new WeakMap<Store, Set<App>>();
+function shown(store: Store): Set<App> {
+  const all = showing.get(store) ?? new Set<App>();
+  showing.set(store, all);
+  return all;
+}
+/** Other panels are shown than before: what leads to them is drawn anew. */
+function redrawn(store: Store): void {
+  for (const app of shown(store)) app.requestUpdate();
+}
+
 /** The whole page. What fits beside the picture has a place of its own; the rest is behind tabs. */
 export class App extends LitElement {
   private panel: Panel | null = null;
@@ -138,7 +150,7 @@ export class App extends LitElement {
     private readonly around: Around,
   ) {
     super();
-    if (store.notice) this.tell(store.notice);
+    if (store.notice && !around.lent) this.tell(store.notice);
     new Refocus(this);
     this.language = around.lent
       ? null
@@ -203,6 +215,7 @@ export class App extends LitElement {
     this.theme = theme;
     this.asked = asked;
     this.wanted = panels;
+    redrawn(this.store);
     this.recolour();
     this.requestUpdate();
   }
@@ -275,9 +288,9 @@ export class App extends LitElement {
     this.store.addEventListener("told", this.pass);
     this.store.addEventListener("cam", this.redraw);
     this.store.addEventListener("language", this.reworded);
-    this.store.addEventListener("go", this.sought);
-    this.store.addEventListener("lines", this.sought);
     this.reworded();
+    shown(this.store).add(this);
+    redrawn(this.store);
     this.around.host.addEventListener("update-ready", this.offer);
     for (const query of [system, forced]) query.addEventListener("change", this.recolour);
     if (!this.around.links) return;
@@ -301,8 +314,8 @@ export class App extends LitElement {
     this.store.removeEventListener("told", this.pass);
     this.store.removeEventListener("cam", this.redraw);
     this.store.removeEventListener("language", this.reworded);
-    this.store.removeEventListener("go", this.sought);
-    this.store.removeEventListener("lines", this.sought);
+    shown(this.store).delete(this);
+    redrawn(this.store);
     this.around.host.removeEventListener("update-ready", this.offer);
     for (const query of [system, forced]) query.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
@@ -327,7 +340,7 @@ export class App extends LitElement {
     ];
     return html`
       <div class="frame" @ask=${(e: CustomEvent<string>) => this.ask(e.detail)} @about=${(e: CustomEvent<string>) => this.about(e.detail)} @choose=${(e: CustomEvent<string>) => this.choose(e.detail)}
-        @machine=${(e: CustomEvent<Preset>) => this.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.seek("go", e.detail)} @lines=${(e: CustomEvent<number[]>) => this.seek("lines", e.detail)}>
+        @machine=${(e: CustomEvent<Preset>) => this.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.find(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.with("program").showLines(e.detail)}>
       <header part="bar" ?hidden=${this.around.lent}>
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
         <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .saves=${!narrow}></tp-bar>
@@ -368,14 +381,14 @@ export class App extends LitElement {
         ${panels.includes("program") ? html`<section class="panel" part="panel program" id="panel-program" role=${role} aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
         ${panels.includes("table") ? html`<section class="panel" part="panel table" id="panel-table" role=${role} aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
         ${panels.includes("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
-        ${panels.includes("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${shows("program")}></tp-checks></section>` : nothing}
+        ${panels.includes("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${this.everywhere.includes("program")}></tp-checks></section>` : nothing}
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${this.chosen}></tp-gallery>` : nothing}
       ${this.tool === "manual" ? html`<tp-manual role="main" tabindex="0" .store=${store} .topic=${this.topic} @chosen=${this.chosen}></tp-manual>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" ?hidden=${this.around.lent} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${wanted} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
+      <footer part="footer" ?hidden=${this.around.lent} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${this.everywhere} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
       ${this.there.has("commands") ? html`<tp-commands .store=${store} .actions=${actions(frame)}></tp-commands>` : nothing}
       <tp-paste .store=${store} .take=${this.intake.pasted} .stop=${() => this.intake.stop()} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
@@ -564,24 +577,21 @@ export class App extends LitElement {
     return this.wanted.includes(panel) && this.checkVisibility();
   }
 
-  /** To a field, or to lines of the program: here, or in whatever else shows that panel of the job. */
-  private seek(what: "go" | "lines", detail: string | number[]): void {
-    const elsewhere = () => !this.store.dispatchEvent(new CustomEvent(what, { detail, cancelable: true }));
-    if (this.sees(what === "go" ? "form" : "program") || !elsewhere()) this.comes(detail);
+  /** What shows a panel of the job: this, or else what shows its panels elsewhere on the page; this where nothing does. */
+  private with(panel: PanelName): App {
+    if (this.sees(panel)) return this;
+    return [...shown(this.store)].find((app) => app.sees(panel)) ?? this;
   }
 
-  private comes(detail: string | number[]): void {
-    if (typeof detail === "string") this.go(detail);
-    else this.showLines(detail);
+  /** To a field, wherever the form is shown. */
+  find(path: string): void {
+    this.with("form").go(path);
   }
 
-  /** Something else that shows the job asks for what is seen here. */
-  private readonly sought = (event: Event): void => {
-    const { type, detail } = event as CustomEvent<string | number[]>;
-    if (event.defaultPrevented || !this.sees(type === "go" ? "form" : "program")) return;
-    event.preventDefault();
-    this.comes(detail);
-  };
+  /** All panels that are shown, here or elsewhere. */
+  private get everywhere(): PanelName[] {
+    return [...new Set([...shown(this.store)].flatMap((app) => app.wanted))];
+  }
 
   /** Whether the list of cycles stands above the form. */
   private lists = false;
@@ -595,8 +605,10 @@ export class App extends LitElement {
 
   /** Says what the store has done beside what it was asked for. */
   private readonly pass = (event: Event): void => {
-    // Once, where what it is about is typed.
-    if (!this.around.lent || this.sees("form")) this.tell((event as CustomEvent<Said>).detail, true);
+    // Once: in the element itself where that is seen, or else where what it is about is typed.
+    const all = [...shown(this.store)];
+    const one = all.find((app) => !app.around.lent && app.checkVisibility()) ?? all.find((app) => app.sees("form"));
+    if ((one ?? all[0]) === this) this.tell((event as CustomEvent<Said>).detail, true);
   };
 
   /** To the field of a path, or to the first one inside it; to Checks if no field is found. */
@@ -616,7 +628,9 @@ export class App extends LitElement {
       fields.find((one) => one.closest("tp-form") && inside.some((start) => one.id.startsWith(start)));
     if (!field) this.show("checks");
     field?.scrollIntoView({ block: "center" });
-    field?.focus();
+    // A number that is left out has its box in front of it.
+    const box = field?.matches(":disabled") && field.closest(".line")?.querySelector<HTMLElement>(".check input");
+    (box || field)?.focus();
   }
 
   /** To these lines of the program. */
@@ -738,8 +752,9 @@ export class App extends LitElement {
       keys: () => open("keys"),
       viewer: () => this.use("viewer"),
       checks: async () => {
-        await this.use("cycles");
-        this.show("checks");
+        const app = this.with("checks");
+        await app.use("cycles");
+        app.show("checks");
       },
       share: () => this.around.links && this.outlet.link(),
       "save-job": () => this.outlet.job(),

@@ -43,9 +43,10 @@ function unheld(store: Store, count: number): string {
 
 /** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */
 class ChecksPart extends Part {
+  static override properties = { linked: { attribute: false } };
   protected override follows = ["change"];
   /** Whether the program is on the page, to show lines of it. */
-  linked = false;
+  declare linked: boolean;
   /** Whether the controls are looked at: nothing is planned for them before. */
   private open = false;
 

@@ -31,7 +31,7 @@ export function nominal(store: Store): TemplateResult {
 class FindingsPart extends Part {
   protected override follows = ["change"];
   /** What is shown of the job: there is no way to what is not. */
-  panels: string[] = [];
+  declare panels: string[];
   /** Whether the page is Touchpath's own: a host receives every job. */
   alone = true;
   /** What was just done with the job as it is now. */
@@ -39,7 +39,11 @@ class FindingsPart extends Part {
   /** Whether the program is saved here. */
   declare saves: boolean;
 
-  static override properties = { said: { attribute: false }, saves: { attribute: false } };
+  static override properties = {
+    said: { attribute: false },
+    saves: { attribute: false },
+    panels: { attribute: false, hasChanged: (now: string[], before?: string[]) => now.join() !== before?.join() },
+  };
 
   override render(): TemplateResult {
     // What holds for the control always stands at its name.
