@@ -751,7 +751,7 @@ export class TouchPart extends Base {
   private held: { session: TouchPath; app: App } | null = null;
   /** Whose job is shown, or is about to be. */
   private whose: TouchPath | null = null;
-  private asked: TouchPath | null = null;
+  private asked: unknown = null;
   private root: Node | null = null;
   private attempt = new Attempt();
 
@@ -767,7 +767,9 @@ export class TouchPart extends Base {
 
   /** The element whose job it shows: that whose id is in `for`, unless another one is set. */
   get session(): TouchPath | null {
-    return this.asked ?? this.found();
+    const session = this.asked ?? this.found();
+    // One whose class is not known yet shows nothing so far.
+    return session instanceof HTMLElement && "lend" in session ? (session as TouchPath) : null;
   }
 
   set session(session: TouchPath | null | undefined) {
@@ -814,11 +816,10 @@ export class TouchPart extends Base {
     }
   }
 
-  private found(): TouchPath | null {
+  private found(): Element | null {
     const id = this.getAttribute("for");
     const root = this.getRootNode();
-    const found = id && (root instanceof Document || root instanceof ShadowRoot) ? root.getElementById(id) : null;
-    return found && "lend" in found ? (found as TouchPath) : null;
+    return id && (root instanceof Document || root instanceof ShadowRoot) ? root.getElementById(id) : null;
   }
 
   /** An element has come into the page. */

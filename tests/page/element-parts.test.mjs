@@ -187,12 +187,16 @@ test("an element that comes back has its panels again, and what is looked at is 
     document.body.append(document.createElement("touch-path"));
     await new Promise((done) => setTimeout(done, 100));
     if (program.shadowRoot.querySelector(".tabs") === null) throw new Error("the program is gone");
+    program.remove();
+    path.cycle = "boss";
     document.body.append(form);
     document.body.append(path);
     document.body.append(program);
     await Promise.all([form.ready, program.ready]);
   });
-  assert.ok(await width().isVisible());
+  // What has changed meanwhile is shown.
+  await part("form").locator('[id="f-cycle.diameter"]').waitFor();
+  await part("program").locator("tr", { hasText: "Diameter" }).first().waitFor();
   assert.equal(await part("program").getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "true");
 });
 
@@ -251,6 +255,30 @@ test("findings lead to lines and fields of other panels", async () => {
   const focused = () =>
     page.evaluate(() => document.querySelector("touch-picture")?.shadowRoot?.activeElement?.ariaLabel);
   await settles(async () => ((await focused()) ?? "").startsWith("Stylus length"), page);
+});
+
+test("what is no element of ours has no panels to show, and one that becomes one has", async () => {
+  await open("<touch-form></touch-form><div id=other></div><acme-path id=acme></acme-path><main></main>");
+  const shown = (/** @type {string} */ session) =>
+    page.evaluate(
+      `(async () => { const form = document.querySelector("touch-form"); form.session = ${session}; await new Promise((done) => setTimeout(done, 50)); return [form.session?.localName ?? null, form.shadowRoot.children[0].localName]; })()`,
+    );
+  for (const none of [
+    "5",
+    '"job"',
+    "{}",
+    'document.querySelector("#other")',
+    'document.querySelector("#acme")',
+    "null",
+  ])
+    assert.deepEqual(await shown(none), [null, "slot"], none);
+  await shown('document.querySelector("#acme")');
+  await page.evaluate(async () => {
+    const { define } = await import(new URL("touchpath/element/element.js", location.href).href);
+    define("acme-path");
+    await /** @type {any} */ (document.querySelector("touch-form")).ready;
+  });
+  await width().waitFor();
 });
 
 test("a page holds two versions: the later one by a name of its own, each with its own insides", async () => {

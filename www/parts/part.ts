@@ -55,6 +55,8 @@ export abstract class Part extends LitElement {
     super.connectedCallback();
     for (const name of [...this.follows, "language"]) this.store.addEventListener(name, this.redraw);
     if (this.lights) this.store.addEventListener("highlight", this.relight);
+    // While it was out of the page, nothing told it of changes.
+    if (this.hasUpdated) this.requestUpdate();
   }
 
   override disconnectedCallback(): void {
