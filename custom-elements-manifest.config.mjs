@@ -15,8 +15,10 @@ export default {
           module.declarations = module.declarations.filter((/** @type {any} */ one) => names.has(one.name));
           module.exports = module.exports.filter((/** @type {any} */ one) => names.has(one.declaration?.name));
           for (const one of module.declarations) {
-            // The events by their names; the analyzer also finds the one place that sends them.
-            one.events = (one.events ?? []).filter((/** @type {any} */ event) => event.name !== "name");
+            // The events by their names; the analyzer also finds the places that send them, one of them to panels elsewhere.
+            one.events = (one.events ?? []).filter(
+              (/** @type {any} */ event) => !["name", "HERE"].includes(event.name),
+            );
             const hidden = (/** @type {any} */ member) =>
               ["private", "protected"].includes(member.privacy) ||
               /Callback$/.test(member.name) ||
