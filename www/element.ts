@@ -940,7 +940,7 @@ if (globalThis.customElements) {
 
 /**
  * Gives the whole element of this version a name of its own, for a page that holds another version as `touch-path`. Its panels elsewhere on the page are those
- * of `<touch-form>`, `<touch-picture>` and `<touch-program>`, whichever version these are of. Throws where the name is taken, or is none for an element; does
+ * of `<touch-form>`, `<touch-picture>` and `<touch-program>`, whichever version these are of. Throws where the name is taken or not valid for an element; does
  * nothing where there is no document.
  */
 export function define(name: string): void {
