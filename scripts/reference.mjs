@@ -100,9 +100,10 @@ function cycles() {
   };
 }
 
+const code = (/** @type {string} */ text) => (text ? `\`${text}\`` : "");
+
 function element() {
   const [one] = JSON.parse(read("custom-elements.json")).modules[0].declarations;
-  const code = (/** @type {string} */ text) => (text ? `\`${text}\`` : "");
   const order = one.attributes.filter((/** @type {any} */ a) => a.description);
   return `${one.description}
 
@@ -126,7 +127,6 @@ ${table("custom property, meaning", one.cssProperties, (p) => [code(p.name), p.d
 function parts() {
   const [, ...all] = JSON.parse(read("custom-elements.json")).modules[0].declarations;
   const [one] = all;
-  const code = (/** @type {string} */ text) => (text ? `\`${text}\`` : "");
   return `### Panels elsewhere on the page
 
 ${table("element, class, what it is", all, (part) => [code(`<${part.tagName}>`), code(part.name), part.description])}

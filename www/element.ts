@@ -53,6 +53,16 @@ function isKnown(name: Wordy, value: unknown): boolean {
   return words.length > 0 && words.every((word) => (WORDS[name] as readonly unknown[]).includes(word));
 }
 
+/** Sets again what was set before the class of an element was known: it hides the class's own properties. */
+function takeUp<T extends object>(element: T, names: (keyof T)[]): void {
+  for (const name of names) {
+    if (!Object.hasOwn(element, name)) continue;
+    const value = element[name];
+    delete element[name];
+    element[name] = value;
+  }
+}
+
 /** One attempt to load the element. */
 class Attempt {
   /** Whether it has failed. */
@@ -165,8 +175,7 @@ export class TouchPath extends Base {
   }
 
   connectedCallback(): void {
-    // What was set before this class was known hides the class's own properties.
-    for (const name of [
+    takeUp(this, [
       "config",
       "job",
       "cycle",
@@ -183,12 +192,7 @@ export class TouchPath extends Base {
       "links",
       "storage",
       "name",
-    ] as const) {
-      if (!Object.hasOwn(this, name)) continue;
-      const value = this[name];
-      delete (this as Record<string, unknown>)[name];
-      (this as Record<string, unknown>)[name] = value;
-    }
+    ]);
     if (this.app) this.shadow.append(this.app);
     if (!this.loading) this.begin();
     this.dispatchEvent(new Event(HERE, { bubbles: true }));
@@ -789,12 +793,7 @@ export class TouchPart extends Base {
   }
 
   connectedCallback(): void {
-    for (const name of ["session", "panels"] as const) {
-      if (!Object.hasOwn(this, name)) continue;
-      const value = this[name];
-      delete (this as Record<string, unknown>)[name];
-      (this as Record<string, unknown>)[name] = value;
-    }
+    takeUp(this, ["session", "panels"]);
     // Its element may be put into the page, or be known, after this one.
     this.root = this.getRootNode();
     this.root.addEventListener(HERE, this.meet);

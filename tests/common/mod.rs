@@ -32,11 +32,31 @@ impl Draws {
     }
 }
 
-/// A program with a comment behind every block that has nothing but plain words: it means the same, and its reader reads it word by word.
+/// Whether a block is nothing but words of a letter and a number, behind its number and a block skip.
+fn is_plain(mut code: &str) -> bool {
+    let digits = |text: &str| text.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
+    while !code.is_empty() {
+        let rest = code[1..].trim_start_matches([' ', '\t']);
+        code = match code.as_bytes()[0] {
+            b' ' | b'\t' => rest,
+            b'/' => &code[1 + digits(&code[1..])..],
+            letter if b"NGXYZF".contains(&letter.to_ascii_uppercase()) => {
+                let unsigned = rest.strip_prefix(['-', '+']).unwrap_or(rest);
+                match digits(unsigned) {
+                    0 => return false,
+                    length => &unsigned[length..],
+                }
+            }
+            _ => return false,
+        }
+    }
+    true
+}
+
+/// A program with a comment behind every block that is nothing but such words: it means the same, and its reader reads it word by word.
 pub fn with_comments(text: &str) -> String {
-    let is_plain = |line: &str| line.bytes().all(|b| b.is_ascii_digit() || b" \t+-./NGXYZFngxyzf".contains(&b));
     text.split_inclusive('\n')
-        .map(|line| match line.strip_suffix('\n').filter(|code| is_plain(code) && !code.trim().is_empty()) {
+        .map(|line| match line.strip_suffix('\n').filter(|code| code.is_ascii() && is_plain(code) && !code.trim().is_empty()) {
             Some(code) => format!("{code} ;\n"),
             None => line.to_owned(),
         })

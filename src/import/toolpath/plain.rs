@@ -4,6 +4,7 @@ use crate::control::iso::codes::{Effect, effect};
 use crate::control::iso::lex::head;
 use crate::control::iso::script::Motion;
 use crate::import::toolpath::reader::{Given, Modes, Reader};
+use crate::import::toolpath::words::tenths;
 use crate::num::read_digits;
 
 impl Reader {
@@ -16,7 +17,7 @@ impl Reader {
         let mut rest = line;
         if matches!(line, [b'N' | b'n', ..]) {
             let head = head(line);
-            // A block that may be left out is said.
+            // That a block may be skipped is reported.
             if head.skips {
                 return false;
             }
@@ -42,9 +43,9 @@ impl Reader {
             let value = if negative { -size } else { size };
             rest = &digits[length..];
             match letter {
-                b'G' if motion.is_none() => match line_motion(self, value) {
-                    Some(line) => motion = Some(line),
-                    None => return false,
+                b'G' if motion.is_none() => match effect(self.family(), b'G', tenths(value)) {
+                    Some(Effect::Motion(stays)) => motion = Some(stays),
+                    _ => return false,
                 },
                 b'F' if feed.is_none() => feed = Some(value),
                 b'X'..=b'Z' if given & 1 << (letter - b'X') == 0 => {
@@ -55,6 +56,7 @@ impl Reader {
             }
         }
         let motion = motion.unwrap_or(self.modes.motion);
+        // An arc has its centre or radius in other words.
         if matches!(motion, Motion::Clockwise | Motion::Counter) {
             return false;
         }
@@ -77,15 +79,5 @@ impl Reader {
         let Modes { curve, given, absolute, diameter, .. } = self.modes;
         let modes = absolute && !curve && !diameter && given == Given::Place;
         modes && !self.ended && !self.inside && !self.turned && self.lost == 0 && self.run.is_none() && self.log.is_none()
-    }
-}
-
-/// The motion along a line that a G code begins.
-#[inline]
-fn line_motion(reader: &Reader, code: f64) -> Option<Motion> {
-    match effect(reader.family(), b'G', super::words::tenths(code))? {
-        Effect::Motion(Motion::Clockwise | Motion::Counter) => None,
-        Effect::Motion(motion) => Some(motion),
-        _ => None,
     }
 }

@@ -86,3 +86,44 @@ fn a_block_of_plain_words_is_what_it_is_word_by_word() {
     }
     assert!(plain > 20_000, "{plain} plain blocks");
 }
+
+/// Blocks that are nearly plain, among lines of any control.
+#[test]
+fn random_signs_among_lines_are_what_they_are_word_by_word() {
+    let mut draws = Draws(0xABCDEF);
+    let signs = b"0123456789 .+-/NGXYZFn\t";
+    let lines = [
+        "G91",
+        "G1 X1",
+        "M30",
+        "L1 X1 Y2 F100",
+        "BEGIN PGM A MM",
+        "* - x",
+        "(a)",
+        "; x",
+        "%",
+        "O1",
+        "#1=3",
+        "G38.2 Z-1 F10",
+        "12 L X+5",
+        "TOOL CALL 5",
+        "G53",
+    ];
+    for round in 0..6000 {
+        let mut text = String::new();
+        for _ in 0..6 {
+            if draws.below(2) == 0 {
+                text.push_str(lines[draws.below(lines.len())]);
+            } else {
+                for _ in 0..draws.below(9) {
+                    text.push(signs[draws.below(signs.len())] as char);
+                }
+            }
+            text.push('\n');
+        }
+        let slow = with_comments(&text);
+        let dialect = Some(DIALECTS[round % 3]);
+        let (fast, slow) = (read_program(&text, dialect), read_program(&slow, dialect));
+        assert_eq!(format!("{fast:?}"), format!("{slow:?}"), "{text} {dialect:?}");
+    }
+}
