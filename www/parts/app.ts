@@ -416,6 +416,8 @@ export class App extends LitElement {
       look: () => this.requestUpdate(),
       choose: (what) => {
         this.renderRoot.querySelector<HTMLElement>("#menu")?.hidePopover();
+        // The item is gone: what follows comes back to the menu's button, however long it takes.
+        this.renderRoot.querySelector<HTMLElement>("tp-bar [popovertarget]")?.focus({ preventScroll: true });
         this.ask(what);
       },
       chooseLanguage: (lang) => this.language?.choose(lang),
