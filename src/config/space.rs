@@ -2,7 +2,7 @@
 
 use crate::geom::Vec3;
 use crate::part::Shape;
-use crate::path::{Path, Purpose};
+use crate::path::{Path, Purpose, most};
 
 /// The travel of the machine and its keep-out zones, in the work coordinate system, mm.
 #[derive(Debug)]
@@ -64,7 +64,9 @@ pub fn pieces(path: &Path) -> Vec<Piece> {
     let mut at = path.start.or(path.moves.first().map(|step| step.to));
     for (index, step) in path.moves.iter().enumerate() {
         let Some(mut from) = at else { break };
-        let shift = Vec3::from_array(path.shifts(index).map(|by| if by.is_some() { path.most_shift } else { 0.0 }));
+        // The place where it begins may be shifted farther than that where it ends.
+        let begin = index.checked_sub(1).map_or(Vec3::ZERO, |before| most(path.shifts(before)));
+        let shift = most(path.shifts(index)).max(begin);
         for to in step.pieces(from, path.frame.w, PIECE) {
             found.push(Piece { from, to, shift, index, search: false });
             from = to;

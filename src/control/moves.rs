@@ -5,10 +5,10 @@ use std::ops::Range;
 use crate::control::iso::registers::{When, needed_touches};
 use crate::control::iso::writer::{Writer, pieces, start_unknown};
 use crate::control::{Program, Request};
-use crate::formula::{Datum, Formula, Question, Used, Variable};
+use crate::formula::{Datum, Formula, Question, Used};
 use crate::geom::Vec3;
 use crate::num::format_count;
-use crate::path::{Move, Purpose, Repeat, Touch};
+use crate::path::{Move, Purpose, Repeat, Term, Touch};
 
 /// A move of the path, and its place in it.
 #[derive(Clone, Copy, Debug)]
@@ -48,8 +48,8 @@ pub trait Moves {
         false
     }
 
-    /// What a program calls the value of an assignment, on a control that computes.
-    fn value(&self, _formula: &Formula, _variable: Variable) -> String {
+    /// What is added to a place that these shift, on a control that computes; `scale` is the millimetres in a unit of the program.
+    fn shift(&self, _formula: &Formula, _terms: &[Term], _scale: f64) -> String {
         String::new()
     }
 
@@ -112,7 +112,7 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
             }
         }
         if !path.shifts.is_empty() {
-            w.shifts_by(path.shifts(index).map(|shift| shift.map_or_else(String::new, |by| hooks.value(formula, by))));
+            w.shifts_by(path.shifts(index).each_ref().map(|terms| hooks.shift(formula, terms, request.scale)));
         }
         match step.purpose {
             _ if own.iter().any(|own| own.contains(&index)) => {

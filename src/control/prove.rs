@@ -5,9 +5,9 @@ use crate::control::iso::script::{Script, Slot};
 use crate::control::rules::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
-use crate::formula::{Asked, Dual, Role, Variable};
+use crate::formula::{Asked, Dual, Question, Role, Variable};
 use crate::geom::Vec3;
-use crate::path::{Arc, Move, Path, Purpose, Shifts, Touch, WAY};
+use crate::path::{Arc, Follow, Move, Path, Purpose, Shifts, Term, Touch, WAY};
 use crate::text::{Text, text, words};
 
 /// What was proven of a program. There is no way to make one but [`prove`].
@@ -89,10 +89,9 @@ impl Followed<'_> {
     /// so much, mm.
     pub fn stops_before(&self, request: &Request<'_>, member: usize, (result, off): (usize, f64)) -> bool {
         let path = request.path;
-        let axis = (0..3).find(|axis| path.members[member].follows[*axis].is_some_and(|follow| follow.result == result));
-        let displaced = axis.zip(self.triggered.as_ref());
-        let Some((axis, own)) = displaced else { return false };
-        let displaced = match own.displaced(request, (result, off), axis, member) {
+        let follow = path.members[member].placing.follows.iter().find(|follow| follow.result == result);
+        let Some((follow, own)) = follow.zip(self.triggered.as_ref()) else { return false };
+        let displaced = match own.displaced(request, follow, off, member) {
             Ok(Some(displaced)) => displaced,
             // What no place of the part changes is never off.
             Ok(None) => return true,
@@ -239,18 +238,18 @@ impl Triggered {
         /// Halved so often, a trigger is nominal to the last digit.
         const HALVED: i32 = 24;
         let path = request.path;
-        let by = self.shift(path.members[member].follows.map(|follow| follow.map(|follow| follow.shift)));
-        let limit = request.limits.position.unwrap_or(0.0);
         let own = path.members[member].results.clone();
-        let follows = path.members[member + 1..].iter().flat_map(|later| later.follows.into_iter().flatten());
-        let followed: Vec<usize> = follows.map(|follow| follow.result).filter(|result| own.contains(result)).collect();
+        let follows = path.members[member + 1..].iter().flat_map(|later| &later.placing.follows);
+        let followed = follows.map(|follow| follow.result).filter(|result| own.contains(result));
+        let questions: Vec<Question> = followed.filter_map(|result| path.formula.leads(result, &request.limits)).collect();
         for halved in 0..HALVED {
-            for (k, from, step) in searches_of(path, member) {
-                let way = from.map_or(0.0, |from| from.distance(step.to));
+            for (k, from, index) in searches_of(path, member) {
+                let way = from.map_or(0.0, |from| from.distance(path.moves[index].to));
+                let by = self.shift(&path.shifts_at(index, path.touches[k].contact(request.setup.radius)));
                 self.triggers[k] = trigger(request, k, way, 0.5f64.powi(halved)) + by;
             }
             self.compute(request, member);
-            if followed.iter().all(|result| self.off(request, *result).abs() < 0.9 * limit) {
+            if questions.iter().all(|question| self.off(request, question.result).abs() < 0.9 * question.limit) {
                 return Ok(());
             }
         }
@@ -279,59 +278,85 @@ impl Triggered {
     }
 
     /// By how much these values shift a place, mm.
-    fn shift(&self, shifts: Shifts) -> Vec3 {
-        let value = |shift: Variable| self.values.get(shift.index()).map_or(0.0, |value| value.value);
-        Vec3::from_array(shifts.map(|shift| shift.map_or(0.0, value)))
+    fn shift(&self, shifts: &Shifts) -> Vec3 {
+        let value = |term: &Term| self.values.get(term.by.index()).map_or(0.0, |value| term.factor * value.value);
+        Vec3::from_array(shifts.each_ref().map(|terms| terms.iter().map(value).sum()))
     }
 
-    /// The same where all touches of the cycle of a result lie elsewhere along `axis`, so that the result is off by so much; and the cycles up to a member
-    /// lie where that leads them. `None` if the place of the cycle does not change the result.
+    /// The same where the touches of the cycle of a result lie elsewhere, so that the result is off by so much: of a place all of them along its axis, of a
+    /// size or direction each by what it has to do with it. The cycles up to a member lie where that leads them. `None` if that does not change the result.
     fn displaced(
         &self,
         request: &Request<'_>,
-        (result, off): (usize, f64),
-        axis: usize,
+        Follow { result, axis, .. }: &Follow,
+        off: f64,
         until: usize,
     ) -> Result<Option<Self>, Vec<Fault>> {
         /// A coordinate that changes by less than this for each mm is that of a wall across another axis.
         const STILL: f64 = 1e-6;
-        let path = request.path;
+        /// A direction is no straight function of where its touches lie.
+        const ROUNDS: usize = 8;
+        let (path, result) = (request.path, *result);
         let source = path.members.partition_point(|member| member.results.end <= result);
         let mut own = self.clone();
-        let mut way = Vec3::ZERO;
-        way[axis] = 1.0;
+        let touches = path.members[source].touches.clone();
+        let ways: Vec<Vec3> = match axis {
+            Some(axis) => vec![Vec3::AXES[*axis]; touches.len()],
+            None => own.slopes(request, result, touches.clone()),
+        };
         let move_by = |own: &mut Self, far: f64| {
-            own.triggers[path.members[source].touches.clone()].iter_mut().for_each(|trigger| *trigger += way * far);
+            own.triggers[touches.clone()].iter_mut().zip(&ways).for_each(|(trigger, way)| *trigger += *way * far);
             own.compute(request, source);
         };
+        // How far, a trial says.
         let before = own.off(request, result);
-        // How far, one trial says.
         move_by(&mut own, 1.0);
         let each = own.off(request, result) - before;
         if each.abs() < STILL {
             return Ok(None);
         }
-        move_by(&mut own, (off - before) / each - 1.0);
+        let mut left = off - before - each;
+        for _ in 0..ROUNDS {
+            move_by(&mut own, left / each);
+            left = off - own.off(request, result);
+            if left.abs() < 1e-9 {
+                break;
+            }
+        }
         for member in source + 1..until {
             own.touch(request, member)?;
         }
         Ok(Some(own))
     }
 
+    /// Ways of these touches along which a result changes by a unit, if all of them go 1 mm of it: along the probing direction of each, by as much as it
+    /// has to do with the result.
+    fn slopes(&self, request: &Request<'_>, result: usize, touches: std::ops::Range<usize>) -> Vec<Vec3> {
+        let Some(variable) = request.path.formula.results[result].variable else { return vec![Vec3::ZERO; touches.len()] };
+        let slope = |sample: usize| {
+            let mut by = self.values[variable.index()].by_samples();
+            by.find_map(|(first, slopes)| slopes.get(sample.checked_sub(first)?).copied()).unwrap_or(0.0)
+        };
+        let own: Vec<(Vec3, f64)> =
+            request.path.touches[touches].iter().map(|touch| (touch.vector, slope(touch.sample))).collect();
+        let square: f64 = own.iter().map(|(_, slope)| slope * slope).sum();
+        own.iter().map(|(vector, slope)| if square > 0.0 { *vector * (slope / square) } else { Vec3::ZERO }).collect()
+    }
+
     /// By how much each move is shifted.
     fn shifted(&self, path: &Path) -> Shifted {
-        let shifts = path.members.iter().flat_map(|member| member.follows.into_iter().flatten());
-        let known = shifts.filter_map(|follow| self.values.get(follow.shift.index()));
-        let reach = known.map(Dual::reach).fold(0.0, f64::max);
+        let reach = |term: &Term| self.values.get(term.by.index()).map_or(0.0, |value| term.factor.abs() * value.reach());
+        let of = |i: usize| path.shifts(i).iter().map(move |terms| terms.iter().map(reach).sum::<f64>());
+        let reach = (0..path.moves.len()).flat_map(of).fold(0.0, f64::max);
         Shifted { by: (0..path.moves.len()).map(|i| self.shift(path.shifts(i))).collect(), reach }
     }
 }
 
-/// The touches of a member: which, from where, and the move.
-fn searches_of(path: &Path, member: usize) -> impl Iterator<Item = (usize, Option<Vec3>, &Move)> {
+/// The touches of a member: which, from where, and the index of its move.
+fn searches_of(path: &Path, member: usize) -> impl Iterator<Item = (usize, Option<Vec3>, usize)> {
     let moves = path.members[member].moves.clone();
     moves.filter_map(|i| match path.moves[i].purpose {
-        Purpose::Touch(k) => Some((k, i.checked_sub(1).map_or(path.start, |i| Some(path.moves[i].to)), &path.moves[i])),
+        Purpose::Touch(k) => Some((k, i.checked_sub(1).map_or(path.start, |i| Some(path.moves[i].to)), i)),
         Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
     })
 }
@@ -390,8 +415,8 @@ impl Expected {
             let shift = expected.shift(i);
             if let Purpose::Touch(k) = step.purpose {
                 let end = expected.place(search_end(step, &path.touches[k]) + shift);
-                // A touch begins in its own cycle, which is shifted as a whole.
-                expected.touches.push((k, (expected.place(from.map_or(Vec3::NAN, |from| from + shift)), end)));
+                let begin = i.checked_sub(1).map_or(shift, |before| expected.shift(before));
+                expected.touches.push((k, (expected.place(from.map_or(Vec3::NAN, |from| from + begin)), end)));
             }
             from = Some(step.to);
         }

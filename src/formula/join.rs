@@ -48,12 +48,31 @@ impl Formula {
         if nominal.abs() <= 90.0 {
             return self.assign("turn", cycle, off);
         }
-        // Near half a turn a control may give the angle a whole turn away.
         let away = self.assign("turned", cycle, off);
+        let turn = self.within_half_a_turn(away);
+        self.assign("turn", cycle, turn)
+    }
+
+    /// The same for the next cycle, which is turned by it: the angle, its sine, and its cosine less 1.
+    pub fn turns_next(&mut self, direction: Variable, nominal: f64) -> [Variable; 3] {
+        let cycle = self.cycles.len() as u16;
+        let [measured, wanted] = [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
+        let off = if nominal == 0.0 { measured } else { self.push(Node::Binary(Op::Subtract, measured, wanted)) };
+        let away = self.assign("away_by", cycle, off);
+        let turn = self.within_half_a_turn(away);
+        let angle = self.assign("turned_by", cycle, turn);
+        let known = self.push(Node::Variable(angle));
+        let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| self.push(Node::Call(function, known)));
+        let one = self.push(Node::Number(1.0));
+        let less = self.push(Node::Binary(Op::Subtract, cosine, one));
+        [angle, self.assign("sin", cycle, sine), self.assign("cos", cycle, less)]
+    }
+
+    /// An angle within half a turn: near that a control may give it a whole turn away.
+    fn within_half_a_turn(&mut self, away: Variable) -> NodeId {
         let angle = self.push(Node::Variable(away));
         let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| self.push(Node::Call(function, angle)));
-        let turn = self.push(Node::Atan2(sine, cosine));
-        self.assign("turn", cycle, turn)
+        self.push(Node::Atan2(sine, cosine))
     }
 
     fn push(&mut self, node: Node) -> NodeId {

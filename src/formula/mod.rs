@@ -17,6 +17,7 @@ mod node;
 mod plain;
 mod relate;
 mod repeat;
+mod turned;
 
 pub use circle::{CircleFit, fit_circle};
 pub use draft::{Draft, Expr, Value};
@@ -24,6 +25,7 @@ pub use dual::Dual;
 pub use name::Name;
 pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
 pub use relate::{Operand, Relation, related};
+pub use turned::Turn;
 
 use crate::formula::repeat::Repeats;
 use crate::geom::Vec3;
@@ -366,7 +368,7 @@ impl Formula {
             return self;
         }
         let draft = Draft::with_room_for(MOST_SAMPLES);
-        let variables = plain::write(&self, &draft, None);
+        let variables = plain::write(&self, &draft, &plain::Touches);
         self.written(draft, &variables)
     }
 
@@ -375,7 +377,7 @@ impl Formula {
     pub fn repeated(self, times: usize, along: &[Vec3], limit: Option<f64>) -> Formula {
         let draft = Draft::with_room_for(times * along.len());
         let repeats = Repeats::of(times, along, self.used());
-        let variables = plain::write(&self, &draft, Some(&repeats));
+        let variables = plain::write(&self, &draft, &repeats);
         repeats.state(&draft, limit);
         self.written(draft, &variables)
     }
@@ -435,8 +437,13 @@ impl Formula {
     /// What is asked of a result before a cycle that it gives the place of.
     pub fn leads(&self, result: usize, limits: &Limits) -> Option<Question> {
         let def = &self.results[result];
-        let (variable, limit) = (def.variable?, limits.position?);
-        Some(Question { asked: Asked::Leads, result, variable, wanted: def.nominal, limit, angle: false })
+        let limit = match def.role {
+            Role::Size => limits.size,
+            Role::Angle | Role::Direction => limits.angle,
+            _ => limits.position,
+        };
+        let (variable, limit, angle) = (def.variable?, limit?, def.role.is_angle());
+        Some(Question { asked: Asked::Leads, result, variable, wanted: def.nominal, limit, angle })
     }
 
     /// Of each assignment, whether it depends on a touch.
@@ -454,6 +461,13 @@ impl Formula {
             measured.push(own);
         }
         measured
+    }
+
+    /// Whether another one computes the same results by the same arithmetic; what they nominally are may differ.
+    pub fn computes_as(&self, other: &Formula) -> bool {
+        let results = |own: &Formula| own.results.iter().map(|result| result.variable).collect::<Vec<_>>();
+        let assignments = |own: &Formula| own.assignments.iter().map(|assignment| assignment.node).collect::<Vec<_>>();
+        self.nodes == other.nodes && results(self) == results(other) && assignments(self) == assignments(other)
     }
 
     /// Which coordinates of the triggers are used at all.

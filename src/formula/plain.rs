@@ -1,13 +1,27 @@
 //! A formula written again in arithmetic that any control can do, and of touches that are repeated.
 
 use crate::formula::node::{Samples, Variable};
-use crate::formula::repeat::Repeats;
 use crate::formula::{CirclePart, Draft, Expr, Formula, Name, Node, NodeId, Value};
 
-/// Writes the assignments of a formula, after those of the means and circles that they need. Where each of them stands now.
-pub(super) fn write<'f>(formula: &Formula, draft: &'f Draft, repeats: Option<&Repeats<'f>>) -> Vec<Variable> {
+/// Where a formula has the coordinates of its touches from.
+pub(super) trait Source<'f> {
+    /// Coordinate `axis` of a sample.
+    fn trigger(&self, draft: &'f Draft, sample: usize, axis: usize) -> Expr<'f>;
+}
+
+/// The touches themselves.
+pub(super) struct Touches;
+
+impl<'f> Source<'f> for Touches {
+    fn trigger(&self, draft: &'f Draft, sample: usize, axis: usize) -> Expr<'f> {
+        draft.trigger(sample, axis)
+    }
+}
+
+/// Writes the assignments of a formula, after those of the touches and circles that they need. Where each of them stands now.
+pub(super) fn write<'f>(formula: &Formula, draft: &'f Draft, source: &dyn Source<'f>) -> Vec<Variable> {
     let values = Vec::with_capacity(formula.assignments.len());
-    let mut plain = Plain { formula, draft, repeats, values, circles: Vec::new() };
+    let mut plain = Plain { formula, draft, source, values, circles: Vec::new() };
     for assignment in &formula.assignments {
         let node = plain.node(assignment.node);
         plain.values.push(draft.assign(assignment.name, node));
@@ -18,8 +32,7 @@ pub(super) fn write<'f>(formula: &Formula, draft: &'f Draft, repeats: Option<&Re
 struct Plain<'a, 'f> {
     formula: &'a Formula,
     draft: &'f Draft,
-    /// How its touches are repeated; none where they are not.
-    repeats: Option<&'a Repeats<'f>>,
+    source: &'a dyn Source<'f>,
     /// The assignments so far.
     values: Vec<Value<'f>>,
     /// The circles so far: abscissa and ordinate of the centre, radius and residual.
@@ -41,12 +54,8 @@ impl<'f> Plain<'_, 'f> {
         self.draft.push(node).node
     }
 
-    /// Coordinate `axis` of a sample, or of the mean of its touches.
     fn trigger(&self, sample: usize, axis: usize) -> Expr<'f> {
-        match self.repeats {
-            None => self.draft.trigger(sample, axis),
-            Some(repeats) => repeats.mean(self.draft, sample, axis).into(),
-        }
+        self.source.trigger(self.draft, sample, axis)
     }
 
     /// A part of a circle, which is written where it is needed first.

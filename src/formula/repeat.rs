@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use crate::formula::draft::{Draft, Expr, Value};
+use crate::formula::plain::Source;
 use crate::formula::{Name, Role, Used};
 use crate::geom::Vec3;
 use crate::num::tidy;
@@ -29,6 +30,12 @@ struct Written<'f> {
 
 const MEANS: [&str; 3] = ["_x", "_y", "_z"];
 
+impl<'f> Source<'f> for Repeats<'f> {
+    fn trigger(&self, f: &'f Draft, sample: usize, axis: usize) -> Expr<'f> {
+        self.mean(f, sample, axis).into()
+    }
+}
+
 impl<'f> Repeats<'f> {
     pub(super) fn of(times: usize, along: &[Vec3], used: Used) -> Self {
         Repeats { times, along: along.to_vec(), used, written: RefCell::default() }
@@ -36,7 +43,7 @@ impl<'f> Repeats<'f> {
 
     /// The mean of a coordinate of a sample. What is computed of a sample is written where it is needed first: a control keeps its touches no longer than
     /// that.
-    pub(super) fn mean(&self, f: &'f Draft, sample: usize, axis: usize) -> Value<'f> {
+    fn mean(&self, f: &'f Draft, sample: usize, axis: usize) -> Value<'f> {
         let known =
             |written: &Written<'f>| written.means.iter().find(|(key, _)| *key == (sample, axis)).map(|(_, value)| *value);
         if let Some(value) = known(&self.written.borrow()) {

@@ -1,4 +1,4 @@
-//! Places that follow a result of an earlier cycle: `"=TOP.z-5"` in the origin of a cycle of a set-up.
+//! What follows a result of an earlier cycle of a set-up: a place, `"=TOP.z-5"`, a rotation, `"=SIDE.rotation+90"`, a size, `"=BORE.diameter-2"`.
 
 use crate::control::Form;
 use crate::form::{Checker, Value, printable};
@@ -6,17 +6,14 @@ use crate::formula::{Formula, Role, Variable};
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::planned::{Planned, several};
-use crate::num::{decimal, tidy};
+use crate::num::{decimal, tidy, wrap_degrees};
 use crate::part::Run;
-use crate::path::{Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
+use crate::path::{Along, Follows, Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
 use crate::text::text;
 use crate::{formula, part};
 
 /// The most characters of such a text.
 pub const LONGEST_PLACE: usize = 64;
-
-/// Along X, Y and Z, the cycle and the code of the result that a cycle follows.
-pub type Follows = [Option<(usize, &'static str)>; 3];
 
 /// A text that begins with a result: its name, and what is added to it in the job's units.
 struct Sum<'t> {
@@ -56,48 +53,129 @@ pub struct Earlier<'a> {
     pub jobs: &'a [Option<Job>],
 }
 
-/// Puts the nominal value of each result that the origin of cycle `index` follows in its place. Reports what is wrong with it; the cycle is read on with a
-/// zero there.
-pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &Earlier<'_>) -> Follows {
-    let mut follows = [None; 3];
-    let Some(Value::List(origin)) = origin_of(single) else { return follows };
-    for (axis, item) in origin.iter_mut().enumerate().take(3) {
-        let Value::Text(text) = item else { continue };
-        if !text.trim_start_matches(' ').starts_with('=') {
-            continue;
-        }
-        let path = format!("cycles[{index}].origin[{axis}]");
-        let followed = one(checker, text, (axis, &path), earlier);
-        let nominal = followed.as_ref().map_or(0.0, |(_, nominal)| *nominal);
-        follows[axis] = followed.map(|(follow, _)| follow);
-        *item = Value::Number(nominal);
-    }
-    follows
+/// What a cycle is to follow, with its sizes not yet tried.
+#[derive(Debug, Default)]
+pub struct Wanted {
+    pub follows: Follows,
+    /// The keys of its sizes, and what each follows.
+    sizes: Vec<(String, (usize, &'static str))>,
 }
 
-fn origin_of(single: &mut Value) -> Option<&mut Value> {
+/// The most sizes of a cycle that follow results.
+const MOST_SIZES: usize = 2;
+
+/// Puts the nominal value of each result that cycle `index` follows in its place. Reports what is wrong with it; the cycle is read on with a zero there,
+/// or with the size of the form.
+pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &Earlier<'_>) -> Wanted {
+    let mut wanted = Wanted::default();
+    let Some(entries) = cycle_of(single) else { return wanted };
+    let def = entries.iter().rev().find(|(key, _)| key == "type").and_then(|(_, value)| match value {
+        Value::Text(key) => crate::cycle::find(key),
+        _ => None,
+    });
+    let fields = def.map_or(&[][..], |def| def.fields);
+    let (mut places, mut rotates) = ([const { None }; 3], None);
+    for (key, value) in entries.iter_mut() {
+        let field = fields.iter().find(|field| field.key == key);
+        match value {
+            Value::List(origin) if key == "origin" => {
+                for (axis, item) in origin.iter_mut().enumerate().take(3) {
+                    let Some(text) = result_text(item) else { continue };
+                    let path = format!("cycles[{index}].origin[{axis}]");
+                    let found = one(checker, text, (Kind::Place(axis), &path), earlier);
+                    *item = Value::Number(found.as_ref().map_or(0.0, |found| found.nominal));
+                    places[axis] = found;
+                }
+            }
+            _ if key == "rotation" && field.is_some() => {
+                let Some(text) = result_text(value) else { continue };
+                let path = format!("cycles[{index}].rotation");
+                let found = one(checker, text, (Kind::Rotation, &path), earlier);
+                *value = Value::Number(found.as_ref().map_or(0.0, |found| wrap_degrees(found.nominal)));
+                rotates = found;
+            }
+            _ if field.is_some_and(|field| field.size && field.kind.is_metric()) => {
+                let Some(text) = result_text(value) else { continue };
+                let path = format!("cycles[{index}].{key}");
+                let found = one(checker, text, (Kind::Size, &path), earlier);
+                match &found {
+                    Some(found) => *value = Value::Number(found.nominal),
+                    // A size is left to the form where it is not known.
+                    None => *value = Value::Null,
+                }
+                wanted.sizes.extend(found.map(|found| (key.clone(), found.of)));
+            }
+            _ => {}
+        }
+    }
+    entries.retain(|(key, value)| {
+        !(matches!(value, Value::Null) && fields.iter().any(|field| field.key == key && field.size && field.kind.is_metric()))
+    });
+    wanted.follows.rotation = rotates.map(|found| found.of);
+    wanted.follows.place = places.each_ref().map(|found| found.as_ref().map(|found| found.of));
+    wanted.follows.about = Vec3::from_array(places.map(|found| found.map_or(f64::NAN, |found| found.place)));
+    wanted
+}
+
+/// What a text that begins with a result says.
+fn result_text(value: &Value) -> Option<&str> {
+    match value {
+        Value::Text(text) => Some(text.as_str()).filter(|text| text.trim_start_matches(' ').starts_with('=')),
+        _ => None,
+    }
+}
+
+fn cycle_of(single: &mut Value) -> Option<&mut Vec<(String, Value)>> {
     let Value::Map(entries) = single else { return None };
     let (_, cycle) = entries.iter_mut().rev().find(|(key, _)| key == "cycle")?;
-    let Value::Map(entries) = cycle else { return None };
-    entries.iter_mut().rev().find(|(key, _)| key == "origin").map(|(_, origin)| origin)
+    match cycle {
+        Value::Map(entries) => Some(entries),
+        _ => None,
+    }
 }
 
-/// What one place follows, and where it is on the nominal part, in the job's units.
-fn one(
-    checker: &mut Checker,
-    text: &str,
-    (axis, path): (usize, &str),
-    earlier: &Earlier<'_>,
-) -> Option<((usize, &'static str), f64)> {
+/// What of a cycle follows a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// A coordinate along an axis.
+    Place(usize),
+    Rotation,
+    Size,
+}
+
+/// A result that is followed.
+struct Found {
+    /// The cycle and the code.
+    of: (usize, &'static str),
+    /// What is given to the cycle on the nominal part, in the job's units or degrees.
+    nominal: f64,
+    /// What the result is on the nominal part, mm or degrees.
+    place: f64,
+}
+
+/// What one text follows, and what that is on the nominal part.
+fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &Earlier<'_>) -> Option<Found> {
     let refuse = |checker: &mut Checker, message| {
         checker.error("place-of-result", path, message);
         None
     };
     let Some(Sum { name, added }) = Sum::of(text) else {
-        let message = text!(
-            "\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5",
-            printable(text).chars().take(LONGEST_PLACE).collect::<String>()
-        );
+        let given = printable(text).chars().take(LONGEST_PLACE).collect::<String>();
+        let message = match kind {
+            Kind::Place(_) => {
+                text!("\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5", given)
+            }
+            Kind::Rotation => {
+                text!(
+                    "\"{given}\" is no angle: a direction that an earlier cycle measures and a number, as in =SIDE.rotation+90",
+                    given
+                )
+            }
+            Kind::Size => text!(
+                "\"{given}\" is no size: a size that an earlier cycle measures and a number, as in =BORE.diameter-2",
+                given
+            ),
+        };
         return refuse(checker, message);
     };
     // An error in an earlier cycle is reported there.
@@ -108,21 +186,30 @@ fn one(
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
     let short = ["x", "y", "z"].iter().position(|letter| code.eq_ignore_ascii_case(letter));
     let own = earlier.names.iter().take(jobs.len()).position(|name| name.eq_ignore_ascii_case(of));
-    let own = own.into_iter().flat_map(|cycle| places(jobs[cycle]).into_iter().map(move |place| (cycle, place)));
-    let is = |place: &Place| place.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| letter == place.letter);
-    let mut found = own.filter(|(_, place)| is(place));
-    let (cycle, place) = match (found.next(), found.next()) {
+    let own = own.into_iter().flat_map(|cycle| known(jobs[cycle], kind).into_iter().map(move |known| (cycle, known)));
+    let is = |known: &Known| known.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| Some(letter) == known.letter);
+    let mut found = own.filter(|(_, known)| is(known));
+    let (cycle, result) = match (found.next(), found.next()) {
         (Some(one), None) => one,
         (None, _) => {
             let of = |(job, name): (&&Job, &String)| {
-                places(job).into_iter().map(|place| format!("{name}.{}", place.code)).collect::<Vec<_>>()
+                known(job, kind).into_iter().map(|known| format!("{name}.{}", known.code)).collect::<Vec<_>>()
             };
             let names: Vec<String> = jobs.iter().zip(earlier.names).flat_map(of).collect();
             let name = printable(name);
-            let message = if names.is_empty() {
-                text!("No cycle before this one measures a place \"{name}\"", name)
-            } else {
-                text!("No cycle before this one measures a place \"{name}\". There are {known}", name, names.join(", "))
+            let message = match (kind, names.is_empty()) {
+                (Kind::Place(_), true) => text!("No cycle before this one measures a place \"{name}\"", name),
+                (Kind::Rotation, true) => text!("No cycle before this one measures a direction \"{name}\"", name),
+                (Kind::Size, true) => text!("No cycle before this one measures a size \"{name}\"", name),
+                (Kind::Place(_), false) => {
+                    text!("No cycle before this one measures a place \"{name}\". There are {known}", name, names.join(", "))
+                }
+                (Kind::Rotation, false) => {
+                    text!("No cycle before this one measures a direction \"{name}\". There are {known}", name, names.join(", "))
+                }
+                (Kind::Size, false) => {
+                    text!("No cycle before this one measures a size \"{name}\". There are {known}", name, names.join(", "))
+                }
             };
             return refuse(checker, message);
         }
@@ -132,14 +219,12 @@ fn one(
         }
     };
     let job = jobs[cycle];
-    if place.axis != axis {
+    if let (Kind::Place(axis), Some(own)) = (kind, result.axis)
+        && own != axis
+    {
         let names = crate::geom::AXIS_NAMES;
-        let message = text!(
-            "{name} is a place along {axis}, and this one is along {other}",
-            printable(name),
-            names[place.axis],
-            names[axis]
-        );
+        let message =
+            text!("{name} is a place along {axis}, and this one is along {other}", printable(name), names[own], names[axis]);
         return refuse(checker, message);
     }
     if several(job).is_some() || job.form == Form::Cycle {
@@ -150,64 +235,165 @@ fn one(
         return None;
     }
     if !job.post.computes {
-        let message =
-            text!("{control} cannot compute: the place of a cycle cannot follow a result there", job.post.title.to_owned());
+        let message = text!("{control} cannot compute: no cycle can follow a result there", job.post.title.to_owned());
         checker.error("set-up-unsupported", path, message);
         return None;
     }
-    if job.limits.position.is_none() {
-        let message = text!(
-            "A place that follows a result needs limits.position: how far from the nominal place the path may be shifted"
-        );
-        checker.error("place-of-result", path, message);
-        return None;
+    let missing = match kind {
+        Kind::Place(_) => job.limits.position.is_none().then(|| {
+            text!("A place that follows a result needs limits.position: how far from the nominal place the path may be shifted")
+        }),
+        Kind::Rotation => job.limits.angle.is_none().then(|| {
+            text!("A rotation that follows a result needs limits.angle: how far from the nominal one the path may be turned")
+        }),
+        Kind::Size => job.limits.size.is_none().then(|| {
+            text!("A size that follows a result needs limits.size: how far from the nominal one the path may grow or shrink")
+        }),
+    };
+    if let Some(message) = missing {
+        return refuse(checker, message);
     }
-    Some(((cycle, place.code), tidy(place.nominal / job.scale + added)))
+    let unit = if kind == Kind::Rotation { 1.0 } else { job.scale };
+    Some(Found { of: (cycle, result.code), nominal: tidy(result.nominal / unit + added), place: result.nominal })
 }
 
-/// A place that a cycle measures along an axis.
-struct Place {
+/// A result that a cycle measures.
+struct Known {
     code: &'static str,
-    /// 0, 1, 2: abscissa, ordinate, tool axis.
-    letter: usize,
-    /// The axis of the machine.
-    axis: usize,
-    /// What it is on the nominal part, mm.
+    /// 0, 1, 2: of a place abscissa, ordinate, tool axis.
+    letter: Option<usize>,
+    /// Of a place the axis of the machine.
+    axis: Option<usize>,
+    /// What it is on the nominal part, mm or degrees.
     nominal: f64,
 }
 
-/// The places that a cycle measures.
-fn places(job: &Job) -> Vec<Place> {
+/// The results of this kind that a cycle measures.
+fn known(job: &Job, kind: Kind) -> Vec<Known> {
     let formula: Formula = job.cycle.formula(&job.setup);
     let axes = job.setup.plane.axes();
     let datum = formula.datum.map(|datum| datum.place.map(|place| place.and_then(|place| place.measured)));
     let in_datum =
         |variable: Option<Variable>| (0..3).find(|i| variable.is_some() && datum.is_some_and(|datum| datum[*i] == variable));
     let of = |result: &formula::ResultDef| {
-        let letter = match result.role {
-            Role::Abscissa => 0,
-            Role::Ordinate => 1,
-            Role::Level => 2,
-            // Along a surface nothing is measured.
-            Role::Reading => in_datum(result.variable)?,
-            _ => return None,
-        };
         result.variable?;
-        Some(Place { code: result.code, letter, axis: axes[letter], nominal: result.nominal })
+        let own = |letter: Option<usize>| {
+            Some(Known { code: result.code, letter, axis: letter.map(|letter| axes[letter]), nominal: result.nominal })
+        };
+        match (kind, result.role) {
+            (Kind::Place(_), Role::Abscissa) => own(Some(0)),
+            (Kind::Place(_), Role::Ordinate) => own(Some(1)),
+            (Kind::Place(_), Role::Level) => own(Some(2)),
+            // Along a surface nothing is measured.
+            (Kind::Place(_), Role::Reading) => own(Some(in_datum(result.variable)?)),
+            (Kind::Rotation, Role::Direction) | (Kind::Size, Role::Size) => own(None),
+            _ => None,
+        }
     };
     formula.results.iter().filter_map(of).collect()
 }
 
-/// Runs the cycles that follow results again, on the virtual part: shifted by what the control measures there. Before a cycle that would be shifted beyond
-/// the limit the program stops: it and all behind it are not reached.
+/// What a cycle follows, once its path is planned: about which place it is turned, and how its moves go along with its sizes. Reports what it cannot
+/// follow. `single` is the job of the cycle alone, with its nominal values.
+pub fn settle(checker: &mut Checker, wanted: Wanted, (index, single): (usize, &Value), planned: &Planned) -> Follows {
+    let Wanted { mut follows, sizes } = wanted;
+    let origin = planned.path.frame.origin;
+    let [a, o, _] = planned.job.setup.plane.axes();
+    // About the place that it is placed by, as it lies there on the part; else about its own.
+    let one_place = match (follows.place[a], follows.place[o]) {
+        (Some((cycle, x)), Some((other, y))) => {
+            cycle == other && x.rsplit_once('.').map(|(of, _)| of) == y.rsplit_once('.').map(|(of, _)| of)
+        }
+        _ => false,
+    };
+    if !one_place {
+        (follows.about[a], follows.about[o]) = (origin[a], origin[o]);
+    }
+    let Planned { path, job, .. } = planned;
+    if follows.rotation.is_some() {
+        let arcs = path.moves.iter().any(|step| step.arc.is_some());
+        if arcs || !path.formula.can_turn() {
+            let message = text!("This cycle cannot follow an angle: it writes an angle itself, or has arcs");
+            checker.error("place-of-result", format!("cycles[{index}].rotation"), message);
+        }
+    }
+    if let (Some(_), Some((key, _))) = (follows.rotation, sizes.first()) {
+        let message = text!("A cycle follows either a rotation or sizes, not both");
+        checker.error("place-of-result", format!("cycles[{index}].{key}"), message);
+        return follows;
+    }
+    if sizes.len() > MOST_SIZES {
+        let message = text!("At most {most} sizes of a cycle may follow results", MOST_SIZES);
+        checker.error("place-of-result", format!("cycles[{index}].{}", sizes[MOST_SIZES].0), message);
+        return follows;
+    }
+    let by = job.limits.size.unwrap_or(0.0);
+    for (key, of) in sizes {
+        let field = format!("cycles[{index}].{key}");
+        let tried = [-by, by].map(|by| resized(single, &key, by / job.scale));
+        let paths = match tried {
+            [Ok(less), Ok(more)] => [less, more],
+            [less, more] => {
+                let (side, why) = match (less.err(), more.err()) {
+                    (Some(why), _) => (-by, why),
+                    (None, Some(why)) => (by, why),
+                    (None, None) => continue,
+                };
+                let limit = checker.length(side);
+                let message = text!(
+                    "This size follows a result, and by {limit} off the nominal one the cycle has an error: {error}",
+                    limit,
+                    why
+                );
+                checker.error("place-of-result", field, message);
+                continue;
+            }
+        };
+        match Along::of(&paths[0], path, &paths[1], by) {
+            Some(along) => follows.sizes.push((of, along)),
+            None => {
+                let message = text!("This size cannot follow a result: the moves of the cycle do not go along with it evenly");
+                checker.error("place-of-result", field, message);
+            }
+        }
+    }
+    follows
+}
+
+/// The path of a cycle with another size, or its first error.
+fn resized(single: &Value, key: &str, by: f64) -> Result<Path, crate::text::Text> {
+    let mut single = single.clone();
+    for (own, value) in cycle_of(&mut single).into_iter().flatten() {
+        if let (true, Value::Number(size)) = (own == key, value) {
+            *size += by;
+        }
+    }
+    let mut own = Checker::default();
+    let job = Job::read(&mut own, &single);
+    let job = job.filter(|_| !own.failed());
+    let planned = job.map(Planned::of);
+    if let Some(planned) = &planned {
+        crate::job::plan::report_path(planned, &mut own);
+    }
+    match planned {
+        Some(planned) if !own.failed() => Ok(planned.path),
+        _ => {
+            let mut errors = own.findings().into_iter().filter(|finding| finding.level == crate::form::Level::Error);
+            Err(errors.next().map_or_else(|| text!("it cannot be read"), |finding| finding.said))
+        }
+    }
+}
+
+/// Runs the cycles that follow results again, on the virtual part: where what the control measures there puts them. Before a cycle that would be put
+/// beyond the limit the program stops: it and all behind it are not reached.
 pub fn run(whole: &mut Planned) {
     if whole.path.shifts.is_empty() {
         return;
     }
     for m in 0..whole.members.len() {
-        // What a cycle is asked about, and shifted by, comes from those before it.
+        // What a cycle is asked about, and put by, comes from those before it.
         let asked = whole.path.asked_before(m, &whole.job.limits);
-        if whole.path.members[m].follows == [None; 3] {
+        if whole.path.members[m].placing.follows.is_empty() {
             continue;
         }
         let values = part::numbers(&whole.path, &triggers(whole));
@@ -218,12 +404,19 @@ pub fn run(whole: &mut Planned) {
             }
             return;
         }
-        let by = shift(&whole.path, &values, whole.path.members[m].moves.start);
-        if by != Vec3::ZERO {
-            let planned = &mut whole.members[m];
-            let run = part::run(&moved(&planned.path, |_| by), &planned.surfaces, &planned.job.setup);
-            planned.run = Run { shift: by, ..run };
+        let begin = whole.path.members[m].moves.start;
+        let by = |index: Option<usize>, place: Vec3| match index {
+            Some(index) => shift(&whole.path.shifts_at(begin + index, place), &values),
+            None => begin.checked_sub(1).map_or(Vec3::ZERO, |way| shift(whole.path.shifts(way), &values)),
+        };
+        let moved = moved(&whole.members[m].path, by);
+        let turn = turn(&whole.path, m, &values);
+        let planned = &mut whole.members[m];
+        if let Some(turn) = turn {
+            planned.path.formula = planned.path.formula.turned(&turn);
         }
+        let run = part::run(&moved, &planned.surfaces, &planned.job.setup);
+        planned.run = Run { ran: Some(Box::new(moved)), ..run };
     }
 }
 
@@ -232,10 +425,30 @@ fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
     whole.members.iter().flat_map(|planned| planned.run.triggers.iter().copied()).collect()
 }
 
-/// How far a move is shifted, mm; not at all where that is not known.
-fn shift(path: &Path, values: &[f64], index: usize) -> Vec3 {
-    let by = |shift: Option<Variable>| shift.map(|shift| values[shift.index()]).filter(|by| by.is_finite()).unwrap_or(0.0);
-    Vec3::from_array(path.shifts(index).map(by))
+/// By what a cycle is turned, by the values of the formula of all.
+fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::Turn<f64>> {
+    Some(path.members[member].placing.turn()?.map(|known| values[known.index()]))
+}
+
+/// The path of a cycle that follows an angle, with the formula as these touches turn it.
+pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option<Path> {
+    let nominal = &whole.path.members[member].path.formula;
+    whole.path.members[member].placing.turn()?;
+    let turn = turn(&whole.path, member, &part::numbers(&whole.path, points))?;
+    let mut path = whole.members[member].path.clone();
+    let mut formula = nominal.turned(&turn);
+    for (result, known) in formula.results.iter_mut().zip(&path.formula.results) {
+        result.tolerance = known.tolerance;
+    }
+    path.formula = formula;
+    Some(path)
+}
+
+/// How far a place is shifted, mm; not at all where that is not known.
+fn shift(shifts: &Shifts, values: &[f64]) -> Vec3 {
+    let by = |term: &crate::path::Term| term.factor * values[term.by.index()];
+    let sum = shifts.each_ref().map(|terms| terms.iter().map(by).sum::<f64>());
+    Vec3::from_array(sum.map(|by| if by.is_finite() { by } else { 0.0 }))
 }
 
 /// The whole path as it runs on the virtual part. `None` if that is the path of the drawing.
@@ -244,7 +457,9 @@ pub fn actual(whole: &Planned) -> Option<Path> {
         return None;
     }
     let values = part::numbers(&whole.path, &triggers(whole));
-    Some(moved(&whole.path, |index| shift(&whole.path, &values, index)))
+    Some(moved(&whole.path, |index, place| {
+        index.map_or(Vec3::ZERO, |index| shift(&whole.path.shifts_at(index, place), &values))
+    }))
 }
 
 /// Says before which cycle the program stops on the virtual part, and why.
@@ -272,11 +487,13 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
 pub fn check_ways(whole: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = whole;
     let w = path.frame.w;
-    let only = |shifts: Shifts, tool: bool| [0, 1, 2].map(|axis| shifts[axis].filter(|_| (w[axis].abs() > 0.5) == tool));
+    let only = |shifts: &Shifts, tool: bool| {
+        [0, 1, 2].map(|axis| if (w[axis].abs() > 0.5) == tool { shifts[axis].clone() } else { Vec::new() })
+    };
     for (index, pair) in path.moves.windows(2).enumerate() {
         let (before, now) = (path.shifts(index), path.shifts(index + 1));
         let way = pair[1].to - pair[0].to;
-        let far = |tool: bool| far_apart(only(before, tool), only(now, tool), path.most_shift);
+        let far = |tool: bool| far_apart(&only(before, tool), &only(now, tool));
         let along = way.dot(w);
         let ways = [(far(true), along.abs(), true), (far(false), (way - w * along).length(), job.protected)];
         let short = ways.into_iter().enumerate().find(|(k, (far, length, asked))| {
@@ -310,20 +527,23 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
     }
 }
 
-/// The same path, each move elsewhere; of a set-up where it begins stays, since its first cycle follows nothing.
-pub fn moved(path: &Path, by: impl Fn(usize) -> Vec3) -> Path {
+/// The same path, each place elsewhere; `by` is asked for a place at a move, and for where the path begins. A touch may be turned with it.
+fn moved(path: &Path, by: impl Fn(Option<usize>, Vec3) -> Vec3) -> Path {
     let mut path = path.clone();
+    path.start = path.start.map(|start| start + by(None, start));
     for index in 0..path.moves.len() {
-        let by = by(index);
         let step = &mut path.moves[index];
-        step.to += by;
-        if let Some(arc) = &mut step.arc {
-            arc.center += by;
-        }
         if let Purpose::Touch(k) = step.purpose {
-            path.touches[k].point += by;
+            let touch = &mut path.touches[k];
+            let at = by(Some(index), touch.point);
+            touch.vector = (touch.vector + by(Some(index), touch.point + touch.vector) - at).normalize();
+            touch.point += at;
+        }
+        let to = step.to;
+        step.to += by(Some(index), to);
+        if let Some(arc) = &mut step.arc {
+            arc.center += by(Some(index), to);
         }
     }
-    path.start = path.start.map(|start| start + if path.members.is_empty() { by(0) } else { Vec3::ZERO });
     path
 }

@@ -9,7 +9,7 @@ use crate::job::judge::judge;
 use crate::job::plan::request;
 use crate::job::planned::{Planned, judge_touches};
 use crate::job::rows::{ResultRow, Triple, result_rows, triple};
-use crate::job::{Job, JobError, datum, relations, set_up};
+use crate::job::{Job, JobError, datum, follows, relations, set_up};
 use crate::part::{self, Expected, Stand};
 use crate::path::Path;
 use crate::text::{Text, text};
@@ -41,7 +41,7 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
         Some(_) => vec![None; path.touches.len()],
         None => measured.points.clone(),
     };
-    let (results, plausible) = evaluated(planned, &points, measured.results.as_deref());
+    let (results, plausible) = evaluated(planned, path, &points, measured.results.as_deref());
     let block = measured.stand.as_ref().and_then(|stand| block(planned, &points, stand, plausible, &mut own));
     Ok(Measurement {
         results,
@@ -52,8 +52,14 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
 }
 
 /// The results of the touches, or of what a control computed by itself, and whether all of them are plausible.
-fn evaluated(planned: &Planned, points: &[Option<Vec3>], stated: Option<&[Option<f64>]>) -> (Vec<ResultRow>, bool) {
-    let Planned { job, path, members, .. } = planned;
+/// `path` has the formula, which of a cycle that follows an angle is turned as the points say.
+fn evaluated(
+    planned: &Planned,
+    path: &Path,
+    points: &[Option<Vec3>],
+    stated: Option<&[Option<f64>]>,
+) -> (Vec<ResultRow>, bool) {
+    let Planned { job, members, .. } = planned;
     if members.is_empty() {
         let mut rows = match stated {
             Some(results) => part::stated(path, job.setup.radius, job.scatter(), results),
@@ -66,7 +72,9 @@ fn evaluated(planned: &Planned, points: &[Option<Vec3>], stated: Option<&[Option
     let (mut results, mut plausible) = (Vec::new(), true);
     for (i, (own, member)) in members.iter().zip(&path.members).enumerate() {
         let stated = stated.map(|results| &results[member.results.clone()]);
-        let (rows, good) = evaluated(own, &points[member.touches.clone()], stated);
+        let turned = follows::turned(planned, i, points);
+        let path = turned.as_ref().unwrap_or(&own.path);
+        let (rows, good) = evaluated(own, path, &points[member.touches.clone()], stated);
         plausible &= good;
         results.extend(set_up::rows_of(i, rows));
     }

@@ -139,10 +139,10 @@ fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
 /// A touch that triggers so near to its start that the program takes it for a probe that is still deflected.
 fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checker) {
     let near = |k: usize, from: Vec3| {
-        let way = (run.triggers[k]? - run.shift - from).abs();
+        let way = (run.triggers[k]? - from).abs();
         (way.x + way.y + way.z <= job.post.nearest_trigger).then_some(way.length())
     };
-    let found = path.searches().find_map(|(k, from, _)| Some((k, near(k, from?)?)));
+    let found = run.ran.as_deref().unwrap_or(path).searches().find_map(|(k, from, _)| Some((k, near(k, from?)?)));
     let Some((k, way)) = found.filter(|_| job.form == Form::Moves) else { return };
     let message = text!(
         "Touch {touch} triggers {way} after its start: the program takes a contact within {least} of the start for a probe that is still deflected, and stops with an alarm",
@@ -237,7 +237,7 @@ fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> 
 }
 
 /// What is wrong with the path of one cycle, and with what happens on it.
-fn report_path(planned: &Planned, checker: &mut Checker) {
+pub fn report_path(planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = planned;
     report_predefined(job, checker);
     for (code, field, message) in &planned.refused {
@@ -485,9 +485,9 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         if let Some(collision) = nominal.collision {
             report_collision(path, collision, &nominal.triggers, "cycle", checker);
         }
-        let shifted = follows::moved(path, |_| run.shift);
+        let ran = run.ran.as_deref().unwrap_or(path);
         // A cycle that the program does not reach cannot collide.
-        let actual = Some((&shifted, surfaces.as_slice(), run)).filter(|_| run.halt.is_none());
+        let actual = Some((ran, surfaces.as_slice(), run)).filter(|_| run.halt.is_none());
         report_stylus(job, path, &nominal, actual, checker);
     }
     report_unknown(job, path, checker);

@@ -8,13 +8,13 @@ use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names};
-use crate::job::follows::{self, Earlier, Follows};
+use crate::job::follows::{self, Earlier, Wanted};
 use crate::job::planned::{Planned, several};
 use crate::job::rows::ResultRow;
 use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, relations, wear};
 use crate::part::{self, Run};
-use crate::path::{Feature, Feed, Feeds, OwnBlock, Path, Purpose, STATED_RAPID, Single, WAY, WayBlock};
+use crate::path::{Feature, Feed, Feeds, Follows, OwnBlock, Path, Purpose, Reaches, STATED_RAPID, Single, WAY, WayBlock};
 use crate::text::text;
 
 /// How far below the height between cycles a cycle begins at least that follows a height, mm: longer than the shortest move that can be watched. Ours.
@@ -30,7 +30,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     check_names(checker, cycles, &names);
     let mut merged = Merged::new(&names);
     let mut jobs: Vec<Option<Job>> = Vec::new();
-    let mut follows: Vec<Follows> = Vec::new();
+    let mut follows: Vec<(Wanted, Value)> = Vec::new();
     let mut whole = None;
     for (i, name) in names.iter().enumerate() {
         let Some(mut single) = alone(value, i) else {
@@ -42,7 +42,8 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         if let Value::Map(entries) = &mut single {
             entries.push((TOLERANCES.to_owned(), wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1)));
         }
-        follows.push(follows::take(checker, &mut single, i, &Earlier { names: &names, jobs: &jobs }));
+        let wanted = follows::take(checker, &mut single, i, &Earlier { names: &names, jobs: &jobs });
+        follows.push((wanted, single.clone()));
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
         if i == 0 {
@@ -89,6 +90,11 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
             let at = Some(clear.unwrap_or(highest));
             members = members.into_iter().map(|planned| Planned::at(planned.job, at)).collect();
         }
+    }
+    let settled = |(i, (wanted, single)): (usize, (Wanted, Value))| follows::settle(checker, wanted, (i, &single), &members[i]);
+    let follows: Vec<Follows> = follows.into_iter().enumerate().map(settled).collect();
+    if checker.failed() {
+        return None;
     }
     let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (names, follows), clear);
     relations::read(checker, value, &mut whole.path, several.is_some());
@@ -203,8 +209,9 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec<Follows>), clear: Option<f64>) -> Planned {
     // A way from one cycle to the next has the limit twice where both follow a height, each its own.
     let limit = job.limits.position.unwrap_or(0.0);
+    let reaches = Reaches { position: limit, size: job.limits.size.unwrap_or(0.0), angle: job.limits.angle.unwrap_or(0.0) };
     let tool = job.setup.plane.axes()[2];
-    let higher = |follows: &Follows| if follows[tool].is_some() { 2.0 * limit + SHORTEST_WAY } else { 0.0 };
+    let higher = |follows: &Follows| if follows.place[tool].is_some() { 2.0 * limit + SHORTEST_WAY } else { 0.0 };
     let ends = members.iter().zip(&follows).flat_map(|(planned, own)| ends(&planned.path).map(move |end| end + higher(own)));
     let highest = ends.fold(f64::NEG_INFINITY, f64::max);
     let several = several(&job).and_then(Result::ok).filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
@@ -231,7 +238,7 @@ fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec
     let radius = job.setup.radius;
     let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
-    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way, limit);
+    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way, (job.setup.plane.axes(), reaches));
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
     Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members }
 }

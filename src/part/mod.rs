@@ -44,8 +44,8 @@ pub struct Run {
     /// Before which cycle of a set-up the program stops, because this result is off by more than its limit: by their places in the list of cycles and of
     /// results. What comes after it is not reached.
     pub halt: Option<(usize, usize)>,
-    /// How far the path was shifted by results of earlier cycles, mm.
-    pub shift: Vec3,
+    /// The path as it ran, where results of earlier cycles put it elsewhere.
+    pub ran: Option<Box<Path>>,
 }
 
 /// The surfaces of the actual part: `surfaces` of the resized feature, where they really lie.

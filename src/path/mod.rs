@@ -4,6 +4,7 @@
 //! system unless they are said to be on the surface. A path knows nothing of cycles, controls or units.
 
 mod feature;
+mod follow;
 mod own;
 mod parameter;
 mod repeat;
@@ -14,9 +15,10 @@ mod tracer;
 pub use feature::{
     Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top, Touched, TwoCircles,
 };
+pub use follow::{Along, Follow, Follows, Reaches, Shifts, Term, far_apart, most};
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Measuring, Member, Related, Shifts, Single, WAY, WayBlock, far_apart};
+pub use set_up::{DatumSource, Measuring, Member, Related, Single, WAY, WayBlock};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 
@@ -212,10 +214,8 @@ pub struct Path {
     pub relations: Vec<Related>,
     /// What a set-up writes.
     pub datum_source: DatumSource,
-    /// By which values each move is shifted; empty where no cycle follows a result of another.
+    /// What shifts the end of each move; empty where no cycle follows a result of another.
     pub shifts: Vec<Shifts>,
-    /// How far a result may shift a move along an axis, mm.
-    pub most_shift: f64,
 }
 
 /// What is wrong with a touch of a path.

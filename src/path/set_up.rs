@@ -2,9 +2,10 @@
 
 use std::ops::Range;
 
-use crate::formula::{Coordinate, Datum, Formula, Limits, Operand, Question, Relation, Variable};
+use crate::formula::{Coordinate, Datum, Formula, Limits, Operand, Question, Relation};
 use crate::geom::Vec3;
-use crate::path::{Feature, Feed, Feeds, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
+use crate::path::follow::{Along, Placing, Reaches, STILL, Shifts, most};
+use crate::path::{Feature, Feed, Feeds, Follows, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
 
 /// The number of the step of a way between two cycles: it is in no list of theirs.
 pub const WAY: u8 = 0;
@@ -26,23 +27,13 @@ pub struct Member {
     pub surfaces: Range<usize>,
     /// Its results in the whole.
     pub results: Range<usize>,
-    /// Along X, Y and Z, the result that its place follows.
-    pub follows: [Option<Follow>; 3],
+    /// Where the results of earlier cycles put it.
+    pub placing: Placing,
+    /// What a work offset can be written from.
+    datum: Option<Datum>,
     /// How much later than alone its variables are found in the whole.
     later: u32,
 }
-
-/// A result of an earlier cycle that the place of a cycle follows along an axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Follow {
-    /// Index of the result in the whole.
-    pub result: usize,
-    /// By how much it is off its nominal value: the cycle is shifted by that.
-    pub shift: Variable,
-}
-
-/// By which value a move is shifted along X, Y and Z.
-pub type Shifts = [Option<Variable>; 3];
 
 /// A relation between results of cycles, as a part of the whole path.
 #[derive(Clone, Debug)]
@@ -82,31 +73,23 @@ pub struct Single {
     pub name: String,
     pub title: String,
     pub path: Path,
-    /// Along X, Y and Z, the cycle and the code of the result that its place follows.
-    pub follows: [Option<(usize, &'static str)>; 3],
+    pub follows: Follows,
 }
-
-/// How far the ends of a way may be apart from where they nominally are to each other, mm, where they are shifted by these values.
-pub fn far_apart(from: Shifts, to: Shifts, most: f64) -> f64 {
-    let along = |axis: usize| match (from[axis], to[axis]) {
-        (a, b) if a == b => 0.0,
-        (Some(_), Some(_)) => 2.0 * most,
-        _ => most,
-    };
-    Vec3::new(along(0), along(1), along(2)).length()
-}
-
-/// What the values that shift an axis are called.
-const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 
 /// Makes the block of a way to a place, along these axes.
 pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 
 impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
-    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `most_shift`: how far a result may
-    /// shift a cycle along an axis, mm.
-    pub fn join(cycles: Vec<Single>, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>, most_shift: f64) -> Path {
+    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `axes` are abscissa, ordinate and tool
+    /// axis.
+    pub fn join(
+        cycles: Vec<Single>,
+        clear: f64,
+        feeds: Feeds,
+        way: Option<WayBlock<'_>>,
+        (axes, reaches): ([usize; 3], Reaches),
+    ) -> Path {
         let first = &cycles.first().expect("a set-up has a cycle").path;
         let (start, frame) = (first.start, first.frame);
         let tops: Option<Vec<f64>> = cycles.iter().map(|single| single.path.top).collect();
@@ -127,48 +110,56 @@ impl Path {
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
-            most_shift,
         };
         let mut sample = 0;
         for Single { name, title, path, follows } in cycles {
             let before = whole.moves.len();
-            let follows = whole.following(follows);
-            whole.leads_to(&path, clear, follows.map(|follow| follow.map(|follow| follow.shift)));
+            let members = std::mem::take(&mut whole.members);
+            let placing = Placing::of(follows, &mut whole.formula, axes, reaches, |formula, (cycle, code)| {
+                members.get(cycle)?.results.clone().find(|result| formula.results[*result].code == code)
+            });
+            whole.members = members;
+            let start = path.start.or(path.moves.first().map(|step| step.to)).unwrap_or_default();
+            let first = |along: &Along| if path.start.is_some() { along.start } else { along.moves[0] };
+            whole.leads_to(&path, clear, placing.shifts(start, first));
             if let Some(way) = way {
                 whole.take_calls(&path, before, way);
             }
             let begin = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
             whole.take_moves(&path);
-            whole.shifts.resize(whole.moves.len(), follows.map(|follow| follow.map(|follow| follow.shift)));
+            whole.shifts.extend(path.moves.iter().enumerate().map(|(i, step)| {
+                let end = match step.purpose {
+                    Purpose::Touch(k) | Purpose::Search(k) => step.to - path.touches[k].vector * path.touches[k].search,
+                    Purpose::Position | Purpose::Back(_) => step.to,
+                };
+                placing.shifts(end, |along| along.moves[i])
+            }));
             whole.take_touches(&path, sample);
             whole.take_surfaces(&path);
-            let later = whole.formula.join(&name, &path.formula, sample);
+            let (later, datum) = match placing.turn() {
+                Some(turn) => whole.formula.join_turned(&name, &path.formula, sample, turn),
+                None => {
+                    let later = whole.formula.join(&name, &path.formula, sample);
+                    (later, path.formula.datum.map(|datum| datum.later_by(later)))
+                }
+            };
             sample += path.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
             let end = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
             let [moves, touches, surfaces, results] = [0, 1, 2, 3].map(|i| begin[i]..end[i]);
-            whole.members.push(Member { name, title, path, moves, touches, surfaces, results, follows, later });
+            whole.members.push(Member { name, title, path, moves, touches, surfaces, results, placing, datum, later });
         }
-        if whole.members.iter().all(|member| member.follows == [None; 3]) {
+        if whole.members.iter().all(|member| member.placing.follows.is_empty()) {
             whole.shifts.clear();
         }
         whole
     }
 
-    /// What the next cycle follows, with the values that shift it.
-    fn following(&mut self, follows: [Option<(usize, &'static str)>; 3]) -> [Option<Follow>; 3] {
-        [0, 1, 2].map(|axis| {
-            let (cycle, code) = follows[axis]?;
-            let own = self.members.get(cycle)?.results.clone();
-            let result = own.clone().find(|result| self.formula.results[*result].code == code)?;
-            Some(Follow { result, shift: self.formula.shift(result, SHIFTS[axis])? })
-        })
-    }
-
     /// What is asked of results before a cycle that follows them: of each once, in the whole.
     pub fn asked_before(&self, member: usize, limits: &Limits) -> Vec<Question> {
-        let followed = |member: &Member| member.follows.into_iter().flatten().map(|follow| follow.result);
+        let followed = |member: &Member| member.placing.follows.iter().map(|follow| follow.result).collect::<Vec<_>>();
         let known: Vec<usize> = self.members[..member].iter().flat_map(followed).collect();
-        let mut results: Vec<usize> = followed(&self.members[member]).filter(|result| !known.contains(result)).collect();
+        let mut results: Vec<usize> = followed(&self.members[member]);
+        results.retain(|result| !known.contains(result));
         results.dedup();
         results.into_iter().filter_map(|result| self.formula.leads(result, limits)).collect()
     }
@@ -179,9 +170,18 @@ impl Path {
         begin(member).unwrap_or(0)..begin(member + 1).unwrap_or(self.formula.assignments.len())
     }
 
-    /// By which values a move is shifted.
-    pub fn shifts(&self, index: usize) -> Shifts {
-        self.shifts.get(index).copied().unwrap_or_default()
+    /// What shifts the end of a move.
+    pub fn shifts(&self, index: usize) -> &Shifts {
+        self.shifts.get(index).unwrap_or(STILL)
+    }
+
+    /// What shifts a place at a move, as the contact of a touch is one.
+    pub fn shifts_at(&self, index: usize, place: Vec3) -> Shifts {
+        let own = self.members.iter().find(|member| member.moves.contains(&index));
+        own.map_or_else(
+            || self.shifts(index).clone(),
+            |own| own.placing.shifts(place, |along| along.moves[index - own.moves.start]),
+        )
     }
 
     /// Adds a relation between results.
@@ -200,10 +200,8 @@ impl Path {
 
     /// The cycles of a set-up and, behind them, its relations.
     pub fn measuring(&self) -> impl Iterator<Item = Measuring<'_>> {
-        let cycles = self.members.iter().map(|member| {
-            let datum = member.path.formula.datum.map(|datum| datum.later_by(member.later));
-            Measuring { name: &member.name, results: member.results.clone(), datum }
-        });
+        let members = self.members.iter();
+        let cycles = members.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum });
         let relations = self.relations.iter();
         cycles.chain(relations.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum }))
     }
@@ -219,15 +217,15 @@ impl Path {
         let at = |place: Vec3| place + w * (clear - place.dot(w));
         // A cycle that does not say where it begins goes to its first place by itself: down, or across where that is as high.
         // The height between cycles follows nothing: there it goes across, whatever the heights of the cycles follow.
-        let level = |shifts: Shifts| [0, 1, 2].map(|axis| shifts[axis].filter(|_| w[axis].abs() < 0.5));
-        let before = self.shifts.last().copied().unwrap_or_default();
-        let follows_height = level(shifts) != shifts;
+        let level = |shifts: &Shifts| [0, 1, 2].map(|axis| if w[axis].abs() < 0.5 { shifts[axis].clone() } else { Vec::new() });
+        let before = self.shifts.last().unwrap_or(STILL).clone();
+        let follows_height = level(&shifts) != shifts;
         let apart = |over: &Vec3| next.start.is_some() || follows_height || over.distance(to) > ZERO_LENGTH;
         let across = Some(at(to)).filter(apart);
-        let ways = [(Some(at(last)), level(before)), (across, level(shifts)), (next.start, shifts)];
+        let ways = [(Some(at(last)), level(&before)), (across, level(&shifts)), (next.start, shifts)];
         for (to, shifts) in ways.into_iter().filter_map(|(to, shifts)| Some((to?, shifts))) {
             let from = self.moves.last().map_or(to, |step| step.to);
-            if from.distance(to) > ZERO_LENGTH || self.shifts.last().copied().unwrap_or_default() != shifts {
+            if from.distance(to) > ZERO_LENGTH || *self.shifts.last().unwrap_or(STILL) != shifts {
                 self.moves.push(Move { to, feed: Feed::Approach, purpose: Purpose::Position, step: WAY, arc: None });
                 self.shifts.push(shifts);
             }
@@ -236,7 +234,7 @@ impl Path {
 
     /// How far a move may be shifted, mm.
     pub fn farthest_shift(&self, index: usize) -> f64 {
-        far_apart([None; 3], self.shifts(index), self.most_shift)
+        most(self.shifts(index)).length()
     }
 
     /// The calls of the next cycle, behind those of the way to it: its moves from this index on, and its own first one.

@@ -7,10 +7,10 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{Program, Report, Request, does, number, orientation_line};
-use crate::formula::{Asked, Coordinate, Datum, Formula, Node, NodeId, Op, Question, Variable};
+use crate::formula::{Asked, Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
-use crate::path::{Move, Touch};
+use crate::path::{Move, Term, Touch};
 
 /// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
 pub(super) const IN_POSITION: f64 = 0.05;
@@ -108,8 +108,17 @@ impl Skip<'_> {
         if text.starts_with('-') { format!("[{text}]") } else { text.to_string() }
     }
 
-    /// How far the ball stopped off a place, along the axes that are known, as a sum.
+    /// How far the ball stopped off the end of a move, along the axes that are known, as a sum.
     fn off(w: &Writer<'_>, to: Vec3, axes: &[usize]) -> String {
+        Self::off_place(w, to, axes, |axis| w.shift(axis))
+    }
+
+    /// The same for where the move begins.
+    fn off_begin(w: &Writer<'_>, from: Vec3) -> String {
+        Self::off_place(w, from, &[0, 1, 2], |axis| w.begin_shift(axis))
+    }
+
+    fn off_place<'w>(w: &'w Writer<'_>, to: Vec3, axes: &[usize], shift: impl Fn(usize) -> &'w str) -> String {
         let mut sum = String::with_capacity(80);
         for &axis in axes {
             sum.push_str(if sum.is_empty() { "ABS[" } else { "+ABS[" });
@@ -123,10 +132,12 @@ impl Skip<'_> {
                 sum.push('-');
                 sum.push_str(&place);
             }
-            if !w.shift(axis).is_empty() {
-                sum.push('-');
-                sum.push_str(w.shift(axis));
-            }
+            // Of a sum the signs turn over: no name and no number in it has one.
+            sum.extend(shift(axis).chars().map(|c| match c {
+                '+' => '-',
+                '-' => '+',
+                other => other,
+            }));
             sum.push(']');
         }
         sum
@@ -316,7 +327,7 @@ impl Moves for Skip<'_> {
         let near = Self::in_position(w);
         // A probe that has not settled since the move before would have the start taken for the wall.
         if let Some(start) = step.from {
-            w.parts(&["IF [", &Self::off(w, start, &[0, 1, 2]), " LE ", &near, "] GOTO ", FREE]);
+            w.parts(&["IF [", &Self::off_begin(w, start), " LE ", &near, "] GOTO ", FREE]);
         }
         w.parts(&["IF [", &Self::off(w, end, &[0, 1, 2]), " LE ", &near, "] GOTO ", MISSED]);
     }
@@ -332,8 +343,8 @@ impl Moves for Skip<'_> {
         true
     }
 
-    fn value(&self, formula: &Formula, variable: Variable) -> String {
-        print::variable(&Variables(self.registers), formula, variable)
+    fn shift(&self, formula: &Formula, terms: &[Term], scale: f64) -> String {
+        print::shift(&Variables(self.registers), formula, terms, scale)
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

@@ -2,6 +2,7 @@
 
 use crate::formula::{Formula, Function, Name, Node, NodeId, Op, Variable};
 use crate::num::{push_count, push_decimal};
+use crate::path::Term;
 
 /// How a control writes expressions.
 pub trait Notation {
@@ -28,6 +29,21 @@ pub fn print_to<N: Notation>(text: &mut String, notation: &N, formula: &Formula,
 pub fn variable<N: Notation>(notation: &N, formula: &Formula, variable: Variable) -> String {
     let mut text = String::new();
     notation.variable(formula, variable.index(), &mut text);
+    text
+}
+
+/// What is added to a place that these shift: `+#<bore_shift_x>`, `-0.5*R13`. `scale` is the millimetres in a unit of the program.
+pub fn shift<N: Notation>(notation: &N, formula: &Formula, terms: &[Term], scale: f64) -> String {
+    let mut text = String::new();
+    for Term { by, factor, length, .. } in terms {
+        text.push(if *factor < 0.0 { '-' } else { '+' });
+        let size = factor.abs() / if *length { scale } else { 1.0 };
+        if size != 1.0 || *length {
+            push_decimal(&mut text, size, notation.decimals(size));
+            text.push('*');
+        }
+        notation.variable(formula, by.index(), &mut text);
+    }
     text
 }
 

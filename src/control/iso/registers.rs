@@ -79,8 +79,8 @@ impl Reads {
             });
         }
         // What moves read is kept to the end, and so is what the datum reads.
-        let shifts = path.members.iter().flat_map(|member| member.follows.into_iter().flatten());
-        shifts.for_each(|follow| reads.variables[follow.shift.index()] = TO_THE_END);
+        let moves = path.members.iter().flat_map(|member| member.placing.moved_by());
+        moves.for_each(|variable| reads.variables[variable.index()] = TO_THE_END);
         if let Some(datum) = &formula.datum {
             let measured = datum.place.iter().flatten().filter_map(|place| place.measured);
             measured.chain(datum.rotation).for_each(|variable| reads.variables[variable.index()] = TO_THE_END);

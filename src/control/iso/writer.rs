@@ -73,6 +73,8 @@ pub struct Writer<'a> {
     stated: [bool; 3],
     /// What is added to the places of the next block along each axis: the name of a value; empty where nothing is.
     shifts: [String; 3],
+    /// The same for the place where the move begins.
+    begin_shifts: [String; 3],
     /// What the last block has added to each.
     last_shifts: [String; 3],
 }
@@ -92,6 +94,7 @@ impl<'a> Writer<'a> {
             last_rate: (f64::NAN, Digits::NONE),
             stated: [false; 3],
             shifts: Default::default(),
+            begin_shifts: Default::default(),
             last_shifts: Default::default(),
         };
         if let Some(start) = request.path.start {
@@ -157,14 +160,19 @@ impl<'a> Writer<'a> {
         });
     }
 
-    /// What is added to the places of the blocks that follow, along X, Y and Z: the names of values.
+    /// What is added to the places of the blocks that follow, along X, Y and Z: sums that begin with a sign.
     pub fn shifts_by(&mut self, shifts: [String; 3]) {
-        self.shifts = shifts;
+        self.begin_shifts = std::mem::replace(&mut self.shifts, shifts);
     }
 
-    /// What is added to a place along an axis; empty where nothing is.
+    /// What is added to a place along an axis, with its sign; empty where nothing is.
     pub fn shift(&self, axis: usize) -> &str {
         &self.shifts[axis]
+    }
+
+    /// The same for the place where the move begins.
+    pub fn begin_shift(&self, axis: usize) -> &str {
+        &self.begin_shifts[axis]
     }
 
     /// A length or feed in the program's units, with the decimals the control takes.
@@ -458,7 +466,7 @@ fn push_axis_words(text: &mut String, numbers: &[Digits; 3], wanted: [bool; 3], 
         if shift.is_empty() {
             text.push_str(number);
         } else {
-            [shifts.before, number, "+", shift, shifts.behind].into_iter().for_each(|part| text.push_str(part));
+            [shifts.before, number, shift, shifts.behind].into_iter().for_each(|part| text.push_str(part));
         }
     }
 }

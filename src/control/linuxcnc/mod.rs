@@ -23,7 +23,7 @@ use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{Digits, decimal, format_count};
-use crate::path::{Move, Purpose, STATED_RAPID, Touch};
+use crate::path::{Move, Purpose, STATED_RAPID, Term, Touch};
 use crate::text::{text, words};
 
 pub static DEF: PostDef = PostDef {
@@ -155,8 +155,8 @@ impl Moves for LinuxCnc<'_> {
         true
     }
 
-    fn value(&self, formula: &Formula, variable: Variable) -> String {
-        print::variable(&print::Rs274, formula, variable)
+    fn shift(&self, formula: &Formula, terms: &[Term], scale: f64) -> String {
+        print::shift(&print::Rs274, formula, terms, scale)
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

@@ -32,7 +32,7 @@ use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::{decimal, format_count, push_count};
-use crate::path::{Feed, Move, STATED_RAPID, Subject, Touch};
+use crate::path::{Feed, Move, STATED_RAPID, Subject, Term, Touch};
 use crate::text::text;
 
 pub static DEF: PostDef = PostDef {
@@ -242,8 +242,8 @@ impl Moves for Sinumerik<'_> {
         true
     }
 
-    fn value(&self, formula: &Formula, variable: Variable) -> String {
-        print::variable(&self.notation(), formula, variable)
+    fn shift(&self, formula: &Formula, terms: &[Term], scale: f64) -> String {
+        print::shift(&self.notation(), formula, terms, scale)
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {

@@ -240,7 +240,6 @@ impl Cycle for Ency {
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
-            most_shift: 0.0,
             lift: Some(FEED_DISTANCE),
             touches: on.touches,
         }

@@ -26,12 +26,12 @@ fn at(job: &Value, offset: [f64; 3]) -> Value {
     with(job, "part.offset", Value::List(offset.map(Value::Number).to_vec()))
 }
 
-fn near(a: f64, b: f64, within: f64, what: &str) {
+pub fn near(a: f64, b: f64, within: f64, what: &str) {
     assert!((a - b).abs() <= within, "{what}: {a} and {b}");
 }
 
 /// The results that a plan shows, by the names that programs print.
-fn shown(plan: &Plan) -> Vec<(String, f64)> {
+pub fn shown(plan: &Plan) -> Vec<(String, f64)> {
     let rows = plan.results.iter().filter(|row| !row.code.starts_with("offset."));
     rows.filter_map(|row| Some((format!("{}.{}", plan.cycles[row.cycle], row.code), row.value?))).collect()
 }

@@ -280,18 +280,8 @@ fn words(code: &str) -> Result<Statement, String> {
             "X" | "Y" | "Z" => {
                 let axis = AXIS_NAMES.iter().position(|name| *name == letter).unwrap_or(0);
                 let sum = word[1..].strip_prefix('=').map(term).transpose()?;
-                if let Some(Term::Binary("+", nominal, _)) = &sum {
-                    motion.axes[axis] = match nominal.as_ref() {
-                        Term::Number(x) => Some(*x),
-                        Term::Minus(x) => {
-                            if let Term::Number(x) = x.as_ref() {
-                                Some(-x)
-                            } else {
-                                None
-                            }
-                        }
-                        _ => None,
-                    };
+                if let Some(Term::Binary("+" | "-", ..)) = &sum {
+                    motion.axes[axis] = sum.as_ref().and_then(first_number);
                     motion.sums[axis] = sum;
                 }
                 let plain = motion.axes[axis].filter(|_| motion.sums[axis].is_some()).or_else(number);
@@ -313,6 +303,19 @@ fn words(code: &str) -> Result<Statement, String> {
         (false, []) => Err("nothing is in this block".into()),
         (false, _) if motion.measuring || motion.feed.is_some() => Err("a feed or MEAS without a motion".into()),
         (false, _) => Ok(Statement::Words(others)),
+    }
+}
+
+/// The number that a sum begins with: the nominal place.
+fn first_number(sum: &Term) -> Option<f64> {
+    match sum {
+        Term::Number(x) => Some(*x),
+        Term::Minus(x) => match x.as_ref() {
+            Term::Number(x) => Some(-x),
+            _ => None,
+        },
+        Term::Binary("+" | "-", first, _) => first_number(first),
+        _ => None,
     }
 }
 

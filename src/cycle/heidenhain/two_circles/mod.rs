@@ -311,7 +311,6 @@ impl Cycle for TwoCircles {
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
-            most_shift: 0.0,
             lift: None,
             frame: Self::frame(setup),
             formula: self.computed(setup),

@@ -1,0 +1,211 @@
+//! What a cycle of a set-up follows, and where that puts each of its moves.
+
+use crate::formula::{Formula, Turn, Variable};
+use crate::geom::Vec3;
+use crate::path::Path;
+
+/// A result of an earlier cycle, by the place of that in the list and its code.
+pub type Of = (usize, &'static str);
+
+/// What a cycle follows.
+#[derive(Clone, Debug, Default)]
+pub struct Follows {
+    /// Along X, Y and Z, the result that its place follows.
+    pub place: [Option<Of>; 3],
+    /// The direction that its rotation follows.
+    pub rotation: Option<Of>,
+    /// The place that it is turned about, in the work coordinate system of the nominal part, mm.
+    pub about: Vec3,
+    /// Sizes, and how its moves go along with each.
+    pub sizes: Vec<(Of, Along)>,
+}
+
+/// How far the places of a path move for each mm that a size grows.
+#[derive(Clone, Debug, Default)]
+pub struct Along {
+    /// The place where it begins.
+    pub start: Vec3,
+    pub moves: Vec<Vec3>,
+}
+
+impl Along {
+    /// From the paths of the smallest, the nominal and the largest size, each `by` apart. `None` where they are not the same path but for that, or its
+    /// places do not move evenly.
+    pub fn of(less: &Path, path: &Path, more: &Path, by: f64) -> Option<Along> {
+        /// A place that is off by so much is off by a rounding, mm.
+        const EVEN: f64 = 1e-7;
+        let same = |other: &Path| {
+            let moves = path.moves.iter().zip(&other.moves);
+            let touches = path.touches.iter().zip(&other.touches);
+            path.moves.len() == other.moves.len()
+                && path.touches.len() == other.touches.len()
+                && path.start.is_some() == other.start.is_some()
+                && path.formula.computes_as(&other.formula)
+                && moves.into_iter().all(|(a, b)| {
+                    (a.feed, a.purpose, a.step) == (b.feed, b.purpose, b.step) && a.arc.is_none() && b.arc.is_none()
+                })
+                && touches.into_iter().all(|(a, b)| {
+                    a.vector.distance(b.vector) < EVEN && (a.search - b.search).abs() < EVEN && a.sample == b.sample
+                })
+        };
+        if !same(less) || !same(more) {
+            return None;
+        }
+        let rate = |less: Vec3, own: Vec3, more: Vec3| {
+            ((more - own) - (own - less)).abs().max_element().le(&EVEN).then(|| ((more - own) / by).map_tidy())
+        };
+        let moves = (0..path.moves.len()).map(|i| rate(less.moves[i].to, path.moves[i].to, more.moves[i].to));
+        let start = match (less.start, path.start, more.start) {
+            (Some(less), Some(own), Some(more)) => rate(less, own, more)?,
+            _ => Vec3::ZERO,
+        };
+        Some(Along { start, moves: moves.collect::<Option<_>>()? })
+    }
+}
+
+/// Without what is left of rounding.
+trait MapTidy {
+    fn map_tidy(self) -> Self;
+}
+
+impl MapTidy for Vec3 {
+    fn map_tidy(self) -> Vec3 {
+        Vec3::from_array(self.to_array().map(crate::num::tidy))
+    }
+}
+
+/// A value that shifts a place along an axis, and by how much of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Term {
+    pub by: Variable,
+    /// What it is multiplied by: mm where the value has no unit, else a number.
+    pub factor: f64,
+    /// Whether the factor is a length.
+    pub length: bool,
+    /// How far the value may be from 0.
+    most: f64,
+}
+
+/// What shifts a place along X, Y and Z.
+pub type Shifts = [Vec<Term>; 3];
+
+/// A place that nothing shifts.
+pub const STILL: &Shifts = &[const { Vec::new() }; 3];
+
+/// How far a place may be shifted along X, Y and Z, mm.
+pub fn most(shifts: &Shifts) -> Vec3 {
+    let along = |axis: usize| shifts[axis].iter().map(|term| (term.factor * term.most).abs()).sum();
+    Vec3::new(along(0), along(1), along(2))
+}
+
+/// How far the ends of a way may be apart from where they nominally are to each other, mm, where they are shifted by these.
+pub fn far_apart(from: &Shifts, to: &Shifts) -> f64 {
+    let factor = |of: &[Term], by: Variable| of.iter().find(|term| term.by == by).map_or(0.0, |term| term.factor);
+    let along = |axis: usize| {
+        let (a, b) = (&from[axis], &to[axis]);
+        let left = a.iter().filter(|term| b.iter().all(|other| other.by != term.by));
+        left.chain(b).map(|term| (factor(b, term.by) - factor(a, term.by)).abs() * term.most).sum()
+    };
+    Vec3::new(along(0), along(1), along(2)).length()
+}
+
+/// A result that a cycle follows, and the value that says how far it is off its nominal one: mm, or degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Follow {
+    /// Index of the result in the whole.
+    pub result: usize,
+    pub off: Variable,
+    /// The axis along which it is a place; none of sizes and directions.
+    pub axis: Option<usize>,
+}
+
+/// How far results may be off before a program stops: lengths in mm, angles in degrees.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reaches {
+    pub position: f64,
+    pub size: f64,
+    pub angle: f64,
+}
+
+/// Where the results of earlier cycles put a cycle.
+#[derive(Clone, Debug, Default)]
+pub struct Placing {
+    /// Everything that it follows.
+    pub follows: Vec<Follow>,
+    shift: [Option<Term>; 3],
+    turn: Option<(Turn<Variable>, Reaches)>,
+    sizes: Vec<(Term, Along)>,
+}
+
+/// What the values that shift an axis are called.
+const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
+
+/// What the values of sizes are called, by their number.
+const GROWTHS: [&str; 2] = ["growth_1", "growth_2"];
+
+impl Placing {
+    /// States in the formula of the whole how far the results are off that a cycle follows. `result` finds one.
+    pub fn of(
+        follows: Follows,
+        formula: &mut Formula,
+        axes: [usize; 3],
+        reaches: Reaches,
+        result: impl Fn(&Formula, Of) -> Option<usize>,
+    ) -> Self {
+        let mut own = Placing::default();
+        for (axis, (of, name)) in follows.place.into_iter().zip(SHIFTS).enumerate() {
+            let Some(result) = of.and_then(|of| result(formula, of)) else { continue };
+            let Some(off) = formula.shift(result, name) else { continue };
+            own.follows.push(Follow { result, off, axis: Some(axis) });
+            own.shift[axis] = Some(Term { by: off, factor: 1.0, length: false, most: reaches.position });
+        }
+        let rotation = follows.rotation.and_then(|of| result(formula, of));
+        if let Some((result, direction)) = rotation.and_then(|of| Some((of, formula.results[of].variable?))) {
+            let [angle, sine, cosine] = formula.turns_next(direction, formula.results[result].nominal);
+            own.follows.push(Follow { result, off: angle, axis: None });
+            let [a, o, _] = axes;
+            let shift = [a, o].map(|axis| own.shift[axis].map(|term| term.by));
+            let about = [a, o].map(|axis| follows.about[axis]);
+            own.turn = Some((Turn { axes: [a, o], about, angle, sine, cosine, shift }, reaches));
+        }
+        for ((of, along), name) in follows.sizes.into_iter().zip(GROWTHS) {
+            let Some(result) = result(formula, of) else { continue };
+            let Some(off) = formula.shift(result, name) else { continue };
+            own.follows.push(Follow { result, off, axis: None });
+            own.sizes.push((Term { by: off, factor: 1.0, length: false, most: reaches.size }, along));
+        }
+        own
+    }
+
+    /// The values that its moves are shifted by.
+    pub fn moved_by(&self) -> impl Iterator<Item = Variable> {
+        let turn = self.turn().into_iter().flat_map(|turn| [turn.sine, turn.cosine]);
+        self.shift.iter().flatten().chain(self.sizes.iter().map(|(term, _)| term)).map(|term| term.by).chain(turn)
+    }
+
+    /// By what the cycle is turned.
+    pub fn turn(&self) -> Option<&Turn<Variable>> {
+        self.turn.as_ref().map(|(turn, _)| turn)
+    }
+
+    /// What shifts a place of the cycle; `along` says how it goes along with a size.
+    pub fn shifts(&self, place: Vec3, along: impl Fn(&Along) -> Vec3) -> Shifts {
+        let mut shifts = self.shift.map(|term| term.into_iter().collect::<Vec<Term>>());
+        for (term, own) in &self.sizes {
+            let rate = along(own);
+            for axis in (0..3).filter(|axis| rate[*axis] != 0.0) {
+                shifts[axis].push(Term { factor: rate[axis], ..*term });
+            }
+        }
+        let Some((Turn { axes: [a, o], about, sine, cosine, .. }, reaches)) = self.turn.as_ref() else { return shifts };
+        // A millionth of a micrometre: more digits would make blocks longer than controls read.
+        let arm = [place[*a] - about[0], place[*o] - about[1]].map(|x| (x * 1e9).round() / 1e9);
+        let angle = reaches.angle.min(180.0).to_radians();
+        let most = |by: Variable| if by == *cosine { 1.0 - angle.cos() } else { angle.min(std::f64::consts::FRAC_PI_2).sin() };
+        let terms = [(*a, *cosine, arm[0]), (*a, *sine, -arm[1]), (*o, *cosine, arm[1]), (*o, *sine, arm[0])];
+        for (axis, by, factor) in terms.into_iter().filter(|(_, _, factor)| *factor != 0.0) {
+            shifts[axis].push(Term { by, factor, length: true, most: most(by) });
+        }
+        shifts
+    }
+}

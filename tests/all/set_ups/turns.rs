@@ -1,0 +1,335 @@
+//! Cycles whose rotation or size follows a result of an earlier one, held against LinuxCNC's interpreter, the tests' machines and hand calculations.
+
+use super::cycle;
+use super::follows::{near, shown};
+use crate::common::fanuc::Control;
+use crate::common::mpf::read;
+use crate::common::sinumerik::Machine;
+use crate::common::{Draws, ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
+use touchpath::form::{Level, Value};
+use touchpath::job::{Plan, check, convert_units, plan};
+
+/// A hole, a side, and a pocket that lies 100 mm and 20 mm beside the hole, as the side says.
+pub const TURNED: &str = r#"{ "format": 2, "name": "TURNED", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
+  "limits": { "position": 3, "angle": 1.5 },
+  "cycles": [
+    { "name": "LEFT", "type": "hole", "diameter": 25 },
+    { "name": "SIDE", "type": "wall-angle", "origin": [0, -45, -8], "rotation": -90 },
+    { "name": "POCKET", "type": "internal-rectangle", "width1": 40, "width2": 30, "origin": ["=LEFT.center.x+100", "=LEFT.center.y+20", 0], "rotation": "=SIDE.rotation+90" }
+  ],
+  "part": { "offset": [0.2, 0.1, 0], "rotation": 0.7 } }"#;
+
+/// A groove whose width may be anything, and a web beside it that is as wide.
+pub const GROWN: &str = r#"{ "format": 2, "name": "GROWN", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
+  "limits": { "size": 2 }, "overtravel": 3,
+  "cycles": [
+    { "name": "SLOT", "type": "groove", "width": 30, "origin": [0, 0, 0] },
+    { "name": "WEB", "type": "web", "width": "=SLOT.width-4", "origin": [90, 0, 0] }
+  ],
+  "part": { "sizes": { "SLOT.width": 1.2, "WEB.width": 1.2 } } }"#;
+
+fn on(text: &str, post: &str) -> Value {
+    with(&job(text), "control.post", Value::Text(post.to_owned()))
+}
+
+fn turned_by(job: &Value, angle: f64) -> Value {
+    with(job, "part.rotation", Value::Number(angle))
+}
+
+fn holds(plan: &Plan) {
+    assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+}
+
+/// Every place that the interpreter goes to (it says four decimals) is that of the drawing, turned by 0.7° about the hole and shifted with it.
+#[test]
+fn the_interpreter_turns_a_cycle_with_the_part() {
+    let plan = planned(&job(TURNED));
+    holds(&plan);
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    assert_eq!(ran.prints.len(), shown(&plan).len());
+    for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
+        assert_eq!(*code, name);
+        near(*printed, value, 3e-6, code);
+    }
+    let (sin, cos) = 0.7f64.to_radians().sin_cos();
+    let by_hand = |[x, y, z]: [f64; 3]| [0.2 + x * cos - y * sin, 0.1 + y * cos + x * sin, z];
+    let printed = |code: &str| ran.prints.iter().find(|(known, _)| known == code).unwrap().1;
+    let [x, y, _] = by_hand([100.0, 20.0, 0.0]);
+    near(printed("POCKET.center.x"), x, 2e-6, "100 mm and 20 mm beside the hole, turned");
+    near(printed("POCKET.center.y"), y, 2e-6, "100 mm and 20 mm beside the hole, turned");
+    near(printed("POCKET.width1"), 40.0, 2e-6, "no wider than it is, since it is touched square");
+    let mut compared = 0;
+    for step in plan.moves.iter().filter(|step| step.cycle == 2 && step.step > 0 && step.kind != "touch") {
+        let wanted = by_hand(step.to);
+        let found = ran.moves.iter().any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 6e-5));
+        assert!(found, "{wanted:?}");
+        compared += 1;
+    }
+    assert!(compared > 5, "{compared}");
+    // A pocket that is touched askew is wider by the cosine, and by what the ball does.
+    let still = planned(&job(&TURNED.replace("\"=SIDE.rotation+90\"", "0")));
+    let wide = still.results.iter().find(|row| row.code == "width1").unwrap().value.unwrap();
+    assert!(wide > 40.002, "{wide}");
+}
+
+/// What is read along one direction only stands for the same point of the part: the middle of a rib, a point of a wall.
+#[test]
+fn a_rib_and_a_wall_are_read_at_their_place_on_the_turned_part() {
+    let (sin, cos) = 0.7f64.to_radians().sin_cos();
+    let (x, y) = (0.2 + 100.0 * cos - 20.0 * sin, 0.1 + 20.0 * cos + 100.0 * sin);
+    for (cycle, turn, codes) in [
+        (r#""type": "web", "width": 30"#, 90.0, &["center.x"][..]),
+        (r#""type": "web", "width": 30"#, 180.0, &["center.y"]),
+        (r#""type": "web", "width": 30"#, 125.0, &["center.x", "center.y"]),
+        (r#""type": "surface", "elevation": 0"#, 90.0, &["point.x"]),
+        (r#""type": "surface", "elevation": 0"#, 30.0, &["point.x", "point.y"]),
+    ] {
+        let text = TURNED.replace(r#""type": "internal-rectangle", "width1": 40, "width2": 30"#, cycle);
+        let text = text.replace("=SIDE.rotation+90", &format!("=SIDE.rotation+{turn}"));
+        let plan = planned(&job(&text));
+        holds(&plan);
+        let ran = interpret(&on_virtual_part(&plan)).unwrap();
+        for code in codes {
+            let (_, printed) = ran.prints.iter().find(|(known, _)| *known == format!("POCKET.{code}")).unwrap();
+            near(*printed, if code.ends_with('x') { x } else { y }, 5e-6, &format!("{cycle} {turn} {code}"));
+        }
+    }
+}
+
+/// The touches of a web begin where the groove was found to end, and results are those of the web.
+#[test]
+fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
+    let plan = planned(&job(GROWN));
+    holds(&plan);
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
+        assert_eq!(*code, name);
+        near(*printed, value, 3e-6, code);
+    }
+    // The web's walls are 0.6 mm farther out, and so are the moves beside them.
+    let beside: Vec<f64> =
+        plan.moves.iter().filter(|step| step.cycle == 1 && step.step > 0).map(|step| step.to[0] - 90.0).collect();
+    let outmost = beside.iter().copied().fold(0.0, f64::max);
+    let gone = ran.moves.iter().map(|made| made.to[0] - 90.0).fold(0.0, f64::max);
+    near(gone, outmost + 0.6, 2e-6, "half of 1.2 mm farther out");
+}
+
+/// The tests' machines run the programs of the other controls.
+#[test]
+fn the_other_controls_turn_and_grow_a_cycle_likewise() {
+    for text in [TURNED, GROWN] {
+        let plan = planned(&on(text, "sinumerik"));
+        holds(&plan);
+        let mut machine = Machine::new(plan.triggers.clone());
+        machine.run(&read(&plan.program.text).unwrap()).unwrap();
+        assert_eq!(machine.alarm, None, "{}", machine.message);
+        let said: String = machine.messages.join(" ");
+        for (name, value) in shown(&plan).into_iter().filter(|(name, _)| !name.ends_with("residual")) {
+            let word = format!("{name}=");
+            let behind = said.split(&word).nth(1).unwrap_or_else(|| panic!("{word} in {said}"));
+            let end = behind.find(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).unwrap_or(behind.len());
+            near(behind[..end].parse().unwrap(), value, 2e-5, &name);
+        }
+        for post in ["fanuc", "haas"] {
+            let plan = planned(&on(text, post));
+            holds(&plan);
+            let mut control = Control::new(post == "haas", false);
+            control.contacts = plan.triggers.iter().flatten().copied().collect();
+            control.variables.extend((5221..=5223).map(|origin| (origin, 0.0)));
+            control.run(&plan.program.text).unwrap();
+            assert_eq!(control.alarm, None, "{post}");
+            for (i, (name, value)) in shown(&plan).into_iter().enumerate() {
+                near(control.variables[&(101 + i as i64)], value, 2e-4, &format!("{post} {name}"));
+            }
+        }
+    }
+}
+
+/// A part that is turned too far, or a groove that is too wide: the program stops before the cycle that follows, and writes nothing.
+#[test]
+fn beyond_the_limit_every_control_stops_before_the_cycle() {
+    let wide = |post: &str| with(&on(GROWN, post), "limits.size", Value::Number(1.0));
+    for (post, how) in [("linuxcnc", 1.6), ("linuxcnc", -1.6), ("sinumerik", 1.6), ("fanuc", -1.6), ("haas", 1.6)] {
+        for (job, result) in [(turned_by(&on(TURNED, post), how), "SIDE.rotation"), (wide(post), "SLOT.width")] {
+            let plan = planned(&job);
+            let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post} {result}"));
+            assert!(said.message.contains(&format!("{result} is")), "{}", said.message);
+            match post {
+                "linuxcnc" => {
+                    let (ran, why) = interpret_until_stop(&ending_at(&plan, |k| plan.triggers[k].unwrap_or_default()));
+                    let why = why.expect("it stops");
+                    assert!(why.contains(&format!("{result} is")), "{why}");
+                    assert_eq!(ran.written, None);
+                }
+                "sinumerik" => {
+                    let mut machine = Machine::new(plan.triggers.clone());
+                    machine.run(&read(&plan.program.text).unwrap()).unwrap();
+                    assert!(machine.alarm.is_some() && machine.message.contains(result), "{}", machine.message);
+                }
+                _ => {
+                    let mut control = Control::new(post == "haas", false);
+                    control.contacts = plan.triggers.iter().flatten().copied().collect();
+                    control.run(&plan.program.text).unwrap();
+                    let (_, code) = result.split_once('.').unwrap();
+                    let alarm = control.alarm.as_ref().map(|alarm| format!("{alarm:?}")).unwrap_or_default();
+                    assert!(alarm.contains(&code.to_uppercase()), "{post} {alarm}");
+                }
+            }
+        }
+    }
+    // A little within it all is measured.
+    assert!(planned(&turned_by(&job(TURNED), 1.49)).triggers.iter().all(Option::is_some));
+}
+
+/// The texts come back from every header; an angle is the same in other units, a size is not.
+#[test]
+fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
+    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+        for text in [TURNED, GROWN] {
+            let plan = planned(&on(text, post));
+            let back = import(&plan.program.text).unwrap();
+            assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+            assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
+        }
+    }
+    let key = |job: &Value, cycle: usize, key: &str| match job.get("cycles") {
+        Some(Value::List(cycles)) => cycles[cycle].get(key).cloned(),
+        _ => None,
+    };
+    let inch = convert_units(&job(TURNED), "inch").unwrap();
+    assert_eq!(key(&inch, 2, "rotation"), Some(Value::Text("=SIDE.rotation+90".to_owned())));
+    let (mm, inch) = (planned(&job(TURNED)), planned(&inch));
+    for (a, b) in mm.triggers.iter().zip(&inch.triggers) {
+        let (a, b) = (a.unwrap(), b.unwrap());
+        (0..3).for_each(|axis| near(a[axis], b[axis] * 25.4, 1e-4, "the same contacts"));
+    }
+    let inch = convert_units(&job(GROWN), "inch").unwrap();
+    assert_eq!(key(&inch, 1, "width"), Some(Value::Text("=SLOT.width-0.15748".to_owned())));
+    holds(&planned(&inch));
+}
+
+/// What a machine measured is computed with the angle that it measured, whatever the virtual part is.
+#[test]
+fn measured_points_are_turned_as_they_say() {
+    let real = planned(&turned_by(&job(TURNED), -1.2));
+    let points: Vec<Value> = real.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
+    let rows = touchpath::job::evaluate(&job(TURNED), &Value::List(points)).unwrap();
+    for (row, own) in rows.iter().zip(&real.results) {
+        assert_eq!(row.code, own.code);
+        if let (Some(a), Some(b)) = (row.value, own.value) {
+            near(a, b, 1e-5, &row.code);
+        }
+    }
+    assert_eq!(rows.len(), real.results.len());
+}
+
+#[test]
+fn what_cannot_follow_is_refused_at_its_place() {
+    let errors = |text: &str| {
+        let errors = check(&job(text)).into_iter().filter(|f| f.level == Level::Error);
+        errors.map(|f| format!("{} {}", f.code, f.path)).collect::<Vec<_>>()
+    };
+    let angle = |given: &str| TURNED.replace("=SIDE.rotation+90", given);
+    for given in [
+        "=",
+        "=SIDE",
+        "=LEFT.center.x",
+        "=LEFT.diameter",
+        "=POCKET.rotation",
+        "=SIDE.rotation*2",
+        "=SIDE.rotation+9O",
+        "=NONE.rotation",
+    ] {
+        assert_eq!(errors(&angle(given)), ["place-of-result cycles[2].rotation"], "{given}");
+    }
+    assert_eq!(errors(&angle("SIDE.rotation")), ["wrong-type cycles[2].rotation"]);
+    let size = |given: &str| GROWN.replace("=SLOT.width-4", given);
+    for given in ["=", "=SLOT.center.x", "=WEB.width", "=SLOT.width/2", "=NONE.width", "=SLOT.width-4)\\nG0 Z-99"] {
+        assert_eq!(errors(&size(given)), ["place-of-result cycles[1].width"], "{given}");
+    }
+    assert!(errors(&size("=slot.Width - 4,5")).is_empty());
+    assert_eq!(errors(&TURNED.replace("\"angle\": 1.5", "\"angle\": null")), ["place-of-result cycles[2].rotation"]);
+    assert_eq!(errors(&GROWN.replace("\"size\": 2", "\"size\": null")), ["place-of-result cycles[1].width"]);
+    // A web that the smallest groove would make as wide as nothing.
+    assert_eq!(errors(&size("=SLOT.width-28")), ["place-of-result cycles[1].width"]);
+    // 1411 says its rotation by parameters of its own.
+    let own = TURNED.replace(r#""type": "internal-rectangle", "width1": 40, "width2": 30"#, r#""type": "probing-two-circles""#);
+    assert!(!errors(&own).is_empty());
+    let both = TURNED.replace("\"width1\": 40", "\"width1\": \"=LEFT.diameter+15\"");
+    assert_eq!(errors(&both), ["place-of-result cycles[2].width1"]);
+    for (text, path) in [(TURNED, "cycles[2].rotation"), (GROWN, "cycles[1].width")] {
+        let grbl = text.replace("linuxcnc", "grbl").replace("\"workOffset\": 1, ", "");
+        assert!(errors(&grbl).contains(&format!("set-up-unsupported {path}")), "{:?}", errors(&grbl));
+    }
+    let own = GROWN.replace("\"linuxcnc\"", "\"haas\", \"form\": \"cycle\"");
+    assert!(errors(&own).contains(&"set-up-unsupported cycles[1].width".to_owned()), "{:?}", errors(&own));
+    // A job of one cycle has none before it.
+    let alone = r#"{ "format": 1, "cycle": { "type": "web", "width": "=SLOT.width" } }"#;
+    assert_eq!(errors(alone), ["wrong-type cycle.width"]);
+}
+
+/// In every plane, at any limit, with any cycle that measures places and sizes: on turned parts the interpreter measures what they are.
+#[test]
+fn random_cycles_follow_an_angle_on_parts_that_are_turned() {
+    let mut draws = Draws(78);
+    let mut tried = 0;
+    for round in 0..24 {
+        let key = [
+            "hole",
+            "boss",
+            "internal-rectangle",
+            "external-rectangle",
+            "web",
+            "groove",
+            "surface",
+            "double-wall-internal-corner",
+        ][round % 8];
+        let plane = ["G17", "G18", "G19"][draws.below(3)];
+        let limit = draws.of(0.3, 4.0);
+        let cycle = with(&cycle(key, 0.0), "name", Value::Text("LAST".to_owned()));
+        let text = format!(
+            r#"{{ "format": 2, "plane": "{plane}", "control": {{ "post": "linuxcnc" }}, "overtravel": 8, "limits": {{ "position": 9, "angle": {limit:.3} }},
+            "part": {{ "offset": [{:.4}, {:.4}, {:.4}], "rotation": {:.4} }}, "cycles": [] }}"#,
+            draws.of(-0.4, 0.4),
+            draws.of(-0.4, 0.4),
+            draws.of(-0.4, 0.4),
+            0.97 * draws.of(-limit, limit).clamp(-2.5, 2.5)
+        );
+        let axes = match plane {
+            "G17" => ["=BASE.center.x+90", "=BASE.center.y+40", "5"],
+            "G18" => ["=BASE.center.y+40", "5", "=BASE.center.x+90"],
+            _ => ["5", "=BASE.center.x+90", "=BASE.center.y+40"],
+        };
+        let at = axes.map(|text| text.parse().map_or_else(|_| Value::Text(text.to_owned()), Value::Number));
+        let still = axes.map(|text| Value::Number(text.rsplit('+').next().unwrap().parse().unwrap()));
+        let at = if draws.next() < 0.6 { at } else { still };
+        let nominal = draws.of(-170.0, 170.0).round();
+        let cycle = with(&cycle, "origin", Value::List(at.to_vec()));
+        let cycle = with(&cycle, "rotation", Value::Text(format!("=SIDE.rotation{:+}", nominal)));
+        let base = with(&super::cycle("hole", 0.0), "name", Value::Text("BASE".to_owned()));
+        let side = job(r#"{ "name": "SIDE", "type": "wall-angle", "rotation": 25, "distance": 40 }"#);
+        let w = axes.iter().position(|text| *text == "5").unwrap();
+        let mut low = [Value::Number(-60.0), Value::Number(-60.0), Value::Number(-60.0)];
+        low[w] = Value::Number(0.0);
+        let side = with(&side, "origin", Value::List(low.to_vec()));
+        let whole = with(&job(&text), "cycles", Value::List(vec![base, side, cycle]));
+        let plan = match plan(&whole) {
+            Ok(plan) => plan,
+            Err(e) => panic!("round {round} {key} {plane}: {e:?}"),
+        };
+        if plan.findings.iter().any(|f| ["no-contact", "collision", "place-too-far"].contains(&f.code.as_str())) {
+            continue;
+        }
+        holds(&plan);
+        tried += 1;
+        let ran = interpret(&on_virtual_part(&plan)).unwrap_or_else(|e| panic!("round {round}: {e}"));
+        for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
+            assert_eq!(*code, name);
+            near(*printed, value, 3e-6, code);
+        }
+        for row in plan.results.iter().filter(|row| row.cycle == 2 && row.truth.is_some() && row.value.is_some()) {
+            near(row.value.unwrap(), row.truth.unwrap(), 2e-5, &format!("round {round} {key} {plane} {}", row.code));
+        }
+    }
+    assert!(tried > 15, "{tried}");
+}
