@@ -46,14 +46,14 @@ const same = (one: string, other: string) => one.toLowerCase() === other.toLower
 /** The cycle or relation that something is of: of `BORE.diameter` it is `BORE`. */
 const head = (of: string) => of.split(".")[0] ?? of;
 
-/** A cycle whose place may follow results of another one, by its new name. */
+/** A cycle whose place, rotation and sizes may follow results of another one, by its new name. */
 function following(cycle: Draft, from: string, to: string): Draft {
-  if (!Array.isArray(cycle.origin) || !cycle.origin.some((x) => typeof x === "string")) return cycle;
-  const renamed = (x: unknown) => {
+  const renamed = (x: unknown): unknown => {
+    if (Array.isArray(x)) return x.some((one) => typeof one === "string") ? x.map(renamed) : x;
     const [, equals = "", name, rest] = (typeof x === "string" && /^(\s*=\s*)(\w+)(\..*)$/.exec(x)) || [];
     return name !== undefined && same(name, from) ? `${equals}${to}${rest}` : x;
   };
-  return { ...cycle, origin: cycle.origin.map(renamed) };
+  return Object.fromEntries(Object.entries(cycle).map(([key, x]) => [key, renamed(x)]));
 }
 
 /** A relation of whatever was read: what is wrong with it is left to the check. */

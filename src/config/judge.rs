@@ -155,6 +155,8 @@ fn refusal(
     let number = match value {
         Some(Value::Number(number)) => *number,
         Some(Value::Null) => f64::NAN,
+        // What follows a result is known at the machine.
+        Some(Value::Text(text)) if text.trim_start_matches(' ').starts_with('=') => f64::NAN,
         _ => return None,
     };
     let factor = if field.kind.is_metric() { config.units.scale() / checker.scale } else { 1.0 };

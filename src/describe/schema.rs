@@ -91,8 +91,8 @@ fn wear() -> Value {
     nullable(Value::Map(own))
 }
 
-/// The same cycle in a set-up: each coordinate of its origin may follow a result.
-fn following(mut cycle: Value) -> Value {
+/// The same cycle in a set-up: each coordinate of its origin, its rotation and its sizes may follow a result.
+fn following(mut cycle: Value, def: &CycleDef) -> Value {
     let inner = |value: &mut Value, key: &str, change: &dyn Fn(&mut Value)| {
         if let Value::Map(entries) = value {
             entries.iter_mut().filter(|(known, _)| known == key).for_each(|(_, value)| change(value));
@@ -104,8 +104,26 @@ fn following(mut cycle: Value) -> Value {
         ("maxLength", Value::Number(LONGEST_PLACE as f64)),
         ("description", text("A number, or a place that an earlier cycle measures with a number added: `=TOP.z-5`.")),
     ]);
+    let or_text = |value: &mut Value, example: &str| {
+        let Value::Map(entries) = value else { return };
+        for (key, value) in entries.iter_mut() {
+            match (key.as_str(), value) {
+                ("type", value) => *value = Value::List(["number", "string"].map(text).to_vec()),
+                ("description", Value::Text(help)) => {
+                    help.push_str(&format!(" It may follow a result of an earlier cycle: `{example}`."))
+                }
+                _ => {}
+            }
+        }
+        entries.push(("pattern".to_owned(), text("^ *=")));
+        entries.push(("maxLength".to_owned(), Value::Number(LONGEST_PLACE as f64)));
+    };
     inner(&mut cycle, "properties", &|properties| {
         inner(properties, "origin", &|origin| inner(origin, "items", &|items| items.clone_from(&place)));
+        inner(properties, "rotation", &|rotation| or_text(rotation, "=SIDE.rotation+90"));
+        for size in def.fields.iter().filter(|field| field.size && field.kind == Kind::Length) {
+            inner(properties, size.key, &|value| or_text(value, "=BORE.diameter-2"));
+        }
     });
     cycle
 }
@@ -119,7 +137,7 @@ fn set_up() -> [(String, Value); 4] {
         ("description", text("Its name, which programs print in front of its results. Left out: what it measures.")),
     ]);
     let measures = CYCLES.iter().filter(|def| def.most_touches > 0);
-    let cycles = measures.map(|def| following(cycle(def, vec![("name".to_owned(), name.clone())]))).collect();
+    let cycles = measures.map(|def| following(cycle(def, vec![("name".to_owned(), name.clone())]), def)).collect();
     let list = map([
         ("type", text("array")),
         ("items", map([("oneOf", Value::List(cycles))])),

@@ -1,7 +1,7 @@
 //! What follows a result of an earlier cycle of a set-up: a place, `"=TOP.z-5"`, a rotation, `"=SIDE.rotation+90"`, a size, `"=BORE.diameter-2"`.
 
 use crate::control::Form;
-use crate::form::{Checker, Value, printable};
+use crate::form::{Checker, Field, Level, Value, printable};
 use crate::formula::{Formula, Role, Variable};
 use crate::geom::Vec3;
 use crate::job::Job;
@@ -9,7 +9,7 @@ use crate::job::planned::{Planned, several};
 use crate::num::{decimal, tidy, wrap_degrees};
 use crate::part::Run;
 use crate::path::{Along, Follows, Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
-use crate::text::text;
+use crate::text::{Text, text};
 use crate::{formula, part};
 
 /// The most characters of such a text.
@@ -74,7 +74,7 @@ pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &E
         _ => None,
     });
     let fields = def.map_or(&[][..], |def| def.fields);
-    let (mut places, mut rotates) = ([const { None }; 3], None);
+    let (mut places, mut rotates, mut unknown) = ([const { None }; 3], None, Vec::new());
     for (key, value) in entries.iter_mut() {
         let field = fields.iter().find(|field| field.key == key);
         match value {
@@ -94,27 +94,30 @@ pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &E
                 *value = Value::Number(found.as_ref().map_or(0.0, |found| wrap_degrees(found.nominal)));
                 rotates = found;
             }
-            _ if field.is_some_and(|field| field.size && field.kind.is_metric()) => {
+            _ if field.is_some_and(may_follow) => {
                 let Some(text) = result_text(value) else { continue };
                 let path = format!("cycles[{index}].{key}");
                 let found = one(checker, text, (Kind::Size, &path), earlier);
-                match &found {
-                    Some(found) => *value = Value::Number(found.nominal),
-                    // A size is left to the form where it is not known.
-                    None => *value = Value::Null,
+                // Where it is not known the cycle is read on with what the form begins with.
+                *value = Value::Number(found.as_ref().map_or(0.0, |found| found.nominal));
+                if found.is_none() {
+                    unknown.push(key.clone());
                 }
                 wanted.sizes.extend(found.map(|found| (key.clone(), found.of)));
             }
             _ => {}
         }
     }
-    entries.retain(|(key, value)| {
-        !(matches!(value, Value::Null) && fields.iter().any(|field| field.key == key && field.size && field.kind.is_metric()))
-    });
+    entries.retain(|(key, _)| !unknown.contains(key));
     wanted.follows.rotation = rotates.map(|found| found.of);
     wanted.follows.place = places.each_ref().map(|found| found.as_ref().map(|found| found.of));
     wanted.follows.about = Vec3::from_array(places.map(|found| found.map_or(f64::NAN, |found| found.place)));
     wanted
+}
+
+/// Whether a field is a size that may follow a result: not one that is a text with a tolerance, as those of 1411.
+fn may_follow(field: &Field) -> bool {
+    field.size && field.kind == crate::form::Kind::Length
 }
 
 /// What a text that begins with a result says.
@@ -339,12 +342,20 @@ pub fn settle(checker: &mut Checker, wanted: Wanted, (index, single): (usize, &V
                     (None, Some(why)) => (by, why),
                     (None, None) => continue,
                 };
-                let limit = checker.length(side);
-                let message = text!(
-                    "This size follows a result, and by {limit} off the nominal one the cycle has an error: {error}",
-                    limit,
-                    why
-                );
+                let off = checker.length(side);
+                let message = match why {
+                    Some(why) => {
+                        text!(
+                            "This size follows a result, and {off} off the nominal one the cycle has an error: {error}",
+                            off,
+                            why
+                        )
+                    }
+                    None => text!(
+                        "This size follows a result, and {off} off the nominal one the path of the cycle is not free",
+                        off
+                    ),
+                };
                 checker.error("place-of-result", field, message);
                 continue;
             }
@@ -360,8 +371,8 @@ pub fn settle(checker: &mut Checker, wanted: Wanted, (index, single): (usize, &V
     follows
 }
 
-/// The path of a cycle with another size, or its first error.
-fn resized(single: &Value, key: &str, by: f64) -> Result<Path, crate::text::Text> {
+/// The path of a cycle with another size; else its first error, or none where the path is not free.
+fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
     let mut single = single.clone();
     for (own, value) in cycle_of(&mut single).into_iter().flatten() {
         if let (true, Value::Number(size)) = (own == key, value) {
@@ -369,19 +380,14 @@ fn resized(single: &Value, key: &str, by: f64) -> Result<Path, crate::text::Text
         }
     }
     let mut own = Checker::default();
-    let job = Job::read(&mut own, &single);
-    let job = job.filter(|_| !own.failed());
-    let planned = job.map(Planned::of);
-    if let Some(planned) = &planned {
-        crate::job::plan::report_path(planned, &mut own);
-    }
-    match planned {
-        Some(planned) if !own.failed() => Ok(planned.path),
-        _ => {
-            let mut errors = own.findings().into_iter().filter(|finding| finding.level == crate::form::Level::Error);
-            Err(errors.next().map_or_else(|| text!("it cannot be read"), |finding| finding.said))
-        }
-    }
+    let planned = Job::read(&mut own, &single).filter(|_| !own.failed()).map(Planned::of);
+    let Some(Planned { path, job, .. }) = planned else {
+        let mut errors = own.findings().into_iter().filter(|finding| finding.level == Level::Error);
+        return Err(errors.next().map(|finding| finding.said));
+    };
+    let run = part::run(&path, &path.surfaces, &job.setup);
+    let free = run.collision.is_none() && run.strays.is_empty() && run.triggers.iter().all(Option::is_some);
+    if free && path.touch_faults(job.setup.radius).is_empty() { Ok(path) } else { Err(None) }
 }
 
 /// Runs the cycles that follow results again, on the virtual part: where what the control measures there puts them. Before a cycle that would be put

@@ -237,7 +237,7 @@ fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> 
 }
 
 /// What is wrong with the path of one cycle, and with what happens on it.
-pub fn report_path(planned: &Planned, checker: &mut Checker) {
+fn report_path(planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = planned;
     report_predefined(job, checker);
     for (code, field, message) in &planned.refused {

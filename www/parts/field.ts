@@ -34,6 +34,9 @@ function headed(choices: Choice[]): [string, Choice[]][] {
   return runs;
 }
 
+/** The codes of results that are sizes. */
+const SIZES = /^(diameter|width\d?)$/;
+
 /** A part with fields of the job: what they hold, their messages, and how they take what is typed. */
 export abstract class FieldPart extends Part {
   protected override follows = ["change"];
@@ -65,16 +68,21 @@ export abstract class FieldPart extends Part {
         }${proposed.length > 0 ? html`<datalist id=${`l-${path}`}>${proposed.map((one) => html`<option value=${one}></option>`)}</datalist>` : nothing}</span>`;
   }
 
-  /** What the place of a cycle can follow along an axis: results of the cycles before it. */
-  protected places(path: string, axis: number): string[] {
+  /** What a field of a cycle can follow: results of the cycles before it. `axis` is that of a coordinate of its place. */
+  protected followed(field: FieldEntry, path: string, axis?: number): string[] {
     const { features, plan } = this.store;
-    if (path !== "cycle.origin" || !features.several) return [];
+    if (!features.several || !path.startsWith("cycle.")) return [];
     // Abscissa, ordinate and tool axis in each plane.
     const axes = { G17: [0, 1, 2], G18: [2, 0, 1], G19: [1, 2, 0] }[String(this.store.get("plane"))] ?? [0, 1, 2];
-    const key = ["x", "y", "z"][axes.indexOf(axis)];
+    const written = (key: string | undefined) => plan.datum.find((row) => row.axis === key)?.choices ?? [];
+    const sizes = () =>
+      plan.results.filter((row) => SIZES.test(row.code)).map((row) => `${plan.cycles[row.cycle]}.${row.code}`);
     const before = plan.cycles.slice(0, features.inJob).map((name) => `${name}.`);
-    const choices = plan.datum.find((row) => row.axis === key)?.choices ?? [];
-    return choices.filter((one) => before.some((name) => one.startsWith(name))).map((one) => `=${one}`);
+    const from = (choices: string[]) =>
+      choices.filter((one) => before.some((name) => one.startsWith(name))).map((one) => `=${one}`);
+    if (path === "cycle.origin") return axis === undefined ? [] : from(written(["x", "y", "z"][axes.indexOf(axis)]));
+    if (path === "cycle.rotation") return from(written("rotation"));
+    return field.size && field.unit === "length" ? from(sizes()) : [];
   }
 
   /** What the field that has the focus held when it got it. */

@@ -437,14 +437,16 @@ class FormPart extends FieldPart {
         return html`<div class="row whole" role="group" aria-label=${field.label}>
           <span class="label" title=${field.help}>${field.label}</span>
           <div class="point">
-            ${["X", "Y", "Z"].map((axis, i) => html`<span class=${typeof this.store.get(`${path}[${i}]`) === "string" ? "axis long" : "axis"}><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`, this.places(path, i))}<span class="unseen" id=${`h-${path}[${i}]`}>${field.help}</span></span>`)}
+            ${["X", "Y", "Z"].map((axis, i) => html`<span class=${typeof this.store.get(`${path}[${i}]`) === "string" ? "axis long" : "axis"}><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`, this.followed(field, path, i))}<span class="unseen" id=${`h-${path}[${i}]`}>${field.help}</span></span>`)}
           </div>
           ${this.said(placed, [path, ...[0, 1, 2].map((i) => `${path}[${i}]`)])}
         </div>`;
       case "nominal":
       case "number":
       case "count":
-        return row(field.null ? this.nullable(placed) : this.number(field, path));
+        return row(
+          field.null ? this.nullable(placed) : this.number(field, path, undefined, this.followed(field, path)),
+        );
     }
   }
 
@@ -453,7 +455,7 @@ class FormPart extends FieldPart {
     const off = this.store.get(path) === null;
     return html`<span class="line"><label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
         @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label>
-      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" .value=${this.standing(path)} disabled /></span>` : this.number(field, path)}</span>`;
+      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" .value=${this.standing(path)} disabled /></span>` : this.number(field, path, undefined, this.followed(field, path))}</span>`;
   }
 
   /** What stands in for null: the number that the program has from its name. */
