@@ -250,6 +250,11 @@ fn the_searches_of_a_path_stay_within_the_travel() {
     assert_eq!(refused(&config(&most(116.5, 64.5)), follows), [""; 0]);
     assert_eq!(refused(&config(&most(116.4, 64.5)), follows), ["beyond-travel cycles[1]"]);
     assert_eq!(refused(&config(&most(116.5, 64.4)), follows), ["beyond-travel cycles[1]"]);
+    // Where a size may be is known at the machine alone: a field with bounds takes no result.
+    let sized = r#"{ "format": 2, "limits": { "size": 1 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
+        { "type": "hole", "diameter": "=A.diameter-2", "origin": [100, 50, 0] }] }"#;
+    let bounds = |least: f64| format!(r#""fields": {{ "cycle.diameter": {{ "min": {least}, "max": 60 }} }}"#);
+    assert_eq!(refused(&config(&bounds(5.0)), sized), ["not-allowed cycles[1].diameter"]);
     let post =
         |x: f64| format!(r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 40, -20], "max": [200, 60, 20] }}] }}"#);
     assert_eq!(refused(&config(&post(119.6)), follows), [""; 0], "the ball reaches 119.5");

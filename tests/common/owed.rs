@@ -378,10 +378,10 @@ fn block_ends_at_its_place(line: &str, step: &touchpath::job::Move, plan: &Plan,
     let mut search: Option<f64> = None;
     for word in line.split(' ').skip(1) {
         let Some(axis) = ["X", "Y", "Z"].iter().position(|name| word.starts_with(name)) else { continue };
-        // `X[10+#<bore_shift_x>]`, `X=10+R5`: the nominal place, and what it is shifted by.
-        let sum = word[1..].strip_prefix(['[', '=']).and_then(|sum| sum.split_once("+#").or_else(|| sum.split_once("+R")));
-        let written: f64 =
-            sum.map_or(&word[1..], |(nominal, _)| nominal).parse().map_err(|_| format!("{line}: {word} is no number"))?;
+        // `X[10+#<bore_shift_x>]`, `X=-10+R5-0.5*R6`: the nominal place, and what it is shifted by.
+        let sum = word[1..].strip_prefix(['[', '=']);
+        let nominal = sum.and_then(|sum| Some(&sum[..1 + sum.get(1..)?.find(['+', '-'])?]));
+        let written: f64 = nominal.unwrap_or(&word[1..]).parse().map_err(|_| format!("{line}: {word} is no number"))?;
         match step.touch.filter(|_| step.kind == "touch") {
             None => owe!(
                 "an axis word is the place of its move",

@@ -100,11 +100,97 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 
 /// A job; the index goes through every cycle, control, plane and unit.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
+    if draw.once_in(60) {
+        return led(draw);
+    }
     let job = without_tolerances(catalog, draw, index);
     // Of cycles of the control's own few are planned.
     let own = word(&job, &["control", "form"]) == "cycle";
     let often = if own { 1 } else { 4 - 2 * usize::from(job.get("cycles").is_some()) };
     if draw.once_in(often) { tolerated(draw, job) } else { job }
+}
+
+/// A part that lies a little elsewhere, and cycles that go where the first two lead them: as random as leaves most of them possible.
+fn led(draw: &mut Draw) -> Value {
+    let post = draw.word(&["linuxcnc", "linuxcnc", "sinumerik", "fanuc", "haas"]);
+    let (plane, axes) = *draw.of(&[("G17", [0, 1, 2]), ("G18", [2, 0, 1]), ("G19", [1, 2, 0])]);
+    let scale = if draw.once_in(3) { 25.4 } else { 1.0 };
+    let angle = *draw.of(&[0.05, 0.4, 2.0, 6.0]);
+    let mut places: Vec<[f64; 3]> =
+        (0..2).map(|i| [draw.between(-40.0, 40.0), 200.0 * f64::from(i), draw.between(-20.0, 20.0)]).collect();
+    places.push([draw.between(-60.0, 60.0), draw.between(-90.0, -70.0) - 130.0, 0.0]);
+    let in_work = |place: [f64; 3]| {
+        let mut work = [0.0; 3];
+        (0..3).for_each(|i| work[axes[i]] = place[i]);
+        work
+    };
+    let round = |x: f64| (x / scale * 1e4).round() / 1e4;
+    let origin = |place: [f64; 3]| in_work(place).map(|x| Value::Number(round(x)));
+    let length = |mm: f64| Value::Number(round(mm));
+    let heading = draw.between(-180.0, 180.0).round();
+    let cycle =
+        |entries: Vec<(&str, Value)>| Value::Map(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect());
+    let diameter = draw.between(22.0, 60.0);
+    let first = cycle(vec![
+        ("name", text("C1")),
+        ("type", text("hole")),
+        ("diameter", length(diameter)),
+        ("origin", Value::List(origin(places[0]).to_vec())),
+    ]);
+    let side = cycle(vec![
+        ("name", text("C2")),
+        ("type", text("wall-angle")),
+        ("rotation", Value::Number(heading)),
+        ("origin", Value::List(origin(places[1]).to_vec())),
+    ]);
+    let key = draw.word(&[
+        "hole",
+        "boss",
+        "internal-rectangle",
+        "external-rectangle",
+        "web",
+        "groove",
+        "surface",
+        "wall-angle",
+        "double-wall-internal-corner",
+    ]);
+    let mut at = origin(places[2]);
+    let mut led = vec![("name", text("C3")), ("type", text(key))];
+    if draw.once_in(2) {
+        for (i, letter) in ["x", "y"].into_iter().enumerate() {
+            at[axes[i]] = text(&format!("=C1.center.{letter}{:+}", round(places[2][i]) - round(places[0][i])));
+        }
+    }
+    led.push(("origin", Value::List(at.to_vec())));
+    let sizes: &[&str] = match key {
+        "hole" | "boss" => &["diameter"],
+        "web" | "groove" => &["width"],
+        "internal-rectangle" | "external-rectangle" => &["width1", "width2"],
+        _ => &[],
+    };
+    if sizes.is_empty() || draw.once_in(2) {
+        led.push(("rotation", text(&format!("=C2.rotation{:+}", draw.between(-180.0, 180.0).round()))));
+    } else {
+        for size in sizes {
+            led.push((size, text(&format!("=C1.diameter{:+}", round(draw.between(22.0, 70.0)) - round(diameter)))));
+        }
+    }
+    let small = |draw: &mut Draw| Value::Number(draw.between(-0.4, 0.4) / scale);
+    let offset = vec![small(draw), small(draw), small(draw)];
+    let part = cycle(vec![("offset", Value::List(offset)), ("rotation", Value::Number(draw.between(-angle, angle) * 1.02))]);
+    let limits =
+        vec![("position", length(9.0)), ("angle", Value::Number(angle)), ("size", length(*draw.of(&[0.01, 0.4, 3.0])))];
+    let offset = if draw.once_in(3) { Value::Null } else { Value::Number(1.0) };
+    cycle(vec![
+        ("format", Value::Number(2.0)),
+        ("units", text(if scale == 1.0 { "mm" } else { "inch" })),
+        ("plane", text(plane)),
+        ("overtravel", length(8.0)),
+        ("control", cycle(vec![("post", text(post)), ("workOffset", offset)])),
+        ("limits", cycle(limits)),
+        ("cycles", Value::List(vec![first, side, cycle(led)])),
+        ("part", part),
+    ])
 }
 
 /// The same job with relations between its cycles and tolerances of its results, some of them of what is not there.
@@ -322,9 +408,51 @@ fn set_up(draw: &mut Draw, catalog: &Catalog, mut job: Vec<(String, Value)>, fir
     if !draw.once_in(4) {
         job.retain(|(key, _)| key != "clear");
         follow(draw, &mut job, &mut cycles, scale);
+        if draw.once_in(2) {
+            follow_more(draw, &mut job, &mut cycles, scale);
+        }
     }
     job.push(("cycles".to_owned(), Value::List(cycles)));
     Value::Map(job)
+}
+
+/// Turns some cycles as earlier ones find something, or has them as large.
+fn follow_more(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Value], scale: f64) {
+    let number = |cycle: &Value, key: &str| match cycle.get(key) {
+        Some(Value::Number(x)) => Some(*x),
+        _ => None,
+    };
+    let sizes = ["diameter", "width", "width1", "width2"];
+    for i in 1..cycles.len() {
+        let turns = |other: &Value| matches!(other.get("type"), Some(Value::Text(key)) if key == "wall-angle" || key.ends_with("corner"));
+        let turning: Vec<usize> = (0..i).filter(|of| turns(&cycles[*of])).collect();
+        let sized: Vec<(usize, &str, f64)> = (0..i)
+            .flat_map(|of| sizes.iter().filter_map(move |key| Some((of, *key))))
+            .filter_map(|(of, key)| Some((of, key, number(&cycles[of], key)?)))
+            .collect();
+        let own = sizes.iter().find_map(|key| Some((*key, number(&cycles[i], key)?)));
+        let (key, value) = match (draw.index(3), own) {
+            (0, Some((key, own))) if !sized.is_empty() => {
+                let (of, code, other) = *draw.of(&sized);
+                (key, format!("=C{}.{code}{:+}", of + 1, ((own - other) * 1e4).round() / 1e4))
+            }
+            (1 | 2, _) if !turning.is_empty() => {
+                ("rotation", format!("=C{}.rotation{:+}", *draw.of(&turning) + 1, draw.between(-180.0, 180.0).round()))
+            }
+            _ => continue,
+        };
+        if let Value::Map(entries) = &mut cycles[i] {
+            put(entries, key, text(&value));
+        }
+    }
+    let limits = [("angle", *draw.of(&[0.1, 0.5, 1.0, 5.0, 20.0])), ("size", *draw.of(&[0.02, 0.3, 2.0]) / scale)];
+    for (key, limit) in limits {
+        if let Some((_, limits)) = job.iter_mut().find(|(key, _)| key == "limits") {
+            *limits = crate::common::with(limits, key, Value::Number(limit));
+        } else {
+            job.push(("limits".to_owned(), Value::Map(vec![(key.to_owned(), Value::Number(limit))])));
+        }
+    }
 }
 
 /// Puts some cycles where earlier ones find something: mostly along the same axis, and as far beside it as they stood.
@@ -428,6 +556,15 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
     }
     if plan.safety.iter().any(|row| row.rule == "place-within-limit") {
         asked("planned with places that follow");
+        let follows = |cycle: &Value, key: &str| matches!(cycle.get(key), Some(Value::Text(_)));
+        if let Some(Value::List(cycles)) = job.get("cycles") {
+            if cycles.iter().any(|cycle| follows(cycle, "rotation")) {
+                asked("planned with rotations that follow");
+            }
+            if cycles.iter().any(|cycle| ["diameter", "width", "width1", "width2"].iter().any(|key| follows(cycle, key))) {
+                asked("planned with sizes that follow");
+            }
+        }
     }
     if plan.program.does.starts_with("corrects") {
         asked("planned with tools that are corrected");

@@ -78,6 +78,8 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
         "planned with relations",
         "planned with consequences",
         "planned with places that follow",
+        "planned with rotations that follow",
+        "planned with sizes that follow",
         "planned with tools that are corrected",
         "planned with repeated touches",
     ]

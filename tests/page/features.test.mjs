@@ -297,6 +297,34 @@ test("a relation that takes a taken name for a while keeps what is written from 
   );
 });
 
+test("a rotation and a size follow results of earlier cycles, proposed in their boxes", async () => {
+  await field("cycle.type").selectOption("hole");
+  await add("wall-angle");
+  await put("cycle.origin[1]", -45);
+  await put("cycle.rotation", -90);
+  await add("groove");
+  await put("cycle.origin[0]", 100);
+  const proposed = (/** @type {string} */ path) =>
+    page.locator(`datalist[id='l-${path}'] option`).evaluateAll((all) => all.map((one) => one.getAttribute("value")));
+  assert.deepEqual(await proposed("cycle.rotation"), ["=WALL.rotation"]);
+  assert.deepEqual(await proposed("cycle.width"), ["=BORE.diameter"]);
+  const turn = field("cycle.rotation");
+  await turn.fill("=WALL.rotation+90");
+  await page.keyboard.press("Tab");
+  assert.match(await program(), /X\[\d+-\d+\*#<\w+_sin>\]|#<\w+_cos>/);
+  const wide = await turn.evaluate((box) => box.scrollWidth <= box.clientWidth);
+  assert.ok(wide, "the whole text can be read");
+  await list().nth(1).click();
+  await page.getByLabel("Name of this cycle").fill("SIDE");
+  await page.keyboard.press("Tab");
+  await list().nth(2).click();
+  assert.equal(await turn.inputValue(), "=SIDE.rotation+90");
+  await put("cycle.rotation", 0);
+  await field("cycle.width").fill("=BORE.diameter+5");
+  await page.keyboard.press("Tab");
+  assert.match(await program(), /\+0\.5\*#<\w+_growth_1>/);
+});
+
 test("a place follows a result of an earlier cycle, and keeps to it when that is renamed", async () => {
   await field("cycle.type").selectOption("surface");
   await field("control.workOffset").selectOption("1");

@@ -411,8 +411,9 @@ class FormPart extends FieldPart {
 
   private box(placed: Placed): TemplateResult {
     const { field, path } = placed;
+    const follows = field.kind === "number" && typeof this.store.get(path) === "string";
     const row = (body: TemplateResult) =>
-      html`<div class="row"><label for=${`f-${path}`} title=${field.help}>${field.label}</label>${body}${this.said(placed)}</div>`;
+      html`<div class=${follows ? "row follows" : "row"}><label for=${`f-${path}`} title=${field.help}>${field.label}</label>${body}${this.said(placed)}</div>`;
     switch (field.kind) {
       case "flag":
         return html`<div class="row"><label class="check" title=${field.help}><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true}

@@ -32,6 +32,9 @@ pub fn variable<N: Notation>(notation: &N, formula: &Formula, variable: Variable
     text
 }
 
+/// The most decimals of a factor there: a block is to be no longer than controls read, and what it multiplies is small.
+const SHIFT_DECIMALS: usize = 10;
+
 /// What is added to a place that these shift: `+#<bore_shift_x>`, `-0.5*R13`. `scale` is the millimetres in a unit of the program.
 pub fn shift<N: Notation>(notation: &N, formula: &Formula, terms: &[Term], scale: f64) -> String {
     let mut text = String::new();
@@ -39,7 +42,7 @@ pub fn shift<N: Notation>(notation: &N, formula: &Formula, terms: &[Term], scale
         text.push(if *factor < 0.0 { '-' } else { '+' });
         let size = factor.abs() / if *length { scale } else { 1.0 };
         if size != 1.0 || *length {
-            push_decimal(&mut text, size, notation.decimals(size));
+            push_decimal(&mut text, size, notation.decimals(size).min(SHIFT_DECIMALS));
             text.push('*');
         }
         notation.variable(formula, by.index(), &mut text);

@@ -241,6 +241,10 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("place-within-limit", "sinumerik follows", "IF ABS(R3)<=1 GOTOF TP_GOOD_1", "IF ABS(R3)<=2 GOTOF TP_GOOD_1"),
     ("place-within-limit", "fanuc follows", "IF [ABS[#103] GT 1.] GOTO 9061\n", ""),
     ("place-within-limit", "haas follows", "IF [ABS[#105] GT 1.] GOTO 9062\n", ""),
+    ("place-within-limit", "linuxcnc turns", "[ABS[#<side_rotation>+90] GT 1.5]", "[ABS[#<side_rotation>+90] GT 2.5]"),
+    ("place-within-limit", "linuxcnc turns", "[ABS[#<side_rotation>+90] GT 1.5]", "[[#<side_rotation>+90] GT 1.5]"),
+    ("place-within-limit", "linuxcnc grows", "[ABS[#<slot_width>-30] GT 2]", "[ABS[#<slot_width>-30] GT 3]"),
+    ("place-within-limit", "linuxcnc grows", "[ABS[#<slot_width>-30] GT 2]", "[[30-#<slot_width>] GT 2]"),
     ("restart-writes-nothing", "fanuc", "IF [#109 NE 4] GOTO 9006\n", ""),
     ("restart-writes-nothing", "haas", "#109=0\n#5221=", "#5221="),
     ("restart-writes-nothing", "sinumerik", "R10=0\n$P_UIFR", "$P_UIFR"),
@@ -259,6 +263,8 @@ fn each_rule_catches_a_program_that_breaks_it() {
         let job = job_for("internal-rectangle-protected", post, Form::Moves, known.work_offsets > 0);
         let job = with(&job, "control.protection", text(if how == "unwatched" { "none" } else { "checked" }));
         let job = match how {
+            "turns" => with(&crate::common::job(crate::tests::set_ups::turns::TURNED), "control.post", text(post)),
+            "grows" => with(&crate::common::job(crate::tests::set_ups::turns::GROWN), "control.post", text(post)),
             "follows" => with(&crate::common::job(crate::tests::set_ups::follows::STEPS), "control.post", text(post)),
             "stop" | "mark" => {
                 let width = [("tolerance".to_owned(), text("±0.1")), ("action".to_owned(), text(how))];

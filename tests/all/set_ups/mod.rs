@@ -4,7 +4,7 @@ mod examples;
 pub mod follows;
 mod refused;
 mod relations;
-mod turns;
+pub mod turns;
 
 use crate::common::fanuc::Control;
 use crate::common::{Draws, import, interpret, job, number_at, planned, with};
