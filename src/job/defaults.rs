@@ -2,7 +2,7 @@
 
 use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, Value};
-use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, name_of};
+use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, names};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, SECTIONS, TOLERANCES, Units};
 use crate::job::units::default_in;
@@ -161,10 +161,10 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
     let Some(Value::List(cycles)) = job.get("cycles") else { return None };
     let mut whole = None;
     let mut all = Vec::with_capacity(cycles.len());
-    for index in 0..cycles.len() {
+    for (index, name) in names(cycles).into_iter().enumerate() {
         let Value::Map(single) = resolved(&alone(job, index)?)? else { return None };
         let Some((_, Value::Map(mut cycle))) = single.iter().find(|(key, _)| key == "cycle").cloned() else { return None };
-        cycle.insert(0, ("name".to_owned(), Value::Text(name_of(cycles, index))));
+        cycle.insert(0, ("name".to_owned(), Value::Text(name)));
         all.push(Value::Map(cycle));
         whole.get_or_insert(single);
     }

@@ -127,7 +127,7 @@ fn led(draw: &mut Draw) -> Value {
     let round = |x: f64| (x / scale * 1e4).round() / 1e4;
     let origin = |place: [f64; 3]| in_work(place).map(|x| Value::Number(round(x)));
     let length = |mm: f64| Value::Number(round(mm));
-    let heading = draw.between(-180.0, 180.0).round();
+    let heading = draw.between(-180.0, 180.0).round() + 0.0;
     let cycle =
         |entries: Vec<(&str, Value)>| Value::Map(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect());
     let diameter = draw.between(22.0, 60.0);
@@ -169,7 +169,7 @@ fn led(draw: &mut Draw) -> Value {
         _ => &[],
     };
     if sizes.is_empty() || draw.once_in(2) {
-        led.push(("rotation", text(&format!("=C2.rotation{:+}", draw.between(-180.0, 180.0).round()))));
+        led.push(("rotation", text(&format!("=C2.rotation{:+}", draw.between(-180.0, 180.0).round() + 0.0))));
     } else {
         for size in sizes {
             led.push((size, text(&format!("=C1.diameter{:+}", round(draw.between(22.0, 70.0)) - round(diameter)))));
@@ -437,7 +437,7 @@ fn follow_more(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Va
                 (key, format!("=C{}.{code}{:+}", of + 1, ((own - other) * 1e4).round() / 1e4))
             }
             (1 | 2, _) if !turning.is_empty() => {
-                ("rotation", format!("=C{}.rotation{:+}", *draw.of(&turning) + 1, draw.between(-180.0, 180.0).round()))
+                ("rotation", format!("=C{}.rotation{:+}", *draw.of(&turning) + 1, draw.between(-180.0, 180.0).round() + 0.0))
             }
             _ => continue,
         };

@@ -25,7 +25,7 @@ pub enum Hand {
 }
 
 /// So many lines are kept, in pairs: each in the pair that its text leads to, where the last two are that came twice.
-const LINES: usize = 4096;
+const LINES: usize = 16384;
 
 /// Longer lines, and those that say more, are read anew: with these limits the memory takes a few megabytes at the very most.
 const LONGEST: usize = 200;
@@ -33,7 +33,7 @@ const MOST_NODES: usize = 40;
 const MOST_NAMES: usize = 12;
 
 /// So many names are known. After more of them everything is forgotten.
-const MOST_KNOWN: usize = 2000;
+const MOST_KNOWN: usize = 8000;
 
 /// In place of a variable: this program has not named it yet.
 const NOT_YET: Slot = Slot::MAX;

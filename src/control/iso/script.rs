@@ -297,9 +297,9 @@ pub enum Ahead {
     ReadsAndActs,
 }
 
-/// A control has a few hundred variables. Names beyond these are looked up in a tree: in a table of hashes, names that were chosen to collide
+/// A control has a few hundred variables, a set-up of fifty cycles three thousand. Names beyond these are looked up in a tree: in a table of hashes, names that were chosen to collide
 /// would make it slow.
-const USUAL_NAMES: usize = 1000;
+const USUAL_NAMES: usize = 4000;
 
 impl<'t> Script<'t> {
     /// An empty script with room for a program as long as this text.
