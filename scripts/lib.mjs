@@ -119,7 +119,8 @@ export function ensureWasmPack() {
   if (works("wasm-pack")) return "";
   const folder = join(tools, "bin");
   if (!works(join(folder, "wasm-pack"))) {
-    run("cargo", ["install", "wasm-pack", "--version", "0.15.1", "--locked", "--root", tools, "--quiet"]);
+    // It runs for a second: built for speed it would take longer than it saves.
+    run("cargo", ["install", "wasm-pack", "--debug", "--version", "0.15.1", "--locked", "--root", tools, "--quiet"]);
   }
   return folder;
 }
