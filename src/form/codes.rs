@@ -161,7 +161,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("path-not-above", "The path would end below its highest point: one touch is too high compared with the others."),
     ("picks-differ", "A size in the form differs from the one between the picked touches, which counts."),
     ("picks-out-of-range", "Picked touches give a size outside of what is allowed."),
-    ("place-of-result", "A set-up: the place of a cycle is to follow a result that it cannot follow."),
+    ("place-of-result", "A set-up: a place, rotation or size of a cycle is to follow a result that it cannot follow."),
     ("place-too-far", "A set-up: on this part a result is so far off that the program stops before the cycle that follows it."),
     (
         "places-computed",

@@ -771,10 +771,16 @@ export interface Wear {
   store?: number | null;
 }
 
-/** A coordinate of a cycle of a set-up: a number, or a place that an earlier cycle measures with a number added, as `=TOP.z-5`. */
-export type Coordinate = number | `=${string}`;
+/** A value of a cycle of a set-up: a number, or what an earlier cycle measures with a number added, as `=TOP.z-5`, `=SIDE.rotation+90`, `=BORE.diameter-2`. */
+export type Followable = number | `=${string}`;
 
-type Following<C> = C extends { origin?: Vec3 } ? Omit<C, "origin"> & { origin?: [Coordinate, Coordinate, Coordinate] } : C;
+type Following<C> = {
+  [K in keyof C]: K extends "origin"
+    ? [Followable, Followable, Followable]
+    : K extends "rotation" | "diameter" | "width" | "width1" | "width2"
+      ? Followable
+      : C[K];
+};
 
 /** A cycle of a set-up. Its name, a letter and then letters and digits, stands in front of its results; left out, it is what the cycle measures. */
 export type NamedCycle = Following<Cycle> & { name?: string };

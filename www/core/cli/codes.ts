@@ -127,7 +127,7 @@ export const CODES: Record<string, string> = {
   "path-not-above": "The path would end below its highest point: one touch is too high compared with the others.",
   "picks-differ": "A size in the form differs from the one between the picked touches, which counts.",
   "picks-out-of-range": "Picked touches give a size outside of what is allowed.",
-  "place-of-result": "A set-up: the place of a cycle is to follow a result that it cannot follow.",
+  "place-of-result": "A set-up: a place, rotation or size of a cycle is to follow a result that it cannot follow.",
   "place-too-far": "A set-up: on this part a result is so far off that the program stops before the cycle that follows it.",
   "places-computed": "A program goes to places that the control computes, or along a tool whose length was changed: they are not known here, until a number is given.",
   "places-transformed": "A program shifts, rotates, mirrors or scales its system, uses another work offset or compensates the radius of the tool: that is ignored, and later positions are as written.",
