@@ -155,8 +155,10 @@ fn refusal(
     let number = match value {
         Some(Value::Number(number)) => *number,
         Some(Value::Null) => f64::NAN,
-        // What follows a result is known at the machine.
-        Some(Value::Text(text)) if text.trim_start_matches(' ').starts_with('=') => f64::NAN,
+        // What follows a result is known at the machine alone.
+        Some(Value::Text(text)) if (rule.least, rule.most) != (None, None) && text.trim_start_matches(' ').starts_with('=') => {
+            return Some(with_reason(text!("{portal} bounds {label}: it cannot follow a result", config.who(), field.label)));
+        }
         _ => return None,
     };
     let factor = if field.kind.is_metric() { config.units.scale() / checker.scale } else { 1.0 };

@@ -225,7 +225,7 @@ pub const BASE: PostDef = PostDef {
     rate: feed_rate,
     serves: |_, _| Err(""),
     check: |_, _| {},
-    emit: |_| Program { text: String::new(), move_lines: Vec::new() },
+    emit: |_| Program { text: String::new(), move_lines: Vec::new(), too_long: None },
     read: None,
     own: None,
     typed_write: None,
@@ -350,6 +350,8 @@ pub struct Program {
     pub text: String,
     /// For each move the 0-based line that makes it; none where the control makes it by itself.
     pub move_lines: Vec<Option<usize>>,
+    /// How many characters a block may have, where one has more.
+    pub too_long: Option<usize>,
 }
 
 /// The number of the program of a job with this number and this name; none where the control's programs have none.

@@ -224,17 +224,25 @@ impl Triggered {
     /// The triggers move with their cycles, and those of a cycle that is followed stay so near that its results are within the limit.
     fn of(request: &Request<'_>, triggers: Vec<Vec3>) -> Result<Self, Vec<Fault>> {
         let (samples, directions) = sampled(request, &triggers);
+        let path = request.path;
         let mut own = Triggered { triggers, samples, directions, values: Vec::new() };
-        own.values = Vec::with_capacity(request.path.formula.assignments.len());
-        let begin = request.path.computed_by(0).start;
-        request.path.formula.evaluate_on(&mut own.values, begin, &own.samples, &own.directions);
-        (0..request.path.members.len()).try_for_each(|member| own.touch(request, member))?;
-        Ok(own)
+        let begin = path.computed_by(0).start;
+        let mut fault = Vec::new();
+        // What a result is off leads the next cycle that far off, and by an arm farther than its own results may be: then all begin nearer.
+        for first in [0, 1, 2, 4, 8, 16] {
+            own.values = Vec::with_capacity(path.formula.assignments.len());
+            path.formula.evaluate_on(&mut own.values, begin, &own.samples, &own.directions);
+            match (0..path.members.len()).try_for_each(|member| own.touch(request, member, first)) {
+                Ok(()) => return Ok(own),
+                Err(found) => fault = found,
+            }
+        }
+        Err(fault)
     }
 
     /// Places the touches of a member, whose shifts are known. Where a later cycle follows its results, the triggers come nearer and nearer to the nominal
-    /// contacts until those results are within the limit.
-    fn touch(&mut self, request: &Request<'_>, member: usize) -> Result<(), Vec<Fault>> {
+    /// contacts until those results are within the limit. `first`: how often they are halved at least.
+    fn touch(&mut self, request: &Request<'_>, member: usize, first: i32) -> Result<(), Vec<Fault>> {
         /// Halved so often, a trigger is nominal to the last digit.
         const HALVED: i32 = 24;
         let path = request.path;
@@ -242,7 +250,8 @@ impl Triggered {
         let follows = path.members[member + 1..].iter().flat_map(|later| &later.placing.follows);
         let followed = follows.map(|follow| follow.result).filter(|result| own.contains(result));
         let questions: Vec<Question> = followed.filter_map(|result| path.formula.leads(result, &request.limits)).collect();
-        for halved in 0..HALVED {
+        let first = if questions.is_empty() { 0 } else { first };
+        for halved in first..HALVED {
             for (k, from, index) in searches_of(path, member) {
                 let way = from.map_or(0.0, |from| from.distance(path.moves[index].to));
                 let by = self.shift(&path.shifts_at(index, path.touches[k].contact(request.setup.radius)));
@@ -253,7 +262,9 @@ impl Triggered {
                 return Ok(());
             }
         }
-        Err(vec![Fault::of(text!("the limit of a place that a cycle follows is too small to be proven"))])
+        Err(vec![Fault::of(text!(
+            "the limits of what a cycle follows are too small to be proven: raise them, or let fewer cycles follow each other"
+        ))])
     }
 
     /// The values that follow from the touches of a member.
@@ -324,7 +335,7 @@ impl Triggered {
             }
         }
         for member in source + 1..until {
-            own.touch(request, member)?;
+            own.touch(request, member, 0)?;
         }
         Ok(Some(own))
     }

@@ -12,13 +12,15 @@ pub struct Released {
     verdicts: Vec<Verdict>,
 }
 
-/// Why a program is not handed out. Both are faults of the writer.
+/// Why a program is not handed out. The first two are faults of the writer.
 #[derive(Clone, Debug)]
 pub enum Refusal {
     /// Read back it is not the path.
     NotProven(Vec<Fault>),
     /// Rules that it must hold, and does not.
     Broken(Vec<Verdict>),
+    /// A block is longer than the control reads: so many characters.
+    TooLong(usize),
 }
 
 impl Released {
@@ -30,6 +32,9 @@ impl Released {
 
 /// Reads a written program back, proves it, and asks every rule.
 pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refusal> {
+    if let Some(most) = program.too_long {
+        return Err(Refusal::TooLong(most));
+    }
     // What the control's own cycles do is modelled, and not read out of the program.
     if !request.is_followed() {
         return Ok(Released { program, proof: None, verdicts: safety::not_followed() });

@@ -229,7 +229,7 @@ pub static RULES: &[Rule] = &[
     },
     Rule {
         name: PLACE,
-        says: "A result that gives the place of a later cycle and is off by more than its limit ends the program before it moves to that cycle",
+        says: "A result that a later cycle follows and that is off by more than its limit ends the program before it moves to that cycle",
         why: "A chip under the first touch would send the probe into the part.",
         must: true,
         own_cycle: true,

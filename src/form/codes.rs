@@ -20,6 +20,10 @@ pub const CODES: &[(&str, &str)] = &[
         "The path, or the search past a touch, leaves the travel of the machine that the portal's config states.",
     ),
     ("block-to-type", "grbl: the block that states the work offset, to be typed before anything moves."),
+    (
+        "block-too-long",
+        "A block would be longer than the control reads: names of cycles, and sums of what is followed, make it long.",
+    ),
     ("branch-ends", "A branch whose condition is not known ends the program: the run continues as if it were not taken."),
     ("circle-in-circle", "1411: one circle is wholly inside the other. Often a diameter in other units."),
     ("clear-too-low", "A set-up: the height between the cycles is lower than where one of them begins or ends."),
@@ -252,6 +256,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("touches-kept", "The touches of a dump are not those of its dimensions: they are kept as picked."),
     ("touches-not-level", "Picked touches of one feature lie at different heights."),
     ("touches-unsound", "The touches of a dump do not make its feature; the job has findings of its own about it."),
+    (
+        "turn-beyond-limit",
+        "A set-up: a part that is turned by as much as the limit allows has a cycle farther off than its position may be.",
+    ),
     ("uncertain-result", "A result scatters by many times as much as a single touch."),
     ("unclear-line", "A line of measured values could be one of them, and cannot be read as the others are."),
     ("units-differ", "The blocks of a program are in other units than the job in its header, which was converted."),

@@ -27,6 +27,14 @@ pub struct Turn<T> {
     pub shift: [Option<T>; 2],
 }
 
+impl Turn<f64> {
+    /// Whether all of it is known.
+    pub fn is_known(&self) -> bool {
+        let all = [self.angle, self.sine, self.cosine];
+        all.into_iter().chain(self.shift.into_iter().flatten()).all(f64::is_finite)
+    }
+}
+
 impl<T: Copy> Turn<T> {
     pub fn map<U>(&self, change: impl Fn(T) -> U) -> Turn<U> {
         Turn {
@@ -50,7 +58,7 @@ struct Written {
 }
 
 impl Formula {
-    /// Whether a turned cycle can have it: its places are said by abscissa and ordinate, and nothing else of it is an angle that is written.
+    /// Whether a turned cycle can have it: its places are said by abscissa and ordinate, and it writes no angle itself.
     pub fn can_turn(&self) -> bool {
         self.results.iter().all(|result| match result.role {
             Role::Abscissa | Role::Ordinate | Role::Reading => coordinate_of(result.code).is_some(),
@@ -178,6 +186,8 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
                 placed(pair)[axis]
             }
             (Role::Direction, _, variable) => f.set(Name::new("turned", i + 1), known(variable) + turn.angle).variable,
+            // How far off something is along a direction of the drawing says nothing of a part that is turned.
+            (Role::Shift, ..) => return None,
             (_, _, variable) => variables[variable.index()],
         };
         Some(variable)

@@ -61,9 +61,6 @@ pub struct Wanted {
     sizes: Vec<(String, (usize, &'static str))>,
 }
 
-/// The most sizes of a cycle that follow results.
-const MOST_SIZES: usize = 2;
-
 /// Puts the nominal value of each result that cycle `index` follows in its place. Reports what is wrong with it; the cycle is read on with a zero there,
 /// or with the size of the form.
 pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &Earlier<'_>) -> Wanted {
@@ -319,15 +316,26 @@ pub fn settle(checker: &mut Checker, wanted: Wanted, (index, single): (usize, &V
             let message = text!("This cycle cannot follow an angle: it writes an angle itself, or has arcs");
             checker.error("place-of-result", format!("cycles[{index}].rotation"), message);
         }
+        let [far, most] = [0, 1].map(|i| {
+            let arm = (origin[a] - follows.about[a]).hypot(origin[o] - follows.about[o]);
+            if i == 0 {
+                arm * job.limits.angle.unwrap_or(0.0).min(90.0).to_radians().sin()
+            } else {
+                job.limits.position.unwrap_or(f64::INFINITY)
+            }
+        });
+        if far > most {
+            let message = text!(
+                "Turned by limits.angle, this cycle lies {far} off its nominal place, and limits.position allows {limit}: on such a part the program stops before it writes",
+                checker.length(far),
+                checker.length(most)
+            );
+            checker.info("turn-beyond-limit", format!("cycles[{index}].rotation"), message);
+        }
     }
     if let (Some(_), Some((key, _))) = (follows.rotation, sizes.first()) {
         let message = text!("A cycle follows either a rotation or sizes, not both");
         checker.error("place-of-result", format!("cycles[{index}].{key}"), message);
-        return follows;
-    }
-    if sizes.len() > MOST_SIZES {
-        let message = text!("At most {most} sizes of a cycle may follow results", MOST_SIZES);
-        checker.error("place-of-result", format!("cycles[{index}].{}", sizes[MOST_SIZES].0), message);
         return follows;
     }
     let by = job.limits.size.unwrap_or(0.0);
@@ -441,6 +449,9 @@ pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option
     let nominal = &whole.path.members[member].path.formula;
     whole.path.members[member].placing.turn()?;
     let turn = turn(&whole.path, member, &part::numbers(&whole.path, points))?;
+    // Where a control states its results there are no points: their uncertainty is that of the part of the drawing.
+    let nothing = formula::Turn { shift: turn.shift.map(|shift| shift.map(|_| 0.0)), ..turn.map(|_| 0.0) };
+    let turn = if turn.is_known() { turn } else { nothing };
     let mut path = whole.members[member].path.clone();
     let mut formula = nominal.turned(&turn);
     for (result, known) in formula.results.iter_mut().zip(&path.formula.results) {
@@ -477,13 +488,14 @@ pub fn report(whole: &Planned, checker: &mut Checker) {
     if !value.is_finite() {
         return;
     }
+    let shown = |value: f64| if question.angle { format!("{}°", decimal(value, 4)) } else { checker.length(value) };
     let message = text!(
         "On this part the program stops before {cycle}: {result} is {value}, more than {limit} from {wanted}",
         whole.path.members[m].name.clone(),
         whole.path.formula.full_code(&whole.path.formula.results[result]).into_owned(),
-        checker.length(value),
-        checker.length(question.limit),
-        checker.length(question.wanted)
+        shown(value),
+        shown(question.limit),
+        shown(question.wanted)
     );
     checker.warning("place-too-far", if whole.job.placement.nominal { "limits" } else { "part" }, message);
 }
@@ -501,13 +513,17 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
         let way = pair[1].to - pair[0].to;
         let far = |tool: bool| far_apart(&only(before, tool), &only(now, tool));
         let along = way.dot(w);
+        // What is turned as a whole is as long as before.
+        let member = path.member_of_move(index + 1).unwrap_or(0);
+        if path.members[member].placing.turn().is_some() && path.members[member].moves.contains(&index) {
+            continue;
+        }
         let ways = [(far(true), along.abs(), true), (far(false), (way - w * along).length(), job.protected)];
         let short = ways.into_iter().enumerate().find(|(k, (far, length, asked))| {
             let over = *k == 1 && *length <= ZERO_LENGTH;
             *asked && *far > 0.0 && !over && *length < far + job.post.shortest_probe - 1e-9
         });
         let Some((k, (far, length, _))) = short else { continue };
-        let member = path.member_of_move(index + 1).unwrap_or(0);
         let (name, least) = (path.members[member].name.clone(), checker.length(far + job.post.shortest_probe));
         let (number, length, far) = (index + 2, checker.length(length), checker.length(far));
         if k == 0 {

@@ -414,6 +414,13 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
                 checker.error("not-proven", "control.post", message);
             }
         }
+        Refusal::TooLong(most) => {
+            let message = text!(
+                "A block of the program would have more than {most} characters, which the control does not read: shorter names of cycles make it shorter",
+                most
+            );
+            checker.error("block-too-long", "control.post", message);
+        }
         Refusal::Broken(verdicts) => {
             for verdict in verdicts.iter().take(MOST) {
                 let message =

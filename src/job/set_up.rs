@@ -209,7 +209,12 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec<Follows>), clear: Option<f64>) -> Planned {
     // A way from one cycle to the next has the limit twice where both follow a height, each its own.
     let limit = job.limits.position.unwrap_or(0.0);
-    let reaches = Reaches { position: limit, size: job.limits.size.unwrap_or(0.0), angle: job.limits.angle.unwrap_or(0.0) };
+    let reaches = Reaches {
+        position: limit,
+        size: job.limits.size.unwrap_or(0.0),
+        angle: job.limits.angle.unwrap_or(0.0),
+        unit: job.scale,
+    };
     let tool = job.setup.plane.axes()[2];
     let higher = |follows: &Follows| if follows.place[tool].is_some() { 2.0 * limit + SHORTEST_WAY } else { 0.0 };
     let ends = members.iter().zip(&follows).flat_map(|(planned, own)| ends(&planned.path).map(move |end| end + higher(own)));

@@ -125,6 +125,8 @@ pub struct Reaches {
     pub position: f64,
     pub size: f64,
     pub angle: f64,
+    /// The millimetres in a unit of the program.
+    pub unit: f64,
 }
 
 /// Where the results of earlier cycles put a cycle.
@@ -144,24 +146,32 @@ const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 const GROWTHS: [&str; 2] = ["growth_1", "growth_2"];
 
 impl Placing {
-    /// States in the formula of the whole how far the results are off that a cycle follows. `result` finds one.
+    /// States in the formula of the whole how far the results are off that a cycle follows, where no cycle in front of it does. `result` finds one.
     pub fn of(
         follows: Follows,
         formula: &mut Formula,
-        axes: [usize; 3],
-        reaches: Reaches,
+        (axes, reaches): ([usize; 3], Reaches),
+        before: &[&Placing],
         result: impl Fn(&Formula, Of) -> Option<usize>,
     ) -> Self {
         let mut own = Placing::default();
+        let known = |result: usize| {
+            let mut all = before.iter().flat_map(|other| &other.follows);
+            all.find(|follow| follow.result == result).map(|follow| follow.off)
+        };
+        let turned = |angle: Variable| before.iter().filter_map(|other| other.turn()).find(|turn| turn.angle == angle);
         for (axis, (of, name)) in follows.place.into_iter().zip(SHIFTS).enumerate() {
             let Some(result) = of.and_then(|of| result(formula, of)) else { continue };
-            let Some(off) = formula.shift(result, name) else { continue };
+            let Some(off) = known(result).or_else(|| formula.shift(result, name)) else { continue };
             own.follows.push(Follow { result, off, axis: Some(axis) });
             own.shift[axis] = Some(Term { by: off, factor: 1.0, length: false, most: reaches.position });
         }
         let rotation = follows.rotation.and_then(|of| result(formula, of));
         if let Some((result, direction)) = rotation.and_then(|of| Some((of, formula.results[of].variable?))) {
-            let [angle, sine, cosine] = formula.turns_next(direction, formula.results[result].nominal);
+            let [angle, sine, cosine] = match known(result).and_then(turned) {
+                Some(turn) => [turn.angle, turn.sine, turn.cosine],
+                None => formula.turns_next(direction, formula.results[result].nominal),
+            };
             own.follows.push(Follow { result, off: angle, axis: None });
             let [a, o, _] = axes;
             let shift = [a, o].map(|axis| own.shift[axis].map(|term| term.by));
@@ -170,7 +180,7 @@ impl Placing {
         }
         for ((of, along), name) in follows.sizes.into_iter().zip(GROWTHS) {
             let Some(result) = result(formula, of) else { continue };
-            let Some(off) = formula.shift(result, name) else { continue };
+            let Some(off) = known(result).or_else(|| formula.shift(result, name)) else { continue };
             own.follows.push(Follow { result, off, axis: None });
             own.sizes.push((Term { by: off, factor: 1.0, length: false, most: reaches.size }, along));
         }
@@ -198,8 +208,10 @@ impl Placing {
             }
         }
         let Some((Turn { axes: [a, o], about, sine, cosine, .. }, reaches)) = self.turn.as_ref() else { return shifts };
-        // A millionth of a micrometre: more digits would make blocks longer than controls read.
-        let arm = [place[*a] - about[0], place[*o] - about[1]].map(|x| (x * 1e9).round() / 1e9);
+        // As exactly as a program writes places: more digits would make blocks longer than controls read.
+        let digits = if reaches.unit == 1.0 { 1e4 } else { 1e5 };
+        let arm =
+            [place[*a] - about[0], place[*o] - about[1]].map(|x| (x / reaches.unit * digits).round() / digits * reaches.unit);
         let angle = reaches.angle.min(180.0).to_radians();
         let most = |by: Variable| if by == *cosine { 1.0 - angle.cos() } else { angle.min(std::f64::consts::FRAC_PI_2).sin() };
         let terms = [(*a, *cosine, arm[0]), (*a, *sine, -arm[1]), (*o, *cosine, arm[1]), (*o, *sine, arm[0])];

@@ -115,7 +115,8 @@ impl Path {
         for Single { name, title, path, follows } in cycles {
             let before = whole.moves.len();
             let members = std::mem::take(&mut whole.members);
-            let placing = Placing::of(follows, &mut whole.formula, axes, reaches, |formula, (cycle, code)| {
+            let known: Vec<&Placing> = members.iter().map(|member| &member.placing).collect();
+            let placing = Placing::of(follows, &mut whole.formula, (axes, reaches), &known, |formula, (cycle, code)| {
                 members.get(cycle)?.results.clone().find(|result| formula.results[*result].code == code)
             });
             whole.members = members;

@@ -175,6 +175,18 @@ fn led(draw: &mut Draw) -> Value {
             led.push((size, text(&format!("=C1.diameter{:+}", round(draw.between(22.0, 70.0)) - round(diameter)))));
         }
     }
+    let mut cycles = vec![first, side, cycle(led)];
+    if draw.once_in(2) && !matches!(key, "web" | "groove" | "surface" | "wall-angle" | "double-wall-internal-corner") {
+        let mut at = origin([places[2][0], places[2][1] - 180.0, places[2][2]]);
+        at[axes[0]] = text(&format!("=C3.center.x{:+}", round(draw.between(-20.0, 20.0))));
+        at[axes[1]] = text(&format!("=C3.center.y{:+}", round(draw.between(-200.0, -160.0))));
+        cycles.push(cycle(vec![
+            ("name", text("C4")),
+            ("type", text("hole")),
+            ("diameter", length(30.0)),
+            ("origin", Value::List(at.to_vec())),
+        ]));
+    }
     let small = |draw: &mut Draw| Value::Number(draw.between(-0.4, 0.4) / scale);
     let offset = vec![small(draw), small(draw), small(draw)];
     let part = cycle(vec![("offset", Value::List(offset)), ("rotation", Value::Number(draw.between(-angle, angle) * 1.02))]);
@@ -188,7 +200,7 @@ fn led(draw: &mut Draw) -> Value {
         ("overtravel", length(8.0)),
         ("control", cycle(vec![("post", text(post)), ("workOffset", offset)])),
         ("limits", cycle(limits)),
-        ("cycles", Value::List(vec![first, side, cycle(led)])),
+        ("cycles", Value::List(cycles)),
         ("part", part),
     ])
 }

@@ -321,6 +321,9 @@ const drawn: number =
   read.kind === "moves" ? read.trace.moves.length : read.job.format === 2 ? read.job.cycles.length : read.job.cycle.type.length;
 const pair: SetUp = { format: 2, cycles: [{ name: "TOP", type: "surface" }, { type: "hole", diameter: 25 }], datum: { z: "TOP.point.z" } };
 const both: string[] = plan(pair).cycles;
+const follows: SetUp = { format: 2, cycles: [{ type: "web", width: "=A.diameter-2", rotation: "=SIDE.rotation+90", origin: [0, 0, "=TOP.z"] }] };
+// @ts-expect-error what is no size of the part follows nothing
+const deep: SetUp = { format: 2, cycles: [{ type: "web", depth: "=A.diameter" }] };
 // @ts-expect-error a program of moves has no job
 const lie: Job = importJob("x").job;
 try { plan(short); } catch (error) { if (error instanceof JobError) console.log(error.findings[0]?.message); }
@@ -329,7 +332,7 @@ console.log(circles, taken, drawn, lie, found, to, rows, results, measurement, c
 const wrong: Job = { format: 1, feeds: { approach: "fast" }, cycle: { type: "double-wall-internal-corner" } };
 // @ts-expect-error there is no such cycle
 const bogus: Job = { format: 1, cycle: { type: "bogus" } };
-export { bogus, both, wrong };
+export { bogus, both, deep, follows, wrong };
 `,
   );
   const tsc = join(root, "node_modules", ".bin", "tsc");

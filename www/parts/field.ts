@@ -82,7 +82,7 @@ export abstract class FieldPart extends Part {
       choices.filter((one) => before.some((name) => one.startsWith(name))).map((one) => `=${one}`);
     if (path === "cycle.origin") return axis === undefined ? [] : from(written(["x", "y", "z"][axes.indexOf(axis)]));
     if (path === "cycle.rotation") return from(written("rotation"));
-    return field.size && field.unit === "length" ? from(sizes()) : [];
+    return field.kind === "number" && field.size && field.unit === "length" ? from(sizes()) : [];
   }
 
   /** What the field that has the focus held when it got it. */

@@ -43,7 +43,8 @@ pub const PLAIN: Dialect = Dialect {
     comment: ("(", ")"),
     // Ours: what is longer is hard to read on the screen of a control.
     comment_width: 80,
-    longest_block: 255,
+    // As LinuxCNC's interpreter takes them: a longer one ends the program.
+    longest_block: 252,
     points: false,
     capitals: false,
     numbered: false,
@@ -73,6 +74,8 @@ pub struct Writer<'a> {
     stated: [bool; 3],
     /// What is added to the places of the next block along each axis: the name of a value; empty where nothing is.
     shifts: [String; 3],
+    /// Whether a block is longer than the control reads.
+    too_long: bool,
     /// The same for the place where the move begins.
     begin_shifts: [String; 3],
     /// What the last block has added to each.
@@ -94,6 +97,7 @@ impl<'a> Writer<'a> {
             last_rate: (f64::NAN, Digits::NONE),
             stated: [false; 3],
             shifts: Default::default(),
+            too_long: false,
             begin_shifts: Default::default(),
             last_shifts: Default::default(),
         };
@@ -132,11 +136,7 @@ impl<'a> Writer<'a> {
         let begin = self.text.len();
         write(&mut self.text);
         debug_assert!(!self.text[begin..].contains(['\n', '\r']), "a line is one line");
-        debug_assert!(
-            self.text[begin..].starts_with(['(', ';']) || self.text.len() - begin <= self.dialect.longest_block,
-            "{}",
-            &self.text[begin..]
-        );
+        self.too_long |= !self.text[begin..].starts_with(['(', ';']) && self.text.len() - begin > self.dialect.longest_block;
         self.text.push('\n');
         self.lines += 1;
     }
@@ -374,7 +374,7 @@ impl<'a> Writer<'a> {
 
     pub fn finish(mut self) -> Program {
         header::seal(&mut self.text);
-        Program { text: self.text, move_lines: self.move_lines }
+        Program { text: self.text, move_lines: self.move_lines, too_long: self.too_long.then_some(self.dialect.longest_block) }
     }
 
     fn named(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) -> String {

@@ -52,7 +52,7 @@ pub static DEF: PostDef = PostDef {
 };
 
 const DIALECT: Dialect = Dialect {
-    // A line may have 255 characters; more than this is hard to read.
+    // A line may have 252 characters; more than this is hard to read.
     comment_width: 160,
     // G8: X is a radius. Under G7, the lathe's diameters, half of every X would be run.
     modes: "G8 G40 G61 G80 G90",

@@ -181,6 +181,110 @@ fn beyond_the_limit_every_control_stops_before_the_cycle() {
     assert!(planned(&turned_by(&job(TURNED), 1.49)).triggers.iter().all(Option::is_some));
 }
 
+/// What a review found: the words of an angle, cycles behind a turned one, ways between cycles that go along with each other, long blocks.
+#[test]
+fn angles_are_said_as_angles() {
+    for units in ["mm", "inch"] {
+        let job = convert_units(&turned_by(&job(TURNED), 2.0), units).unwrap();
+        let plan = planned(&job);
+        let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap();
+        assert!(said.message.ends_with("SIDE.rotation is -88°, more than 1.5° from -90°"), "{}", said.message);
+    }
+}
+
+fn with_cycles(text: &str, more: &str) -> Value {
+    job(&text.replacen("}\n  ],", &format!("}}, {more}\n  ],"), 1))
+}
+
+#[test]
+fn a_cycle_may_follow_one_that_is_turned() {
+    let next = r#"{ "name": "H2", "type": "hole", "diameter": 20, "origin": ["=POCKET.center.x+90", "=POCKET.center.y", 0] }"#;
+    for limits in [r#""position": 2, "angle": 1.5"#, r#""position": 1, "angle": 0.7"#, r#""position": 3, "angle": 1.5"#] {
+        let text = TURNED.replace(r#""position": 3, "angle": 1.5"#, limits).replace("\"rotation\": 0.7", "\"rotation\": 0.1");
+        let plan = plan(&with_cycles(&text, next)).unwrap_or_else(|e| panic!("{limits}: {e:?}"));
+        holds(&plan);
+        let ran = interpret(&on_virtual_part(&plan)).unwrap();
+        for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
+            assert_eq!(*code, name);
+            near(*printed, value, 3e-6, code);
+        }
+    }
+}
+
+/// Holes 25 mm apart that go with one part: they keep their distance, and share what leads them.
+#[test]
+fn cycles_that_follow_the_same_results_share_their_values() {
+    for (post, count) in [("linuxcnc", 12), ("sinumerik", 12), ("fanuc", 5), ("haas", 5)] {
+        let holes: Vec<String> = (0..count)
+            .map(|i| {
+                let x = 100 + 25 * i;
+                format!(
+                    r#"{{ "name": "H{i}", "type": "surface", "origin": ["=LEFT.center.x+{x}", "=LEFT.center.y", 0], "rotation": "=SIDE.rotation+90" }}"#
+                )
+            })
+            .collect();
+        let text = TURNED.replace(r#""position": 3"#, r#""position": 12"#);
+        let job = with(&with_cycles(&text, &holes.join(", ")), "control.post", Value::Text(post.to_owned()));
+        let plan = plan(&job).unwrap_or_else(|e| {
+            panic!("{post}: {:?}", e.findings.iter().filter(|f| f.level == Level::Error).collect::<Vec<_>>())
+        });
+        holds(&plan);
+        assert!(plan.triggers.iter().all(Option::is_some), "{post}");
+    }
+}
+
+/// With the longest names LinuxCNC reads every block, in both units; and what is longer is refused, not cut.
+#[test]
+fn blocks_are_no_longer_than_the_interpreter_reads() {
+    let text = TURNED
+        .replace("\"POCKET\"", "\"POCKETPOCKET\"")
+        .replace("=LEFT.center.x+100", "=LEFT.center.x-100.1234")
+        .replace("=LEFT.center.y+20", "=LEFT.center.y-120.5678")
+        .replace("=SIDE.rotation+90", "=SIDE.rotation+127.3333")
+        .replace("\"name\": \"LEFT\",", "\"name\": \"LEFT\", \"origin\": [-223.4567, -198.7654, 0],");
+    for units in ["mm", "inch"] {
+        let plan = planned(&convert_units(&job(&text), units).unwrap());
+        let longest = plan.program.text.lines().filter(|line| !line.starts_with('(')).map(str::len).max().unwrap();
+        assert!((150..=252).contains(&longest), "{longest}");
+    }
+    let plan = planned(&turned_by(&job(&text), 0.1));
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    assert_eq!(ran.prints.len(), shown(&plan).len());
+}
+
+/// A wall says how far it is off along the drawing's direction: of a turned one that means nothing, and no tolerance is taken.
+#[test]
+fn a_turned_wall_has_no_deviation() {
+    let wall =
+        TURNED.replace(r#""type": "internal-rectangle", "width1": 40, "width2": 30"#, r#""type": "surface", "elevation": 0"#);
+    let plan = planned(&job(&wall));
+    let row = plan.results.iter().find(|row| row.code == "deviation").unwrap();
+    assert_eq!(row.value, None);
+    let judged = wall.replace("\"part\":", "\"tolerances\": { \"POCKET.deviation\": { \"tolerance\": \"±0.1\" } }, \"part\":");
+    let found = check(&job(&judged));
+    assert!(found.iter().any(|f| f.code == "tolerance-unsupported" && f.level == Level::Error), "{found:?}");
+}
+
+/// What a control states has the uncertainty of the part of the drawing, and its guard band.
+#[test]
+fn stated_results_of_a_turned_cycle_have_their_uncertainty() {
+    let text = TURNED.replace("\"part\":", "\"tolerances\": { \"POCKET.width1\": { \"tolerance\": \"±0.01\" } }, \"part\":");
+    let stated = "POCKET.width1=40.0095";
+    let rows = touchpath::job::measure(&job(&text), &Value::Text(stated.to_owned())).unwrap().results;
+    let row = rows.iter().find(|row| row.code == "width1").unwrap();
+    assert_eq!(row.verdict.as_deref(), Some("good within ±"));
+    near(row.uncertainty.unwrap(), 0.001 * 2f64.sqrt(), 1e-6, "two touches of 1 µm");
+}
+
+#[test]
+fn a_limit_that_a_turned_cycle_exceeds_is_said() {
+    // 100 mm and 20 mm away: sin 1.5° · 101.98 mm = 2.67 mm.
+    let found = |limit: f64| check(&with(&job(TURNED), "limits.position", Value::Number(limit)));
+    let said = found(2.6).into_iter().find(|f| f.code == "turn-beyond-limit").unwrap();
+    assert!(said.message.contains("2.6695 mm") && said.path == "cycles[2].rotation", "{}", said.message);
+    assert!(found(2.7).iter().all(|f| f.code != "turn-beyond-limit"));
+}
+
 /// The texts come back from every header; an angle is the same in other units, a size is not.
 #[test]
 fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
