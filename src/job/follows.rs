@@ -316,14 +316,9 @@ pub fn settle(checker: &mut Checker, wanted: Wanted, (index, single): (usize, &V
             let message = text!("This cycle cannot follow an angle: it writes an angle itself, or has arcs");
             checker.error("place-of-result", format!("cycles[{index}].rotation"), message);
         }
-        let [far, most] = [0, 1].map(|i| {
-            let arm = (origin[a] - follows.about[a]).hypot(origin[o] - follows.about[o]);
-            if i == 0 {
-                arm * job.limits.angle.unwrap_or(0.0).min(90.0).to_radians().sin()
-            } else {
-                job.limits.position.unwrap_or(f64::INFINITY)
-            }
-        });
+        let arm = (origin[a] - follows.about[a]).hypot(origin[o] - follows.about[o]);
+        let far = arm * job.limits.angle.unwrap_or(0.0).min(90.0).to_radians().sin();
+        let most = job.limits.position.unwrap_or(f64::INFINITY);
         if far > most {
             let message = text!(
                 "Turned by limits.angle, this cycle lies {far} off its nominal place, and limits.position allows {limit}: on such a part the program stops before it writes",

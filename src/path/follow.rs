@@ -2,6 +2,7 @@
 
 use crate::formula::{Formula, Turn, Variable};
 use crate::geom::Vec3;
+use crate::num::tidy;
 use crate::path::Path;
 
 /// A result of an earlier cycle, by the place of that in the list and its code.
@@ -52,7 +53,8 @@ impl Along {
             return None;
         }
         let rate = |less: Vec3, own: Vec3, more: Vec3| {
-            ((more - own) - (own - less)).abs().max_element().le(&EVEN).then(|| ((more - own) / by).map_tidy())
+            let even = ((more - own) - (own - less)).abs().max_element() <= EVEN;
+            even.then(|| Vec3::from_array(((more - own) / by).to_array().map(tidy)))
         };
         let moves = (0..path.moves.len()).map(|i| rate(less.moves[i].to, path.moves[i].to, more.moves[i].to));
         let start = match (less.start, path.start, more.start) {
@@ -60,17 +62,6 @@ impl Along {
             _ => Vec3::ZERO,
         };
         Some(Along { start, moves: moves.collect::<Option<_>>()? })
-    }
-}
-
-/// Without what is left of rounding.
-trait MapTidy {
-    fn map_tidy(self) -> Self;
-}
-
-impl MapTidy for Vec3 {
-    fn map_tidy(self) -> Vec3 {
-        Vec3::from_array(self.to_array().map(crate::num::tidy))
     }
 }
 
@@ -142,7 +133,7 @@ pub struct Placing {
 /// What the values that shift an axis are called.
 const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 
-/// What the values of sizes are called, by their number.
+/// What the values of sizes are called, by their number: no cycle has more sizes that are lengths.
 const GROWTHS: [&str; 2] = ["growth_1", "growth_2"];
 
 impl Placing {

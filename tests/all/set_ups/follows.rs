@@ -114,10 +114,10 @@ fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
     assert!(within.triggers.iter().all(Option::is_some));
 }
 
-/// The tests' machines run the programs of the other controls: each touch is met where the virtual part says, from the shifted places.
-#[test]
-fn the_other_controls_measure_what_the_plan_shows() {
-    let plan = planned(&on("sinumerik"));
+/// The tests' SINUMERIK, Fanuc and Haas run a set-up: their results are those that the plan shows.
+pub fn the_machines_measure_what_is_shown(text: &str) {
+    let on = |post: &str| planned(&with(&job(text), "control.post", Value::Text(post.to_owned())));
+    let plan = on("sinumerik");
     let mut machine = Machine::new(plan.triggers.clone());
     machine.run(&read(&plan.program.text).unwrap()).unwrap();
     assert_eq!(machine.alarm, None, "{}", machine.message);
@@ -129,7 +129,7 @@ fn the_other_controls_measure_what_the_plan_shows() {
         near(behind[..end].parse().unwrap(), value, 2e-5, &name);
     }
     for post in ["fanuc", "haas"] {
-        let plan = planned(&on(post));
+        let plan = on(post);
         let mut control = Control::new(post == "haas", false);
         control.contacts = plan.triggers.iter().flatten().copied().collect();
         control.variables.extend((5221..=5223).map(|origin| (origin, 0.0)));
@@ -139,6 +139,12 @@ fn the_other_controls_measure_what_the_plan_shows() {
             near(control.variables[&(101 + i as i64)], value, 2e-4, &format!("{post} {name}"));
         }
     }
+}
+
+/// Each touch is met where the virtual part says, from the shifted places.
+#[test]
+fn the_other_controls_measure_what_the_plan_shows() {
+    the_machines_measure_what_is_shown(STEPS);
 }
 
 /// The text of a place comes back from every header, and through other units.

@@ -1,7 +1,7 @@
 //! Cycles whose rotation or size follows a result of an earlier one, held against LinuxCNC's interpreter, the tests' machines and hand calculations.
 
 use super::cycle;
-use super::follows::{near, shown};
+use super::follows::{near, shown, the_machines_measure_what_is_shown};
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
@@ -114,33 +114,12 @@ fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
     near(gone, outmost + 0.6, 2e-6, "half of 1.2 mm farther out");
 }
 
-/// The tests' machines run the programs of the other controls.
 #[test]
 fn the_other_controls_turn_and_grow_a_cycle_likewise() {
     for text in [TURNED, GROWN] {
-        let plan = planned(&on(text, "sinumerik"));
-        holds(&plan);
-        let mut machine = Machine::new(plan.triggers.clone());
-        machine.run(&read(&plan.program.text).unwrap()).unwrap();
-        assert_eq!(machine.alarm, None, "{}", machine.message);
-        let said: String = machine.messages.join(" ");
-        for (name, value) in shown(&plan).into_iter().filter(|(name, _)| !name.ends_with("residual")) {
-            let word = format!("{name}=");
-            let behind = said.split(&word).nth(1).unwrap_or_else(|| panic!("{word} in {said}"));
-            let end = behind.find(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).unwrap_or(behind.len());
-            near(behind[..end].parse().unwrap(), value, 2e-5, &name);
-        }
-        for post in ["fanuc", "haas"] {
-            let plan = planned(&on(text, post));
-            holds(&plan);
-            let mut control = Control::new(post == "haas", false);
-            control.contacts = plan.triggers.iter().flatten().copied().collect();
-            control.variables.extend((5221..=5223).map(|origin| (origin, 0.0)));
-            control.run(&plan.program.text).unwrap();
-            assert_eq!(control.alarm, None, "{post}");
-            for (i, (name, value)) in shown(&plan).into_iter().enumerate() {
-                near(control.variables[&(101 + i as i64)], value, 2e-4, &format!("{post} {name}"));
-            }
+        the_machines_measure_what_is_shown(text);
+        for post in ["sinumerik", "fanuc", "haas"] {
+            holds(&planned(&on(text, post)));
         }
     }
 }
