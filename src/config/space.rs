@@ -52,7 +52,7 @@ pub enum Entering {
     Body,
 }
 
-/// So far inside a zone nothing is said, mm: rounding.
+/// So far inside a zone nothing is reported, mm: rounding.
 const SKIN: f64 = 1e-6;
 
 /// How finely arcs are followed, degrees: between its ends a piece of a 100 mm arc is off by 0.004 mm.

@@ -345,8 +345,8 @@ impl Triggered {
     fn slopes(&self, request: &Request<'_>, result: usize, touches: std::ops::Range<usize>) -> Vec<Vec3> {
         let Some(variable) = request.path.formula.results[result].variable else { return vec![Vec3::ZERO; touches.len()] };
         let slope = |sample: usize| {
-            let mut by = self.values[variable.index()].by_samples();
-            by.find_map(|(first, slopes)| slopes.get(sample.checked_sub(first)?).copied()).unwrap_or(0.0)
+            let by = self.values[variable.index()].by_samples();
+            by.filter_map(|(first, slopes)| slopes.get(sample.checked_sub(first)?)).sum::<f64>()
         };
         let own: Vec<(Vec3, f64)> =
             request.path.touches[touches].iter().map(|touch| (touch.vector, slope(touch.sample))).collect();

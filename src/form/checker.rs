@@ -252,7 +252,7 @@ impl<'a, 'c> Section<'a, 'c> {
         let unit = self.checker.unit_of(field.kind);
         let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
         if !field.hard.holds(inner) {
-            // Rounded inwards: what is said to be allowed is.
+            // Rounded inwards: what the message allows is allowed.
             let inwards = |x: f64, way: f64| {
                 let shown = number(x);
                 let off = crate::num::read(&shown).map_or(0.0, |shown| (shown * scale - x) * way);
@@ -508,7 +508,7 @@ impl Checked for String {
     }
 }
 
-/// What is said of a value that should be a number: of a size with a tolerance, what to enter in its place.
+/// What is reported of a value that should be a number: of a size with a tolerance, what to enter in its place.
 fn not_a_number(value: &Value, field: &Field, scale: f64) -> Text {
     // `40x6` is a fit, `40x2` a product.
     let product = |text: &str| {

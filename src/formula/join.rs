@@ -43,8 +43,7 @@ impl Formula {
     /// Adds how far a measured direction is from its nominal value, degrees, as a value that a work offset can be turned by.
     pub fn turn(&mut self, direction: Variable, nominal: f64) -> Variable {
         let cycle = self.assignments[direction.index()].cycle;
-        let [measured, wanted] = [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
-        let off = if nominal == 0.0 { measured } else { self.push(Node::Binary(Op::Subtract, measured, wanted)) };
+        let off = self.off_direction(direction, nominal);
         if nominal.abs() <= 90.0 {
             return self.assign("turn", cycle, off);
         }
@@ -56,8 +55,7 @@ impl Formula {
     /// The same for the next cycle, which is turned by it: the angle, its sine, and its cosine less 1.
     pub fn turns_next(&mut self, direction: Variable, nominal: f64) -> [Variable; 3] {
         let cycle = self.cycles.len() as u16;
-        let [measured, wanted] = [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
-        let off = if nominal == 0.0 { measured } else { self.push(Node::Binary(Op::Subtract, measured, wanted)) };
+        let off = self.off_direction(direction, nominal);
         let away = self.assign("away_by", cycle, off);
         let turn = self.within_half_a_turn(away);
         let angle = self.assign("turned_by", cycle, turn);
@@ -66,6 +64,12 @@ impl Formula {
         let one = self.push(Node::Number(1.0));
         let less = self.push(Node::Binary(Op::Subtract, cosine, one));
         [angle, self.assign("sin", cycle, sine), self.assign("cos", cycle, less)]
+    }
+
+    /// A measured direction less its nominal value, degrees.
+    fn off_direction(&mut self, direction: Variable, nominal: f64) -> NodeId {
+        let [measured, wanted] = [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
+        if nominal == 0.0 { measured } else { self.push(Node::Binary(Op::Subtract, measured, wanted)) }
     }
 
     /// An angle within half a turn: near that a control may give it a whole turn away.

@@ -65,19 +65,24 @@ struct Known<'f> {
 impl Formula {
     /// Adds a relation with its name. Its results come last; what a work offset can be written from is given.
     pub fn relate(&mut self, name: &str, relation: Relation, of: &[Operand]) -> Option<Datum> {
+        // It has no samples of its own.
         let first_sample = self.cycles.last().map_or(0, |last| last.first_sample);
+        self.continued(name, first_sample, |draft| write(draft, relation, of))
+    }
+
+    /// Adds what is written behind it, as the next cycle with this name: its assignments, and its results that are stated.
+    pub(super) fn continued<T>(&mut self, name: &str, first_sample: usize, write: impl FnOnce(&Draft) -> T) -> T {
         let (assignments, results) = (self.assignments.len(), self.results.len());
         let cycle = self.cycles.len() as u16;
         let rest = (std::mem::take(&mut self.cycles), self.datum, self.turn);
         let draft = Draft::continuing(std::mem::take(self));
-        let datum = write(&draft, relation, of);
+        let written = write(&draft);
         *self = draft.finish(rest.1);
         (self.cycles, self.turn) = (rest.0, rest.2);
         self.assignments[assignments..].iter_mut().for_each(|assignment| assignment.cycle = cycle);
         self.results[results..].iter_mut().for_each(|result| result.cycle = cycle);
-        // It has no samples of its own.
         self.cycles.push(CycleSamples { name: name.to_owned(), first_sample });
-        datum
+        written
     }
 }
 

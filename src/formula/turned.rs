@@ -9,7 +9,7 @@ use std::cell::RefCell;
 use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;
 use crate::formula::plain::{self, Source};
-use crate::formula::{Coordinate, CycleSamples, Datum, Formula, Name, ResultDef, Role, Used};
+use crate::formula::{Coordinate, Datum, Formula, Name, ResultDef, Role, Used};
 
 /// By what a cycle is turned, and about which place.
 #[derive(Clone, Copy, Debug)]
@@ -58,7 +58,7 @@ struct Written {
 }
 
 impl Formula {
-    /// Whether a turned cycle can have it: its places are said by abscissa and ordinate, and it writes no angle itself.
+    /// Whether a turned cycle can have it: its places are given by abscissa and ordinate, and it writes no angle itself.
     pub fn can_turn(&self) -> bool {
         self.results.iter().all(|result| match result.role {
             Role::Abscissa | Role::Ordinate | Role::Reading => coordinate_of(result.code).is_some(),
@@ -76,17 +76,12 @@ impl Formula {
         first_sample: usize,
         turn: &Turn<Variable>,
     ) -> (u32, Option<Datum>) {
-        let cycle = self.cycles.len() as u16;
-        let later = self.assignments.len();
-        let rest = (std::mem::take(&mut self.cycles), self.datum, self.turn);
-        let draft = Draft::continuing(std::mem::take(self));
-        let Written { results, datum } = write(own, &draft, first_sample, turn.map(|known| draft.known(known).into()));
-        *self = draft.finish(rest.1);
-        (self.cycles, self.turn) = (rest.0, rest.2);
-        self.assignments[later..].iter_mut().for_each(|assignment| assignment.cycle = cycle);
+        let (later, cycle) = (self.assignments.len() as u32, self.cycles.len() as u16);
+        let Written { results, datum } = self.continued(name, first_sample, |draft| {
+            write(own, draft, first_sample, turn.map(|known| draft.known(known).into()))
+        });
         self.results.extend(results.into_iter().map(|result| ResultDef { cycle, ..result }));
-        self.cycles.push(CycleSamples { name: name.to_owned(), first_sample });
-        (later as u32, datum)
+        (later, datum)
     }
 
     /// The same for a cycle that is known to be turned so far.

@@ -297,8 +297,8 @@ pub enum Ahead {
     ReadsAndActs,
 }
 
-/// A control has a few hundred variables, a set-up of fifty cycles three thousand. Names beyond these are looked up in a tree: in a table of hashes, names that were chosen to collide
-/// would make it slow.
+/// A control has a few hundred variables, a set-up of fifty cycles three thousand. Names beyond these are looked up in a tree: in a table of hashes,
+/// names that were chosen to collide would make it slow.
 const USUAL_NAMES: usize = 4000;
 
 impl<'t> Script<'t> {

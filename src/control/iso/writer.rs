@@ -72,12 +72,12 @@ pub struct Writer<'a> {
     last_rate: (f64, Digits),
     /// Which axes a block has named.
     stated: [bool; 3],
-    /// What is added to the places of the next block along each axis: the name of a value; empty where nothing is.
+    /// What is added to the places of the next block along each axis: a sum that begins with a sign; empty where nothing is.
     shifts: [String; 3],
-    /// Whether a block is longer than the control reads.
-    too_long: bool,
     /// The same for the place where the move begins.
     begin_shifts: [String; 3],
+    /// Whether a block is longer than the control reads.
+    too_long: bool,
     /// What the last block has added to each.
     last_shifts: [String; 3],
 }
