@@ -101,7 +101,8 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 /// A job; the index goes through every cycle, control, plane and unit.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     if draw.once_in(60) {
-        return led(draw);
+        let job = led(draw);
+        return if draw.once_in(4) { tolerated(draw, job) } else { job };
     }
     let job = without_tolerances(catalog, draw, index);
     // Of cycles of the control's own few are planned.
