@@ -44,7 +44,7 @@ const ofName = (name: string, all: Draft): Draft => {
 };
 const same = (one: string, other: string) => one.toLowerCase() === other.toLowerCase();
 /** The cycle or relation that something is of: of `BORE.diameter` it is `BORE`. */
-const head = (of: string) => of.split(".")[0] ?? of;
+export const head = (of: string) => of.split(".")[0] ?? of;
 
 /** A cycle whose place, rotation and sizes may follow results of another one, by its new name. */
 function following(cycle: Draft, from: string, to: string): Draft {
@@ -111,6 +111,14 @@ export class Features {
       if (without) out.add(name.toLowerCase());
       return !without;
     });
+  }
+
+  /** The names, in small letters, of these cycles and of the relations that can be computed of them. */
+  knownBefore(cycles: string[]): Set<string> {
+    const known = new Set(cycles.map((name) => name.toLowerCase()));
+    for (const { name, of } of this.relations)
+      if (of.every((one) => known.has(head(one).toLowerCase()))) known.add(name.toLowerCase());
+    return known;
   }
 
   /** All of them, the one in hand as the form has it. */

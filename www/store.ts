@@ -266,7 +266,13 @@ export class Store extends Entries {
 
   /** Changes what is computed of the results of cycles. */
   relate(change: (features: Features) => void): void {
-    this.arrange(() => change(this.features));
+    this.arrange(() => {
+      const { features, draft } = this;
+      features.stow(draft);
+      change(features);
+      // What follows a relation goes by its new name, in the form too.
+      draft.cycle = features.all[features.hand]?.cycle ?? draft.cycle;
+    });
   }
 
   /** Where the tolerances of a result are kept: of the cycle in hand in the form. Undefined for a cycle that is no longer in the program. */

@@ -91,12 +91,8 @@ impl Followed<'_> {
         let path = request.path;
         let follow = path.members[member].placing.follows.iter().find(|follow| follow.result == result);
         let Some((follow, own)) = follow.zip(self.triggered.as_ref()) else { return false };
-        let displaced = match own.displaced(request, follow, off, member) {
-            Ok(Some(displaced)) => displaced,
-            // What no place of the part changes is never off.
-            Ok(None) => return true,
-            Err(_) => return false,
-        };
+        // What no place of the part changes is never off.
+        let Some(displaced) = own.displaced(request, follow, off, member) else { return true };
         let expected = Expected::of(request, displaced.shifted(path));
         let triggers = &displaced.triggers;
         let made = request.path.members[member].moves.start;
@@ -246,11 +242,13 @@ impl Triggered {
         /// Halved so often, a trigger is nominal to the last digit.
         const HALVED: i32 = 24;
         let path = request.path;
-        let own = path.members[member].results.clone();
         let follows = path.members[member + 1..].iter().flat_map(|later| &later.placing.follows);
-        let followed = follows.map(|follow| follow.result).filter(|result| own.contains(result));
-        let questions: Vec<Question> = followed.filter_map(|result| path.formula.leads(result, &request.limits)).collect();
-        let first = if questions.is_empty() { 0 } else { first };
+        let mut led: Vec<(usize, Vec<usize>)> = follows.map(|follow| (follow.result, path.sources(follow.result))).collect();
+        led.retain(|(_, sources)| sources.contains(&member));
+        let first = if led.is_empty() { 0 } else { first };
+        // What comes from a later cycle too is known only there.
+        let known = led.iter().filter(|(_, sources)| sources.last() == Some(&member));
+        let questions: Vec<Question> = known.filter_map(|(result, _)| path.formula.leads(*result, &request.limits)).collect();
         for halved in first..HALVED {
             for (k, from, index) in searches_of(path, member) {
                 let way = from.map_or(0.0, |from| from.distance(path.moves[index].to));
@@ -296,35 +294,30 @@ impl Triggered {
 
     /// The same where the touches of the cycle of a result lie elsewhere, so that the result is off by so much: of a place all of them along its axis, of a
     /// size or direction each by what it has to do with it. The cycles up to a member lie where that leads them. `None` if that does not change the result.
-    fn displaced(
-        &self,
-        request: &Request<'_>,
-        Follow { result, axis, .. }: &Follow,
-        off: f64,
-        until: usize,
-    ) -> Result<Option<Self>, Vec<Fault>> {
+    fn displaced(&self, request: &Request<'_>, Follow { result, axis, .. }: &Follow, off: f64, until: usize) -> Option<Self> {
         /// A coordinate that changes by less than this for each mm is that of a wall across another axis.
         const STILL: f64 = 1e-6;
         /// A direction is no straight function of where its touches lie.
         const ROUNDS: usize = 8;
         let (path, result) = (request.path, *result);
-        let source = path.members.partition_point(|member| member.results.end <= result);
+        let sources = path.sources(result);
+        let (begin, end) = (*sources.first()?, *sources.last()?);
         let mut own = self.clone();
-        let touches = path.members[source].touches.clone();
+        let touches: Vec<usize> = sources.iter().flat_map(|source| path.members[*source].touches.clone()).collect();
         let ways: Vec<Vec3> = match axis {
             Some(axis) => vec![Vec3::AXES[*axis]; touches.len()],
-            None => own.slopes(request, result, touches.clone()),
+            None => own.slopes(request, result, &touches),
         };
         let move_by = |own: &mut Self, far: f64| {
-            own.triggers[touches.clone()].iter_mut().zip(&ways).for_each(|(trigger, way)| *trigger += *way * far);
-            own.compute(request, source);
+            touches.iter().zip(&ways).for_each(|(k, way)| own.triggers[*k] += *way * far);
+            (begin..=end).for_each(|member| own.compute(request, member));
         };
         // How far, a trial says.
         let before = own.off(request, result);
         move_by(&mut own, 1.0);
         let each = own.off(request, result) - before;
         if each.abs() < STILL {
-            return Ok(None);
+            return None;
         }
         let mut left = off - before - each;
         for _ in 0..ROUNDS {
@@ -334,22 +327,27 @@ impl Triggered {
                 break;
             }
         }
-        for member in source + 1..until {
-            own.touch(request, member, 0)?;
+        for member in begin..until {
+            if sources.contains(&member) {
+                own.compute(request, member);
+            } else {
+                // Where that leaves another result beyond its limit, whatever these touches are, the program may stop for that one.
+                let _ = own.touch(request, member, 0);
+            }
         }
-        Ok(Some(own))
+        Some(own)
     }
 
     /// Ways of these touches along which a result changes by a unit, if all of them go 1 mm of it: along the probing direction of each, by as much as it
     /// has to do with the result.
-    fn slopes(&self, request: &Request<'_>, result: usize, touches: std::ops::Range<usize>) -> Vec<Vec3> {
+    fn slopes(&self, request: &Request<'_>, result: usize, touches: &[usize]) -> Vec<Vec3> {
         let Some(variable) = request.path.formula.results[result].variable else { return vec![Vec3::ZERO; touches.len()] };
         let slope = |sample: usize| {
             let by = self.values[variable.index()].by_samples();
             by.filter_map(|(first, slopes)| slopes.get(sample.checked_sub(first)?)).sum::<f64>()
         };
-        let own: Vec<(Vec3, f64)> =
-            request.path.touches[touches].iter().map(|touch| (touch.vector, slope(touch.sample))).collect();
+        let touches = touches.iter().map(|k| &request.path.touches[*k]);
+        let own: Vec<(Vec3, f64)> = touches.map(|touch| (touch.vector, slope(touch.sample))).collect();
         let square: f64 = own.iter().map(|(_, slope)| slope * slope).sum();
         own.iter().map(|(vector, slope)| if square > 0.0 { *vector * (slope / square) } else { Vec3::ZERO }).collect()
     }

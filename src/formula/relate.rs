@@ -3,7 +3,7 @@
 use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;
 use crate::formula::plain;
-use crate::formula::{CycleSamples, Datum, Formula, Name, ResultDef, Role};
+use crate::formula::{Coordinate, CycleSamples, Datum, Formula, Name, ResultDef, Role};
 use crate::num::wrap_degrees;
 use crate::text::words;
 
@@ -54,6 +54,15 @@ pub enum Operand {
     Result(usize),
 }
 
+/// A relation, and what it is of.
+#[derive(Clone, Debug)]
+pub struct Relating {
+    pub relation: Relation,
+    pub of: Vec<Operand>,
+    /// Whether all of that are measured heights, from which a height can be written.
+    pub heights: bool,
+}
+
 /// A measured value and its nominal one.
 #[derive(Clone, Copy)]
 struct Known<'f> {
@@ -64,10 +73,10 @@ struct Known<'f> {
 
 impl Formula {
     /// Adds a relation with its name. Its results come last; what a work offset can be written from is given.
-    pub fn relate(&mut self, name: &str, relation: Relation, of: &[Operand]) -> Option<Datum> {
+    pub fn relate(&mut self, name: &str, related: &Relating) -> Option<Datum> {
         // It has no samples of its own.
         let first_sample = self.cycles.last().map_or(0, |last| last.first_sample);
-        self.continued(name, first_sample, |draft| write(draft, relation, of))
+        self.continued(name, first_sample, |draft| write(draft, related))
     }
 
     /// Adds what is written behind it, as the next cycle with this name: its assignments, and its results that are stated.
@@ -86,7 +95,7 @@ impl Formula {
     }
 }
 
-fn write(f: &Draft, relation: Relation, of: &[Operand]) -> Option<Datum> {
+fn write(f: &Draft, Relating { relation, of, heights }: &Relating) -> Option<Datum> {
     let known = |result: usize| {
         let ResultDef { nominal, role, variable, .. } = f.result_at(result);
         Known { value: f.known(variable.unwrap_or(Variable(0))), nominal, role }
@@ -96,7 +105,7 @@ fn write(f: &Draft, relation: Relation, of: &[Operand]) -> Option<Datum> {
         Operand::Result(result) => [known(result); 2],
     };
     let single = |operand: &Operand| place(operand)[0];
-    match relation {
+    match *relation {
         Relation::Line => {
             line(f, place(&of[0]), place(&of[1]));
             None
@@ -106,8 +115,8 @@ fn write(f: &Draft, relation: Relation, of: &[Operand]) -> Option<Datum> {
             None
         }
         Relation::Mean => {
-            mean(f, &of.iter().map(single).collect::<Vec<_>>());
-            None
+            let (value, nominal) = mean(f, &of.iter().map(single).collect::<Vec<_>>());
+            heights.then(|| Datum::of([None, None, Some(Coordinate::measured(value, nominal))]))
         }
         Relation::Center => {
             let places: Vec<[Known<'_>; 2]> = of.iter().map(place).collect();
@@ -196,7 +205,7 @@ fn difference<'f>(f: &'f Draft, first: Known<'f>, second: Known<'f>) {
     }
 }
 
-fn mean<'f>(f: &'f Draft, known: &[Known<'f>]) {
+fn mean<'f>(f: &'f Draft, known: &[Known<'f>]) -> (Value<'f>, f64) {
     let count = known.len() as f64;
     let nominal = mean_of(&known.iter().map(|known| known.nominal).collect::<Vec<_>>(), known[0].role == Role::Direction);
     let all = |role: Role| known.iter().all(|known| known.role == role);
@@ -205,10 +214,12 @@ fn mean<'f>(f: &'f Draft, known: &[Known<'f>]) {
         let value = f.set("mean", sum / f.number(count) + f.number(nominal));
         let role = if all(Role::Direction) { Role::Direction } else { Role::Angle };
         f.result("mean.angle", role, words!("Mean of the angles"), nominal, Some(value));
+        (value, nominal)
     } else {
         let sum = f.sum(known.iter().map(|known| known.value));
         let value = f.set("mean", sum / f.number(count));
         f.result("mean", role_of(known), words!("Mean of the results"), nominal, Some(value));
+        (value, nominal)
     }
 }
 
@@ -222,7 +233,7 @@ fn mean_of(values: &[f64], directions: bool) -> f64 {
 
 /// What a relation comes to where its operands have these values: abscissas and ordinates of places, or single results. In the order of its results; none
 /// where that is not said by values alone. `directions`: whether single results are directions. It shares no expression with programs.
-pub fn related(relation: Relation, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
+pub fn related_values(relation: Relation, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
     let mean = |axis: usize| of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64;
     match (relation, of) {
         (Relation::Line, [from, to]) => {

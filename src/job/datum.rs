@@ -165,7 +165,7 @@ pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
     let offset = (job.post.work_offset_word)(number);
     let row = |result: usize| {
         let def = &path.formula.results[result];
-        results.iter().find(|row| row.cycle == usize::from(def.cycle) && row.code == def.code)
+        results.iter().find(|row| Some(row.cycle) == path.measured_by(def) && row.code == def.code)
     };
     let mut rows: Vec<ResultRow> = Vec::new();
     for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {

@@ -2,10 +2,11 @@
 
 use crate::control::Form;
 use crate::form::{Checker, Field, Level, Value, printable};
-use crate::formula::{Formula, Role, Variable};
+use crate::formula::{Datum, Formula, Role, Variable};
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::planned::{Planned, several};
+use crate::job::relations::{self, Ahead};
 use crate::num::{decimal, tidy, wrap_degrees};
 use crate::part::Run;
 use crate::path::{Along, Follows, Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
@@ -47,10 +48,20 @@ pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
     Some(if added == 0.0 { format!("={name}") } else { format!("={name}{sign}{}", decimal(added.abs(), 6)) })
 }
 
-/// The cycles that were read before the one that follows: their names, and of each that has no error its job.
+/// The cycles that were read before the one that follows: of each that has no error its job. The names are those of all cycles.
 pub struct Earlier<'a> {
     pub names: &'a [String],
     pub jobs: &'a [Option<Job>],
+    /// The relations of the set-up, as they are given.
+    pub relations: Option<&'a Value>,
+}
+
+impl Earlier<'_> {
+    /// The relations that can be computed of them, and what the others lack.
+    fn ahead(&self) -> (Vec<Ahead>, Vec<(String, Text)>) {
+        let formulas: Vec<Formula> = self.jobs.iter().flatten().map(|job| job.cycle.formula(&job.setup)).collect();
+        relations::ahead(self.relations, self.names, &formulas)
+    }
 }
 
 /// What a cycle is to follow, with its sizes not yet tried.
@@ -145,7 +156,7 @@ enum Kind {
 
 /// A result that is followed.
 struct Found {
-    /// The cycle and the code.
+    /// The cycle, or behind the cycles the relation, and the code.
     of: (usize, &'static str),
     /// What is given to the cycle on the nominal part, in the job's units or degrees.
     nominal: f64,
@@ -185,17 +196,32 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
     let jobs: Vec<&Job> = earlier.jobs.iter().flatten().collect();
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
     let short = ["x", "y", "z"].iter().position(|letter| code.eq_ignore_ascii_case(letter));
-    let own = earlier.names.iter().take(jobs.len()).position(|name| name.eq_ignore_ascii_case(of));
-    let own = own.into_iter().flat_map(|cycle| known(jobs[cycle], kind).into_iter().map(move |known| (cycle, known)));
     let is = |known: &Known| known.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| Some(letter) == known.letter);
-    let mut found = own.filter(|(_, known)| is(known));
-    let (cycle, result) = match (found.next(), found.next()) {
+    let cycle = earlier.names.iter().take(jobs.len()).position(|name| name.eq_ignore_ascii_case(of));
+    let results_of = |job: &Job| {
+        let formula = job.cycle.formula(&job.setup);
+        known(&formula.results, formula.datum, job.setup.plane.axes(), kind)
+    };
+    let (relations, lacking) = if cycle.is_none() { earlier.ahead() } else { Default::default() };
+    let axes = jobs.first().map_or([0, 1, 2], |job| job.setup.plane.axes());
+    let related = |own: &Ahead| known(&own.results, own.datum, axes, kind);
+    let own: Vec<(usize, Known)> = match (cycle, relations.iter().find(|own| own.name.eq_ignore_ascii_case(of))) {
+        (Some(cycle), _) => results_of(jobs[cycle]).into_iter().map(|known| (cycle, known)).collect(),
+        (None, Some(own)) => related(own).into_iter().map(|known| (earlier.names.len() + own.index, known)).collect(),
+        (None, None) => Vec::new(),
+    };
+    let mut found = own.into_iter().filter(|(_, known)| is(known));
+    let (of, result) = match (found.next(), found.next()) {
         (Some(one), None) => one,
         (None, _) => {
-            let of = |(job, name): (&&Job, &String)| {
-                known(job, kind).into_iter().map(|known| format!("{name}.{}", known.code)).collect::<Vec<_>>()
-            };
-            let names: Vec<String> = jobs.iter().zip(earlier.names).flat_map(of).collect();
+            if let Some((name, error)) = lacking.into_iter().find(|(name, _)| name.eq_ignore_ascii_case(of)) {
+                let message = text!("{name} cannot be computed before this cycle: {error}", printable(&name), error);
+                return refuse(checker, message);
+            }
+            let named =
+                |name: &str, all: Vec<Known>| all.into_iter().map(|known| format!("{name}.{}", known.code)).collect::<Vec<_>>();
+            let cycles = jobs.iter().zip(earlier.names).flat_map(|(job, name)| named(name, results_of(job)));
+            let names: Vec<String> = cycles.chain(relations.iter().flat_map(|own| named(&own.name, related(own)))).collect();
             let name = printable(name);
             let message = match (kind, names.is_empty()) {
                 (Kind::Place(_), true) => text!("No cycle before this one measures a place \"{name}\"", name),
@@ -218,7 +244,8 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
             return refuse(checker, message);
         }
     };
-    let job = jobs[cycle];
+    // Control and limits are those of all.
+    let job = jobs[0];
     if let (Kind::Place(axis), Some(own)) = (kind, result.axis)
         && own != axis
     {
@@ -254,10 +281,10 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         return refuse(checker, message);
     }
     let unit = if kind == Kind::Rotation { 1.0 } else { job.scale };
-    Some(Found { of: (cycle, result.code), nominal: tidy(result.nominal / unit + added), place: result.nominal })
+    Some(Found { of: (of, result.code), nominal: tidy(result.nominal / unit + added), place: result.nominal })
 }
 
-/// A result that a cycle measures.
+/// A result that a cycle measures, or a relation gives.
 struct Known {
     code: &'static str,
     /// 0, 1, 2: of a place abscissa, ordinate, tool axis.
@@ -268,11 +295,9 @@ struct Known {
     nominal: f64,
 }
 
-/// The results of this kind that a cycle measures.
-fn known(job: &Job, kind: Kind) -> Vec<Known> {
-    let formula: Formula = job.cycle.formula(&job.setup);
-    let axes = job.setup.plane.axes();
-    let datum = formula.datum.map(|datum| datum.place.map(|place| place.and_then(|place| place.measured)));
+/// Those of these results that are of this kind and measured. `datum` is that of their cycle or relation, `axes` abscissa, ordinate and tool axis.
+fn known(results: &[formula::ResultDef], datum: Option<Datum>, axes: [usize; 3], kind: Kind) -> Vec<Known> {
+    let datum = datum.map(|datum| datum.place.map(|place| place.and_then(|place| place.measured)));
     let in_datum =
         |variable: Option<Variable>| (0..3).find(|i| variable.is_some() && datum.is_some_and(|datum| datum[*i] == variable));
     let of = |result: &formula::ResultDef| {
@@ -290,7 +315,7 @@ fn known(job: &Job, kind: Kind) -> Vec<Known> {
             _ => None,
         }
     };
-    formula.results.iter().filter_map(of).collect()
+    results.iter().filter_map(of).collect()
 }
 
 /// What a cycle follows, once its path is planned: about which place it is turned, and how its moves go along with its sizes. Reports what it cannot

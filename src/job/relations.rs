@@ -1,59 +1,176 @@
 //! The relations of a set-up: what is computed of the results of its cycles.
 
+use std::ops::Range;
+
 use crate::form::{Checker, Value, printable};
-use crate::formula::{self, Operand, Relation, Role, related};
+use crate::formula::{self, Datum, Formula, Operand, Relation, ResultDef, Role, related_values};
 use crate::job::cycles::{LONGEST_NAME, MOST_CYCLES, RELATIONS, is_name};
 use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
 use crate::job::rows::{ResultRow, result_row};
 use crate::num::tidy;
-use crate::path::{Path, Related};
-use crate::text::text;
+use crate::path::{Measuring, Path, Related};
+use crate::text::{Text, text};
 
 /// Nominal places this near to each other have no direction, mm.
 const APART: f64 = 0.1;
 
-/// Reads the relations of a job and adds each to the path. `own`: whether the control's own cycles measure, whose results no program can compute with.
-pub fn read(checker: &mut Checker, value: &Value, path: &mut Path, own: bool) {
-    let list = match value.get(RELATIONS) {
-        None | Some(Value::Null) => return,
-        Some(Value::List(list)) => list,
-        Some(other) => {
-            let message = text!("relations must be a list, not {given}", other.noun());
-            return checker.error("wrong-type", RELATIONS, message);
-        }
-    };
-    if own && !list.is_empty() {
-        let message = text!(
-            "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\" for relations"
-        );
-        return checker.error("set-up-unsupported", RELATIONS, message);
-    }
-    if list.len() > MOST_CYCLES {
-        let message = text!("A set-up has at most {most} relations, not {count}", MOST_CYCLES, list.len());
-        return checker.error("wrong-count", RELATIONS, message);
-    }
-    for (i, given) in list.iter().enumerate() {
-        let Value::Map(entries) = given else {
-            let message = text!("relations[{index}] must be an object, not {given}", i, given.noun());
-            checker.error("wrong-type", format!("{RELATIONS}[{i}]"), message);
-            continue;
+/// What can be related: the cycles and relations that are known so far, in the formula of all.
+#[derive(Debug)]
+struct Known<'a> {
+    formula: &'a Formula,
+    measuring: Vec<Measuring<'a>>,
+}
+
+/// The relations of a job, each of which is added to the path once.
+#[derive(Debug)]
+pub struct Relations<'v> {
+    list: &'v [Value],
+    /// The names of the cycles.
+    cycles: &'v [String],
+    added: Vec<bool>,
+}
+
+impl<'v> Relations<'v> {
+    /// The list of a job; what is no list is reported. `own`: whether the control's own cycles measure, whose results no program can compute with.
+    pub fn of(checker: &mut Checker, value: &'v Value, cycles: &'v [String], own: bool) -> Self {
+        let list = match value.get(RELATIONS) {
+            None | Some(Value::Null) => &[],
+            Some(Value::List(list)) => list.as_slice(),
+            Some(other) => {
+                let message = text!("relations must be a list, not {given}", other.noun());
+                checker.error("wrong-type", RELATIONS, message);
+                &[]
+            }
         };
-        for (key, _) in entries.iter().filter(|(key, _)| !["name", "type", "of"].contains(&key.as_str())) {
-            let shown = printable(key);
-            let message = text!("A relation has no \"{key}\"; it knows name, type and of", shown.clone());
-            checker.error("unknown-key", format!("{RELATIONS}[{i}].{shown}"), message);
+        if own && !list.is_empty() {
+            let message = text!(
+                "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\" for relations"
+            );
+            checker.error("set-up-unsupported", RELATIONS, message);
         }
-        let name = read_name(checker, given, path, i);
-        let relation = read_type(checker, given, i);
-        let (Some(name), Some(relation)) = (name, relation) else { continue };
-        if let Some(of) = read_of(checker, given, path, (i, relation)) {
-            path.relate(name, relation, of);
+        if list.len() > MOST_CYCLES {
+            let message = text!("A set-up has at most {most} relations, not {count}", MOST_CYCLES, list.len());
+            checker.error("wrong-count", RELATIONS, message);
+        }
+        let list = if own || list.len() > MOST_CYCLES { &[] } else { list };
+        Relations { list, cycles, added: vec![false; list.len()] }
+    }
+
+    /// Adds a relation, and those that it is of, as soon as all of that is there.
+    pub fn add_early(&mut self, path: &mut Path, index: usize) {
+        let of = self.list.get(index).and_then(|given| given.get("of"));
+        let Some(Value::List(of)) = of.filter(|_| !self.added[index]) else { return };
+        for earlier in 0..index {
+            if of.iter().any(|of| is_of(of, &self.list[earlier])) {
+                self.add_early(path, earlier);
+            }
+        }
+        self.add(&mut Checker::default(), path, index);
+    }
+
+    /// Adds all that were not added early. Reports what is wrong with them.
+    pub fn add_all(mut self, checker: &mut Checker, path: &mut Path) {
+        for index in 0..self.list.len() {
+            self.add(checker, path, index);
+        }
+    }
+
+    fn add(&mut self, checker: &mut Checker, path: &mut Path, index: usize) {
+        if self.added[index] {
+            return;
+        }
+        let known = Known { formula: &path.formula, measuring: path.measuring_before(index).collect() };
+        if let Some((name, related)) = read_one(checker, (self.list, index), self.cycles, &known) {
+            path.relate(index, name, related);
+            self.added[index] = true;
         }
     }
 }
 
-fn read_name(checker: &mut Checker, given: &Value, path: &Path, i: usize) -> Option<String> {
+/// Whether an operand names this relation, or a result of it.
+fn is_of(operand: &Value, relation: &Value) -> bool {
+    match (operand, relation.get("name")) {
+        (Value::Text(of), Some(Value::Text(name))) => of.split('.').next().is_some_and(|of| of.eq_ignore_ascii_case(name)),
+        _ => false,
+    }
+}
+
+/// A relation that can be computed of the first cycles of a set-up, and what it has on the nominal part.
+#[derive(Debug)]
+pub struct Ahead {
+    /// Its place in the list.
+    pub index: usize,
+    pub name: String,
+    pub results: Vec<ResultDef>,
+    pub datum: Option<Datum>,
+}
+
+/// The relations that can be computed of these cycles alone, by their names and formulas; of the others, their names and what they lack.
+pub fn ahead(list: Option<&Value>, names: &[String], cycles: &[Formula]) -> (Vec<Ahead>, Vec<(String, Text)>) {
+    let Some(Value::List(list)) = list else { return Default::default() };
+    let mut formula = Formula::default();
+    let mut measured: Vec<(String, Range<usize>, Option<Datum>)> = Vec::new();
+    for (name, own) in names.iter().zip(cycles) {
+        let begin = formula.results.len();
+        let later = formula.join(name, own, 0);
+        measured.push((name.clone(), begin..formula.results.len(), own.datum.map(|datum| datum.later_by(later))));
+    }
+    let (mut all, mut lacking) = (Vec::new(), Vec::new());
+    for (index, given) in list.iter().enumerate().take(MOST_CYCLES) {
+        let measuring =
+            measured.iter().map(|(name, results, datum)| Measuring { name, results: results.clone(), datum: *datum });
+        let known = Known { formula: &formula, measuring: measuring.collect() };
+        let mut own = Checker::default();
+        let read = read_one(&mut own, (list, index), names, &known);
+        let Some((name, related)) = read else {
+            let error = own.findings().into_iter().next();
+            if let (Some(Value::Text(name)), Some(error)) = (given.get("name"), error) {
+                lacking.push((name.clone(), error.said));
+            }
+            continue;
+        };
+        let begin = formula.results.len();
+        let datum = formula.relate(&name, &related);
+        let results = begin..formula.results.len();
+        all.push(Ahead { index, name: name.clone(), results: formula.results[results.clone()].to_vec(), datum });
+        measured.push((name, results, datum));
+    }
+    (all, lacking)
+}
+
+/// A relation of a list: its name, what it computes, and of what. Reports what is wrong with it.
+fn read_one(
+    checker: &mut Checker,
+    (list, i): (&[Value], usize),
+    cycles: &[String],
+    known: &Known<'_>,
+) -> Option<(String, formula::Relating)> {
+    let given = &list[i];
+    let Value::Map(entries) = given else {
+        let message = text!("relations[{index}] must be an object, not {given}", i, given.noun());
+        checker.error("wrong-type", format!("{RELATIONS}[{i}]"), message);
+        return None;
+    };
+    for (key, _) in entries.iter().filter(|(key, _)| !["name", "type", "of"].contains(&key.as_str())) {
+        let shown = printable(key);
+        let message = text!("A relation has no \"{key}\"; it knows name, type and of", shown.clone());
+        checker.error("unknown-key", format!("{RELATIONS}[{i}].{shown}"), message);
+    }
+    let taken = list[..i].iter().filter_map(|other| match other.get("name") {
+        Some(Value::Text(name)) => Some(name),
+        _ => None,
+    });
+    let taken: Vec<&String> = cycles.iter().chain(taken).collect();
+    let name = read_name(checker, given, &taken, i);
+    let relation = read_type(checker, given, i);
+    let (name, relation) = (name?, relation?);
+    let of = read_of(checker, given, known, (i, relation))?;
+    let heights = of.iter().all(|operand| matches!(*operand, Operand::Result(index) if known.is_height(index)));
+    Some((name, formula::Relating { relation, of, heights }))
+}
+
+fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) -> Option<String> {
     let at = format!("{RELATIONS}[{i}].name");
     let name = match given.get("name") {
         Some(Value::Text(name)) => name,
@@ -75,7 +192,7 @@ fn read_name(checker: &mut Checker, given: &Value, path: &Path, i: usize) -> Opt
         checker.error("cycle-name", at, message);
         return None;
     }
-    if path.measuring().any(|own| own.name.eq_ignore_ascii_case(name)) {
+    if taken.iter().any(|other| other.eq_ignore_ascii_case(name)) {
         let message = text!("Another cycle or relation is called {name}, too", name.clone());
         checker.error("cycle-name", at, message);
         return None;
@@ -106,7 +223,7 @@ fn read_type(checker: &mut Checker, given: &Value, i: usize) -> Option<Relation>
 }
 
 /// What a relation is of: cycles that measure a place, or results.
-fn read_of(checker: &mut Checker, given: &Value, path: &Path, (i, relation): (usize, Relation)) -> Option<Vec<Operand>> {
+fn read_of(checker: &mut Checker, given: &Value, known: &Known<'_>, (i, relation): (usize, Relation)) -> Option<Vec<Operand>> {
     let at = format!("{RELATIONS}[{i}].of");
     let list = match given.get("of") {
         Some(Value::List(list)) => list.as_slice(),
@@ -132,13 +249,13 @@ fn read_of(checker: &mut Checker, given: &Value, path: &Path, (i, relation): (us
             checker.error("wrong-type", at.clone(), text!("{path} must be text, not {given}", at, given.noun()));
             continue;
         };
-        match if relation.takes_places() { place(path, name) } else { single(path, name) } {
+        match if relation.takes_places() { known.place(name) } else { known.single(name) } {
             Some(operand) if of.contains(&operand) => {
                 checker.error("relation-of", at, text!("{name} is named twice", name.clone()));
             }
             Some(operand) => of.push(operand),
             None => {
-                let known = if relation.takes_places() { places(path) } else { results(path) };
+                let known = if relation.takes_places() { known.places() } else { known.results() };
                 let message = match relation.takes_places() {
                     true => {
                         text!("\"{name}\" measures no place in the plane. These do: {known}", printable(name), known.join(", "))
@@ -154,12 +271,12 @@ fn read_of(checker: &mut Checker, given: &Value, path: &Path, (i, relation): (us
     if of.len() != list.len() {
         return None;
     }
-    check_kinds(checker, path, &of, relation, at).then_some(of)
+    check_kinds(checker, known.formula, &of, relation, at).then_some(of)
 }
 
 /// Whether the operands give what the relation says.
-fn check_kinds(checker: &mut Checker, path: &Path, of: &[Operand], relation: Relation, at: String) -> bool {
-    let result = |index: usize| &path.formula.results[index];
+fn check_kinds(checker: &mut Checker, formula: &Formula, of: &[Operand], relation: Relation, at: String) -> bool {
+    let result = |index: usize| &formula.results[index];
     let point = |operand: &Operand| match *operand {
         Operand::Place(axes) => axes.map(|index| result(index).nominal),
         Operand::Result(index) => [result(index).nominal, 0.0],
@@ -189,32 +306,44 @@ fn check_kinds(checker: &mut Checker, path: &Path, of: &[Operand], relation: Rel
     good
 }
 
-/// The place that a cycle or an earlier relation measures in the plane.
-fn place(path: &Path, name: &str) -> Option<Operand> {
-    let own = path.measuring().find(|own| own.name.eq_ignore_ascii_case(name))?;
-    let place = own.datum?.place;
-    let index = |axis: usize| {
-        let measured = place[axis]?.measured;
-        own.results.clone().find(|index| measured.is_some() && path.formula.results[*index].variable == measured)
-    };
-    Some(Operand::Place([index(0)?, index(1)?]))
-}
+impl Known<'_> {
+    /// The place that a cycle or an earlier relation measures in the plane.
+    fn place(&self, name: &str) -> Option<Operand> {
+        let own = self.measuring.iter().find(|own| own.name.eq_ignore_ascii_case(name))?;
+        let place = own.datum?.place;
+        let index = |axis: usize| {
+            let measured = place[axis]?.measured;
+            own.results.clone().find(|index| measured.is_some() && self.formula.results[*index].variable == measured)
+        };
+        Some(Operand::Place([index(0)?, index(1)?]))
+    }
 
-/// A measured result by its name.
-fn single(path: &Path, name: &str) -> Option<Operand> {
-    let formula = &path.formula;
-    let is = |result: &formula::ResultDef| result.variable.is_some() && formula.is_named(result, name);
-    formula.results.iter().position(is).map(Operand::Result)
-}
+    /// A measured result by its name.
+    fn single(&self, name: &str) -> Option<Operand> {
+        self.measured().find(|index| self.formula.is_named(&self.formula.results[*index], name)).map(Operand::Result)
+    }
 
-/// The names that a place can have.
-fn places(path: &Path) -> Vec<String> {
-    path.measuring().filter(|own| place(path, own.name).is_some()).map(|own| own.name.to_owned()).collect()
-}
+    /// Whether a result is a height that a work offset could be written from.
+    fn is_height(&self, index: usize) -> bool {
+        let own = self.measuring.iter().find(|own| own.results.contains(&index));
+        let height = own.and_then(|own| own.datum?.place[2]?.measured);
+        height.is_some() && self.formula.results[index].variable == height
+    }
 
-fn results(path: &Path) -> Vec<String> {
-    let measured = path.formula.results.iter().filter(|result| result.variable.is_some());
-    measured.map(|result| path.formula.full_code(result).into_owned()).collect()
+    fn measured(&self) -> impl Iterator<Item = usize> {
+        let all = self.measuring.iter().flat_map(|own| own.results.clone());
+        all.filter(|index| self.formula.results[*index].variable.is_some())
+    }
+
+    /// The names that a place can have.
+    fn places(&self) -> Vec<String> {
+        let names = self.measuring.iter().map(|own| own.name);
+        names.filter(|name| self.place(name).is_some()).map(str::to_owned).collect()
+    }
+
+    fn results(&self) -> Vec<String> {
+        self.measured().map(|index| self.formula.full_code(&self.formula.results[index]).into_owned()).collect()
+    }
 }
 
 /// Adds the rows of all relations to those of the cycles. `evaluated` are the rows of the whole formula.
@@ -226,15 +355,14 @@ pub fn add_rows(
 ) -> bool {
     let off = judge(&whole.job, &whole.path, &mut evaluated);
     let relations = &whole.path.relations;
-    let first = relations.first().map_or(usize::MAX, |first| first.results.start);
-    let off: Vec<_> = off.into_iter().filter(|question| question.result >= first).collect();
+    let of_relations = |result: usize| relations.iter().any(|relation| relation.results.contains(&result));
+    let off: Vec<_> = off.into_iter().filter(|question| of_relations(question.result)).collect();
     if let Some(checker) = checker {
         report_judged(&whole.job, &evaluated, &off, whole.writes(), checker);
     }
-    let mut rows = evaluated.into_iter().skip(first);
     for (i, relation) in relations.iter().enumerate() {
         let truths = truths(whole, relation, results);
-        for (row, truth) in rows.by_ref().take(relation.results.len()).zip(truths) {
+        for (row, truth) in evaluated[relation.results.clone()].iter().cloned().zip(truths) {
             let angle = row.unit == formula::Unit::Angle;
             let mut row = ResultRow { cycle: whole.members.len() + i, ..result_row(&whole.job, row, None, None) };
             // A direction may be said a whole turn farther.
@@ -250,7 +378,7 @@ pub fn add_rows(
 fn truths(whole: &Planned, relation: &Related, rows: &[ResultRow]) -> Vec<Option<f64>> {
     let truth = |index: usize| {
         let def = &whole.path.formula.results[index];
-        let row = rows.iter().find(|row| row.cycle == usize::from(def.cycle) && row.code == def.code)?;
+        let row = rows.iter().find(|row| Some(row.cycle) == whole.path.measured_by(def) && row.code == def.code)?;
         let near = |truth: f64| match (def.role, row.nominal) {
             (Role::Direction, Some(nominal)) => truth + ((nominal - truth) / 360.0).round() * 360.0,
             _ => truth,
@@ -261,10 +389,10 @@ fn truths(whole: &Planned, relation: &Related, rows: &[ResultRow]) -> Vec<Option
         Operand::Place([x, y]) => Some([truth(x)?, truth(y)?]),
         Operand::Result(index) => Some([truth(index)?, 0.0]),
     };
-    match relation.of.iter().map(place).collect::<Option<Vec<_>>>() {
+    match relation.own.of.iter().map(place).collect::<Option<Vec<_>>>() {
         Some(of) => {
             let is = |operand: &Operand| matches!(*operand, Operand::Result(index) if whole.path.formula.results[index].role == Role::Direction);
-            related(relation.relation, &of, relation.of.iter().any(is))
+            related_values(relation.own.relation, &of, relation.own.of.iter().any(is))
         }
         None => vec![None; relation.results.len()],
     }

@@ -7,14 +7,17 @@ use crate::control::own::Several;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names};
+use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_name, names};
 use crate::job::follows::{self, Earlier, Wanted};
 use crate::job::planned::{Planned, several};
+use crate::job::relations::Relations;
 use crate::job::rows::ResultRow;
 use crate::job::sections::TOLERANCES;
-use crate::job::{Job, datum, relations, wear};
+use crate::job::{Job, datum, wear};
 use crate::part::{self, Run};
-use crate::path::{Feature, Feed, Feeds, Follows, OwnBlock, Path, Purpose, Reaches, STATED_RAPID, Single, WAY, WayBlock};
+use crate::path::{
+    Feature, Feed, Feeds, Follows, OwnBlock, Path, Purpose, Reaches, Relate, STATED_RAPID, Single, WAY, WayBlock,
+};
 use crate::text::text;
 
 /// How far below the height between cycles a cycle begins at least that follows a height, mm: longer than the shortest move that can be watched. Ours.
@@ -42,7 +45,8 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         if let Value::Map(entries) = &mut single {
             entries.push((TOLERANCES.to_owned(), wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1)));
         }
-        let wanted = follows::take(checker, &mut single, i, &Earlier { names: &names, jobs: &jobs });
+        let wanted =
+            follows::take(checker, &mut single, i, &Earlier { names: &names, jobs: &jobs, relations: value.get(RELATIONS) });
         follows.push((wanted, single.clone()));
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
@@ -96,8 +100,10 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     if checker.failed() {
         return None;
     }
-    let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (names, follows), clear);
-    relations::read(checker, value, &mut whole.path, several.is_some());
+    let mut relations = Relations::of(checker, value, &names, several.is_some());
+    let relate: Relate<'_> = &mut |path, index| relations.add_early(path, index);
+    let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (&names, follows), (clear, relate));
+    relations.add_all(checker, &mut whole.path);
     let source = datum::read(checker, value, &whole, offset.is_some())?;
     whole.path.write_from(&source);
     if !whole.job.post.rotates {
@@ -206,7 +212,12 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
 }
 
 /// The whole of these cycles, not run yet.
-fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec<Follows>), clear: Option<f64>) -> Planned {
+fn join(
+    job: Job,
+    mut members: Vec<Planned>,
+    (names, follows): (&[String], Vec<Follows>),
+    (clear, relate): (Option<f64>, Relate<'_>),
+) -> Planned {
     // A way from one cycle to the next has the limit twice where both follow a height, each its own.
     let limit = job.limits.position.unwrap_or(0.0);
     let reaches = Reaches {
@@ -228,9 +239,9 @@ fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec
             }
         }
     }
-    let single = |((planned, name), follows): ((&Planned, String), Follows)| {
+    let single = |((planned, name), follows): ((&Planned, &String), Follows)| {
         let title = format!("{}: {}", planned.job.def.source, planned.job.def.title);
-        Single { name, title, path: planned.path.clone(), follows }
+        Single { name: name.clone(), title, path: planned.path.clone(), follows }
     };
     let cycles = members.iter().zip(names).zip(follows).map(single).collect();
     let own = members.iter().find_map(|planned| planned.path.feeds);
@@ -243,7 +254,7 @@ fn join(job: Job, mut members: Vec<Planned>, (names, follows): (Vec<String>, Vec
     let radius = job.setup.radius;
     let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
-    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, way, (job.setup.plane.axes(), reaches));
+    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, (way, relate), (job.setup.plane.axes(), reaches));
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
     Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members }
 }

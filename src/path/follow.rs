@@ -5,7 +5,7 @@ use crate::geom::Vec3;
 use crate::num::tidy;
 use crate::path::Path;
 
-/// A result of an earlier cycle, by the place of that in the list and its code.
+/// A result of an earlier cycle, by the place of that in the list and its code. Behind the cycles the relations are counted.
 pub type Of = (usize, &'static str);
 
 /// What a cycle follows.
@@ -27,6 +27,13 @@ pub struct Along {
     /// The place where it begins.
     pub start: Vec3,
     pub moves: Vec<Vec3>,
+}
+
+impl Follows {
+    /// Every result that it follows.
+    pub fn all(&self) -> impl Iterator<Item = Of> {
+        self.place.iter().flatten().chain(&self.rotation).chain(self.sizes.iter().map(|(of, _)| of)).copied()
+    }
 }
 
 impl Along {

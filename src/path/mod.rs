@@ -18,7 +18,7 @@ pub use feature::{
 pub use follow::{Along, Follow, Follows, Reaches, Shifts, Term, far_apart, most};
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Measuring, Member, Related, Single, WAY, WayBlock};
+pub use set_up::{DatumSource, Measuring, Member, Relate, Related, Single, WAY, WayBlock};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 

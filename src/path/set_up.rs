@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::formula::{Coordinate, Datum, Formula, Limits, Operand, Question, Relation};
+use crate::formula::{self, Coordinate, Datum, Formula, Limits, Operand, Question, ResultDef};
 use crate::geom::Vec3;
 use crate::path::follow::{Along, Placing, Reaches, STILL, Shifts, most};
 use crate::path::{Feature, Feed, Feeds, Follows, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
@@ -38,12 +38,15 @@ pub struct Member {
 /// A relation between results of cycles, as a part of the whole path.
 #[derive(Clone, Debug)]
 pub struct Related {
+    /// Its place in the list of the job.
+    pub index: usize,
     /// Its name: letters and digits.
     pub name: String,
-    pub relation: Relation,
-    pub of: Vec<Operand>,
+    pub own: formula::Relating,
     /// Its results in the whole.
     pub results: Range<usize>,
+    /// The members whose touches it comes from, in their order.
+    pub sources: Vec<usize>,
     /// What a work offset can be written from.
     datum: Option<Datum>,
 }
@@ -79,17 +82,23 @@ pub struct Single {
 /// Makes the block of a way to a place, along these axes.
 pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 
+/// Adds a relation, by its place in the list of the job, to the path of all cycles so far; does nothing where what it is of is not there yet.
+pub type Relate<'a> = &'a mut dyn FnMut(&mut Path, usize);
+
 impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
-    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `axes` are abscissa, ordinate and tool
-    /// axis.
+    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `relate` adds a relation that a cycle follows
+    /// as soon as all that it is of is there. `axes` are abscissa, ordinate and tool axis.
     pub fn join(
         cycles: Vec<Single>,
         clear: f64,
         feeds: Feeds,
-        way: Option<WayBlock<'_>>,
+        (way, relate): (Option<WayBlock<'_>>, Relate<'_>),
         (axes, reaches): ([usize; 3], Reaches),
     ) -> Path {
+        let count = cycles.len();
+        let all = cycles.iter().flat_map(|single| single.follows.all());
+        let followed: Vec<usize> = all.filter_map(|(of, _)| of.checked_sub(count)).collect();
         let first = &cycles.first().expect("a set-up has a cycle").path;
         let (start, frame) = (first.start, first.frame);
         let tops: Option<Vec<f64>> = cycles.iter().map(|single| single.path.top).collect();
@@ -114,12 +123,15 @@ impl Path {
         let mut sample = 0;
         for Single { name, title, path, follows } in cycles {
             let before = whole.moves.len();
-            let members = std::mem::take(&mut whole.members);
+            let Path { members, relations, formula, .. } = &mut whole;
             let known: Vec<&Placing> = members.iter().map(|member| &member.placing).collect();
-            let placing = Placing::of(follows, &mut whole.formula, (axes, reaches), &known, |formula, (cycle, code)| {
-                members.get(cycle)?.results.clone().find(|result| formula.results[*result].code == code)
+            let placing = Placing::of(follows, formula, (axes, reaches), &known, |formula, (of, code)| {
+                let mut results = match of.checked_sub(count) {
+                    None => members.get(of)?.results.clone(),
+                    Some(index) => relations.iter().find(|relation| relation.index == index)?.results.clone(),
+                };
+                results.find(|result| formula.results[*result].code == code)
             });
-            whole.members = members;
             let start = path.start.or(path.moves.first().map(|step| step.to)).unwrap_or_default();
             let first = |along: &Along| if path.start.is_some() { along.start } else { along.moves[0] };
             whole.leads_to(&path, clear, placing.shifts(start, first));
@@ -148,6 +160,7 @@ impl Path {
             let end = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
             let [moves, touches, surfaces, results] = [0, 1, 2, 3].map(|i| begin[i]..end[i]);
             whole.members.push(Member { name, title, path, moves, touches, surfaces, results, placing, datum, later });
+            followed.iter().for_each(|relation| relate(&mut whole, *relation));
         }
         if whole.members.iter().all(|member| member.placing.follows.is_empty()) {
             whole.shifts.clear();
@@ -185,12 +198,30 @@ impl Path {
         )
     }
 
-    /// Adds a relation between results.
-    pub fn relate(&mut self, name: String, relation: Relation, of: Vec<Operand>) {
+    /// Adds a relation between results: `index` is its place in the list of the job.
+    pub fn relate(&mut self, index: usize, name: String, own: formula::Relating) {
         let begin = self.formula.results.len();
-        let datum = self.formula.relate(&name, relation, &of);
+        let datum = self.formula.relate(&name, &own);
         let results = begin..self.formula.results.len();
-        self.relations.push(Related { name, relation, of, results, datum });
+        let operands = own.of.iter().flat_map(|operand| match *operand {
+            Operand::Place([x, y]) => [x, y],
+            Operand::Result(result) => [result; 2],
+        });
+        let mut sources: Vec<usize> = operands.flat_map(|result| self.sources(result)).collect();
+        sources.sort_unstable();
+        sources.dedup();
+        let at = self.relations.partition_point(|other| other.index < index);
+        self.relations.insert(at, Related { index, name, own, results, sources, datum });
+    }
+
+    /// The members whose touches a result comes from, in their order.
+    pub fn sources(&self, result: usize) -> Vec<usize> {
+        let own = self.members.partition_point(|member| member.results.end <= result);
+        if self.members.get(own).is_some_and(|member| member.results.contains(&result)) {
+            return vec![own];
+        }
+        let relation = self.relations.iter().find(|relation| relation.results.contains(&result));
+        relation.map_or_else(Vec::new, |relation| relation.sources.clone())
     }
 
     /// Says what the set-up writes.
@@ -205,6 +236,18 @@ impl Path {
         let cycles = members.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum });
         let relations = self.relations.iter();
         cycles.chain(relations.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum }))
+    }
+
+    /// The same without the relations from this one of the job's list on.
+    pub fn measuring_before(&self, relation: usize) -> impl Iterator<Item = Measuring<'_>> {
+        let before = self.relations.partition_point(|own| own.index < relation);
+        self.measuring().take(self.members.len() + before)
+    }
+
+    /// Which of all that measures a result is of.
+    pub fn measured_by(&self, result: &ResultDef) -> Option<usize> {
+        let name = &self.formula.cycles.get(usize::from(result.cycle))?.name;
+        self.measuring().position(|own| own.name == name)
     }
 
     /// The way to the next cycle, which is shifted by `shifts`; to the first one the stylus comes from anywhere.

@@ -157,9 +157,16 @@ fn led(draw: &mut Draw) -> Value {
     ]);
     let mut at = origin(places[2]);
     let mut led = vec![("name", text("C3")), ("type", text(key))];
-    if draw.once_in(2) {
+    // By the middle between two holes, or by one; along the line through both, or along a side.
+    let other = [places[0][0] - draw.between(80.0, 160.0), places[0][1] + draw.between(-60.0, 60.0), places[0][2]];
+    let both = draw.once_in(2);
+    let (name, from) = match both {
+        true => ("MID", [0, 1].map(|i| (round(places[0][i]) + round(other[i])) / 2.0)),
+        false => ("C1", [0, 1].map(|i| round(places[0][i]))),
+    };
+    if both || draw.once_in(2) {
         for (i, letter) in ["x", "y"].into_iter().enumerate() {
-            at[axes[i]] = text(&format!("=C1.center.{letter}{:+}", round(places[2][i]) - round(places[0][i])));
+            at[axes[i]] = text(&format!("={name}.center.{letter}{:+}", round(places[2][i]) - from[i]));
         }
     }
     led.push(("origin", Value::List(at.to_vec())));
@@ -170,13 +177,24 @@ fn led(draw: &mut Draw) -> Value {
         _ => &[],
     };
     if sizes.is_empty() || draw.once_in(2) {
-        led.push(("rotation", text(&format!("=C2.rotation{:+}", draw.between(-180.0, 180.0).round() + 0.0))));
+        let of = if both && draw.once_in(2) { "ROW" } else { "C2" };
+        led.push(("rotation", text(&format!("={of}.rotation{:+}", draw.between(-180.0, 180.0).round() + 0.0))));
     } else {
         for size in sizes {
             led.push((size, text(&format!("=C1.diameter{:+}", round(draw.between(22.0, 70.0)) - round(diameter)))));
         }
     }
     let mut cycles = vec![first, side, cycle(led)];
+    let mut relations = Vec::new();
+    if both {
+        let hole = [("name", text("C0")), ("type", text("hole")), ("diameter", length(30.0))];
+        let at = ("origin", Value::List(origin(other).to_vec()));
+        cycles.insert(draw.index(3), cycle(hole.into_iter().chain([at]).collect()));
+        let of = || Value::List(vec![text("C0"), text("C1")]);
+        for (name, kind) in [("ROW", "line"), ("MID", "center")] {
+            relations.push(cycle(vec![("name", text(name)), ("type", text(kind)), ("of", of())]));
+        }
+    }
     if draw.once_in(2) && !matches!(key, "web" | "groove" | "surface" | "wall-angle" | "double-wall-internal-corner") {
         let mut at = origin([places[2][0], places[2][1] - 180.0, places[2][2]]);
         at[axes[0]] = text(&format!("=C3.center.x{:+}", round(draw.between(-20.0, 20.0))));
@@ -202,6 +220,7 @@ fn led(draw: &mut Draw) -> Value {
         ("control", cycle(vec![("post", text(post)), ("workOffset", offset)])),
         ("limits", cycle(limits)),
         ("cycles", Value::List(cycles)),
+        ("relations", Value::List(relations)),
         ("part", part),
     ])
 }
@@ -274,8 +293,12 @@ fn related(draw: &mut Draw, job: Value, plan: &Plan) -> Value {
     let measured = plan.results.iter().filter(|row| row.value.is_some() && !row.code.starts_with("offset."));
     let unit = plan.results.get(draw.index(plan.results.len().max(1))).map_or("", |row| row.unit);
     let measured = measured.filter(|row| row.unit == unit);
-    let results: Vec<String> = measured.map(|row| format!("{}.{}", plan.cycles[row.cycle], row.code)).collect();
-    let mut relations = Vec::new();
+    let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
+    let results: Vec<String> = measured.map(|row| format!("{}.{}", names[row.cycle], row.code)).collect();
+    let mut relations = match job.get("relations") {
+        Some(Value::List(known)) => known.clone(),
+        _ => Vec::new(),
+    };
     for i in 0..1 + draw.index(3) {
         let kind = match places.len() {
             0 | 1 => draw.word(&["difference", "mean"]),
@@ -577,6 +600,9 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
             if cycles.iter().any(|cycle| ["diameter", "width", "width1", "width2"].iter().any(|key| follows(cycle, key))) {
                 asked("planned with sizes that follow");
             }
+        }
+        if plan.relations.iter().any(|name| name == "MID") {
+            asked("planned with relations that are followed");
         }
     }
     if plan.program.does.starts_with("corrects") {

@@ -83,6 +83,7 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
         "measured points",
         "planned as a set-up",
         "planned with relations",
+        "planned with relations that are followed",
         "planned with consequences",
         "planned with places that follow",
         "planned with rotations that follow",

@@ -325,6 +325,30 @@ test("a rotation and a size follow results of earlier cycles, proposed in their 
   assert.match(await program(), /\+0\.5\*#<\w+_growth_1>/);
 });
 
+test("a cycle follows a relation of the cycles before it, by its name of the day", async () => {
+  await field("cycle.type").selectOption("hole");
+  await add("hole");
+  await put("cycle.origin[0]", 90);
+  await page.getByLabel("Add a relation between cycles").selectOption("line");
+  await page.getByLabel("Add a relation between cycles").selectOption("center");
+  await add("groove");
+  await put("cycle.origin[1]", 80);
+  const proposed = (/** @type {string} */ path) =>
+    page.locator(`datalist[id='l-${path}'] option`).evaluateAll((all) => all.map((one) => one.getAttribute("value")));
+  assert.deepEqual(await proposed("cycle.rotation"), ["=REL1.rotation"]);
+  assert.ok((await proposed("cycle.origin[0]")).includes("=REL2.center.x"));
+  assert.ok((await proposed("cycle.width")).includes("=REL1.distance"));
+  await field("cycle.rotation").fill("=REL1.rotation+90");
+  await page.keyboard.press("Tab");
+  assert.match(await program(), /#<rel1_rotation>[\s\S]*#<groove_turned_by>/, "computed before the groove");
+  await page.getByLabel("Name of this relation").first().fill("ROW");
+  await page.keyboard.press("Tab");
+  assert.equal(await field("cycle.rotation").inputValue(), "=ROW.rotation+90");
+  // The first hole has nothing before it.
+  await list().first().click();
+  assert.deepEqual(await proposed("cycle.origin[0]"), []);
+});
+
 test("a place follows a result of an earlier cycle, and keeps to it when that is renamed", async () => {
   await field("cycle.type").selectOption("surface");
   await field("control.workOffset").selectOption("1");

@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
+import { head } from "../features.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
 import { toleranced } from "../tolerance.js";
 import { Part } from "./part.js";
@@ -35,7 +36,7 @@ function headed(choices: Choice[]): [string, Choice[]][] {
 }
 
 /** The codes of results that are sizes. */
-const SIZES = /^(diameter|width\d?)$/;
+const SIZES = /^(diameter|width\d?|distance|difference)$/;
 
 /** A part with fields of the job: what they hold, their messages, and how they take what is typed. */
 export abstract class FieldPart extends Part {
@@ -68,18 +69,19 @@ export abstract class FieldPart extends Part {
         }${proposed.length > 0 ? html`<datalist id=${`l-${path}`}>${proposed.map((one) => html`<option value=${one}></option>`)}</datalist>` : nothing}</span>`;
   }
 
-  /** What a field of a cycle can follow: results of the cycles before it. `axis` is that of a coordinate of its place. */
+  /** What a field of a cycle can follow: results of the cycles before it, and of relations of those alone. `axis` is that of a coordinate of its place. */
   protected followed(field: FieldEntry, path: string, axis?: number): string[] {
     const { features, plan } = this.store;
     if (!features.several || !path.startsWith("cycle.")) return [];
     // Abscissa, ordinate and tool axis in each plane.
     const axes = { G17: [0, 1, 2], G18: [2, 0, 1], G19: [1, 2, 0] }[String(this.store.get("plane"))] ?? [0, 1, 2];
     const written = (key: string | undefined) => plan.datum.find((row) => row.axis === key)?.choices ?? [];
+    const names = [...plan.cycles, ...plan.relations];
     const sizes = () =>
-      plan.results.filter((row) => SIZES.test(row.code)).map((row) => `${plan.cycles[row.cycle]}.${row.code}`);
-    const before = plan.cycles.slice(0, features.inJob).map((name) => `${name}.`);
+      plan.results.filter((row) => SIZES.test(row.code)).map((row) => `${names[row.cycle]}.${row.code}`);
+    const before = features.knownBefore(plan.cycles.slice(0, features.inJob));
     const from = (choices: string[]) =>
-      choices.filter((one) => before.some((name) => one.startsWith(name))).map((one) => `=${one}`);
+      choices.filter((one) => before.has(head(one).toLowerCase())).map((one) => `=${one}`);
     if (path === "cycle.origin") return axis === undefined ? [] : from(written(["x", "y", "z"][axes.indexOf(axis)]));
     if (path === "cycle.rotation") return from(written("rotation"));
     return field.kind === "number" && field.size && field.unit === "length" ? from(sizes()) : [];

@@ -245,6 +245,10 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("place-within-limit", "linuxcnc turns", "[ABS[#<side_rotation>+90] GT 1.5]", "[[#<side_rotation>+90] GT 1.5]"),
     ("place-within-limit", "linuxcnc grows", "[ABS[#<slot_width>-30] GT 2]", "[ABS[#<slot_width>-30] GT 3]"),
     ("place-within-limit", "linuxcnc grows", "[ABS[#<slot_width>-30] GT 2]", "[[30-#<slot_width>] GT 2]"),
+    ("place-within-limit", "linuxcnc relates", "[ABS[#<row_rotation>] GT 1.5]", "[ABS[#<row_rotation>] GT 2.5]"),
+    ("place-within-limit", "linuxcnc relates", "[ABS[#<mid_center_x>] GT 3]", "[#<mid_center_x> GT 3]"),
+    ("place-within-limit", "sinumerik relates", "IF ABS(R12)<=1.5 GOTOF TP_GOOD_4", "IF R12<=1.5 GOTOF TP_GOOD_4"),
+    ("place-within-limit", "fanuc relates", "IF [ABS[#112] GT 1.5] GOTO 9064\n", ""),
     ("restart-writes-nothing", "fanuc", "IF [#109 NE 4] GOTO 9006\n", ""),
     ("restart-writes-nothing", "haas", "#109=0\n#5221=", "#5221="),
     ("restart-writes-nothing", "sinumerik", "R10=0\n$P_UIFR", "$P_UIFR"),
@@ -266,6 +270,7 @@ fn each_rule_catches_a_program_that_breaks_it() {
             "turns" => with(&crate::common::job(crate::tests::set_ups::turns::TURNED), "control.post", text(post)),
             "grows" => with(&crate::common::job(crate::tests::set_ups::turns::GROWN), "control.post", text(post)),
             "follows" => with(&crate::common::job(crate::tests::set_ups::follows::STEPS), "control.post", text(post)),
+            "relates" => with(&crate::common::job(crate::tests::set_ups::led::PLATE), "control.post", text(post)),
             "stop" | "mark" => {
                 let width = [("tolerance".to_owned(), text("±0.1")), ("action".to_owned(), text(how))];
                 with(&job, "tolerances", Value::Map(vec![("width1".to_owned(), Value::Map(width.to_vec()))]))

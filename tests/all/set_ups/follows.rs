@@ -33,7 +33,8 @@ pub fn near(a: f64, b: f64, within: f64, what: &str) {
 /// The results that a plan shows, by the names that programs print.
 pub fn shown(plan: &Plan) -> Vec<(String, f64)> {
     let rows = plan.results.iter().filter(|row| !row.code.starts_with("offset."));
-    rows.filter_map(|row| Some((format!("{}.{}", plan.cycles[row.cycle], row.code), row.value?))).collect()
+    let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
+    rows.filter_map(|row| Some((format!("{}.{}", names[row.cycle], row.code), row.value?))).collect()
 }
 
 /// How far each cycle is shifted on the part of [`STEPS`], by hand.
@@ -135,8 +136,15 @@ pub fn the_machines_measure_what_is_shown(text: &str) {
         control.variables.extend((5221..=5223).map(|origin| (origin, 0.0)));
         control.run(&plan.program.text).unwrap();
         assert_eq!(control.alarm, None, "{post}");
-        for (i, (name, value)) in shown(&plan).into_iter().enumerate() {
-            near(control.variables[&(101 + i as i64)], value, 2e-4, &format!("{post} {name}"));
+        for (name, value) in shown(&plan) {
+            // The header says where each is kept.
+            let said = format!(" = {}", name.to_uppercase());
+            let ends = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '.');
+            let mut parts =
+                plan.program.text.match_indices(&said).filter(|(at, _)| ends(&plan.program.text[at + said.len()..]));
+            let (at, _) = parts.next().unwrap_or_else(|| panic!("{post} {name}"));
+            let number = plan.program.text[..at].rsplit('#').next().unwrap().parse::<i64>().unwrap();
+            near(control.variables[&number], value, 2e-4, &format!("{post} {name}"));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod examples;
 pub mod follows;
+pub mod led;
 mod refused;
 mod relations;
 pub mod turns;

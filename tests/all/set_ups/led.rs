@@ -1,0 +1,247 @@
+//! Cycles that follow a relation of earlier ones: it is computed before them.
+
+use super::follows::{near, shown, the_machines_measure_what_is_shown};
+use crate::common::fanuc::Control;
+use crate::common::mpf::read;
+use crate::common::sinumerik::Machine;
+use crate::common::{ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
+use touchpath::form::{Level, Value};
+use touchpath::job::{check, convert_units, evaluate};
+
+/// Two holes, and a slot 40 mm beside the middle between them, square to the line through both. The surface stands between what the relations are of and
+/// the cycle that follows them; the last relation is of one that is computed early and of the last cycle.
+pub const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": "linuxcnc", "workOffset": 1, "report": "screen" },
+  "limits": { "position": 3, "angle": 1.5 },
+  "cycles": [
+    { "name": "LEFT", "type": "hole", "diameter": 20, "origin": [-60, 10, 0] },
+    { "name": "RIGHT", "type": "hole", "diameter": 20, "origin": [60, 10, 0] },
+    { "name": "TOP", "type": "surface", "origin": [-20, 0, 0] },
+    { "name": "SLOT", "type": "groove", "width": 30, "origin": ["=MID.x", "=MID.y+40", "=TOP.z"], "rotation": "=ROW.rotation+90" },
+    { "name": "POST", "type": "boss", "diameter": 24, "origin": [0, -60, "=TOP.z"] }
+  ],
+  "relations": [
+    { "name": "ROW", "type": "line", "of": ["LEFT", "RIGHT"] },
+    { "name": "MID", "type": "center", "of": ["LEFT", "RIGHT"] },
+    { "name": "OFF", "type": "line", "of": ["MID", "POST"] }
+  ],
+  "datum": { "x": "MID.center.x", "y": "MID.center.y", "z": "TOP.point.z", "rotation": "ROW.rotation" },
+  "part": { "offset": [0.2, 0.1, 0.3], "rotation": 0.7 } }"#;
+
+/// Four holes on a circle, and a stud in their middle that is smaller than the circle by 60 mm; its height is the mean of two places of the top.
+const RING: &str = r#"{ "format": 2, "name": "RING", "control": { "post": "linuxcnc", "workOffset": null, "report": "screen" },
+  "limits": { "position": 2, "size": 2 },
+  "cycles": [
+    { "name": "A", "type": "surface", "origin": [-80, 0, 0] },
+    { "name": "B", "type": "surface", "origin": [80, 0, 0] },
+    { "name": "H1", "type": "hole", "diameter": 12, "origin": [45, 0, 0] },
+    { "name": "H2", "type": "hole", "diameter": 12, "origin": [0, 45, 0] },
+    { "name": "H3", "type": "hole", "diameter": 12, "origin": [-45, 0, 0] },
+    { "name": "H4", "type": "hole", "diameter": 12, "origin": [0, -45, 0] },
+    { "name": "STUD", "type": "boss", "diameter": "=CIRCLE.diameter-60", "origin": ["=CIRCLE.x", "=CIRCLE.y", "=FACE.z"] }
+  ],
+  "relations": [
+    { "name": "FACE", "type": "mean", "of": ["A.point.z", "B.point.z"] },
+    { "name": "CIRCLE", "type": "pitch-circle", "of": ["H1", "H2", "H3", "H4"] }
+  ],
+  "part": { "offset": [0.4, -0.3, 0.6] } }"#;
+
+fn on(text: &str, post: &str) -> Value {
+    with(&job(text), "control.post", Value::Text(post.to_owned()))
+}
+
+/// What the interpreter prints is what the plan shows; gives one of them.
+fn printed(text: &str) -> impl Fn(&str) -> f64 {
+    let plan = planned(&job(text));
+    let rule = plan.safety.iter().find(|row| row.rule == "place-within-limit").unwrap();
+    assert_eq!(rule.holds, Some(true));
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    let printed = move |code: &str| ran.prints.iter().find(|(known, _)| known == code).unwrap_or_else(|| panic!("{code}")).1;
+    for (name, value) in shown(&plan) {
+        near(printed(&name), value, 5e-6, &name);
+    }
+    printed
+}
+
+/// The slot lies 40 mm beside the middle of the holes *on the turned part*: the part is turned about the origin and shifted then.
+#[test]
+fn the_interpreter_turns_a_slot_with_the_line_through_two_holes() {
+    let printed = printed(PLATE);
+    let (sin, cos) = 0.7f64.to_radians().sin_cos();
+    let by_hand = |x: f64, y: f64| [0.2 + x * cos - y * sin, 0.1 + y * cos + x * sin];
+    near(printed("ROW.rotation"), 0.7, 2e-6, "the line turns with the part");
+    let [_, y] = by_hand(0.0, 50.0);
+    near(printed("SLOT.center.y"), y, 3e-6, "where the slot lies on the part");
+    near(printed("SLOT.width"), 30.0, 2e-6, "touched square");
+    near(printed("OFF.distance"), 70.0, 3e-6, "from the middle to the post");
+    let plan = planned(&job(PLATE));
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    // The middle of the holes is where the slot's moves are turned about, by as much as the line is.
+    let [mx, my] = by_hand(0.0, 10.0);
+    let own = plan.moves.iter().filter(|step| step.cycle == 3 && step.step > 0 && step.kind != "touch");
+    let mut compared = 0;
+    for step in own {
+        let [x, y, z] = step.to;
+        let wanted = [mx + x * cos - (y - 10.0) * sin, my + (y - 10.0) * cos + x * sin, z + 0.3];
+        let found = ran.moves.iter().any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 6e-5));
+        assert!(found, "{wanted:?}");
+        compared += 1;
+    }
+    assert!(compared > 4, "{compared}");
+}
+
+#[test]
+fn the_interpreter_touches_a_stud_in_the_middle_of_a_ring_of_holes() {
+    let printed = printed(RING);
+    near(printed("FACE.mean"), 0.6, 2e-6, "the mean of both places");
+    near(printed("CIRCLE.center.x"), 0.4, 2e-6, "the middle of the holes");
+    near(printed("STUD.center.y"), -0.3, 2e-6, "the stud is there too");
+    near(printed("STUD.diameter"), 30.0, 2e-6, "90 mm less 60 mm");
+    let text =
+        RING.replace("\"offset\": [0.4, -0.3, 0.6]", "\"offset\": [0.4, -0.3, 0.6], \"sizes\": { \"STUD.diameter\": 0.8 }");
+    near(self::printed(&text)("STUD.diameter"), 30.8, 2e-6, "not by the holes but by its own touches");
+}
+
+/// The mean of two heights is written as Z: the place between them reads its nominal height afterwards.
+#[test]
+fn a_mean_of_heights_is_written_as_z() {
+    let text = RING.replace("\"workOffset\": null", "\"workOffset\": 1");
+    let text = text.replace(
+        "\"part\"",
+        "\"datum\": { \"x\": \"CIRCLE.center.x\", \"y\": \"CIRCLE.center.y\", \"z\": \"FACE.mean\" },\n  \"part\"",
+    );
+    let plan = planned(&job(&text));
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    for (written, wanted) in ran.written.unwrap().1.into_iter().zip([0.4, -0.3, 0.6]) {
+        near(written, wanted, 2e-6, "the origin moves with the part");
+    }
+    // A mean of other lengths is no height.
+    let errors = check(&job(&text
+        .replace("\"A.point.z\", \"B.point.z\"", "\"H1.center.x\", \"H3.center.x\"")
+        .replace("=FACE.z", "=A.z")));
+    assert!(errors.iter().any(|f| f.code == "datum-unknown" && f.path == "datum.z"), "{errors:?}");
+}
+
+#[test]
+fn the_other_controls_compute_a_relation_before_what_follows_it() {
+    the_machines_measure_what_is_shown(PLATE);
+    // A Fanuc's variables are soon used up: one hole and one surface less.
+    let fewer = RING.replace(r#", "H3", "H4"]"#, r#", "H3"]"#).replace("=FACE.z", "=A.z");
+    let without = |text: &str, from: &str| {
+        text.lines().filter(|line| !line.contains(from)).map(|line| format!("{line}\n")).collect::<String>()
+    };
+    let fewer = ["\"B\", \"type\"", "\"H4\", \"type\"", "\"FACE\""].iter().fold(fewer, |text, from| without(&text, from));
+    the_machines_measure_what_is_shown(&fewer);
+}
+
+/// A relation that is off by more than its limit: each control stops before the cycle that follows it, and writes nothing.
+#[test]
+fn beyond_the_limit_every_control_stops_before_the_cycle() {
+    for (post, how) in [("linuxcnc", 1.6), ("linuxcnc", -1.6), ("sinumerik", 1.6), ("fanuc", -1.6), ("haas", 1.6)] {
+        let plan = planned(&with(&on(PLATE, post), "part.rotation", Value::Number(how)));
+        let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post}"));
+        assert!(said.message.contains("before SLOT: ROW.rotation is"), "{}", said.message);
+        match post {
+            "linuxcnc" => {
+                let (ran, why) = interpret_until_stop(&ending_at(&plan, |k| plan.triggers[k].unwrap_or_default()));
+                let why = why.expect("it stops");
+                assert!(why.contains("ROW.rotation is"), "{why}");
+                assert_eq!(ran.written, None);
+            }
+            "sinumerik" => {
+                let mut machine = Machine::new(plan.triggers.clone());
+                machine.run(&read(&plan.program.text).unwrap()).unwrap();
+                assert!(machine.alarm.is_some() && machine.message.contains("ROW.rotation"), "{}", machine.message);
+            }
+            _ => {
+                let mut control = Control::new(post == "haas", false);
+                control.contacts = plan.triggers.iter().flatten().copied().collect();
+                control.run(&plan.program.text).unwrap();
+                let alarm = control.alarm.as_ref().map(|alarm| format!("{alarm:?}")).unwrap_or_default();
+                assert!(alarm.contains("ROTATION"), "{post} {alarm}");
+            }
+        }
+    }
+}
+
+/// Headers and units keep what is followed; the points of a part give its rows, whatever the order in which the program computes.
+#[test]
+fn what_follows_a_relation_comes_back() {
+    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+        let plan = planned(&on(PLATE, post));
+        let back = import(&plan.program.text).unwrap();
+        assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+        assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
+    }
+    let inch = convert_units(&job(PLATE), "inch").unwrap();
+    let Some(Value::List(cycles)) = inch.get("cycles") else { unreachable!() };
+    let Some(Value::List(origin)) = cycles[3].get("origin") else { unreachable!() };
+    assert_eq!(origin[1], Value::Text("=MID.y+1.574803".to_owned()));
+    let real = planned(&job(PLATE));
+    let names: Vec<&String> = real.cycles.iter().chain(&real.relations).collect();
+    assert_eq!(names[real.results.iter().find(|row| row.code == "distance").unwrap().cycle], "ROW");
+    let points = real.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
+    let logged: String =
+        interpret(&on_virtual_part(&real)).unwrap().prints.iter().map(|(code, x)| format!("{code}={x}\n")).collect();
+    for given in [Value::List(points), Value::Text(logged)] {
+        let rows = evaluate(&job(PLATE), &given).unwrap();
+        assert_eq!(rows.len(), real.results.len());
+        for (row, own) in rows.iter().zip(&real.results) {
+            assert_eq!((row.cycle, &row.code), (own.cycle, &own.code));
+            if let (Some(a), Some(b)) = (row.value, own.value) {
+                near(a, b, 1e-5, &row.code);
+            }
+        }
+    }
+    // What a relation truly is, and with which scatter, does not depend on when it is computed either.
+    let late = PLATE.replace("=MID.x", "0").replace("\"=MID.y+40\"", "50").replace("\"=ROW.rotation+90\"", "90");
+    let late = planned(&job(&late.replace("\"0\"", "0")));
+    for own in real.results.iter().filter(|row| row.cycle > 4) {
+        let other = late.results.iter().find(|row| (row.cycle, &row.code) == (own.cycle, &own.code)).unwrap();
+        assert_eq!(own.truth, other.truth, "{}", own.code);
+        near(own.uncertainty.unwrap(), other.uncertainty.unwrap(), 1e-6, &own.code);
+        assert_eq!((own.value, &own.verdict), (other.value, &other.verdict));
+    }
+}
+
+#[test]
+fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
+    let errors = |text: &str| {
+        let errors = check(&job(text)).into_iter().filter(|f| f.level == Level::Error);
+        errors.map(|f| (format!("{} {}", f.code, f.path), f.message)).collect::<Vec<_>>()
+    };
+    let one = |text: &str, path: &str, says: &str| {
+        let found = errors(text);
+        assert_eq!(
+            found.iter().map(|(of, _)| of.as_str()).collect::<Vec<_>>(),
+            [format!("place-of-result {path}")],
+            "{found:?}"
+        );
+        assert!(found[0].1.contains(says), "{}", found[0].1);
+    };
+    let rotation = "cycles[3].rotation";
+    let turned = |given: &str| PLATE.replace("=ROW.rotation+90", given);
+    one(&turned("=ROW.distance"), rotation, "There are ROW.rotation");
+    one(
+        &turned("=OFF.rotation"),
+        rotation,
+        "OFF cannot be computed before this cycle: \"POST\" measures no place in the plane. These do: LEFT, RIGHT, MID",
+    );
+    one(&turned("=NONE.rotation"), rotation, "There are ROW.rotation");
+    one(&PLATE.replace("\"=MID.x\"", "\"=MID.y\""), "cycles[3].origin[0]", "MID.y is a place along Y, and this one is along X");
+    one(&PLATE.replace("\"=MID.x\"", "\"=ROW.x\""), "cycles[3].origin[0]", "MID.center.x");
+    // A relation with an error says so once, where it is followed.
+    one(
+        &PLATE
+            .replace("\"type\": \"line\", \"of\": [\"LEFT\", \"RIGHT\"]", "\"type\": \"lime\", \"of\": [\"LEFT\", \"RIGHT\"]"),
+        rotation,
+        "The type of a relation must be one of",
+    );
+    one(
+        &RING.replace("\"A.point.z\", \"B.point.z\"", "\"A.point.z\", \"H1.diameter\""),
+        "cycles[6].origin[2]",
+        "measures a place \"FACE.z\"",
+    );
+    assert!(errors(PLATE).is_empty());
+    let grbl = PLATE.replace("linuxcnc", "grbl").replace("\"workOffset\": 1, ", "");
+    assert!(errors(&grbl).iter().any(|(of, _)| of == "set-up-unsupported cycles[3].rotation"), "{:?}", errors(&grbl));
+}
