@@ -238,6 +238,11 @@ pub type TypedWrite = fn(&Request<'_>, [Option<f64>; 3], u8) -> Option<String>;
 pub type Reader = for<'t> fn(&'t str) -> Result<Script<'t>, Vec<Trouble>>;
 
 impl PostDef {
+    /// Whether a job can have the form of moves here: those programs are read back.
+    pub fn moves(&self) -> bool {
+        self.read.is_some()
+    }
+
     /// Words about the control, with its name in place of `{control}`.
     pub fn says(&self, words: &'static str) -> Text {
         let mut text = Text::words(words);

@@ -192,6 +192,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("protection-unsupported", "The control takes only programs whose positioning is watched."),
     ("rapid-at-feed", "A rapid runs at a feed, because it is watched or goes down."),
     ("reaction-unsupported", "A program of moves checks no tolerances, and so does not react to them (Q309)."),
+    (
+        "relation-not-computed",
+        "A set-up: the program computes no relations. They follow from its results, entered as measured values.",
+    ),
     ("relation-of", "A set-up: a relation is of something that it cannot be of."),
     (
         "repeat-unsupported",

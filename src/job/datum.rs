@@ -89,13 +89,25 @@ pub fn read(checker: &mut Checker, value: &Value, whole: &Planned, writes: bool)
 /// What cycles of the control's own can write: each writes as soon as it has measured, and all that it measures.
 fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
     let members = &whole.members;
+    let moves = members[0].job.post.moves();
     let name = |member: usize| whole.path.members[member].name.clone();
     let early = written.place.iter().flatten().find(|member| **member + 1 < members.len());
     if let Some(early) = early {
-        let message = text!(
-            "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
-            name(*early)
-        );
+        let early = name(*early);
+        let message = match moves {
+            true => text!(
+                "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last, or use the form \"moves\"",
+                early
+            ),
+            false => text!(
+                "The control's own cycles write as soon as they have measured: what {early} writes would move everything that is measured after it. Only the last cycle of a set-up may write: put it last",
+                early
+            ),
+        };
+        checker.error("set-up-unsupported", "datum", message);
+    }
+    if written.place.iter().flatten().any(|of| *of >= members.len()) {
+        let message = text!("The control's own cycles write what they measure: no work offset can be written from a relation");
         checker.error("set-up-unsupported", "datum", message);
     }
     // What such a cycle measures it writes, whatever a job would rather have.
@@ -104,16 +116,28 @@ fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
     let unwanted = (0..3).filter(|i| measured[*i] && written.place[*i].is_none()).map(|i| AXIS_NAMES[axes[i]]);
     let unwanted: Vec<&str> = unwanted.collect();
     if !unwanted.is_empty() {
-        let message = text!(
-            "The control's own cycle of {name} writes all that it measures, {axes} too: let it write them, choose no work offset, or use the form \"moves\"",
-            name(members.len() - 1),
-            unwanted.join(", ")
-        );
+        let (name, axes) = (name(members.len() - 1), unwanted.join(", "));
+        let message = match moves {
+            true => text!(
+                "The control's own cycle of {name} writes all that it measures, {axes} too: let it write them, choose no work offset, or use the form \"moves\"",
+                name,
+                axes
+            ),
+            false => text!(
+                "The control's own cycle of {name} writes all that it measures, {axes} too: let it write them, or choose no work offset",
+                name,
+                axes
+            ),
+        };
         checker.error("set-up-unsupported", "datum", message);
     }
     if written.rotation.is_some() {
-        let message =
-            text!("The control's own cycles write no rotation that another cycle has measured: use the form \"moves\"");
+        let message = match moves {
+            true => {
+                text!("The control's own cycles write no rotation that another cycle has measured: use the form \"moves\"")
+            }
+            false => text!("The control's own cycles write no rotation that another cycle has measured"),
+        };
         checker.error("set-up-unsupported", "datum.rotation", message);
     }
 }

@@ -255,9 +255,14 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         return refuse(checker, message);
     }
     if several(job).is_some() || job.form == Form::Cycle {
-        let message = text!(
-            "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
-        );
+        let message = match job.post.moves() {
+            true => text!(
+                "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
+            ),
+            false => text!(
+                "The control's own cycles keep their results in variables, and this program does not compute with those: nothing can follow a result here"
+            ),
+        };
         checker.error("set-up-unsupported", path, message);
         return None;
     }

@@ -103,7 +103,13 @@ pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
 }
 
 fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
-    Expected { path, radius: job.setup.radius, names: [job.name.clone(), (job.post.name)(&job.name)] }
+    let variable = |(code, stored)| Some(((job.post.own?.name)(stored), code));
+    Expected {
+        path,
+        radius: job.setup.radius,
+        names: [job.name.clone(), (job.post.name)(&job.name)],
+        kept: path.stored().into_iter().filter_map(variable).collect(),
+    }
 }
 
 /// The block to type, where the control's program cannot write a work offset and the log says enough; else why there is none.

@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use crate::form::{Checker, Value, printable};
-use crate::formula::{self, Datum, Formula, Operand, Relation, ResultDef, Role, related_values};
+use crate::formula::{self, Datum, Formula, Operand, Relation, ResultDef};
 use crate::job::cycles::{LONGEST_NAME, MOST_CYCLES, RELATIONS, is_name};
 use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
 use crate::job::rows::{ResultRow, result_row};
 use crate::num::tidy;
-use crate::path::{Measuring, Path, Related};
+use crate::path::{Measuring, Path};
 use crate::text::{Text, text};
 
 /// Nominal places this near to each other have no direction, mm.
@@ -32,8 +32,8 @@ pub struct Relations<'v> {
 }
 
 impl<'v> Relations<'v> {
-    /// The list of a job; what is no list is reported. `own`: whether the control's own cycles measure, whose results no program can compute with.
-    pub fn of(checker: &mut Checker, value: &'v Value, cycles: &'v [String], own: bool) -> Self {
+    /// The list of a job; what is no list is reported.
+    pub fn of(checker: &mut Checker, value: &'v Value, cycles: &'v [String]) -> Self {
         let list = match value.get(RELATIONS) {
             None | Some(Value::Null) => &[],
             Some(Value::List(list)) => list.as_slice(),
@@ -43,17 +43,11 @@ impl<'v> Relations<'v> {
                 &[]
             }
         };
-        if own && !list.is_empty() {
-            let message = text!(
-                "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\" for relations"
-            );
-            checker.error("set-up-unsupported", RELATIONS, message);
-        }
         if list.len() > MOST_CYCLES {
             let message = text!("A set-up has at most {most} relations, not {count}", MOST_CYCLES, list.len());
             checker.error("wrong-count", RELATIONS, message);
         }
-        let list = if own || list.len() > MOST_CYCLES { &[] } else { list };
+        let list = if list.len() > MOST_CYCLES { &[] } else { list };
         Relations { list, cycles, added: vec![false; list.len()] }
     }
 
@@ -69,10 +63,16 @@ impl<'v> Relations<'v> {
         self.add(&mut Checker::default(), path, index);
     }
 
-    /// Adds all that were not added early. Reports what is wrong with them.
-    pub fn add_all(mut self, checker: &mut Checker, path: &mut Path) {
+    /// Adds all that were not added early. Reports what is wrong with them. `computes`: whether the program computes with the results.
+    pub fn add_all(mut self, checker: &mut Checker, path: &mut Path, computes: bool) {
         for index in 0..self.list.len() {
             self.add(checker, path, index);
+        }
+        if !computes && !self.list.is_empty() {
+            let message = text!(
+                "The program does not compute the relations: they follow from its results, where these are entered as measured values"
+            );
+            checker.info("relation-not-computed", RELATIONS, message);
         }
     }
 
@@ -361,7 +361,12 @@ pub fn add_rows(
         report_judged(&whole.job, &evaluated, &off, whole.writes(), checker);
     }
     for (i, relation) in relations.iter().enumerate() {
-        let truths = truths(whole, relation, results);
+        let truth = |index: usize| {
+            let def = &whole.path.formula.results[index];
+            let of = whole.path.measured_by(def);
+            results.iter().find(|row| Some(row.cycle) == of && row.code == def.code)?.truth
+        };
+        let truths = whole.path.related(relation, truth);
         for (row, truth) in evaluated[relation.results.clone()].iter().cloned().zip(truths) {
             let angle = row.unit == formula::Unit::Angle;
             let mut row = ResultRow { cycle: whole.members.len() + i, ..result_row(&whole.job, row, None, None) };
@@ -372,28 +377,4 @@ pub fn add_rows(
         }
     }
     off.iter().all(|question| question.asked != formula::Asked::Plausible)
-}
-
-/// What a relation truly is on the virtual part, from what its cycles truly measure.
-fn truths(whole: &Planned, relation: &Related, rows: &[ResultRow]) -> Vec<Option<f64>> {
-    let truth = |index: usize| {
-        let def = &whole.path.formula.results[index];
-        let row = rows.iter().find(|row| Some(row.cycle) == whole.path.measured_by(def) && row.code == def.code)?;
-        let near = |truth: f64| match (def.role, row.nominal) {
-            (Role::Direction, Some(nominal)) => truth + ((nominal - truth) / 360.0).round() * 360.0,
-            _ => truth,
-        };
-        row.truth.map(near)
-    };
-    let place = |operand: &Operand| match *operand {
-        Operand::Place([x, y]) => Some([truth(x)?, truth(y)?]),
-        Operand::Result(index) => Some([truth(index)?, 0.0]),
-    };
-    match relation.own.of.iter().map(place).collect::<Option<Vec<_>>>() {
-        Some(of) => {
-            let is = |operand: &Operand| matches!(*operand, Operand::Result(index) if whole.path.formula.results[index].role == Role::Direction);
-            related_values(relation.own.relation, &of, relation.own.of.iter().any(is))
-        }
-        None => vec![None; relation.results.len()],
-    }
 }

@@ -100,10 +100,10 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     if checker.failed() {
         return None;
     }
-    let mut relations = Relations::of(checker, value, &names, several.is_some());
+    let mut relations = Relations::of(checker, value, &names);
     let relate: Relate<'_> = &mut |path, index| relations.add_early(path, index);
     let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (&names, follows), (clear, relate));
-    relations.add_all(checker, &mut whole.path);
+    relations.add_all(checker, &mut whole.path, several.is_none() && whole.job.post.computes);
     let source = datum::read(checker, value, &whole, offset.is_some())?;
     whole.path.write_from(&source);
     if !whole.job.post.rotates {

@@ -43,7 +43,8 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
         given_to.push((index, key));
         let of = planned.path.members.iter().position(|member| member.results.contains(&index));
         let own = of.map_or(&planned.job, |cycle| &planned.members[cycle].job);
-        if let Some(tolerance) = one(checker, (&planned.job, own, &planned.path), given, index, &path) {
+        let related = of.is_none() && !planned.path.members.is_empty();
+        if let Some(tolerance) = one(checker, (&planned.job, own, &planned.path), given, (index, related), &path) {
             give(planned, index, tolerance);
         }
     }
@@ -80,12 +81,12 @@ fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
     }
 }
 
-/// A tolerance of a job; `own` is that of the cycle alone that measures the result.
+/// A tolerance of a job; `own` is that of the cycle alone that measures the result. `related`: whether the result is that of a relation.
 fn one(
     checker: &mut Checker,
     (job, own, path_of_job): (&Job, &Job, &Path),
     given: &Value,
-    index: usize,
+    (index, related): (usize, bool),
     at: &str,
 ) -> Option<Tolerance> {
     let path = at;
@@ -130,7 +131,7 @@ fn one(
         return None;
     }
     let limits = limits(checker, job, text, def, &path)?;
-    let wear = read_wear(checker, (own, path_of_job), given, def, at);
+    let wear = read_wear(checker, (own, path_of_job), given, (def, related), at);
     if wear.is_some() {
         check_middle(checker, limits, def, at);
         if own.limits.size.is_none() {
@@ -205,13 +206,19 @@ fn limits(checker: &mut Checker, job: &Job, text: &str, def: &ResultDef, path: &
 }
 
 /// The tool that a tolerance corrects, checked; `None` without one, or with an error. `own` is the job of the cycle that measures the result.
-fn read_wear(checker: &mut Checker, (own, path): (&Job, &Path), given: &Value, def: &ResultDef, at: &str) -> Option<Wear> {
+fn read_wear(
+    checker: &mut Checker,
+    (own, path): (&Job, &Path),
+    given: &Value,
+    (def, related): (&ResultDef, bool),
+    at: &str,
+) -> Option<Wear> {
     let (found, findings) = wear::read(given, at, (own.scale, own.unit));
     findings.into_iter().for_each(|finding| checker.adopt(finding));
     let (found, at) = (found?, format!("{at}.wear"));
     let why = if own.form != Form::Cycle || !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
         Some(text!("only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"))
-    } else if def.role != Role::Size || path.feature.two_circles().is_some() {
+    } else if def.role != Role::Size || related || path.feature.two_circles().is_some() {
         Some(text!("the macros correct a tool by a width or a diameter"))
     } else if own.work_offset.is_some() {
         Some(text!("its macro writes the work offset: no source shows that it does both in one call"))

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::formula::{self, Coordinate, Datum, Formula, Limits, Operand, Question, ResultDef};
+use crate::formula::{self, Coordinate, Datum, Formula, Limits, Operand, Question, ResultDef, Role};
 use crate::geom::Vec3;
 use crate::path::follow::{Along, Placing, Reaches, STILL, Shifts, most};
 use crate::path::{Feature, Feed, Feeds, Follows, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
@@ -212,6 +212,48 @@ impl Path {
         sources.dedup();
         let at = self.relations.partition_point(|other| other.index < index);
         self.relations.insert(at, Related { index, name, own, results, sources, datum });
+    }
+
+    /// What a relation comes to where the results that it is of have these values, mm or degrees; in the order of its own results.
+    pub fn related(&self, relation: &Related, known: impl Fn(usize) -> Option<f64>) -> Vec<Option<f64>> {
+        let results = &self.formula.results;
+        // A direction may be said a whole turn farther.
+        let turn = |index: usize, value: f64| value + ((results[index].nominal - value) / 360.0).round() * 360.0;
+        let value = |index: usize| {
+            let value = known(index)?;
+            Some(if results[index].role == Role::Direction { turn(index, value) } else { value })
+        };
+        let place = |operand: &Operand| match *operand {
+            Operand::Place([x, y]) => Some([value(x)?, value(y)?]),
+            Operand::Result(index) => Some([value(index)?, 0.0]),
+        };
+        let Some(of) = relation.own.of.iter().map(place).collect::<Option<Vec<_>>>() else {
+            return vec![None; relation.results.len()];
+        };
+        let is = |operand: &Operand| matches!(*operand, Operand::Result(index) if results[index].role == Role::Direction);
+        let values = formula::related_values(relation.own.relation, &of, relation.own.of.iter().any(is));
+        let near = |(index, value): (usize, Option<f64>)| {
+            value.map(|value| if results[index].role.is_angle() { turn(index, value) } else { value })
+        };
+        relation.results.clone().zip(values).map(near).collect()
+    }
+
+    /// Adds to the results that a text gives those of relations that follow from them: not every program computes them. Says which these are.
+    pub fn complete(&self, results: &mut [Option<f64>]) -> Vec<usize> {
+        let mut added = Vec::new();
+        for relation in &self.relations {
+            let values = self.related(relation, |index| results[index]);
+            if values.iter().all(Option::is_none) {
+                continue;
+            }
+            for (index, value) in relation.results.clone().zip(values) {
+                if results[index].is_none() {
+                    results[index] = value;
+                    added.push(index);
+                }
+            }
+        }
+        added
     }
 
     /// The members whose touches a result comes from, in their order.

@@ -149,6 +149,7 @@ export type FindingCode =
   | "protection-unsupported"
   | "rapid-at-feed"
   | "reaction-unsupported"
+  | "relation-not-computed"
   | "relation-of"
   | "repeat-unsupported"
   | "result-missing"

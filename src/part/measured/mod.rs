@@ -23,6 +23,8 @@ pub struct Expected<'a> {
     pub radius: f64,
     /// What the program is called, as the job and as the control say it: a printed text may begin with it.
     pub names: [String; 2],
+    /// Where the control's own cycles keep results: the variable, as `Q153`, and the code.
+    pub kept: Vec<(String, String)>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -82,11 +84,13 @@ pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>
 
 fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Measured {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    // A line with # in front is a comment, unless that is a variable: `#138 = 25.013`.
+    let is_comment = |line: &str| line.starts_with('#') && !results::known(line, expected);
     let lines: Vec<Numbered<'_>> = text
         .lines()
         .enumerate()
         .map(|(i, line)| (i + 1, line.trim()))
-        .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'))
+        .filter(|(_, line)| !line.is_empty() && !is_comment(line))
         .collect();
     let of = |form: Form| lines.iter().find(|(_, line)| Form::of(line, expected) == Some(form)).map(|(number, _)| *number);
     let [log, mut results, letters] = [Form::Log, Form::Result, Form::Letters].map(of);

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::form::Checker;
-use crate::formula::{Formula, Unit};
+use crate::formula::{ResultDef, Unit};
 use crate::part::evaluate::Scatter;
 use crate::part::measured::line;
 use crate::part::measured::{Expected, Measured, Numbered, is_numbers, reach, unclear};
@@ -12,9 +12,19 @@ use crate::text::text;
 /// The name of a result as programs print it.
 type Code = Cow<'static, str>;
 
-/// Those of a formula, in the order of its results.
-fn codes(formula: &Formula) -> Vec<Code> {
-    formula.results.iter().map(|result| formula.code(result)).collect()
+/// Those of a formula, in the order of its results, and behind them those of the variables in which the control's own cycles keep some.
+fn codes(expected: &Expected<'_>) -> Vec<Code> {
+    let formula = &expected.path.formula;
+    let variables = expected.kept.iter().map(|(variable, _)| Cow::Owned(variable.clone()));
+    formula.results.iter().map(|result| formula.code(result)).chain(variables).collect()
+}
+
+/// The result that one of these names is of.
+fn result_of(name: usize, codes: &[Code], expected: &Expected<'_>) -> Option<usize> {
+    let count = expected.path.formula.results.len();
+    let Some(variable) = name.checked_sub(count) else { return Some(name) };
+    let (_, code) = expected.kept.get(variable)?;
+    codes[..count].iter().position(|known| known == code)
 }
 
 /// A name and what stands behind its equals sign.
@@ -33,7 +43,7 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
         let value = after.trim_start();
         rest = after;
         // `$13=1` is a setting.
-        let named = name.trim_end().ends_with(|c: char| c.is_alphanumeric()) && !name.contains('$');
+        let named = name.trim_end().ends_with(|c: char| c.is_alphanumeric() || c == ']') && !name.contains('$');
         if !named || value.is_empty() || value.starts_with(['#', '[', '=', '<', '"']) {
             continue;
         }
@@ -71,13 +81,13 @@ fn stated<'a>(line: &'a str, codes: &[Code]) -> Vec<Pair<'a>> {
 
 /// Whether a line has a result of this job.
 pub fn known(line: &str, expected: &Expected<'_>) -> bool {
-    let codes = codes(&expected.path.formula);
+    let codes = codes(expected);
     stated(line, &codes).iter().any(|pair| codes.iter().any(|code| ends_with(pair.name, code)))
 }
 
 /// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may stand in the text and are not read.
 pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'_>) -> Measured {
-    let (defs, codes) = (&expected.path.formula.results, codes(&expected.path.formula));
+    let (defs, codes) = (&expected.path.formula.results, codes(expected));
     let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];
     for (i, &(number, line)) in lines.iter().enumerate() {
         if i == 0 && expected.names.iter().any(|name| line.eq_ignore_ascii_case(name)) {
@@ -91,33 +101,36 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
             unclear(checker, number, line);
         }
         for pair in pairs {
-            take(checker, (number, pair), &codes, &mut values);
+            take(checker, (number, pair), (&codes, expected), &mut values);
         }
-    }
-    let missing: Vec<&str> = defs
-        .iter()
-        .zip(&values)
-        .zip(&codes)
-        .filter(|((def, value), _)| def.variable.is_some() && value.is_none())
-        .map(|(_, code)| &**code)
-        .collect();
-    if !missing.is_empty() {
-        let message = text!("The text does not have {codes}: these results are unknown", missing.join(", "));
-        checker.warning("result-missing", "measured", message);
     }
     let scaled = defs.iter().zip(&values).map(|(def, value)| {
         let (value, _) = (*value)?;
         Some(if def.role.is_angle() { value } else { value * checker.scale })
     });
-    let results: Vec<Option<f64>> = scaled.collect();
+    let mut results: Vec<Option<f64>> = scaled.collect();
+    let added = expected.path.complete(&mut results);
+    let lacks = |(i, def): &(usize, &ResultDef)| def.variable.is_some() && values[*i].is_none() && !added.contains(i);
+    let missing: Vec<&str> = defs.iter().enumerate().filter(lacks).map(|(i, _)| &*codes[i]).collect();
+    if !missing.is_empty() {
+        let message = text!("The text does not have {codes}: these results are unknown", missing.join(", "));
+        checker.warning("result-missing", "measured", message);
+    }
     check_reach(checker, expected, &results, &values);
     Measured { results: Some(results), ..Measured::default() }
 }
 
 /// Takes up one pair.
-fn take(checker: &mut Checker, (number, pair): (usize, Pair<'_>), codes: &[Code], values: &mut [Option<(f64, usize)>]) {
+fn take(
+    checker: &mut Checker,
+    (number, pair): (usize, Pair<'_>),
+    (codes, expected): (&[Code], &Expected<'_>),
+    values: &mut [Option<(f64, usize)>],
+) {
     let fitting = codes.iter().enumerate().filter(|(_, code)| ends_with(pair.name, code));
-    let Some((at, code)) = fitting.max_by_key(|(_, code)| code.len()) else {
+    let found = fitting.max_by_key(|(_, code)| code.len());
+    let found = found.and_then(|(name, code)| Some((result_of(name, codes, expected)?, code)));
+    let Some((at, code)) = found else {
         if !DERIVED.iter().any(|code| ends_with(pair.name, code)) {
             let message = text!(
                 "Line {line}: \"{name}\" is no result of this job. Its results are {codes}",

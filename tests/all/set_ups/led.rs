@@ -245,3 +245,80 @@ fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
     let grbl = PLATE.replace("linuxcnc", "grbl").replace("\"workOffset\": 1, ", "");
     assert!(errors(&grbl).iter().any(|(of, _)| of == "set-up-unsupported cycles[3].rotation"), "{:?}", errors(&grbl));
 }
+
+/// Two bores of the control's own cycles and the line through them.
+fn of_own_cycles(post: &str, more: &str) -> Value {
+    let text = format!(
+        r#"{{ "format": 2, "control": {{ "post": "{post}", "form": "cycle" }},
+        "cycles": [
+          {{ "name": "LEFT", "type": "hole", "diameter": 20, "origin": [-60, 0, 0] }},
+          {{ "name": "RIGHT", "type": "hole", "diameter": 20, "origin": [60, 0, 0] }} ],
+        "relations": [
+          {{ "name": "ROW", "type": "line", "of": ["LEFT", "RIGHT"] }},
+          {{ "name": "STEP", "type": "difference", "of": ["LEFT.diameter", "RIGHT.diameter"] }} ],
+        "part": {{ "offset": [0.5, -0.4, 0], "rotation": 0.7 }} {more} }}"#
+    );
+    job(&text)
+}
+
+/// The control's own cycles keep their results, and these programs do not compute with them. The relations follow from the values of the variables, typed
+/// as the control shows them: by hand 120.05 mm and -0.2 mm apart, atan2(0.6, 120.05) = 0.28636°.
+#[test]
+fn relations_follow_from_what_own_cycles_keep() {
+    for post in ["heidenhain", "fanuc", "haas", "mazak", "brother", "hurco", "okuma", "sinumerik"] {
+        let plan = planned(&of_own_cycles(post, r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1" } }"#));
+        assert!(plan.findings.iter().any(|f| f.code == "relation-not-computed" && f.path == "relations"), "{post}");
+        let row = |code: &str| plan.results.iter().find(|row| row.cycle == 2 && row.code == code).unwrap();
+        near(row("rotation").value.unwrap(), 0.7, 1e-9, "the part is turned by that");
+        near(row("distance").value.unwrap(), 120.0, 1e-6, "and is as large as drawn");
+        assert_eq!((row("distance").verdict.as_deref(), row("distance").stored.as_deref()), (Some("good"), None), "{post}");
+        let values = [-60.02, 0.1, 20.0, 60.03, 0.7, 20.2];
+        let own = plan.results.iter().filter(|row| row.cycle < 2).filter_map(|row| row.stored.as_deref());
+        let said: Vec<String> = own.zip(values).map(|(variable, value)| format!("{variable} = {value}\n")).collect();
+        assert_eq!(said.len(), 6, "{post}");
+        let of = |said: &[String]| {
+            let job = of_own_cycles(post, r#", "tolerances": { "ROW.distance": { "tolerance": "±0.02" } }"#);
+            touchpath::job::measure(&job, &Value::Text(said.concat())).unwrap()
+        };
+        let measured = of(&said);
+        let row = |code: &str| measured.results.iter().find(|row| row.cycle >= 2 && row.code == code).unwrap();
+        near(row("distance").value.unwrap(), 120.05f64.hypot(0.6), 1e-9, post);
+        near(row("rotation").value.unwrap(), 0.286_357, 1e-5, post);
+        near(row("difference").value.unwrap(), -0.2, 1e-9, post);
+        near(row("distance").deviation.unwrap(), 120.05f64.hypot(0.6) - 120.0, 1e-9, post);
+        assert_eq!(row("distance").verdict.as_deref(), Some("out"), "{post}");
+        assert!(row("distance").uncertainty.is_some_and(|own| own > 1e-4), "{post}");
+        assert!(measured.findings.iter().all(|f| f.code != "result-missing"), "{post}: {:?}", measured.findings);
+        // One that was not typed is unknown, and what comes from it; nothing is guessed.
+        let fewer = of(&said[1..]);
+        let row = |code: &str| fewer.results.iter().find(|row| row.cycle >= 2 && row.code == code).unwrap();
+        assert_eq!((row("distance").value, row("distance").verdict.as_deref()), (None, None), "{post}");
+        near(row("difference").value.unwrap(), -0.2, 1e-9, post);
+        let lacks = fewer.findings.iter().find(|f| f.code == "result-missing").unwrap();
+        assert!(lacks.message.contains("LEFT.center.x, ROW.distance, ROW.rotation"), "{}", lacks.message);
+    }
+}
+
+/// Such a program cannot act on a relation: nothing is written from it, nothing stops by it, no tool is corrected by it.
+#[test]
+fn own_cycles_do_nothing_by_a_relation() {
+    let errors = |post: &str, more: &str| {
+        let errors = check(&of_own_cycles(post, more)).into_iter().filter(|f| f.level == Level::Error);
+        errors.map(|f| format!("{} {}", f.code, f.path)).collect::<Vec<_>>()
+    };
+    for post in ["heidenhain", "fanuc", "okuma"] {
+        let stop = r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1", "action": "stop" } }"#;
+        assert_eq!(errors(post, stop), ["tolerance-unsupported tolerances.ROW.distance.action"], "{post}");
+        let wear = r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1", "wear": { "tool": 3 } } }"#;
+        assert_eq!(errors(post, wear), ["wear-unsupported tolerances.ROW.distance.wear"], "{post}");
+        let offset = with(&of_own_cycles(post, ""), "control.workOffset", Value::Number(1.0));
+        let middle = r#"[{ "name": "MID", "type": "center", "of": ["LEFT", "RIGHT"] }]"#;
+        let written =
+            with(&with(&offset, "relations", job(middle)), "datum", job(r#"{ "x": "MID.center.x", "y": "MID.center.y" }"#));
+        let errors: Vec<_> = check(&written).into_iter().filter(|f| f.level == Level::Error).collect();
+        assert!(
+            errors.iter().any(|f| f.code == "set-up-unsupported" && f.message.contains("from a relation")),
+            "{post}: {errors:?}"
+        );
+    }
+}
