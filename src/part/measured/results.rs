@@ -47,7 +47,7 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
         if !named || value.is_empty() || value.starts_with(['#', '[', '=', '<', '"']) {
             continue;
         }
-        let read = line::number(value).and_then(|(number, after)| {
+        let read = number(value).and_then(|(number, after)| {
             let end = after.trim_start();
             let apart = end.is_empty() || (end.len() < after.len() && end.contains('='));
             apart.then(|| {
@@ -60,6 +60,21 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
     found
 }
 
+/// The number that a text begins with, and what follows. A control may show it with a decimal comma, `-59,98`: digits stand on both sides of it, and nothing
+/// directly behind.
+fn number(text: &str) -> Option<(f64, &str)> {
+    let (whole, rest) = line::number(text)?;
+    let read = &text[..text.len() - rest.len()];
+    let Some(decimals) = rest.strip_prefix(',').filter(|_| !read.contains(['.', 'e', 'E'])) else { return Some((whole, rest)) };
+    let length = decimals.bytes().take_while(u8::is_ascii_digit).count();
+    let after = &decimals[length..];
+    if length == 0 || !(after.is_empty() || after.starts_with(char::is_whitespace)) {
+        return Some((whole, rest));
+    }
+    let (value, _) = line::number(&format!("{read}.{}", &decimals[..length]))?;
+    Some((value, after))
+}
+
 /// `CENTER X 1.2345`: the code of a result and its number, and nothing else.
 fn spaced<'a>(line: &'a str, codes: &[Code]) -> Option<Pair<'a>> {
     let line = line.trim();
@@ -69,7 +84,7 @@ fn spaced<'a>(line: &'a str, codes: &[Code]) -> Option<Pair<'a>> {
     };
     let code = codes.iter().filter(|code| begins(code)).max_by_key(|code| code.len())?;
     let (name, rest) = line.split_at(code.len());
-    let (value, after) = line::number(rest.trim_start())?;
+    let (value, after) = number(rest.trim_start())?;
     after.trim().is_empty().then_some(Pair { name, value: Some(value) })
 }
 

@@ -299,6 +299,24 @@ fn relations_follow_from_what_own_cycles_keep() {
     }
 }
 
+/// A TNC shows its parameters with a decimal comma, unless it is set otherwise.
+#[test]
+fn values_are_read_with_a_decimal_comma() {
+    let job = of_own_cycles("heidenhain", "");
+    let of = |text: &str| touchpath::job::measure(&job, &Value::Text(text.to_owned()));
+    let shown = "Q1600 = -60,02\nQ1601 +0,1\nQ1602=20\nQ151 = 60,03 Q152 = + 0,7\nQ153=20,2\n";
+    let rows = of(shown).unwrap().results;
+    let value =
+        |cycle: usize, code: &str| rows.iter().find(|row| row.cycle == cycle && row.code == code).unwrap().value.unwrap();
+    near(value(0, "center.x"), -60.02, 1e-12, "-60,02");
+    near(value(1, "center.y"), 0.7, 1e-12, "+ 0,7");
+    near(value(2, "distance"), 120.05f64.hypot(0.6), 1e-9, "of them");
+    for wrong in ["Q1602 = 20,0,1", "Q1602 = 20.0,1", "Q1602 = 20,", "Q1602 = ,5", "Q1602 = 2e1,5", "Q1602 = 20,1.5"] {
+        let refused = of(wrong).unwrap_err();
+        assert!(refused.findings.iter().any(|f| f.code == "not-a-number"), "{wrong}: {refused:?}");
+    }
+}
+
 /// Such a program cannot act on a relation: nothing is written from it, nothing stops by it, no tool is corrected by it.
 #[test]
 fn own_cycles_do_nothing_by_a_relation() {

@@ -124,7 +124,7 @@ fn results_that_cannot_be_of_the_job_are_refused() {
     assert_eq!(errors(&pocket(), "corner.x=1\nCORNER Y=2"), ["unknown-result", "unknown-result"]);
     assert_eq!(errors(&pocket(), "center.x=0.1\ncenter.x=0.2"), ["result-twice"]);
     assert_eq!(errors(&pocket(), "center.x=0.1\ncenter.y=nan"), ["not-a-number"]);
-    assert_eq!(errors(&pocket(), "center.x=0,1\nwidth1=1e99"), ["not-a-number", "not-a-number"]);
+    assert_eq!(errors(&pocket(), "center.x=0,1,2\nwidth1=1e99"), ["not-a-number", "not-a-number"]);
     assert_eq!(errors(&pocket(), "center.x=0.1 mm"), ["not-a-number"]);
     // 120 from the nominal centre no touch reaches, and a value of another name is not taken for one that it ends with.
     assert_eq!(errors(&pocket(), "center.x=120"), ["too-far"]);
