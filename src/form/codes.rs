@@ -194,7 +194,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("reaction-unsupported", "A program of moves checks no tolerances, and so does not react to them (Q309)."),
     (
         "relation-not-computed",
-        "A set-up: the program computes no relations. They follow from its results, entered as measured values.",
+        "A set-up: the program does not compute the relations. They are computed from its results, entered as measured values.",
     ),
     ("relation-of", "A set-up: a relation is of something that it cannot be of."),
     (

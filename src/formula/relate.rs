@@ -232,7 +232,7 @@ fn mean_of(values: &[f64], directions: bool) -> f64 {
 }
 
 /// What a relation comes to where its operands have these values: abscissas and ordinates of places, or single results. In the order of its results; none
-/// where that is not said by values alone. `directions`: whether single results are directions. It shares no expression with programs.
+/// where places give no circle. `directions`: whether single results are directions. It shares no expression with programs.
 pub fn related_values(relation: Relation, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
     let mean = |axis: usize| of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64;
     match (relation, of) {
@@ -246,7 +246,11 @@ pub fn related_values(relation: Relation, of: &[[f64; 2]], directions: bool) -> 
         (Relation::PitchCircle, _) => {
             let places: Vec<_> = of.iter().map(|[x, y]| crate::geom::Vec2::new(*x, *y)).collect();
             match crate::formula::fit_circle(&places) {
-                Some(fit) => vec![Some(fit.center.x), Some(fit.center.y), Some(2.0 * fit.radius), None],
+                Some(fit) => {
+                    let off = places.iter().map(|place| (place.distance(fit.center) - fit.radius).powi(2));
+                    let residual = (off.sum::<f64>() / places.len() as f64).sqrt();
+                    vec![Some(fit.center.x), Some(fit.center.y), Some(2.0 * fit.radius), Some(residual)]
+                }
                 None => vec![None; 4],
             }
         }

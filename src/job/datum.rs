@@ -106,10 +106,6 @@ fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
         };
         checker.error("set-up-unsupported", "datum", message);
     }
-    if written.place.iter().flatten().any(|of| *of >= members.len()) {
-        let message = text!("The control's own cycles write what they measure: no work offset can be written from a relation");
-        checker.error("set-up-unsupported", "datum", message);
-    }
     // What such a cycle measures it writes, whatever a job would rather have.
     let measured = members[members.len() - 1].path.formula.datum.as_ref().map_or([false; 3], |datum| datum.measured());
     let axes = members[0].job.setup.plane.axes();
@@ -169,7 +165,9 @@ fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
         });
         found.collect::<Vec<_>>()
     };
-    path.measuring().enumerate().flat_map(of).collect()
+    // A control's own cycles write what they measure, and no relation.
+    let count = if path.own.is_some() { path.members.len() } else { usize::MAX };
+    path.measuring().take(count).enumerate().flat_map(of).collect()
 }
 
 /// The cycle that an axis is written from where the job does not say: the first of these that measures both of the plane, else the first that measures it.

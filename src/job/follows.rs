@@ -1,12 +1,14 @@
 //! What follows a result of an earlier cycle of a set-up: a place, `"=TOP.z-5"`, a rotation, `"=SIDE.rotation+90"`, a size, `"=BORE.diameter-2"`.
 
+use std::cell::OnceCell;
+
 use crate::control::Form;
 use crate::form::{Checker, Field, Level, Value, printable};
 use crate::formula::{Datum, Formula, Role, Variable};
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::planned::{Planned, several};
-use crate::job::relations::{self, Ahead};
+use crate::job::relations::{Ahead, AllAhead};
 use crate::num::{decimal, tidy, wrap_degrees};
 use crate::part::Run;
 use crate::path::{Along, Follows, Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
@@ -54,13 +56,17 @@ pub struct Earlier<'a> {
     pub jobs: &'a [Option<Job>],
     /// The relations of the set-up, as they are given.
     pub relations: Option<&'a Value>,
+    /// Those that can be computed of these cycles, once that is asked.
+    pub ahead: OnceCell<AllAhead<'a>>,
 }
 
 impl Earlier<'_> {
-    /// The relations that can be computed of them, and what the others lack.
-    fn ahead(&self) -> (Vec<Ahead>, Vec<(String, Text)>) {
-        let formulas: Vec<Formula> = self.jobs.iter().flatten().map(|job| job.cycle.formula(&job.setup)).collect();
-        relations::ahead(self.relations, self.names, &formulas)
+    /// The relations that can be computed of them.
+    fn ahead(&self) -> &AllAhead<'_> {
+        self.ahead.get_or_init(|| {
+            let formulas: Vec<Formula> = self.jobs.iter().flatten().map(|job| job.cycle.formula(&job.setup)).collect();
+            AllAhead::of(self.relations, self.names, &formulas)
+        })
     }
 }
 
@@ -202,26 +208,30 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         let formula = job.cycle.formula(&job.setup);
         known(&formula.results, formula.datum, job.setup.plane.axes(), kind)
     };
-    let (relations, lacking) = if cycle.is_none() { earlier.ahead() } else { Default::default() };
+    let relation = || earlier.ahead().all.iter().find(|own| own.name.eq_ignore_ascii_case(of));
     let axes = jobs.first().map_or([0, 1, 2], |job| job.setup.plane.axes());
     let related = |own: &Ahead| known(&own.results, own.datum, axes, kind);
-    let own: Vec<(usize, Known)> = match (cycle, relations.iter().find(|own| own.name.eq_ignore_ascii_case(of))) {
-        (Some(cycle), _) => results_of(jobs[cycle]).into_iter().map(|known| (cycle, known)).collect(),
-        (None, Some(own)) => related(own).into_iter().map(|known| (earlier.names.len() + own.index, known)).collect(),
-        (None, None) => Vec::new(),
+    let own: Vec<(usize, Known)> = match cycle {
+        Some(cycle) => results_of(jobs[cycle]).into_iter().map(|known| (cycle, known)).collect(),
+        None => {
+            let own = relation().into_iter().flat_map(|own| related(own).into_iter().map(|known| (own.index, known)));
+            own.map(|(index, known)| (earlier.names.len() + index, known)).collect()
+        }
     };
     let mut found = own.into_iter().filter(|(_, known)| is(known));
     let (of, result) = match (found.next(), found.next()) {
         (Some(one), None) => one,
         (None, _) => {
-            if let Some((name, error)) = lacking.into_iter().find(|(name, _)| name.eq_ignore_ascii_case(of)) {
-                let message = text!("{name} cannot be computed before this cycle: {error}", printable(&name), error);
+            let relations = earlier.ahead();
+            if let Some(error) = relations.lacks(of).filter(|_| cycle.is_none() && relation().is_none()) {
+                let message = text!("{name} cannot be computed before this cycle: {error}", printable(of), error);
                 return refuse(checker, message);
             }
             let named =
                 |name: &str, all: Vec<Known>| all.into_iter().map(|known| format!("{name}.{}", known.code)).collect::<Vec<_>>();
             let cycles = jobs.iter().zip(earlier.names).flat_map(|(job, name)| named(name, results_of(job)));
-            let names: Vec<String> = cycles.chain(relations.iter().flat_map(|own| named(&own.name, related(own)))).collect();
+            let names: Vec<String> =
+                cycles.chain(relations.all.iter().flat_map(|own| named(&own.name, related(own)))).collect();
             let name = printable(name);
             let message = match (kind, names.is_empty()) {
                 (Kind::Place(_), true) => text!("No cycle before this one measures a place \"{name}\"", name),
@@ -260,7 +270,7 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
                 "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
             ),
             false => text!(
-                "The control's own cycles keep their results in variables, and this program does not compute with those: nothing can follow a result here"
+                "The control's own cycles keep their results in variables, and this program does not compute with those: no cycle can follow a result on this control"
             ),
         };
         checker.error("set-up-unsupported", path, message);

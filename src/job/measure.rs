@@ -103,12 +103,12 @@ pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
 }
 
 fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
-    let variable = |(code, stored)| Some(((job.post.own?.name)(stored), code));
+    let variable = |(result, stored)| Some(((job.post.own?.name)(stored), result));
     Expected {
         path,
         radius: job.setup.radius,
         names: [job.name.clone(), (job.post.name)(&job.name)],
-        kept: path.stored().into_iter().filter_map(variable).collect(),
+        kept: path.kept().into_iter().filter_map(variable).collect(),
     }
 }
 

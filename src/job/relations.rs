@@ -20,6 +20,8 @@ const APART: f64 = 0.1;
 struct Known<'a> {
     formula: &'a Formula,
     measuring: Vec<Measuring<'a>>,
+    /// Whether the job has one cycle: its name may be left out.
+    alone: bool,
 }
 
 /// The relations of a job, each of which is added to the path once.
@@ -29,6 +31,8 @@ pub struct Relations<'v> {
     /// The names of the cycles.
     cycles: &'v [String],
     added: Vec<bool>,
+    /// Of those that a cycle follows, and of what these are of, the last cycle that each needs.
+    due: Vec<Option<usize>>,
 }
 
 impl<'v> Relations<'v> {
@@ -48,19 +52,37 @@ impl<'v> Relations<'v> {
             checker.error("wrong-count", RELATIONS, message);
         }
         let list = if list.len() > MOST_CYCLES { &[] } else { list };
-        Relations { list, cycles, added: vec![false; list.len()] }
+        Relations { list, cycles, added: vec![false; list.len()], due: vec![None; list.len()] }
     }
 
-    /// Adds a relation, and those that it is of, as soon as all of that is there.
-    pub fn add_early(&mut self, path: &mut Path, index: usize) {
-        let of = self.list.get(index).and_then(|given| given.get("of"));
-        let Some(Value::List(of)) = of.filter(|_| !self.added[index]) else { return };
-        for earlier in 0..index {
-            if of.iter().any(|of| is_of(of, &self.list[earlier])) {
-                self.add_early(path, earlier);
+    /// These relations lead cycles: each is added early, and all that it is of.
+    pub fn lead(&mut self, followed: impl Iterator<Item = usize>) {
+        let mut needed = vec![false; self.list.len()];
+        followed.for_each(|index| needed.get_mut(index).into_iter().for_each(|needed| *needed = true));
+        for index in (0..self.list.len()).rev().filter(|index| needed[*index]).collect::<Vec<_>>() {
+            heads(&self.list[index]).for_each(|head| {
+                if let Some(earlier) = named(&self.list[..index], head) {
+                    needed[earlier] = true;
+                }
+            });
+        }
+        for (index, needed) in needed.into_iter().enumerate() {
+            let last = |head: &str| match self.cycles.iter().position(|name| name.eq_ignore_ascii_case(head)) {
+                Some(cycle) => Some(cycle),
+                None => self.due[named(&self.list[..index], head)?],
+            };
+            let last = heads(&self.list[index]).map(last).try_fold(0, |last, own| Some(own?.max(last)));
+            self.due[index] = last.filter(|_| needed);
+        }
+    }
+
+    /// Adds the relations that lead cycles, and for which this cycle is the last that they need.
+    pub fn add_early(&mut self, path: &mut Path, cycle: usize) {
+        for index in 0..self.list.len() {
+            if self.due[index] == Some(cycle) {
+                self.add(&mut Checker::default(), path, index);
             }
         }
-        self.add(&mut Checker::default(), path, index);
     }
 
     /// Adds all that were not added early. Reports what is wrong with them. `computes`: whether the program computes with the results.
@@ -70,7 +92,7 @@ impl<'v> Relations<'v> {
         }
         if !computes && !self.list.is_empty() {
             let message = text!(
-                "The program does not compute the relations: they follow from its results, where these are entered as measured values"
+                "The program does not compute the relations. They are computed here once its results are entered as measured values"
             );
             checker.info("relation-not-computed", RELATIONS, message);
         }
@@ -80,7 +102,8 @@ impl<'v> Relations<'v> {
         if self.added[index] {
             return;
         }
-        let known = Known { formula: &path.formula, measuring: path.measuring_before(index).collect() };
+        let measuring = path.measuring_before(index).collect();
+        let known = Known { formula: &path.formula, measuring, alone: self.cycles.len() == 1 };
         if let Some((name, related)) = read_one(checker, (self.list, index), self.cycles, &known) {
             path.relate(index, name, related);
             self.added[index] = true;
@@ -88,12 +111,21 @@ impl<'v> Relations<'v> {
     }
 }
 
-/// Whether an operand names this relation, or a result of it.
-fn is_of(operand: &Value, relation: &Value) -> bool {
-    match (operand, relation.get("name")) {
-        (Value::Text(of), Some(Value::Text(name))) => of.split('.').next().is_some_and(|of| of.eq_ignore_ascii_case(name)),
-        _ => false,
-    }
+/// The names of what a relation is of: of `BORE.diameter` it is `BORE`. Ends with an empty one where that is not said.
+fn heads(relation: &Value) -> impl Iterator<Item = &str> {
+    let of = match relation.get("of") {
+        Some(Value::List(of)) => of.as_slice(),
+        _ => &[Value::Null],
+    };
+    of.iter().map(|of| match of {
+        Value::Text(of) => of.split('.').next().unwrap_or_default(),
+        _ => "",
+    })
+}
+
+/// The relation of this name.
+fn named(list: &[Value], name: &str) -> Option<usize> {
+    list.iter().position(|other| matches!(other.get("name"), Some(Value::Text(own)) if own.eq_ignore_ascii_case(name)))
 }
 
 /// A relation that can be computed of the first cycles of a set-up, and what it has on the nominal part.
@@ -106,37 +138,64 @@ pub struct Ahead {
     pub datum: Option<Datum>,
 }
 
-/// The relations that can be computed of these cycles alone, by their names and formulas; of the others, their names and what they lack.
-pub fn ahead(list: Option<&Value>, names: &[String], cycles: &[Formula]) -> (Vec<Ahead>, Vec<(String, Text)>) {
-    let Some(Value::List(list)) = list else { return Default::default() };
-    let mut formula = Formula::default();
-    let mut measured: Vec<(String, Range<usize>, Option<Datum>)> = Vec::new();
-    for (name, own) in names.iter().zip(cycles) {
-        let begin = formula.results.len();
-        let later = formula.join(name, own, 0);
-        measured.push((name.clone(), begin..formula.results.len(), own.datum.map(|datum| datum.later_by(later))));
-    }
-    let (mut all, mut lacking) = (Vec::new(), Vec::new());
-    for (index, given) in list.iter().enumerate().take(MOST_CYCLES) {
-        let measuring =
-            measured.iter().map(|(name, results, datum)| Measuring { name, results: results.clone(), datum: *datum });
-        let known = Known { formula: &formula, measuring: measuring.collect() };
-        let mut own = Checker::default();
-        let read = read_one(&mut own, (list, index), names, &known);
-        let Some((name, related)) = read else {
-            let error = own.findings().into_iter().next();
-            if let (Some(Value::Text(name)), Some(error)) = (given.get("name"), error) {
-                lacking.push((name.clone(), error.said));
-            }
-            continue;
+/// The relations that can be computed of some cycles alone.
+#[derive(Debug, Default)]
+pub struct AllAhead<'v> {
+    list: &'v [Value],
+    names: &'v [String],
+    formula: Formula,
+    measured: Vec<(String, Range<usize>, Option<Datum>)>,
+    pub all: Vec<Ahead>,
+}
+
+impl<'v> AllAhead<'v> {
+    /// `names` are those of all cycles, `cycles` the formulas of the first of them.
+    pub fn of(list: Option<&'v Value>, names: &'v [String], cycles: &[Formula]) -> Self {
+        let Some(Value::List(list)) = list.filter(|list| matches!(list, Value::List(list) if list.len() <= MOST_CYCLES)) else {
+            return Self::default();
         };
-        let begin = formula.results.len();
-        let datum = formula.relate(&name, &related);
-        let results = begin..formula.results.len();
-        all.push(Ahead { index, name: name.clone(), results: formula.results[results.clone()].to_vec(), datum });
-        measured.push((name, results, datum));
+        let mut own = AllAhead { list, names, ..Self::default() };
+        for (name, cycle) in names.iter().zip(cycles) {
+            let begin = own.formula.results.len();
+            let later = own.formula.join(name, cycle, 0);
+            let datum = cycle.datum.map(|datum| datum.later_by(later));
+            own.measured.push((name.clone(), begin..own.formula.results.len(), datum));
+        }
+        for (index, given) in list.iter().enumerate() {
+            let is = |head: &str| own.measured.iter().any(|(name, ..)| name.eq_ignore_ascii_case(head));
+            if !heads(given).all(is) {
+                continue;
+            }
+            let Some((name, related)) = own.read(&mut Checker::default(), index) else { continue };
+            let begin = own.formula.results.len();
+            let datum = own.formula.relate(&name, &related);
+            let results = begin..own.formula.results.len();
+            own.all.push(Ahead { index, name: name.clone(), results: own.formula.results[results.clone()].to_vec(), datum });
+            own.measured.push((name, results, datum));
+        }
+        own
     }
-    (all, lacking)
+
+    fn read(&self, checker: &mut Checker, index: usize) -> Option<(String, formula::Relating)> {
+        let measured = self.measured.iter();
+        let measuring = measured.map(|(name, results, datum)| Measuring { name, results: results.clone(), datum: *datum });
+        let known = Known { formula: &self.formula, measuring: measuring.collect(), alone: self.names.len() == 1 };
+        read_one(checker, (self.list, index), self.names, &known)
+    }
+
+    /// Why the relation of this name is not among them; none where there is no such relation.
+    pub fn lacks(&self, name: &str) -> Option<Text> {
+        let mut own = Checker::default();
+        self.read(&mut own, named(self.list, name)?);
+        own.findings().into_iter().next().map(|finding| finding.said)
+    }
+
+    /// Reports what is wrong with relations, where `cycles` were all of them.
+    pub fn report(&self, checker: &mut Checker) {
+        for index in 0..self.list.len() {
+            self.read(checker, index);
+        }
+    }
 }
 
 /// A relation of a list: its name, what it computes, and of what. Reports what is wrong with it.
@@ -320,7 +379,10 @@ impl Known<'_> {
 
     /// A measured result by its name.
     fn single(&self, name: &str) -> Option<Operand> {
-        self.measured().find(|index| self.formula.is_named(&self.formula.results[*index], name)).map(Operand::Result)
+        let is = |result: &ResultDef| {
+            self.formula.full_code(result).eq_ignore_ascii_case(name) || self.alone && result.code.eq_ignore_ascii_case(name)
+        };
+        self.measured().find(|index| is(&self.formula.results[*index])).map(Operand::Result)
     }
 
     /// Whether a result is a height that a work offset could be written from.
@@ -372,6 +434,8 @@ pub fn add_rows(
             let mut row = ResultRow { cycle: whole.members.len() + i, ..result_row(&whole.job, row, None, None) };
             // A direction may be said a whole turn farther.
             let turn = |truth: f64| row.value.map_or(truth, |value| truth + ((value - truth) / 360.0).round() * 360.0);
+            // How far true places are from their circle is not what touches are off it.
+            let truth = truth.filter(|_| row.code != "residual");
             row.truth = truth.map(|truth| tidy(if angle { turn(truth) } else { truth }));
             results.push(row);
         }

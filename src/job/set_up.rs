@@ -3,14 +3,17 @@
 //! A set-up is read cycle by cycle, each as the job that it would be alone, and its paths are joined: what holds for one cycle is checked by the very
 //! code that checks one.
 
+use std::cell::OnceCell;
+
 use crate::control::own::Several;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
+use crate::formula::Formula;
 use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_name, names};
 use crate::job::follows::{self, Earlier, Wanted};
 use crate::job::planned::{Planned, several};
-use crate::job::relations::Relations;
+use crate::job::relations::{AllAhead, Relations};
 use crate::job::rows::ResultRow;
 use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
@@ -34,7 +37,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let mut merged = Merged::new(&names);
     let mut jobs: Vec<Option<Job>> = Vec::new();
     let mut follows: Vec<(Wanted, Value)> = Vec::new();
-    let mut whole = None;
+    let (mut whole, mut sound) = (None, true);
     for (i, name) in names.iter().enumerate() {
         let Some(mut single) = alone(value, i) else {
             let message = text!("cycles[{index}] must be an object, not {given}", i, cycles[i].noun());
@@ -45,8 +48,12 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         if let Value::Map(entries) = &mut single {
             entries.push((TOLERANCES.to_owned(), wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1)));
         }
-        let wanted =
-            follows::take(checker, &mut single, i, &Earlier { names: &names, jobs: &jobs, relations: value.get(RELATIONS) });
+        let wanted = follows::take(
+            checker,
+            &mut single,
+            i,
+            &Earlier { names: &names, jobs: &jobs, relations: value.get(RELATIONS), ahead: OnceCell::new() },
+        );
         follows.push((wanted, single.clone()));
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
@@ -60,6 +67,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
             let message = text!("{cycle} measures nothing: a set-up takes only cycles that touch the part", name.clone());
             own.error("set-up-unsupported", "cycle.type", message);
         }
+        sound &= job.is_some() && !own.failed();
         merged.take(i, own.findings());
         jobs.push(job);
     }
@@ -68,6 +76,11 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let clear = read_clear(checker, value);
     let jobs: Vec<Job> = jobs.into_iter().flatten().collect();
     if checker.failed() || jobs.len() != names.len() {
+        if sound && jobs.len() == names.len() {
+            // What is wrong with relations is said at once, too.
+            let formulas: Vec<Formula> = jobs.into_iter().map(|job| Planned::of(job).path.formula).collect();
+            AllAhead::of(value.get(RELATIONS), &names, &formulas).report(checker);
+        }
         return None;
     }
     let several = several(&jobs[0]);
@@ -101,7 +114,8 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         return None;
     }
     let mut relations = Relations::of(checker, value, &names);
-    let relate: Relate<'_> = &mut |path, index| relations.add_early(path, index);
+    relations.lead(follows.iter().flat_map(Follows::all).filter_map(|(of, _)| of.checked_sub(count)));
+    let relate: Relate<'_> = &mut |path, cycle| relations.add_early(path, cycle);
     let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (&names, follows), (clear, relate));
     relations.add_all(checker, &mut whole.path, several.is_none() && whole.job.post.computes);
     let source = datum::read(checker, value, &whole, offset.is_some())?;

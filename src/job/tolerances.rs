@@ -218,7 +218,9 @@ fn read_wear(
     let (found, at) = (found?, format!("{at}.wear"));
     let why = if own.form != Form::Cycle || !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
         Some(text!("only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"))
-    } else if def.role != Role::Size || related || path.feature.two_circles().is_some() {
+    } else if related {
+        Some(text!("the macros correct a tool only by what they measure themselves"))
+    } else if def.role != Role::Size || path.feature.two_circles().is_some() {
         Some(text!("the macros correct a tool by a width or a diameter"))
     } else if own.work_offset.is_some() {
         Some(text!("its macro writes the work offset: no source shows that it does both in one call"))

@@ -82,13 +82,13 @@ pub struct Single {
 /// Makes the block of a way to a place, along these axes.
 pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 
-/// Adds a relation, by its place in the list of the job, to the path of all cycles so far; does nothing where what it is of is not there yet.
+/// Adds to the path so far the relations that lead a later cycle and need none behind this one, by its place in the list.
 pub type Relate<'a> = &'a mut dyn FnMut(&mut Path, usize);
 
 impl Path {
     /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
-    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `relate` adds a relation that a cycle follows
-    /// as soon as all that it is of is there. `axes` are abscissa, ordinate and tool axis.
+    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `relate` adds the relations that cycles follow,
+    /// each behind the last cycle that it needs. `axes` are abscissa, ordinate and tool axis.
     pub fn join(
         cycles: Vec<Single>,
         clear: f64,
@@ -97,8 +97,6 @@ impl Path {
         (axes, reaches): ([usize; 3], Reaches),
     ) -> Path {
         let count = cycles.len();
-        let all = cycles.iter().flat_map(|single| single.follows.all());
-        let followed: Vec<usize> = all.filter_map(|(of, _)| of.checked_sub(count)).collect();
         let first = &cycles.first().expect("a set-up has a cycle").path;
         let (start, frame) = (first.start, first.frame);
         let tops: Option<Vec<f64>> = cycles.iter().map(|single| single.path.top).collect();
@@ -160,7 +158,8 @@ impl Path {
             let end = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
             let [moves, touches, surfaces, results] = [0, 1, 2, 3].map(|i| begin[i]..end[i]);
             whole.members.push(Member { name, title, path, moves, touches, surfaces, results, placing, datum, later });
-            followed.iter().for_each(|relation| relate(&mut whole, *relation));
+            let last = whole.members.len() - 1;
+            relate(&mut whole, last);
         }
         if whole.members.iter().all(|member| member.placing.follows.is_empty()) {
             whole.shifts.clear();
@@ -243,11 +242,8 @@ impl Path {
         let mut added = Vec::new();
         for relation in &self.relations {
             let values = self.related(relation, |index| results[index]);
-            if values.iter().all(Option::is_none) {
-                continue;
-            }
             for (index, value) in relation.results.clone().zip(values) {
-                if results[index].is_none() {
+                if results[index].is_none() && value.is_some() {
                     results[index] = value;
                     added.push(index);
                 }
@@ -401,17 +397,23 @@ impl Path {
         (!self.members.is_empty()).then(|| self.members.partition_point(|member| member.moves.end <= index))
     }
 
-    /// Where each result is found after cycles of the control's own, by its name: of a set-up with that of its cycle.
-    pub fn stored(&self) -> Vec<(String, Stored)> {
-        let of = |path: &Path, cycle: &str| -> Vec<(String, Stored)> {
+    /// Where each result is found after cycles of the control's own, by its place in the list of all.
+    pub fn kept(&self) -> Vec<(usize, Stored)> {
+        let of = |path: &Path, results: Range<usize>| -> Vec<(usize, Stored)> {
+            let index = |code: &str| results.clone().find(|index| self.formula.results[*index].code == code);
             let own = path.own.iter().flat_map(|own| &own.stored);
-            own.map(|(code, stored)| (format!("{cycle}{code}"), *stored)).collect()
+            own.filter_map(|(code, stored)| Some((index(code)?, *stored))).collect()
         };
         match self.members.as_slice() {
-            [] => of(self, ""),
-            [only] => of(&only.path, ""),
-            members => members.iter().flat_map(|member| of(&member.path, &format!("{}.", member.name))).collect(),
+            [] => of(self, 0..self.formula.results.len()),
+            members => members.iter().flat_map(|member| of(&member.path, member.results.clone())).collect(),
         }
+    }
+
+    /// The same by its name: of a set-up with that of its cycle.
+    pub fn stored(&self) -> Vec<(String, Stored)> {
+        let name = |index: usize| self.formula.code(&self.formula.results[index]).into_owned();
+        self.kept().into_iter().map(|(index, stored)| (name(index), stored)).collect()
     }
 
     /// The member that a touch is of; likewise.

@@ -84,6 +84,43 @@ test("what a program says of a result is no run, equal parts have no capability,
   assert.equal(report({ plan: touchpath.plan(missed), parts: [part] }).verdict, "not measured");
 });
 
+test("parts that were read from a control's variables are told apart, and their relations judged", async () => {
+  const { report, runsOf } = await reports();
+  for (const post of ["heidenhain", "fanuc", "sinumerik"]) {
+    const hole = (/** @type {string} */ name, /** @type {number} */ x) => ({
+      name,
+      type: "hole",
+      diameter: 20,
+      origin: [x, 0, 0],
+    });
+    const job = /** @type {any} */ ({
+      format: 2,
+      control: { post, form: "cycle" },
+      cycles: [hole("LEFT", -60), hole("RIGHT", 60)],
+      relations: [{ name: "ROW", type: "line", of: ["LEFT", "RIGHT"] }],
+      tolerances: { "ROW.distance": { tolerance: "±0.1" } },
+    });
+    const plan = touchpath.plan(job);
+    const variables = plan.results.flatMap(({ stored }) => (stored === null ? [] : [stored]));
+    assert.equal(variables.length, 6);
+    const values = (/** @type {number} */ x) => [-60, 0, 20, x, 0, 20];
+    const run = (/** @type {number} */ x) =>
+      variables
+        .map((name, i) => `${name} = ${values(x)[i]}`)
+        .join("\n")
+        .replaceAll(".", ",");
+    const runs = runsOf([60.01, 60.05, 60.2].map(run).join("\n"), plan);
+    assert.equal(runs.length, 3, post);
+    const parts = runs.map((text) => touchpath.measure(job, text));
+    const row = report({ plan, parts }).rows.find(({ code }) => code === "ROW.distance");
+    assert.deepEqual(
+      row?.values.map((/** @type {number} */ x) => x.toFixed(6)),
+      ["120.010000", "120.050000", "120.200000"],
+    );
+    assert.equal(parts[2]?.results.find(({ code }) => code === "distance")?.verdict, "out", post);
+  }
+});
+
 test("a missing value is not good, and a bad one is the verdict", async () => {
   const { report } = await reports();
   const plan = touchpath.plan(example());

@@ -120,3 +120,30 @@ for (const [post, calls] of /** @type {[string, string[]][]} */ ([
       assert.equal(await textOf(lit.locator(".text")), numbers[nth]?.trim(), "its own call, and no other");
     }
   });
+
+test("the distance between two bores of a TNC follows from the parameters that it shows, decimal comma and all", async () => {
+  const hole = (/** @type {string} */ name, /** @type {number} */ x) => ({
+    name,
+    type: "hole",
+    diameter: 20,
+    origin: [x, 0, 0],
+  });
+  await openText(
+    JSON.stringify({
+      format: 2,
+      name: "BORES",
+      control: { post: "heidenhain", form: "cycle" },
+      cycles: [hole("LEFT", -60), hole("RIGHT", 60)],
+      relations: [{ name: "ROW", type: "line", of: ["LEFT", "RIGHT"] }],
+      tolerances: { "ROW.distance": { tolerance: "±0.02" } },
+    }),
+  );
+  await page.getByText("The program does not compute the relations").first().waitFor();
+  await page.getByRole("tab", { name: "Results" }).click();
+  await page.locator("details.measured > summary").click();
+  const text = page.locator("#measured");
+  assert.match(String(await text.getAttribute("placeholder")), /^Q1600 = -60$/, "what could be typed there");
+  await text.fill("Q1600 = -60,02\nQ1601 = 0\nQ1602 = 20\nQ151 = 60,03\nQ152 = 0\nQ153 = 20,01\n");
+  const row = page.locator("tp-results tbody tr", { hasText: "Distance from the first place to the second" });
+  await settles(async () => /120\.0500/.test(await textOf(row)) && /\bout\b/.test(await textOf(row)));
+});

@@ -167,14 +167,19 @@ function seriesOf(values: (number | null)[], limits: [number, number] | null): S
  * points, or of one run, is given as it is.
  */
 export function runsOf(text: string, plan: Plan): string[] {
-  const codes = plan.results.map(({ cycle, code }) => codeOf(plan, cycle, code).toLowerCase());
+  const pointed = (text: string) => text.toLowerCase().replace(/[\s*_]+/g, ".");
+  // A result goes by its name, or by the variable that keeps it: `#138`, `_OVR[4]`.
+  const names = plan.results.flatMap(({ cycle, code, stored }) => {
+    const own = codeOf(plan, cycle, code).toLowerCase();
+    return [own, ...(stored === null ? [] : [pointed(stored)])].map((name) => ({ name, own }));
+  });
   const coded = (line: string) => {
-    const plain = line.toLowerCase().replace(/[\s*_]+/g, ".");
+    const plain = pointed(line);
     // A value stands behind it: what a program says of a result is none.
-    const found = codes.filter((code) =>
-      new RegExp(`(^|[^a-z0-9.])${code.replaceAll(".", "\\.")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`).test(plain),
+    const found = names.filter(({ name }) =>
+      new RegExp(`(^|[^a-z0-9.])${name.replace(/[.[\]#$]/g, "\\$&")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`).test(plain),
     );
-    return found.sort((a, b) => b.length - a.length)[0];
+    return found.sort((a, b) => b.name.length - a.name.length)[0]?.own;
   };
   const runs: string[][] = [];
   let said = new Set<string>();

@@ -36,7 +36,7 @@ function headed(choices: Choice[]): [string, Choice[]][] {
 }
 
 /** The codes of results that are sizes. */
-const SIZES = /^(diameter|width\d?|distance|difference)$/;
+const SIZES = /^(diameter|width\d?|distance|difference|mean)$/;
 
 /** A part with fields of the job: what they hold, their messages, and how they take what is typed. */
 export abstract class FieldPart extends Part {
@@ -72,13 +72,18 @@ export abstract class FieldPart extends Part {
   /** What a field of a cycle can follow: results of the cycles before it, and of relations of those alone. `axis` is that of a coordinate of its place. */
   protected followed(field: FieldEntry, path: string, axis?: number): string[] {
     const { features, plan } = this.store;
-    if (!features.several || !path.startsWith("cycle.")) return [];
+    const control = this.store.catalog.posts.find(({ id }) => id === plan.program.post);
+    // Where the program does not compute, nothing follows.
+    if (!features.several || !path.startsWith("cycle.") || plan.program.own || !control?.computes) return [];
     // Abscissa, ordinate and tool axis in each plane.
     const axes = { G17: [0, 1, 2], G18: [2, 0, 1], G19: [1, 2, 0] }[String(this.store.get("plane"))] ?? [0, 1, 2];
     const written = (key: string | undefined) => plan.datum.find((row) => row.axis === key)?.choices ?? [];
     const names = [...plan.cycles, ...plan.relations];
     const sizes = () =>
-      plan.results.filter((row) => SIZES.test(row.code)).map((row) => `${names[row.cycle]}.${row.code}`);
+      plan.results
+        .filter(({ code, nominal, unit }) => SIZES.test(code) && unit !== "deg" && (nominal ?? 0) > 0)
+        .map((row) => `${names[row.cycle]}.${row.code}`)
+        .filter((name) => !written("z").includes(name));
     const before = features.knownBefore(plan.cycles.slice(0, features.inJob));
     const from = (choices: string[]) =>
       choices.filter((one) => before.has(head(one).toLowerCase())).map((one) => `=${one}`);

@@ -80,7 +80,7 @@ class ResultsPart extends Part {
       }}>
         <summary>${this.t("Points that a machine measured")}</summary>
         <label for="measured">${this.t("What the machine printed: ball centres in {units}, one per line, in touch order (X, Y, Z, or LinuxCNC's PROBEOPEN log); results such as center.x=1.2345; or the sender's log with grbl's [PRB:…] lines, the answer to $# and the work offset (G54) as the first line", units)}</label>
-        <textarea id="measured" rows="5" spellcheck="false" placeholder="37.012, 0, -10" .value=${this.store.measured} @blur=${() => this.store.settle()}
+        <textarea id="measured" rows="5" spellcheck="false" placeholder=${this.example()} .value=${this.store.measured} @blur=${() => this.store.settle()}
           @input=${(e: Event) => {
             this.store.measured = (e.target as HTMLTextAreaElement).value;
           }}></textarea>
@@ -90,6 +90,12 @@ class ResultsPart extends Part {
         ${parts && this.reports ? this.report(parts) : nothing}
       </details>
     `;
+  }
+
+  /** What could stand there: a point, or of the control's own cycles a variable with its value. */
+  private example(): string {
+    const kept = this.store.plan.results.find(({ stored }) => stored !== null);
+    return kept ? `${kept.stored} = ${kept.nominal ?? 0}` : "37.012, 0, -10";
   }
 
   /** What follows from the measured text. */

@@ -23,8 +23,8 @@ pub struct Expected<'a> {
     pub radius: f64,
     /// What the program is called, as the job and as the control say it: a printed text may begin with it.
     pub names: [String; 2],
-    /// Where the control's own cycles keep results: the variable, as `Q153`, and the code.
-    pub kept: Vec<(String, String)>,
+    /// Where the control's own cycles keep results: the variable, as `Q153`, and the place in the list of results.
+    pub kept: Vec<(String, usize)>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -85,7 +85,11 @@ pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>
 fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Measured {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     // A line with # in front is a comment, unless that is a variable: `#138 = 25.013`.
-    let is_comment = |line: &str| line.starts_with('#') && !results::known(line, expected);
+    let is_variable = |line: &str| {
+        let mut kept = expected.kept.iter().filter_map(|(variable, _)| line.strip_prefix(variable.as_str()));
+        kept.any(|rest| !rest.starts_with(|c: char| c.is_ascii_alphanumeric()))
+    };
+    let is_comment = |line: &str| line.starts_with('#') && !is_variable(line);
     let lines: Vec<Numbered<'_>> = text
         .lines()
         .enumerate()

@@ -20,11 +20,11 @@ fn codes(expected: &Expected<'_>) -> Vec<Code> {
 }
 
 /// The result that one of these names is of.
-fn result_of(name: usize, codes: &[Code], expected: &Expected<'_>) -> Option<usize> {
-    let count = expected.path.formula.results.len();
-    let Some(variable) = name.checked_sub(count) else { return Some(name) };
-    let (_, code) = expected.kept.get(variable)?;
-    codes[..count].iter().position(|known| known == code)
+fn result_of(name: usize, expected: &Expected<'_>) -> Option<usize> {
+    match name.checked_sub(expected.path.formula.results.len()) {
+        None => Some(name),
+        Some(variable) => expected.kept.get(variable).map(|(_, result)| *result),
+    }
 }
 
 /// A name and what stands behind its equals sign.
@@ -144,7 +144,7 @@ fn take(
 ) {
     let fitting = codes.iter().enumerate().filter(|(_, code)| ends_with(pair.name, code));
     let found = fitting.max_by_key(|(_, code)| code.len());
-    let found = found.and_then(|(name, code)| Some((result_of(name, codes, expected)?, code)));
+    let found = found.and_then(|(name, code)| Some((result_of(name, expected)?, code)));
     let Some((at, code)) = found else {
         if !DERIVED.iter().any(|code| ends_with(pair.name, code)) {
             let message = text!(

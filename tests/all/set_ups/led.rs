@@ -229,12 +229,16 @@ fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
     one(&turned("=NONE.rotation"), rotation, "There are ROW.rotation");
     one(&PLATE.replace("\"=MID.x\"", "\"=MID.y\""), "cycles[3].origin[0]", "MID.y is a place along Y, and this one is along X");
     one(&PLATE.replace("\"=MID.x\"", "\"=ROW.x\""), "cycles[3].origin[0]", "MID.center.x");
-    // A relation with an error says so once, where it is followed.
-    one(
+    // A relation with an error says so where it is followed, and at its own place.
+    let both = |text: &str, path: &str, own: &str| {
+        let found: Vec<String> = errors(text).into_iter().map(|(of, _)| of).collect();
+        assert_eq!(found, [format!("place-of-result {path}"), own.to_owned()]);
+    };
+    both(
         &PLATE
             .replace("\"type\": \"line\", \"of\": [\"LEFT\", \"RIGHT\"]", "\"type\": \"lime\", \"of\": [\"LEFT\", \"RIGHT\"]"),
         rotation,
-        "The type of a relation must be one of",
+        "unknown-value relations[0].type",
     );
     one(
         &RING.replace("\"A.point.z\", \"B.point.z\"", "\"A.point.z\", \"H1.diameter\""),
@@ -299,6 +303,75 @@ fn relations_follow_from_what_own_cycles_keep() {
     }
 }
 
+/// A comment stays one, whatever it speaks of; of a set-up of one cycle the variables count as well, and a residual is computed with the rest.
+#[test]
+fn what_a_text_of_variables_says_and_what_it_does_not() {
+    let moves = job(r#"{ "format": 1, "control": { "post": "linuxcnc" }, "cycle": { "type": "hole", "diameter": 25 } }"#);
+    let of = |job: &Value, text: &str| touchpath::job::measure(job, &Value::Text(text.to_owned())).unwrap();
+    for comment in ["# diameter=24.9", "# nominal diameter = 25", "# diameter = about 25", "#138 = 3"] {
+        let found = of(&moves, &format!("{comment}\ncenter.x=0\ncenter.y=0\n"));
+        assert_eq!(found.results.iter().find(|row| row.code == "diameter").unwrap().value, None, "{comment}");
+    }
+    for (post, text) in
+        [("heidenhain", "Q151=0.5\nQ152=-0.4\nQ153=20"), ("fanuc", "# of today\n#135 = 0.5\n#136 = -0.4\n#138 = 20")]
+    {
+        let one = job(&format!(
+            r#"{{ "format": 2, "control": {{ "post": "{post}", "form": "cycle" }},
+            "cycles": [{{ "name": "P", "type": "hole", "diameter": 20 }}],
+            "relations": [{{ "name": "D", "type": "difference", "of": ["P.center.x", "P.center.y"] }}, {{ "name": "E", "type": "mean", "of": ["center.x", "center.y"] }}] }}"#
+        ));
+        let found = of(&one, text);
+        let value = |code: &str| found.results.iter().find(|row| row.code == code).unwrap().value.unwrap();
+        near(value("difference"), 0.9, 1e-12, post);
+        near(value("mean"), 0.05, 1e-12, post);
+    }
+    // Three holes lie on their circle; the fourth of four, 0.4 mm farther out along X, leaves the circle of least squares by 0.1 mm, and so do the others.
+    let ring = RING
+        .replace("\"post\": \"linuxcnc\"", "\"post\": \"heidenhain\", \"form\": \"cycle\"")
+        .replace("\"report\": \"screen\"", "\"report\": \"none\"");
+    let ring =
+        ring.replace("\"=CIRCLE.diameter-60\"", "30").replace("[\"=CIRCLE.x\", \"=CIRCLE.y\", \"=FACE.z\"]", "[0, 0, 0]");
+    let plan = planned(&job(&ring));
+    let holes = [[45.4, 0.0], [0.0, 45.0], [-45.0, 0.0], [0.0, -45.0]];
+    let said = plan.results.iter().filter_map(|row| Some((row.cycle, row.code.as_str(), row.stored.as_deref()?)));
+    let said = said.map(|(cycle, code, variable)| match (cycle, code) {
+        (2..=5, "center.x") => format!("{variable}={}\n", holes[cycle - 2][0]),
+        (2..=5, "center.y") => format!("{variable}={}\n", holes[cycle - 2][1]),
+        _ => format!(
+            "{variable}={}\n",
+            plan.results.iter().find(|row| row.stored.as_deref() == Some(variable)).unwrap().nominal.unwrap()
+        ),
+    });
+    let found = of(&job(&ring), &said.collect::<String>());
+    let residual = found.results.iter().find(|row| row.code == "residual" && row.cycle > 6).unwrap();
+    near(residual.value.unwrap(), 0.1, 1e-3, "each is 0.1 off");
+    // What such a control does not keep is not there, and nothing of the relations is among it.
+    let missing = found.findings.iter().find(|f| f.code == "result-missing").unwrap();
+    assert!(!missing.message.contains("CIRCLE") && !missing.message.contains("FACE"), "{}", missing.message);
+}
+
+/// Relations of relations, each of the two before it: as quick as one.
+#[test]
+fn deep_relations_are_added_once() {
+    let relation = |n: usize| match n {
+        0 => r#"{ "name": "R0", "type": "center", "of": ["A", "B"] }"#.to_owned(),
+        1 => r#"{ "name": "R1", "type": "center", "of": ["R0", "A"] }"#.to_owned(),
+        n => format!(r#"{{ "name": "R{n}", "type": "center", "of": ["R{}", "R{}"] }}"#, n - 1, n - 2),
+    };
+    let relations: Vec<String> = (0..99).map(relation).collect();
+    let text = format!(
+        r#"{{ "format": 2, "control": {{ "post": "linuxcnc" }}, "limits": {{ "position": 2 }},
+        "cycles": [{{ "name": "A", "type": "hole", "origin": [-60, 0, 0] }}, {{ "name": "B", "type": "hole", "origin": [60, 0, 0] }},
+            {{ "name": "C", "type": "hole", "origin": ["=R98.x", 200, 0] }}],
+        "relations": [{}] }}"#,
+        relations.join(", ")
+    );
+    let plan = planned(&job(&text));
+    // A = -60, B = 60: R0 = 0, R1 = -30, and the mean of two before it comes to (R0 + 2 R1) / 3.
+    let last = plan.results.iter().find(|row| row.cycle == 3 + 98 && row.code == "center.x").unwrap();
+    near(last.value.unwrap(), -20.0, 1e-9, "where such a row ends");
+}
+
 /// A TNC shows its parameters with a decimal comma, unless it is set otherwise.
 #[test]
 fn values_are_read_with_a_decimal_comma() {
@@ -334,9 +407,10 @@ fn own_cycles_do_nothing_by_a_relation() {
         let written =
             with(&with(&offset, "relations", job(middle)), "datum", job(r#"{ "x": "MID.center.x", "y": "MID.center.y" }"#));
         let errors: Vec<_> = check(&written).into_iter().filter(|f| f.level == Level::Error).collect();
-        assert!(
-            errors.iter().any(|f| f.code == "set-up-unsupported" && f.message.contains("from a relation")),
-            "{post}: {errors:?}"
-        );
+        assert!(errors.iter().any(|f| f.code == "datum-unknown" && f.path == "datum.x"), "{post}: {errors:?}");
+        // Nor is it proposed.
+        let measured = with(&written, "datum", Value::Null);
+        let proposed = planned(&with(&measured, "control.workOffset", Value::Null)).datum;
+        assert_eq!(proposed[0].choices, ["LEFT.center.x", "RIGHT.center.x"], "{post}");
     }
 }

@@ -146,7 +146,7 @@ export const CODES: Record<string, string> = {
   "protection-unsupported": "The control takes only programs whose positioning is watched.",
   "rapid-at-feed": "A rapid runs at a feed, because it is watched or goes down.",
   "reaction-unsupported": "A program of moves checks no tolerances, and so does not react to them (Q309).",
-  "relation-not-computed": "A set-up: the program computes no relations. They follow from its results, entered as measured values.",
+  "relation-not-computed": "A set-up: the program does not compute the relations. They are computed from its results, entered as measured values.",
   "relation-of": "A set-up: a relation is of something that it cannot be of.",
   "repeat-unsupported": "Each point is to be touched several times, and neither a cycle of the control's own nor extrusion probing takes that.",
   "result-missing": "A text with results lacks some of the job's.",
