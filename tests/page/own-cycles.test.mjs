@@ -145,5 +145,5 @@ test("the distance between two bores of a TNC follows from the parameters that i
   assert.match(String(await text.getAttribute("placeholder")), /^Q1600 = -60$/, "what could be typed there");
   await text.fill("Q1600 = -60,02\nQ1601 = 0\nQ1602 = 20\nQ151 = 60,03\nQ152 = 0\nQ153 = 20,01\n");
   const row = page.locator("tp-results tbody tr", { hasText: "Distance from the first place to the second" });
-  await settles(async () => /120\.0500/.test(await textOf(row)) && /\bout\b/.test(await textOf(row)));
+  await settles(async () => /120\.050/.test(await textOf(row)) && /\bout\b/.test(await textOf(row)));
 });
