@@ -125,7 +125,13 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     });
     let mut results: Vec<Option<f64>> = scaled.collect();
     let added = expected.path.complete(&mut results);
-    let lacks = |(i, def): &(usize, &ResultDef)| def.variable.is_some() && values[*i].is_none() && !added.contains(i);
+    // What a control's own cycle keeps nowhere is not missed.
+    let kept = |i: usize| {
+        let of_relation = expected.path.relations.iter().any(|relation| relation.results.contains(&i));
+        expected.kept.is_empty() || of_relation || expected.kept.iter().any(|(_, result)| *result == i)
+    };
+    let lacks =
+        |(i, def): &(usize, &ResultDef)| def.variable.is_some() && values[*i].is_none() && !added.contains(i) && kept(*i);
     let missing: Vec<&str> = defs.iter().enumerate().filter(lacks).map(|(i, _)| &*codes[i]).collect();
     if !missing.is_empty() {
         let message = text!("The text does not have {codes}: these results are unknown", missing.join(", "));
