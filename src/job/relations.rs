@@ -59,12 +59,10 @@ impl<'v> Relations<'v> {
     pub fn lead(&mut self, followed: impl Iterator<Item = usize>) {
         let mut needed = vec![false; self.list.len()];
         followed.for_each(|index| needed.get_mut(index).into_iter().for_each(|needed| *needed = true));
-        for index in (0..self.list.len()).rev().filter(|index| needed[*index]).collect::<Vec<_>>() {
-            heads(&self.list[index]).for_each(|head| {
-                if let Some(earlier) = named(&self.list[..index], head) {
-                    needed[earlier] = true;
-                }
-            });
+        for index in (0..self.list.len()).rev() {
+            let of = heads(&self.list[index]).filter(|_| needed[index]).collect::<Vec<_>>();
+            let earlier = of.into_iter().filter_map(|head| named(&self.list[..index], head));
+            earlier.for_each(|earlier| needed[earlier] = true);
         }
         for (index, needed) in needed.into_iter().enumerate() {
             let last = |head: &str| match self.cycles.iter().position(|name| name.eq_ignore_ascii_case(head)) {

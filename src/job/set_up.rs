@@ -19,7 +19,7 @@ use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
 use crate::part::{self, Run};
 use crate::path::{
-    Feature, Feed, Feeds, Follows, OwnBlock, Path, Purpose, Reaches, Relate, STATED_RAPID, Single, WAY, WayBlock,
+    Feature, Feed, Feeds, Follows, Of, OwnBlock, Path, Purpose, Reaches, Relate, STATED_RAPID, Single, WAY, WayBlock,
 };
 use crate::text::text;
 
@@ -113,10 +113,18 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     if checker.failed() {
         return None;
     }
+    let wanted: Vec<Vec<Of>> = follows.iter().map(|follows| follows.all().collect()).collect();
     let mut relations = Relations::of(checker, value, &names);
     relations.lead(follows.iter().flat_map(Follows::all).filter_map(|(of, _)| of.checked_sub(count)));
     let relate: Relate<'_> = &mut |path, cycle| relations.add_early(path, cycle);
     let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (&names, follows), (clear, relate));
+    // What is not found there would leave a cycle where it is drawn, without a limit.
+    for (i, (member, wanted)) in whole.path.members.iter().zip(&wanted).enumerate() {
+        if let Some((_, code)) = wanted.get(member.placing.follows.len()) {
+            let message = text!("No cycle before this one measures a place \"{name}\"", code.to_owned());
+            checker.error("place-of-result", format!("cycles[{i}]"), message);
+        }
+    }
     relations.add_all(checker, &mut whole.path, several.is_none() && whole.job.post.computes);
     let source = datum::read(checker, value, &whole, offset.is_some())?;
     whole.path.write_from(&source);

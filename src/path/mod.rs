@@ -15,7 +15,7 @@ mod tracer;
 pub use feature::{
     Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top, Touched, TwoCircles,
 };
-pub use follow::{Along, Follow, Follows, Reaches, Shifts, Term, far_apart, most};
+pub use follow::{Along, Follow, Follows, Of, Reaches, Shifts, Term, far_apart, most};
 pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
 pub use set_up::{DatumSource, Measuring, Member, Relate, Related, Single, WAY, WayBlock};

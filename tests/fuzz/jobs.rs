@@ -160,9 +160,13 @@ fn led(draw: &mut Draw) -> Value {
     // By the middle between two holes, or by one; along the line through both, or along a side.
     let other = [places[0][0] - draw.between(80.0, 160.0), places[0][1] + draw.between(-60.0, 60.0), places[0][2]];
     let both = draw.once_in(2);
+    let own = [0, 1].map(|i| round(places[0][i]));
+    let middle = [0, 1].map(|i| (own[i] + round(other[i])) / 2.0);
     let (name, from) = match both {
-        true => ("MID", [0, 1].map(|i| (round(places[0][i]) + round(other[i])) / 2.0)),
-        false => ("C1", [0, 1].map(|i| round(places[0][i]))),
+        // A relation of a relation.
+        true if draw.once_in(3) => ("NEAR", [0, 1].map(|i| (middle[i] + own[i]) / 2.0)),
+        true => ("MID", middle),
+        false => ("C1", own),
     };
     if both || draw.once_in(2) {
         for (i, letter) in ["x", "y"].into_iter().enumerate() {
@@ -190,9 +194,9 @@ fn led(draw: &mut Draw) -> Value {
         let hole = [("name", text("C0")), ("type", text("hole")), ("diameter", length(30.0))];
         let at = ("origin", Value::List(origin(other).to_vec()));
         cycles.insert(draw.index(3), cycle(hole.into_iter().chain([at]).collect()));
-        let of = || Value::List(vec![text("C0"), text("C1")]);
-        for (name, kind) in [("ROW", "line"), ("MID", "center")] {
-            relations.push(cycle(vec![("name", text(name)), ("type", text(kind)), ("of", of())]));
+        for (name, kind, one) in [("ROW", "line", "C0"), ("MID", "center", "C0"), ("NEAR", "center", "MID")] {
+            let of = Value::List(vec![text(one), text("C1")]);
+            relations.push(cycle(vec![("name", text(name)), ("type", text(kind)), ("of", of)]));
         }
     }
     if draw.once_in(2) && !matches!(key, "web" | "groove" | "surface" | "wall-angle" | "double-wall-internal-corner") {

@@ -50,7 +50,7 @@ fn on(text: &str, post: &str) -> Value {
 }
 
 /// What the interpreter prints is what the plan shows; gives one of them.
-fn printed(text: &str) -> impl Fn(&str) -> f64 {
+fn printed(text: &str) -> impl Fn(&str) -> f64 + use<> {
     let plan = planned(&job(text));
     let rule = plan.safety.iter().find(|row| row.rule == "place-within-limit").unwrap();
     assert_eq!(rule.holds, Some(true));
@@ -369,6 +369,12 @@ fn deep_relations_are_added_once() {
     // A = -60, B = 60: R0 = 0, R1 = -30, and the mean of two before it comes to (R0 + 2 R1) / 3.
     let last = plan.results.iter().find(|row| row.cycle == 3 + 98 && row.code == "center.x").unwrap();
     near(last.value.unwrap(), -20.0, 1e-9, "where such a row ends");
+    // The cycle goes by it, and within its limit.
+    assert!(plan.program.text.contains("X[-20+#<c_shift_x>]"), "{}", plan.program.text);
+    assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+    let printed = printed(&text.replace("\"cycles\"", "\"part\": { \"offset\": [0.4, -0.3, 0] }, \"cycles\""));
+    near(printed("R98.center.x"), -19.6, 2e-6, "moved with the part");
+    near(printed("C.center.x"), -19.6, 2e-6, "so is the hole");
 }
 
 /// A TNC shows its parameters with a decimal comma, unless it is set otherwise.
