@@ -1,10 +1,7 @@
 //! Cycles that follow a relation of earlier ones: it is computed before them.
 
-use super::follows::{near, shown, the_machines_measure_what_is_shown};
-use crate::common::fanuc::Control;
-use crate::common::mpf::read;
-use crate::common::sinumerik::Machine;
-use crate::common::{ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
+use super::follows::{near, shown, stops_by, the_machines_measure_what_is_shown};
+use crate::common::{import, interpret, job, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{check, convert_units, evaluate};
 
@@ -140,26 +137,7 @@ fn beyond_the_limit_every_control_stops_before_the_cycle() {
         let plan = planned(&with(&on(PLATE, post), "part.rotation", Value::Number(how)));
         let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post}"));
         assert!(said.message.contains("before SLOT: ROW.rotation is"), "{}", said.message);
-        match post {
-            "linuxcnc" => {
-                let (ran, why) = interpret_until_stop(&ending_at(&plan, |k| plan.triggers[k].unwrap_or_default()));
-                let why = why.expect("it stops");
-                assert!(why.contains("ROW.rotation is"), "{why}");
-                assert_eq!(ran.written, None);
-            }
-            "sinumerik" => {
-                let mut machine = Machine::new(plan.triggers.clone());
-                machine.run(&read(&plan.program.text).unwrap()).unwrap();
-                assert!(machine.alarm.is_some() && machine.message.contains("ROW.rotation"), "{}", machine.message);
-            }
-            _ => {
-                let mut control = Control::new(post == "haas", false);
-                control.contacts = plan.triggers.iter().flatten().copied().collect();
-                control.run(&plan.program.text).unwrap();
-                let alarm = control.alarm.as_ref().map(|alarm| format!("{alarm:?}")).unwrap_or_default();
-                assert!(alarm.contains("ROTATION"), "{post} {alarm}");
-            }
-        }
+        stops_by(&plan, post, "ROW.rotation");
     }
 }
 

@@ -1,11 +1,8 @@
 //! Cycles whose rotation or size follows a result of an earlier one, held against LinuxCNC's interpreter, the tests' machines and hand calculations.
 
 use super::cycle;
-use super::follows::{near, shown, the_machines_measure_what_is_shown};
-use crate::common::fanuc::Control;
-use crate::common::mpf::read;
-use crate::common::sinumerik::Machine;
-use crate::common::{Draws, ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
+use super::follows::{near, shown, stops_by, the_machines_measure_what_is_shown};
+use crate::common::{Draws, import, interpret, job, on_virtual_part, planned, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
@@ -133,27 +130,7 @@ fn beyond_the_limit_every_control_stops_before_the_cycle() {
             let plan = planned(&job);
             let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post} {result}"));
             assert!(said.message.contains(&format!("{result} is")), "{}", said.message);
-            match post {
-                "linuxcnc" => {
-                    let (ran, why) = interpret_until_stop(&ending_at(&plan, |k| plan.triggers[k].unwrap_or_default()));
-                    let why = why.expect("it stops");
-                    assert!(why.contains(&format!("{result} is")), "{why}");
-                    assert_eq!(ran.written, None);
-                }
-                "sinumerik" => {
-                    let mut machine = Machine::new(plan.triggers.clone());
-                    machine.run(&read(&plan.program.text).unwrap()).unwrap();
-                    assert!(machine.alarm.is_some() && machine.message.contains(result), "{}", machine.message);
-                }
-                _ => {
-                    let mut control = Control::new(post == "haas", false);
-                    control.contacts = plan.triggers.iter().flatten().copied().collect();
-                    control.run(&plan.program.text).unwrap();
-                    let (_, code) = result.split_once('.').unwrap();
-                    let alarm = control.alarm.as_ref().map(|alarm| format!("{alarm:?}")).unwrap_or_default();
-                    assert!(alarm.contains(&code.to_uppercase()), "{post} {alarm}");
-                }
-            }
+            stops_by(&plan, post, result);
         }
     }
     // A little within it all is measured.
