@@ -111,13 +111,13 @@ test("parts that were read from a control's variables are told apart, and their 
         .replaceAll(".", ",");
     const runs = runsOf([60.01, 60.05, 60.2].map(run).join("\n"), plan);
     assert.equal(runs.length, 3, post);
-    const parts = runs.map((text) => touchpath.measure(job, text));
-    const row = report({ plan, parts }).rows.find(({ code }) => code === "ROW.distance");
+    const parts = runs.map((/** @type {string} */ text) => touchpath.measure(job, text));
+    const row = report({ plan, parts }).rows.find((/** @type {any} */ { code }) => code === "ROW.distance");
     assert.deepEqual(
       row?.values.map((/** @type {number} */ x) => x.toFixed(6)),
       ["120.010000", "120.050000", "120.200000"],
     );
-    assert.equal(parts[2]?.results.find(({ code }) => code === "distance")?.verdict, "out", post);
+    assert.equal(parts[2]?.results.find((/** @type {any} */ { code }) => code === "distance")?.verdict, "out", post);
   }
 });
 
