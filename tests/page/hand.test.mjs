@@ -11,6 +11,7 @@ import {
   program,
   put,
   saveButton,
+  settles,
   setUp,
   textOf,
 } from "./common.mjs";
@@ -143,7 +144,7 @@ test("to a group of fields, to the cycle or to a picked touch there was no way",
   ]) {
     await page.getByRole("tab", { name: "Checks" }).click();
     await page.evaluate((path) => /** @type {any} */ (document.querySelector("touch-path")).app.go(path), path);
-    assert.equal(await focusedId(), id);
+    await settles(async () => (await focusedId()) === id);
   }
   await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.go('there is"no such field'));
   assert.equal(await page.getByRole("tab", { name: "Checks" }).getAttribute("aria-selected"), "true");
