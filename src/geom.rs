@@ -25,7 +25,7 @@ impl Plane {
         }
     }
 
-    /// The plane of a G word; G17 where it is none.
+    /// The plane of a G word; G17 for any other word.
     pub fn named(word: &str) -> Plane {
         match word {
             "G18" => Plane::G18,

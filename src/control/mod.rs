@@ -199,7 +199,7 @@ pub struct PostDef {
 }
 
 /// What most controls have. A control is one const over it, or over that of its kin: `PostDef { key: "…", …, ..BASE }`. What every control must state
-/// for itself (key, title, `about`, extension, `serves`, `emit`) is empty here; a test checks that every control states it.
+/// (key, title, `about`, extension, `serves`, `emit`) is empty here; a test checks that every control states it.
 pub const BASE: PostDef = PostDef {
     key: "",
     title: "",

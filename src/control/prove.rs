@@ -243,12 +243,12 @@ impl Triggered {
         const HALVED: i32 = 24;
         let path = request.path;
         let follows = path.members[member + 1..].iter().flat_map(|later| &later.placing.follows);
-        let mut led: Vec<(usize, Vec<usize>)> = follows.map(|follow| (follow.result, path.sources(follow.result))).collect();
-        led.retain(|(_, sources)| sources.contains(&member));
+        let led = follows.filter_map(|follow| Some((follow.result, path.is_known_by(follow.result, member)?)));
+        let led: Vec<(usize, bool)> = led.collect();
         let first = if led.is_empty() { 0 } else { first };
         // What comes from a later cycle too is known only there.
-        let known = led.iter().filter(|(_, sources)| sources.last() == Some(&member));
-        let questions: Vec<Question> = known.filter_map(|(result, _)| path.formula.leads(*result, &request.limits)).collect();
+        let known = led.into_iter().filter(|(_, known)| *known);
+        let questions: Vec<Question> = known.filter_map(|(result, _)| path.formula.leads(result, &request.limits)).collect();
         for halved in first..HALVED {
             for (k, from, index) in searches_of(path, member) {
                 let way = from.map_or(0.0, |from| from.distance(path.moves[index].to));

@@ -32,7 +32,7 @@ impl Draft {
         Draft(RefCell::new(Formula { nodes, assignments, ..Formula::default() }))
     }
 
-    /// One that goes on where a formula ends.
+    /// One that continues where a formula ends.
     pub(super) fn continuing(formula: Formula) -> Self {
         Draft(RefCell::new(formula))
     }

@@ -35,7 +35,7 @@ impl Called<'_> {
         self.arguments.iter().find(|(known, value)| known == name && value.is_finite()).map(|(_, value)| *value)
     }
 
-    /// The job; none where the call is none of the documented cycles, or does not say enough for one without errors.
+    /// The job; `None` where the call is not a documented cycle, or does not say enough for one without errors.
     pub fn job(&self) -> Option<Value> {
         let units = if self.metric { Units::Mm } else { Units::Inch };
         let inch = if self.metric { 1.0 } else { 25.4 };

@@ -69,7 +69,7 @@ pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     Ok(build(block, def, checker))
 }
 
-/// What a block has under a code; the last where it stands twice.
+/// What a block has under a code; the last if there are two.
 fn find(block: &[Entry], code: i32) -> Option<f64> {
     block.iter().rev().find(|e| e.code == code).map(|e| e.value)
 }

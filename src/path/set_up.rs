@@ -254,12 +254,18 @@ impl Path {
 
     /// The members whose touches a result comes from, in their order.
     pub fn sources(&self, result: usize) -> Vec<usize> {
-        let own = self.members.partition_point(|member| member.results.end <= result);
-        if self.members.get(own).is_some_and(|member| member.results.contains(&result)) {
-            return vec![own];
-        }
         let relation = self.relations.iter().find(|relation| relation.results.contains(&result));
-        relation.map_or_else(Vec::new, |relation| relation.sources.clone())
+        let own = || self.members.iter().position(|member| member.results.contains(&result));
+        relation.map_or_else(|| own().into_iter().collect(), |relation| relation.sources.clone())
+    }
+
+    /// Whether a result is known once a member is measured; none where it does not come from its touches.
+    pub fn is_known_by(&self, result: usize, member: usize) -> Option<bool> {
+        if self.members[member].results.contains(&result) {
+            return Some(true);
+        }
+        let sources = &self.relations.iter().find(|relation| relation.results.contains(&result))?.sources;
+        sources.contains(&member).then(|| sources.last() == Some(&member))
     }
 
     /// Says what the set-up writes.

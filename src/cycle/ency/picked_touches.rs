@@ -33,7 +33,7 @@ pub struct Placement {
 
 /// Where a touch may be, as a field.
 pub const POINT: Field = Field::point("point", "Touch point");
-/// The most that a number of a target vector may be: whether it is a unit vector is said with its length.
+/// The most that a number of a target vector may be: its length decides whether it is a unit vector.
 pub const LONGEST_VECTOR: i32 = 2;
 
 /// Reads `touches`; none where the job has none. Every problem is reported.
