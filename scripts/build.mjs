@@ -1,4 +1,5 @@
-// Builds the package into dist/ and the page into dist/page/.
+// Builds the package into dist/ and the page into dist/page/: what is published. `--quick` builds what works alike on this machine, in a fraction of the
+// time: without link-time optimization, and with one module in both places.
 import { createHash } from "node:crypto";
 import {
   appendFileSync,
@@ -16,45 +17,69 @@ import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { configSchema } from "./config-schema.mjs";
-import { at, beside, ensureBindgen, ensurePackages, ensureTarget, run, stage, summary } from "./lib.mjs";
+import { at, beside, ensureBindings, ensurePackages, ensureTarget, npx, stage, summary } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
 import { webTypes } from "./web-types.mjs";
 
-/** Where the two modules are built: one whole, and without what a first visit of the page does not need. */
-const MODULES = { whole: { folder: "", flags: [] }, first: { folder: "first", flags: ["--no-default-features"] } };
+/** How a module is built: by a profile of Cargo.toml, in a folder of its own, for cargo builds one thing at a time in a folder. */
+const MODULES = {
+  whole: { profile: "release", folder: "wasm", flags: [] },
+  first: { profile: "release", folder: "first", flags: ["--no-default-features"] },
+  quick: { profile: "quick", folder: "wasm", flags: [] },
+};
+/** @typedef {{ profile: string, folder: string, flags: string[] }} Module */
 
-/** A WebAssembly module and its bindings, optimised; gives the folder they are in. */
-async function buildModule(/** @type {{ folder: string, flags: string[] }} */ { folder, flags }) {
-  const bin = ensureBindgen();
-  // A folder of its own: cargo builds one thing at a time in a folder.
-  const target = join(process.env.CARGO_TARGET_DIR ?? at("target"), folder);
-  const cargo = ["build", "--quiet", "--locked", "--release", "--target", "wasm32-unknown-unknown", "--lib"];
+/** Where cargo builds a module: `wasm-pack build` takes the whole one from there. */
+export const targetOf = (/** @type {string} */ folder) => join(process.env.CARGO_TARGET_DIR ?? at("target"), folder);
+
+/** Compiles the crate to a module; gives its path. */
+async function compile(/** @type {Module} */ { profile, folder, flags }) {
+  const target = targetOf(folder);
+  const cargo = ["build", "--quiet", "--locked", "--profile", profile, "--target", "wasm32-unknown-unknown", "--lib"];
   await beside("cargo", [...cargo, ...flags, "--target-dir", target]);
-  const out = join(target, "wasm");
+  return `${target}/wasm32-unknown-unknown/${profile}/touchpath.wasm`;
+}
+
+/** A module and its bindings; gives the folder they are in. */
+async function buildModule(/** @type {Module} */ kind) {
+  const [bindings, module] = await Promise.all([ensureBindings(), compile(kind)]);
+  const out = join(targetOf(kind.folder), `bindings-${kind.profile}`);
   rmSync(out, { recursive: true, force: true });
-  // With the function that replaces a broken instance: www/core/instance.ts calls it.
-  const module = `${target}/wasm32-unknown-unknown/release/touchpath.wasm`;
-  run(`${bin}/wasm-bindgen`, [module, "--target", "web", "--out-dir", out, "--experimental-reset-state-function"]);
-  const wasm = `${out}/touchpath_bg.wasm`;
-  await trapPanics(wasm);
-  // Judged by what is sent, not by the module: inlining, packed memory and shared expressions make it smaller and its compressed bytes more. Jumps are
-  // laid out anew from flat code, which compresses better. Functions of one name's beginning are alike and compress best side by side.
-  const optimize = ["--flatten", "--rereloop", "-O3", "-O3", "--reorder-functions-by-name"];
-  // First, what became small or unused with the messages of panics is put where it is called.
-  const inline = ["--dae-optimizing", "--inlining", "-aimfs", "4", "-fimfs", "2", "-ocimfs", "2", "--dce", "--vacuum"];
-  const passes = ["inlining-optimizing", "memory-packing", "local-cse", "simplify-locals"];
-  const skip = passes.map((pass) => `--skip-pass=${pass}`);
-  // The first kilobyte is the far end of the stack, which the linker puts first: no address is computed from below it.
-  const assume = ["--low-memory-unused"];
-  const optimizer = at("node_modules", "binaryen", "bin", "wasm-opt");
-  await beside("node", [optimizer, ...inline, ...optimize, ...skip, ...assume, wasm, "-o", wasm]);
+  await beside(bindings, [module, out]);
   return out;
 }
 
-/** Both modules, into www/core/wasm/, with the bindings of the whole one: they serve both. */
-async function buildWasm() {
-  const [whole, first] = await Promise.all([buildModule(MODULES.whole), buildModule(MODULES.first)]);
+/** Makes a module small for its way to the browser. */
+async function optimize(/** @type {string} */ wasm) {
+  await trapPanics(wasm);
+  // Judged by what is sent, not by the module: inlining, packed memory and shared expressions make it smaller and its compressed bytes more. Jumps are
+  // laid out anew from flat code, which compresses better. Functions of one name's beginning are alike and compress best side by side.
+  const passes = ["--flatten", "--rereloop", "-O3", "-O3", "--reorder-functions-by-name"];
+  // First, what became small or unused with the messages of panics is put where it is called.
+  const inline = ["--dae-optimizing", "--inlining", "-aimfs", "4", "-fimfs", "2", "-ocimfs", "2", "--dce", "--vacuum"];
+  const skipped = ["inlining-optimizing", "memory-packing", "local-cse", "simplify-locals"];
+  const skip = skipped.map((pass) => `--skip-pass=${pass}`);
+  // The first kilobyte is the far end of the stack, which the linker puts first: no address is computed from below it.
+  const assume = ["--low-memory-unused"];
+  const optimizer = at("node_modules", "binaryen", "bin", "wasm-opt");
+  await beside("node", [optimizer, ...inline, ...passes, ...skip, ...assume, wasm, "-o", wasm]);
+}
+
+/**
+ * The whole module and the smaller one that the page begins with, with the bindings of the whole one: they serve both. Gives the folders they are in.
+ * Needs no package of npm.
+ */
+export async function compileModules(/** @type {boolean} */ quick) {
+  ensureTarget();
+  if (!quick) return Promise.all([buildModule(MODULES.whole), buildModule(MODULES.first)]);
+  const out = await buildModule(MODULES.quick);
+  return [out, out];
+}
+
+/** Both modules, optimized unless they are for this machine, into www/core/wasm/. */
+export async function writeModules(/** @type {string[]} */ [whole = "", first = ""], /** @type {boolean} */ quick) {
+  if (!quick) await Promise.all([whole, first].map((folder) => optimize(join(folder, "touchpath_bg.wasm"))));
   const out = at("www", "core", "wasm");
   rmSync(out, { recursive: true, force: true });
   cpSync(whole, out, { recursive: true });
@@ -76,39 +101,48 @@ async function buildWasm() {
 /** What frameworks know of the element. */
 const TYPES = ["attributes.d.ts", "svelte.d.ts", "vue.d.ts"];
 
-function buildPackage() {
+/** The package but for what is bundled into it. */
+async function buildCore() {
   rmSync(at("dist"), { recursive: true, force: true });
-  run("npx", ["--no-install", "tsc", "-p", "tsconfig.package.json"]);
+  await npx("tsc", "-p", "tsconfig.package.json");
   // The first module is the page's alone.
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), {
     recursive: true,
     filter: (path) => !path.endsWith("first.wasm"),
   });
-  writeFileSync(at("dist", "licences.txt"), crateLicences());
   for (const name of ["embed.html", "frame.schema.json", "react.d.ts", "react.js", ...TYPES])
     cpSync(at("www", name), at("dist", name));
   cpSync(at("www", "page.css"), at("dist", "embed.css"));
   mkdirSync(at("dist", "words"));
   for (const name of readdirSync(at("www", "words")).filter((name) => name !== "core.json"))
     cpSync(at("www", "words", name), at("dist", "words", name));
-  buildBundles();
 }
 
-/** What is bundled: the element, with its types (only its own: the rest is the core's) and its manifest, and the command. */
-function buildBundles() {
-  run("npx", ["--no-install", "vite", "build", "--config", "vite.element.config.mjs", "--logLevel", "warn"]);
-  run("npx", ["--no-install", "vite", "build", "--config", "vite.cli.config.mjs", "--logLevel", "warn"]);
+/** The types of the element: only its own, the rest is the core's. */
+async function writeElementTypes() {
   const types = mkdtempSync(join(tmpdir(), "touchpath-"));
-  run("npx", ["--no-install", "tsc", "-p", "tsconfig.element.json", "--outDir", types]);
+  await npx("tsc", "-p", "tsconfig.element.json", "--outDir", types);
   const own = readFileSync(join(types, "element.d.ts"), "utf8").replaceAll("./core/types.js", "../types.js");
   rmSync(types, { recursive: true });
-  writeFileSync(at("dist", "element", "element.d.ts"), own);
-  for (const folder of ["element", "cli"]) {
-    const bundled = at("dist", folder, "licences.txt");
-    appendFileSync(at("dist", "licences.txt"), `\n${readFileSync(bundled, "utf8")}`);
-    rmSync(bundled);
-  }
-  run("npx", ["--no-install", "cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"]);
+  return own;
+}
+
+/** What is bundled: the element, with its types and its manifest, and the command; and the licences of all that is in them. */
+async function buildBundles() {
+  const vite = (/** @type {string} */ config) => npx("vite", "build", "--config", config, "--logLevel", "warn");
+  const [types] = await Promise.all([
+    writeElementTypes(),
+    vite("vite.element.config.mjs"),
+    vite("vite.cli.config.mjs"),
+    npx("cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"),
+  ]);
+  writeFileSync(at("dist", "element", "element.d.ts"), types);
+  const bundled = ["element", "cli"].map((folder) => at("dist", folder, "licences.txt"));
+  writeFileSync(
+    at("dist", "licences.txt"),
+    [crateLicences(), ...bundled.map((file) => readFileSync(file, "utf8"))].join("\n"),
+  );
+  for (const file of bundled) rmSync(file);
   writeFileSync(at("dist", "web-types.json"), `${JSON.stringify(webTypes(), null, 2)}\n`);
 }
 
@@ -145,24 +179,21 @@ function writeWorker() {
 }
 
 /** Vite writes the licences of the JavaScript that it bundles; the module's are put beneath them. */
-function buildPage() {
-  run("npx", ["--no-install", "vite", "build", "--logLevel", "warn"]);
+async function buildPage() {
+  await npx("vite", "build", "--logLevel", "warn");
   appendFileSync(at("dist", "page", "licences.txt"), `\n${crateLicences()}`);
   writeWorker();
 }
 
-/** Everything. */
-export async function build() {
-  await stage("Packages", ensurePackages);
-  await stage("WebAssembly", async () => {
-    ensureTarget();
-    await buildWasm();
-  });
-  await stage("Package", async () => {
-    buildPackage();
-    await writeSchema();
-  });
-  await stage("Page", buildPage);
+/** The package and the page from modules that are there. */
+export async function buildPackage() {
+  await buildCore();
+  // The manifest is the page's own affair, and the schemas are the core's: none waits for another.
+  await Promise.all([buildBundles(), writeSchema(), buildPage()]);
+}
+
+/** The sizes of the module, as it is sent. */
+export function printSizes() {
   const wasm = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
   const kB = (/** @type {number} */ bytes) => `${(bytes / 1000).toFixed(1)} kB`;
   console.log(
@@ -170,7 +201,18 @@ export async function build() {
   );
 }
 
+/** Everything: for who publishes it, or quickly for this machine. */
+export async function build({ quick = false } = {}) {
+  const [modules] = await stage("Packages and WebAssembly", () =>
+    Promise.all([compileModules(quick), ensurePackages()]),
+  );
+  if (quick) await writeModules(modules, quick);
+  else await stage("Optimization", () => writeModules(modules, quick));
+  await stage("Package and page", buildPackage);
+  if (!quick) printSizes();
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  await build();
+  await build({ quick: process.argv.includes("--quick") });
   summary();
 }

@@ -41,6 +41,9 @@ export async function beside(/** @type {string} */ command, /** @type {string[]}
   if (code !== 0) failed(command, args, `exit ${code}`);
 }
 
+/** A command of npm's packages, as `beside`. */
+export const npx = (/** @type {string[]} */ ...args) => beside("npx", ["--no-install", ...args]);
+
 /** Ends the script with the command that failed. @returns {never} */
 function failed(/** @type {string} */ command, /** @type {string[]} */ args, /** @type {string} */ why) {
   console.error(`\nFailed: ${command} ${args.join(" ")} (${why})`);
@@ -50,7 +53,8 @@ function failed(/** @type {string} */ command, /** @type {string[]} */ args, /**
 
 /** The laws asked of random jobs: half of them the same every time, half fresh. Ends the script where one breaks a law. */
 export function fuzz(/** @type {number} */ jobs, /** @type {Record<string, string>} */ seed = {}) {
-  run("cargo", ["test", "--locked", "--quiet", "--profile", "fuzz", "--test", "fuzz"], {
+  const own = ["--profile", "fuzz", "--target-dir", join(target, "fuzzer")];
+  run("cargo", ["test", "--locked", "--quiet", "--test", "fuzz", ...own], {
     env: { ...seed, FUZZ_JOBS: String(jobs) },
   });
 }
@@ -86,10 +90,10 @@ export function summary() {
 }
 
 /** npm's packages, as package-lock.json says. */
-export function ensurePackages() {
+export async function ensurePackages() {
   const marker = at("node_modules", ".package-lock.json");
   const fresh = existsSync(marker) && statSync(marker).mtimeMs >= statSync(at("package-lock.json")).mtimeMs;
-  if (!fresh) run("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"]);
+  if (!fresh) await beside("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"]);
 }
 
 /** Rust's WebAssembly target. */
@@ -108,11 +112,18 @@ export function ensureOldestRust() {
   return version;
 }
 
-/** wasm-bindgen and its test runner, of the crate's very version; gives the folder they are in. */
-export function ensureBindgen() {
-  run("cargo", ["build", "--quiet", "--locked", "--package", "touchpath-tools"]);
-  return join(target, "debug");
+/** A workspace member that works on WebAssembly modules, built beside the crate; gives the folder of its commands. */
+async function ensureTool(/** @type {string} */ name) {
+  const folder = join(tools, "build");
+  await beside("cargo", ["build", "--quiet", "--locked", "--package", name, "--target-dir", folder]);
+  return join(folder, "debug");
 }
+
+/** The command that writes the bindings of a module. */
+export const ensureBindings = async () => join(await ensureTool("touchpath-tools"), "bindings");
+
+/** wasm-bindgen and its test runner, for wasm-pack; gives the folder they are in. */
+export const ensureBindgen = () => ensureTool("touchpath-wasm-pack-tools");
 
 /** wasm-pack; gives the folder it is in. */
 export function ensureWasmPack() {
@@ -132,7 +143,42 @@ function apt(/** @type {string[]} */ ...args) {
   run(command ?? "apt-get", rest, { quiet: true, env: { DEBIAN_FRONTEND: "noninteractive" } });
 }
 
-const aptUpdate = () => apt("update");
+let updated = false;
+/** A new machine has no lists of packages, and old lists name files that are gone. */
+function aptUpdate() {
+  if (!updated) apt("update");
+  updated = true;
+}
+
+/** Installs Debian packages. */
+function aptInstall(/** @type {string[]} */ ...packages) {
+  if (packages.length === 0) return;
+  aptUpdate();
+  apt("install", "-y", "--no-install-recommends", ...packages);
+}
+
+/** The first of these commands that works; one that is named by this variable goes first. */
+const find = (/** @type {string} */ variable, /** @type {string[]} */ names) =>
+  [process.env[variable], ...names].find((name) => name && works(name));
+const findChromium = () => find("CHROMIUM", ["chromium", "chromium-browser", "google-chrome"]);
+const findChromedriver = () => find("CHROMEDRIVER", ["chromedriver"]);
+const findFirefox = () => find("FIREFOX", ["firefox-esr", "firefox"]);
+const webKit = () => ({
+  driver: process.env.WEBKITDRIVER ?? "WebKitWebDriver",
+  screen: process.env.XVFB_RUN ?? "xvfb-run",
+});
+const hasWebKit = () => works(webKit().screen, ["--help"]) && works(webKit().driver, ["--help"]);
+
+/** What tests need of Debian's packages, installed at once: browsers, their drivers, LinuxCNC's interpreter. */
+export function ensureDebianPackages() {
+  const missing = [];
+  if (!findChromium() || !findChromedriver()) missing.push("chromium", "chromium-driver");
+  if (!findFirefox()) missing.push("firefox-esr");
+  if (!hasWebKit()) missing.push("webkit2gtk-driver", "xvfb", "xauth");
+  aptInstall(...missing);
+  ensureChromium();
+  ensureInterpreter();
+}
 
 /** The browser without windows, in which a page opens in half the time; Chromium itself where no package has it, or it is named by CHROMIUM. */
 function ensureShell(/** @type {string} */ browser) {
@@ -148,62 +194,29 @@ function ensureShell(/** @type {string} */ browser) {
 
 /** Chromium, its driver, and what the page's tests run in; gives the paths. */
 export function ensureChromium() {
-  const find = (/** @type {string} */ variable, /** @type {string[]} */ names) =>
-    [process.env[variable], ...names].find((name) => name && works(name));
-  const browsers = ["chromium", "chromium-browser", "google-chrome"];
-  let browser = find("CHROMIUM", browsers);
-  let driver = find("CHROMEDRIVER", ["chromedriver"]);
-  if (!browser || !driver) {
-    aptUpdate();
-    apt("install", "-y", "--no-install-recommends", "chromium", "chromium-driver");
-    browser = find("CHROMIUM", browsers);
-    driver = find("CHROMEDRIVER", ["chromedriver"]);
-  }
+  if (!findChromium() || !findChromedriver()) aptInstall("chromium", "chromium-driver");
+  const [browser, driver] = [findChromium(), findChromedriver()];
   if (!browser || !driver) throw new Error("Chromium and chromedriver are needed: set CHROMIUM and CHROMEDRIVER");
   return { browser: absolute(browser), driver: absolute(driver), shell: ensureShell(absolute(browser)) };
 }
 
 /** Firefox and its driver, which no Debian package has. */
 export function ensureFirefox() {
-  const find = (/** @type {string} */ variable, /** @type {string[]} */ names) =>
-    [process.env[variable], ...names].find((name) => name && works(name));
-  const browsers = ["firefox-esr", "firefox"];
-  let browser = find("FIREFOX", browsers);
-  if (!browser) {
-    aptUpdate();
-    apt("install", "-y", "--no-install-recommends", "firefox-esr");
-    browser = find("FIREFOX", browsers);
-  }
-  const own = join(tools, "gecko", "bin", "geckodriver");
-  let driver = find("GECKODRIVER", ["geckodriver", own]);
-  if (!driver) {
-    run("cargo", [
-      "install",
-      "geckodriver",
-      "--version",
-      "0.37.1",
-      "--locked",
-      "--debug",
-      "--quiet",
-      "--root",
-      join(tools, "gecko"),
-    ]);
-    driver = find("GECKODRIVER", [own]);
-  }
+  if (!findFirefox()) aptInstall("firefox-esr");
+  const own = join(tools, "gecko");
+  const findDriver = () => find("GECKODRIVER", ["geckodriver", join(own, "bin", "geckodriver")]);
+  const install = ["install", "geckodriver", "--version", "0.37.1", "--locked", "--debug", "--quiet", "--root", own];
+  if (!findDriver()) run("cargo", install);
+  const [browser, driver] = [findFirefox(), findDriver()];
   if (!browser || !driver) throw new Error("Firefox and geckodriver are needed: set FIREFOX and GECKODRIVER");
   return { browser: absolute(browser), driver: absolute(driver) };
 }
 
 /** The driver of WebKit, and a screen that nobody sees for it. */
 export function ensureWebKit() {
-  const driver = process.env.WEBKITDRIVER ?? "WebKitWebDriver";
-  const screen = process.env.XVFB_RUN ?? "xvfb-run";
-  const there = () => works(screen, ["--help"]) && works(driver, ["--help"]);
-  if (!there()) {
-    aptUpdate();
-    apt("install", "-y", "--no-install-recommends", "webkit2gtk-driver", "xvfb", "xauth");
-  }
-  if (!there()) throw new Error("WebKitWebDriver and xvfb-run are needed: set WEBKITDRIVER and XVFB_RUN");
+  if (!hasWebKit()) aptInstall("webkit2gtk-driver", "xvfb", "xauth");
+  if (!hasWebKit()) throw new Error("WebKitWebDriver and xvfb-run are needed: set WEBKITDRIVER and XVFB_RUN");
+  const { driver, screen } = webKit();
   return { driver: absolute(driver), screen: absolute(screen) };
 }
 
@@ -223,7 +236,6 @@ export function ensureInterpreter() {
     const packages = ["linuxcnc-uspace", "libboost-python1.74.0", "libpython3.11"];
     const download = mkdtempSync(join(tmpdir(), "touchpath-"));
     const args = ["-o", "APT::Sandbox::User=root", "download", ...packages];
-    // A new machine has no lists, and old lists name files that are gone: then they are brought up to date once.
     const first = spawnSync("apt-get", args, { cwd: download, stdio: "ignore" });
     if (first.status !== 0) {
       aptUpdate();

@@ -3,7 +3,7 @@
 import { build } from "./build.mjs";
 import { addressOf, serve } from "./serve.mjs";
 
-await build();
+await build({ quick: true });
 const wanted = process.env.PORT;
 const open = (/** @type {number} */ port) => serve(port, undefined, undefined, true);
 const server = await open(Number(wanted ?? 4173)).catch((error) => {

@@ -1,14 +1,16 @@
-// Sets up what a machine lacks and runs every test. `setup` only sets up; `check` builds, then checks format, lints and types.
-// Laws and fuzzer ask random cases: `--seed N` asks those of an earlier run again.
+// Sets up what a machine lacks and runs every test, in stages beside each other. `setup` only sets up; `check` builds quickly, then checks format, lints
+// and types; the name of a stage runs that stage alone. Laws and fuzzer ask random cases: `--seed N` asks those of an earlier run again.
 import { spawnSync } from "node:child_process";
 import { readdirSync, rmSync } from "node:fs";
 import { dirname } from "node:path";
 import { parseArgs } from "node:util";
-import { build } from "./build.mjs";
+import { build, buildPackage, compileModules, printSizes, targetOf, writeModules } from "./build.mjs";
 import {
   at,
   ensureBindgen,
+  ensureBindings,
   ensureChromium,
+  ensureDebianPackages,
   ensureFirefox,
   ensureInterpreter,
   ensureOldestRust,
@@ -17,21 +19,22 @@ import {
   ensureWasmPack,
   ensureWebKit,
   fuzz,
+  npx,
   pathWith,
   root,
   run,
-  stage,
-  summary,
 } from "./lib.mjs";
+import { runStages } from "./stages.mjs";
 
-const { values, positionals } = parseArgs({ options: { seed: { type: "string" } }, allowPositionals: true });
-const [only, ...more] = positionals;
+/** @typedef {import("./stages.mjs").Stage} Stage */
+
+const { values, positionals } = parseArgs({
+  options: { seed: { type: "string" }, stage: { type: "string" } },
+  allowPositionals: true,
+});
 const seed = values.seed === undefined ? Date.now() % 2 ** 32 : Number(values.seed || Number.NaN);
-if (more.length > 0 || ![undefined, "setup", "check"].includes(only) || !Number.isSafeInteger(seed) || seed < 0) {
-  console.error("test.mjs takes nothing, setup or check, and --seed with a whole number");
-  process.exit(2);
-}
 const random = { FUZZ_SEED: String(seed), PROPTEST_RNG_SEED: String(seed) };
+
 /** The test files of a folder, by name: what a folder means to Node's runner differs from version to version. */
 const tests = (/** @type {string} */ folder) =>
   readdirSync(at("tests", folder))
@@ -39,105 +42,169 @@ const tests = (/** @type {string} */ folder) =>
     .map((name) => at("tests", folder, name));
 /** A test that hangs is a test that fails. */
 const patient = ["--test", "--test-timeout=900000"];
-const npx = (/** @type {string[]} */ ...args) => run("npx", ["--no-install", ...args]);
+const nodeTests = (/** @type {string} */ folder, /** @type {string[]} */ ...flags) =>
+  run("node", [...patient, ...flags, ...tests(folder)], { env: browsers() });
+
+/** The browsers by which tests of pages find them. */
+const browsers = () => {
+  const [chromium, firefox, webkit] = [ensureChromium(), ensureFirefox(), ensureWebKit()];
+  return {
+    CHROMIUM: chromium.shell,
+    FIREFOX: firefox.browser,
+    GECKODRIVER: firefox.driver,
+    WEBKITDRIVER: webkit.driver,
+    XVFB_RUN: webkit.screen,
+  };
+};
 
 /** How many tests must have passed, by the command. wasm-pack skips a test file that has no fitting mode without failing: the tests are counted. */
 const LEAST = { "test --node": 7, "test --headless --chrome": 7 };
 
-/**
- * A command of wasm-pack.
- * @param {Record<string, string | undefined>} env
- * @param {string[]} args
- */
-function wasmPack(env, ...args) {
+/** A command of wasm-pack, as anyone types it. What it looks for it finds on the path: chromedriver, and wasm-bindgen of the version in Cargo.lock. */
+async function wasmPack(/** @type {string[]} */ ...args) {
   const command = args.join(" ");
   const least = LEAST[/** @type {keyof typeof LEAST} */ (command)] ?? 0;
+  const path = pathWith(ensureWasmPack(), await ensureBindgen(), dirname(ensureChromium().driver));
   const done = spawnSync("wasm-pack", args, {
     cwd: root,
     encoding: "utf8",
-    env: { ...process.env, ...env },
+    // Where the whole module is built: `wasm-pack build` has nothing left to compile.
+    env: { ...process.env, ...path, CARGO_TARGET_DIR: targetOf("wasm") },
   });
-  process.stdout.write(done.stdout ?? "");
-  process.stderr.write(done.stderr ?? "");
+  process.stdout.write(`${done.stdout ?? ""}${done.stderr ?? ""}`);
   const passed = [...`${done.stdout}${done.stderr}`.matchAll(/(\d+) passed/g)].reduce(
     (sum, [, n]) => sum + Number(n),
     0,
   );
-  if (done.status !== 0 || passed < least) {
-    console.error(`\nFailed: wasm-pack ${command}: exit ${done.status}, ${passed} tests passed, ${least} expected`);
-    summary();
-    process.exit(1);
-  }
+  if (done.status === 0 && passed >= least) return;
+  console.error(`wasm-pack ${command}: exit ${done.status}, ${passed} tests passed, ${least} expected`);
+  process.exit(1);
 }
 
-const tools = await stage("Set-up", () => {
-  ensurePackages();
-  ensureTarget();
-  if (only === "check") return null;
-  return {
-    rs274: ensureInterpreter(),
-    chromium: ensureChromium(),
-    firefox: ensureFirefox(),
-    webkit: ensureWebKit(),
-    bindgen: ensureBindgen(),
-    wasmPack: ensureWasmPack(),
-    oldest: ensureOldestRust(),
-  };
-});
+const cargo = (/** @type {string[]} */ ...args) => run("cargo", args, { env: { RUSTDOCFLAGS: "-D warnings" } });
+const clippy = (/** @type {string[]} */ ...args) =>
+  cargo("clippy", "--quiet", "--locked", ...args, "--", "-D", "warnings");
 
-if (only !== "setup") {
-  if (only === "check") await build();
-  await stage("Format and lints", () => {
-    npx("biome", "ci", "--error-on-warnings", ".");
-    run("cargo", ["fmt", "--all", "--check"]);
-    run("cargo", ["clippy", "--quiet", "--locked", "--all-targets", "--", "-D", "warnings"]);
-    const wasm = ["clippy", "--quiet", "--locked", "--lib", "--target", "wasm32-unknown-unknown"];
-    for (const features of [[], ["--no-default-features"]])
-      run("cargo", [...wasm, ...features, "--", "-D", "warnings"]);
-    run("cargo", ["doc", "--quiet", "--locked", "--no-deps", "--lib"], { env: { RUSTDOCFLAGS: "-D warnings" } });
-  });
-}
-if (tools && !only) {
-  console.log(`Random cases of this run: npm test -- --seed ${seed}`);
-  await stage("Native tests", () =>
-    run("cargo", ["test", "--locked"], { env: { ...random, RS274: tools.rs274, CI: "1", INSTA_UPDATE: "no" } }),
-  );
-  await stage("Oldest Rust", () =>
-    run("cargo", [`+${tools.oldest}`, "check", "--quiet", "--locked"], {
-      env: { CARGO_TARGET_DIR: at("target", "oldest") },
-    }),
-  );
-  await stage("Fuzz", () => fuzz(200_000, random));
-  await build();
-}
-if (only !== "setup") {
-  await stage("Types", () => {
-    npx("tsc", "-p", "tsconfig.json");
-    npx("tsc", "-p", "tsconfig.scripts.json");
-  });
-}
-if (tools && !only) {
-  // As anyone types them. What wasm-pack looks for it finds on the path: chromedriver, and wasm-bindgen of the version in Cargo.lock.
-  const env = pathWith(tools.wasmPack, tools.bindgen, dirname(tools.chromium.driver));
-  await stage("WebAssembly tests in Node", () => wasmPack(env, "test", "--node"));
-  await stage("WebAssembly tests in Chromium", () => wasmPack(env, "test", "--headless", "--chrome"));
-  await stage("wasm-pack's own package", () => {
-    wasmPack(env, "build");
-    rmSync(at("pkg"), { recursive: true });
-  });
-  await stage("Package tests", () => run("node", [...patient, ...tests("package")]));
-  const { chromium, firefox, webkit } = tools;
-  const browser = {
-    env: {
-      CHROMIUM: chromium.shell,
-      FIREFOX: firefox.browser,
-      GECKODRIVER: firefox.driver,
-      WEBKITDRIVER: webkit.driver,
-      XVFB_RUN: webkit.screen,
+/** @type {Stage[]} */
+const SETUP = [
+  { name: "Packages", after: [], work: ensurePackages },
+  {
+    name: "Rust",
+    after: [],
+    work: () => {
+      ensureTarget();
+      ensureOldestRust();
     },
-  };
-  await stage("Project tests", () => run("node", [...patient, ...tests("projects")], browser));
-  // Two files at a time: a page waits for its module and its workers, and two cores do both.
-  await stage("Page tests", () => run("node", [...patient, "--test-concurrency=2", ...tests("page")], browser));
+  },
+  { name: "Bindings tool", after: [], work: ensureBindings },
+  { name: "Debian packages", after: [], work: ensureDebianPackages },
+  {
+    name: "Tools of tests",
+    after: ["Bindings tool", "Debian packages"],
+    work: async () => {
+      await ensureBindgen();
+      ensureWasmPack();
+      ensureFirefox();
+    },
+  },
+];
+
+/** What `npm run check` asks, after a quick build. @type {Stage[]} */
+const CHECKS = [
+  { name: "Format", after: ["Packages"], work: () => format() },
+  { name: "Lints", after: ["Rust"], work: () => lints() },
+];
+
+async function format() {
+  await npx("biome", "ci", "--error-on-warnings", ".");
+  cargo("fmt", "--all", "--check");
 }
-summary();
+
+function lints() {
+  clippy("--all-targets");
+  for (const features of [[], ["--no-default-features"]])
+    clippy("--lib", "--target", "wasm32-unknown-unknown", ...features);
+}
+
+async function types() {
+  await Promise.all([npx("tsc", "-p", "tsconfig.json"), npx("tsc", "-p", "tsconfig.scripts.json")]);
+}
+
+const native = ["test", "--locked"];
+
+/** @type {Stage[]} */
+const TESTS = [
+  ...SETUP,
+  {
+    name: "WebAssembly",
+    after: ["Packages", "Rust", "Bindings tool"],
+    work: async () => {
+      await writeModules(await compileModules(false), false);
+    },
+  },
+  { name: "Native tests, compiled", after: ["Debian packages"], work: () => cargo(...native, "--no-run") },
+  {
+    name: "Native tests",
+    after: ["Native tests, compiled", "Debian packages"],
+    work: () => run("cargo", native, { env: { ...random, RS274: ensureInterpreter(), CI: "1", INSTA_UPDATE: "no" } }),
+  },
+  {
+    name: "Package",
+    after: ["WebAssembly"],
+    work: async () => {
+      await buildPackage();
+      printSizes();
+    },
+  },
+  {
+    name: "Page tests",
+    after: ["Package", "Tools of tests"],
+    work: () => nodeTests("page", "--test-concurrency=2"),
+  },
+  { name: "Project tests", after: ["Package", "Debian packages", "Tools of tests"], work: () => nodeTests("projects") },
+  { name: "Package tests", after: ["Package"], work: () => nodeTests("package") },
+  { name: "Fuzz", after: ["Rust"], work: () => fuzz(200_000, random) },
+  ...CHECKS,
+  {
+    name: "Documentation",
+    after: ["Native tests, compiled"],
+    work: () => cargo("doc", "--quiet", "--locked", "--no-deps", "--lib"),
+  },
+  {
+    name: "Oldest Rust",
+    after: ["Rust"],
+    work: () => cargo(`+${ensureOldestRust()}`, "check", "--quiet", "--locked", "--target-dir", targetOf("oldest")),
+  },
+  { name: "Types", after: ["Package"], work: types },
+  {
+    name: "WebAssembly tests",
+    after: ["WebAssembly", "Tools of tests"],
+    work: async () => {
+      await wasmPack("test", "--node");
+      await wasmPack("test", "--headless", "--chrome");
+      await wasmPack("build");
+      rmSync(at("pkg"), { recursive: true });
+    },
+  },
+];
+
+const names = ["setup", "check", ...TESTS.map(({ name }) => name)];
+const [only, ...more] = positionals;
+if (more.length > 0 || (only && !names.includes(only)) || !Number.isSafeInteger(seed) || seed < 0) {
+  console.error(`test.mjs takes --seed with a whole number, and one of: ${names.join("; ")}`);
+  process.exit(2);
+}
+const stage = TESTS.find(({ name }) => name === only);
+const again = (/** @type {string} */ name) => [name, "--seed", String(seed)];
+if (stage) await stage.work();
+else if (only === "setup") await runStages(SETUP, again);
+else if (only === "check") {
+  await build({ quick: true });
+  await runStages(
+    [...CHECKS.map(({ name, work }) => ({ name, work, after: [] })), { name: "Types", after: [], work: types }],
+    again,
+  );
+} else {
+  console.log(`Random cases of this run: npm test -- --seed ${seed}`);
+  await runStages(TESTS, again);
+}

@@ -53,7 +53,7 @@ test("the module and the page stay within their budgets", () => {
   );
   // As the compiler left it: with names.
   const target = process.env.CARGO_TARGET_DIR ?? at("target");
-  const largest = functions(readFileSync(`${target}/wasm32-unknown-unknown/release/touchpath.wasm`));
+  const largest = functions(readFileSync(`${target}/wasm/wasm32-unknown-unknown/release/touchpath.wasm`));
   assert.ok(largest.length > 500 && largest.some(({ name }) => name.includes("touchpath")), "the functions are found");
   const list = largest.slice(0, 20).map(({ size, name }) => `${String(size).padStart(8)}  ${name}`);
   const told = `\nThe largest functions, bytes before wasm-opt:\n${list.join("\n")}`;

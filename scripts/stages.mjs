@@ -1,0 +1,96 @@
+// Runs stages beside each other, each as a process of its own: what it prints comes in one piece, and what hangs or fails ends alone.
+import { spawn } from "node:child_process";
+import { availableParallelism } from "node:os";
+
+/**
+ * A stage: what it is called, the stages that must have passed before it, and its work.
+ * @typedef {{ name: string, after: string[], work: () => unknown }} Stage
+ */
+
+const seconds = (/** @type {number} */ start) => (performance.now() - start) / 1000;
+
+/** Runs this script again with these arguments; gives what it printed, in its order, and whether it failed. */
+function again(/** @type {string[]} */ args) {
+  /** @type {Promise<{ printed: Buffer, failed: boolean }>} */
+  const ended = new Promise((done) => {
+    // A group of its own: what it has started ends with it.
+    const child = spawn(process.execPath, [process.argv[1] ?? "", ...args], {
+      stdio: ["ignore", "pipe", "pipe"],
+      detached: true,
+    });
+    running.add(child);
+    /** @type {Buffer[]} */
+    const chunks = [];
+    for (const stream of [child.stdout, child.stderr]) stream.on("data", (chunk) => chunks.push(chunk));
+    child.on("close", (code) => {
+      running.delete(child);
+      done({ printed: Buffer.concat(chunks), failed: code !== 0 });
+    });
+  });
+  return ended;
+}
+
+/** @type {Set<import("node:child_process").ChildProcess>} */
+const running = new Set();
+
+/** Ends what still runs. */
+function stopAll() {
+  for (const child of running)
+    try {
+      if (child.pid) process.kill(-child.pid);
+    } catch {
+      // It has ended by itself.
+    }
+}
+for (const signal of /** @type {const} */ (["SIGINT", "SIGTERM"]))
+  process.once(signal, () => {
+    stopAll();
+    process.exit(130);
+  });
+
+/**
+ * Runs the stages, at most one more at once than there are cores: a browser waits, and a compiler takes what is free. The first of the list that may begin
+ * begins first. Ends the script where one fails.
+ * @param {Stage[]} stages
+ * @param {(name: string) => string[]} args by which this script runs one of them
+ */
+export async function runStages(stages, args) {
+  const start = performance.now();
+  /** @type {Map<string, number>} */
+  const passed = new Map();
+  /** @type {Map<string, Promise<void>>} */
+  const begun = new Map();
+  const most = availableParallelism() + 1;
+  const begin = async (/** @type {string} */ name) => {
+    const own = performance.now();
+    console.log(`.. ${name} begins at ${seconds(start).toFixed(0)} s`);
+    const { printed, failed } = await again(args(name));
+    console.log(`\n== ${name}`);
+    process.stdout.write(printed);
+    console.log(`-- ${name}: ${seconds(own).toFixed(1)} s`);
+    if (failed) {
+      stopAll();
+      print(passed, start);
+      console.error(`\nFailed: ${name}`);
+      process.exit(1);
+    }
+    passed.set(name, seconds(own));
+    begun.delete(name);
+  };
+  for (;;) {
+    const next = stages.filter(
+      ({ name, after }) => !passed.has(name) && !begun.has(name) && after.every((before) => passed.has(before)),
+    );
+    for (const { name } of next.slice(0, most - begun.size)) begun.set(name, begin(name));
+    if (begun.size === 0) break;
+    await Promise.race(begun.values());
+  }
+  print(passed, start);
+}
+
+/** Prints every stage's time. */
+function print(/** @type {Map<string, number>} */ passed, /** @type {number} */ start) {
+  console.log("\nStages, which run beside each other:");
+  for (const [name, time] of passed) console.log(`  ${time.toFixed(1).padStart(7)} s  ${name}`);
+  console.log(`  ${seconds(start).toFixed(1).padStart(7)} s  in all`);
+}
