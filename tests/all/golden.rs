@@ -1,11 +1,34 @@
-//! Every job of `tests/jobs/` as snapshots: path, table and results in `tests/snapshots/<job>.snap`, and the program for every control in
-//! `tests/snapshots/<control>/<job>.snap`. A changed byte is seen in review.
-//! New snapshots are made by `INSTA_UPDATE=always cargo test --lib golden`.
+//! What is made of every job of `tests/jobs/`, as snapshots: a changed byte is seen in review.
+//!
+//! - `<job>.snap`: path, table, results, findings, and the program for LinuxCNC.
+//! - `<control>/<job>.snap`: the program for another control, `<control>-cycle/` for its native cycles.
+//! - `<control>/refused.snap`: the jobs that a control refuses, and why.
+//! - `<control>.snap`: a control whose programs are nearly those of another one, as what differs.
+//!
+//! The values of the job in a program's header stand in the first program of each control, and are cut in the others; so is our version, and the numbers of
+//! Klartext's blocks. New snapshots are made by `INSTA_UPDATE=always cargo test --lib golden`.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
+use std::path::Path;
 
+use similar::{ChangeTag, TextDiff};
 use touchpath::control::{Form, POSTS, PostDef};
 use touchpath::form::{Finding, Value};
+
+/// Controls whose programs are nearly those of another one, and this one: by key and form.
+const KIN: [(&str, &str); 7] = [
+    ("grblhal", "grbl"),
+    ("fluidnc", "grblhal"),
+    ("haas-cycle", "fanuc-cycle"),
+    ("mazak-cycle", "fanuc-cycle"),
+    ("brother-cycle", "fanuc-cycle"),
+    ("hurco-cycle", "fanuc-cycle"),
+    ("okuma-cycle", "fanuc-cycle"),
+];
+
+/// The control whose programs stand beside the path of their job.
+const FIRST: &str = "linuxcnc";
 
 fn triple(p: [f64; 3]) -> String {
     p.map(|x| touchpath::num::decimal(x, 6)).join(" ")
@@ -20,50 +43,34 @@ fn listed(findings: &[Finding]) -> String {
     lines.collect()
 }
 
-fn snapshot(folder: &str, name: &str, text: &str) {
-    insta::with_settings!({ snapshot_path => folder, prepend_module_to_snapshot => false, omit_expression => true }, {
-        insta::assert_snapshot!(name, text);
-    });
-}
+/// What a control makes of a job: its program with what is said of it, or why it refuses.
+type Made = Result<String, String>;
 
-#[test]
-fn jobs_as_they_were() {
-    let jobs = crate::common::jobs();
-    assert!(jobs.len() >= 10);
-    for (name, job) in jobs {
-        let plan = crate::common::planned(&job);
-        let mut text = String::new();
-        for touch in &plan.touches {
-            writeln!(text, "touch {} vector {} group {}", triple(touch.point), triple(touch.vector), touch.group).unwrap();
-        }
-        for step in &plan.moves {
-            let touch = step.touch.map_or("-".to_owned(), |k| k.to_string());
-            writeln!(text, "{} {} {} step {} touch {touch}", step.kind, triple(step.to), step.feed, step.step).unwrap();
-        }
-        writeln!(text, "length {} time {}", value(Some(plan.length)), value(Some(plan.time))).unwrap();
-        for row in &plan.table {
-            writeln!(
-                text,
-                "{} {} {:?} | {} | {:?} {:?}",
-                row.code, row.type_name, row.value, row.meaning, row.field, row.touch
-            )
-            .unwrap();
-        }
-        for row in &plan.results {
-            let numbers = [row.nominal, row.value, row.deviation, row.uncertainty, row.truth].map(value).join(" ");
-            writeln!(text, "{} {} {numbers}", row.code, row.unit).unwrap();
-        }
-        text.push_str(&listed(&plan.findings));
-        text.push_str(&plan.program.text);
-        snapshot("../snapshots", &name, &text);
+/// Path, table, results and findings of a job.
+fn path_of(job: &Value) -> String {
+    let plan = crate::common::planned(job);
+    let mut text = String::new();
+    for touch in &plan.touches {
+        writeln!(text, "touch {} vector {} group {}", triple(touch.point), triple(touch.vector), touch.group).unwrap();
     }
+    for step in &plan.moves {
+        let touch = step.touch.map_or("-".to_owned(), |k| k.to_string());
+        writeln!(text, "{} {} {} step {} touch {touch}", step.kind, triple(step.to), step.feed, step.step).unwrap();
+    }
+    writeln!(text, "length {} time {}", value(Some(plan.length)), value(Some(plan.time))).unwrap();
+    for row in &plan.table {
+        let meaning = format!("{} | {:?} {:?}", row.meaning, row.field, row.touch);
+        writeln!(text, "{} {} {:?} | {meaning}", row.code, row.type_name, row.value).unwrap();
+    }
+    for row in &plan.results {
+        let numbers = [row.nominal, row.value, row.deviation, row.uncertainty, row.truth].map(value).join(" ");
+        writeln!(text, "{} {} {numbers}", row.code, row.unit).unwrap();
+    }
+    text + &listed(&plan.findings)
 }
 
-/// The job for another control, in the form that it takes; its work offset where it has one.
-fn put_out_for(job: &Value, post: &PostDef) -> Value {
-    let cycle = job.get("cycle").and_then(|c| c.get("type"));
-    let def = touchpath::cycle::CYCLES.iter().find(|c| cycle == Some(&Value::Text(c.key.to_owned()))).unwrap();
-    let form = Form::ALL.into_iter().find(|form| (post.serves)(def.probes, *form).is_ok()).unwrap_or(Form::Moves);
+/// The job for another control, in this form; its work offset where it has one.
+fn put_out_for(job: &Value, post: &PostDef, form: Form) -> Value {
     let mut job = crate::common::with(job, "control.post", Value::Text(post.key.to_owned()));
     job = crate::common::with(&job, "control.form", Value::Text(form.word().to_owned()));
     if post.work_offsets == 0 {
@@ -72,39 +79,178 @@ fn put_out_for(job: &Value, post: &PostDef) -> Value {
     job
 }
 
-#[test]
-fn programs_of_every_control_as_they_were() {
-    for (name, job) in crate::common::jobs() {
-        // Those that have no other form than their macros stand below.
-        let takes_moves = |post: &&&PostDef| post.own.is_none() || post.read.is_some();
-        for post in POSTS.iter().filter(takes_moves) {
-            let text = match touchpath::job::plan(&put_out_for(&job, post)) {
-                Ok(plan) => {
-                    let rules = plan.safety.iter().filter(|row| row.holds != Some(true));
-                    let rules: String =
-                        rules.map(|row| format!("rule {} {:?}: {}\n", row.rule, row.holds, row.message)).collect();
-                    format!("{:?}\n{rules}{}", plan.program.proof, plan.program.text)
-                }
-                Err(error) => listed(&error.findings),
-            };
-            snapshot(&format!("../snapshots/{}", post.key), &name, &text);
+/// The form of a control that takes this cycle: moves where it has them.
+fn served(job: &Value, post: &PostDef) -> Form {
+    let cycle = job.get("cycle").and_then(|c| c.get("type"));
+    let def = touchpath::cycle::CYCLES.iter().find(|c| cycle == Some(&Value::Text(c.key.to_owned()))).unwrap();
+    Form::ALL.into_iter().find(|form| (post.serves)(def.probes, *form).is_ok()).unwrap_or(Form::Moves)
+}
+
+/// A program of moves, with what its proof and the rules that do not hold say.
+fn of_moves(job: &Value, post: &PostDef) -> Made {
+    let plan = touchpath::job::plan(&put_out_for(job, post, served(job, post))).map_err(|error| listed(&error.findings))?;
+    let rules = plan.safety.iter().filter(|row| row.holds != Some(true));
+    let rules: String = rules.map(|row| format!("rule {} {:?}: {}\n", row.rule, row.holds, row.message)).collect();
+    Ok(format!("{:?}\n{rules}{}", plan.program.proof, plan.program.text))
+}
+
+/// A program of native cycles, with the moves that they make and what is said of it.
+fn of_cycles(job: &Value, post: &PostDef) -> Made {
+    let plan = touchpath::job::plan(&put_out_for(job, post, Form::Cycle)).map_err(|error| listed(&error.findings))?;
+    let moves = plan.moves.iter().map(|step| format!("{} {} {}\n", step.kind, triple(step.to), step.feed));
+    Ok(format!("{}{}{}", moves.collect::<String>(), listed(&plan.findings), plan.program.text))
+}
+
+/// Without what is of every program of the control: our version, the job's values, the numbers of Klartext's blocks.
+fn cut(program: &str) -> String {
+    let mut text = String::new();
+    let mut values = false;
+    for line in program.lines() {
+        let line = line.trim_start_matches(|c: char| c.is_ascii_digit());
+        let line = if line.starts_with(' ') { &line[1..] } else { line };
+        let folded = line.to_lowercase();
+        values &= !folded.contains("blocks below");
+        if !values {
+            let _ = writeln!(text, "{line}");
         }
+        values |= folded.contains("from this job, every value");
+    }
+    text
+}
+
+/// Without the version, which each release changes.
+fn unversioned(text: &str) -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    text.replace(version, "VERSION").replace(&version.to_uppercase(), "VERSION")
+}
+
+/// With the name of the control taken out.
+fn unnamed(text: &str, post: &PostDef) -> String {
+    let names = [post.title.to_owned(), post.title.to_uppercase(), post.key.to_owned(), post.key.to_uppercase()];
+    names.iter().fold(text.to_owned(), |text, name| text.replace(name.as_str(), "NAME"))
+}
+
+/// What each control and form makes of each job.
+fn made() -> BTreeMap<String, (&'static PostDef, BTreeMap<String, Made>)> {
+    let jobs = crate::common::jobs();
+    assert!(jobs.len() >= 10);
+    let mut all = BTreeMap::new();
+    for post in POSTS {
+        // What has no other form than its macros stands with those.
+        if post.own.is_none() || post.read.is_some() {
+            let programs = jobs.iter().map(|(name, job)| (name.clone(), of_moves(job, post))).collect();
+            all.insert(post.key.to_owned(), (*post, programs));
+        }
+        if post.own.is_some() {
+            let programs = jobs.iter().map(|(name, job)| (name.clone(), of_cycles(job, post))).collect();
+            all.insert(format!("{}-cycle", post.key), (*post, programs));
+        }
+    }
+    all
+}
+
+/// What a control's programs say otherwise than those of another one.
+fn differences(own: &BTreeMap<String, Made>, post: &PostDef, other: &BTreeMap<String, Made>, of: &PostDef) -> String {
+    let mut text = String::new();
+    for (name, made) in own {
+        let plain = |made: &Made, post: &PostDef| match made {
+            Ok(program) => unnamed(&cut(program), post),
+            Err(why) => format!("refused\n{}", unnamed(why, post)),
+        };
+        let (before, after) = (plain(&other[name], of), plain(made, post));
+        if before == after {
+            continue;
+        }
+        let _ = writeln!(text, "== {name}");
+        for change in TextDiff::from_lines(&before, &after).iter_all_changes() {
+            let sign = match change.tag() {
+                ChangeTag::Delete => '-',
+                ChangeTag::Insert => '+',
+                ChangeTag::Equal => continue,
+            };
+            let _ = write!(text, "{sign} {change}");
+        }
+    }
+    if text.is_empty() { "nothing but the name\n".to_owned() } else { text }
+}
+
+/// Snapshots, and which there are.
+#[derive(Default)]
+struct Snapshots(BTreeSet<String>);
+
+impl Snapshots {
+    fn assert(&mut self, folder: &str, name: &str, text: &str) {
+        let path = Path::new("../snapshots").join(folder);
+        insta::with_settings!({ snapshot_path => path, prepend_module_to_snapshot => false, omit_expression => true }, {
+            insta::assert_snapshot!(name, unversioned(text));
+        });
+        self.0.insert(Path::new(folder).join(name).to_string_lossy().into_owned());
     }
 }
 
 #[test]
-fn programs_of_the_controls_own_macros_as_they_were() {
+fn jobs_and_programs_as_they_were() {
+    let all = made();
+    let mut snapshots = Snapshots::default();
     for (name, job) in crate::common::jobs() {
-        for post in POSTS.iter().filter(|post| post.own.is_some()) {
-            let job = crate::common::with(&put_out_for(&job, post), "control.form", Value::Text(Form::Cycle.word().to_owned()));
-            let text = match touchpath::job::plan(&job) {
-                Ok(plan) => {
-                    let moves = plan.moves.iter().map(|step| format!("{} {} {}\n", step.kind, triple(step.to), step.feed));
-                    format!("{}{}{}", moves.collect::<String>(), listed(&plan.findings), plan.program.text)
+        let program = match &all[FIRST].1[&name] {
+            Ok(program) => cut(program),
+            Err(why) => why.clone(),
+        };
+        snapshots.assert("", &name, &format!("{}{program}", path_of(&job)));
+    }
+    for (folder, (post, programs)) in &all {
+        if let Some((_, of)) = KIN.iter().find(|(kin, _)| kin == folder) {
+            let (base, other) = &all[*of];
+            let text =
+                format!("What the programs say otherwise than those of {of}:\n{}", differences(programs, post, other, base));
+            snapshots.assert("", folder, &text);
+            continue;
+        }
+        let mut refused = String::new();
+        let mut whole = true;
+        for (name, made) in programs {
+            match made {
+                Ok(program) => {
+                    // The first one is whole.
+                    let text = if std::mem::take(&mut whole) { program.clone() } else { cut(program) };
+                    if folder != FIRST {
+                        snapshots.assert(folder, name, &text);
+                    } else if text == *program {
+                        snapshots.assert(folder, "header", &text);
+                    }
                 }
-                Err(error) => listed(&error.findings),
-            };
-            snapshot(&format!("../snapshots/{}-cycle", post.key), &name, &text);
+                Err(why) => {
+                    let _ = write!(refused, "== {name}\n{why}");
+                }
+            }
+        }
+        if !refused.is_empty() && folder != FIRST {
+            snapshots.assert(folder, "refused", &refused);
         }
     }
+    let left = left_over(&snapshots.0);
+    assert!(left.is_empty(), "no job makes these snapshots any more, remove them: {}", left.join(" "));
+}
+
+/// Snapshots of this test that nothing makes any more.
+fn left_over(made: &BTreeSet<String>) -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots");
+    let mut left = Vec::new();
+    let mut folders = vec![folder.clone()];
+    while let Some(inner) = folders.pop() {
+        for entry in std::fs::read_dir(inner).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            let name = path.strip_prefix(&folder).expect("inside").with_extension("").to_string_lossy().into_owned();
+            if path.extension().is_some_and(|kind| kind == "snap") && !made.contains(&name) {
+                left.push(name);
+            }
+        }
+    }
+    left.sort();
+    left
 }
