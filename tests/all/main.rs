@@ -30,6 +30,7 @@ mod part;
 mod picture;
 mod plausible;
 mod problems;
+mod programs;
 mod repeat;
 mod reread;
 mod runout;
