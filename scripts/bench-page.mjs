@@ -1,6 +1,7 @@
 // The page in Chromium: what a keystroke and a hover cost of its own work, until everything is updated, laid out and, in the next frame, drawn. The wait for
 // that frame does not count. Milliseconds of the browser's clock, so a busy machine shows: other builds of the page, given as folders, take turns with
 // this one, and what counts are the ratios to the first of them.
+import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { at, ensureChromium } from "./lib.mjs";
 import { addressOf, serve } from "./serve.mjs";
@@ -13,13 +14,8 @@ const KEYS = /** @type {const} */ ([
 /** How often the pages take turns, and how many keys and hovers a turn has; a first turn warms up. */
 const [TURNS, KEYS_A_TURN, HOVERS_A_TURN] = [6, 30, 40];
 
-const browser = await chromium.launch({
-  executablePath: ensureChromium().browser,
-  args: ["--no-sandbox", "--disable-gpu"],
-});
-
 /** A page of a folder, and what it costs. */
-async function opened(/** @type {string} */ folder) {
+async function opened(/** @type {import("playwright-core").Browser} */ browser, /** @type {string} */ folder) {
   const server = await serve(0, folder);
   // In millimetres, as the values are.
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, locale: "en-GB" });
@@ -116,49 +112,49 @@ async function turn(
 const quantile = (/** @type {number[]} */ list, /** @type {number} */ share) =>
   [...list].sort((a, b) => a - b)[Math.floor(list.length * share)] ?? Number.NaN;
 
-const pages = [];
-for (const folder of [at("dist", "page"), ...process.argv.slice(2)]) pages.push(await opened(folder));
-console.log("\nThe page, ms: a keystroke p50 p95, layouts and style passes of it, a hover over the picture p50 p95");
-if (pages.length > 1)
-  console.log("ratios of p50 to the first other page: keystroke, hover (goals: 0.7 and 1 of 0.1.0)");
-for (const kind of KEYS) {
-  /** @type {Awaited<ReturnType<typeof turn>>[][]} */
-  const turns = pages.map(() => []);
-  for (let i = 0; i <= TURNS; i++)
-    for (const [k, page] of pages.entries()) {
-      const one = await turn(page, kind);
-      if (i > 0) turns[k]?.push(one);
+/**
+ * This page and others, given as folders, by turns. Prints what they cost; gives, by the type of the cycle, the ratios of a key and of a hover to the first
+ * other page.
+ */
+export async function comparePages(/** @type {string[]} */ ...others) {
+  const args = ["--no-sandbox", "--disable-gpu"];
+  const browser = await chromium.launch({ executablePath: ensureChromium().browser, args });
+  const pages = [];
+  for (const folder of [at("dist", "page"), ...others]) pages.push(await opened(browser, folder));
+  console.log("\nThe page, ms: a keystroke p50 p95, layouts and style passes of it, a hover over the picture p50 p95");
+  if (pages.length > 1) console.log("ratios of p50 to the first other page: keystroke, hover");
+  /** @type {Record<string, { key: number, hover: number }>} */
+  const ratios = {};
+  for (const kind of KEYS) {
+    /** @type {Awaited<ReturnType<typeof turn>>[][]} */
+    const turns = pages.map(() => []);
+    for (let i = 0; i <= TURNS; i++)
+      for (const [k, page] of pages.entries()) {
+        const one = await turn(page, kind);
+        if (i > 0) turns[k]?.push(one);
+      }
+    const costs = turns.map((own) => {
+      const [keys, hovers] = [own.flatMap((one) => one.keys), own.flatMap((one) => one.hovers)];
+      const mean = (/** @type {"layouts" | "styles"} */ of) => own.reduce((sum, one) => sum + one[of], 0) / own.length;
+      return {
+        key: quantile(keys, 0.5),
+        hover: quantile(hovers, 0.5),
+        rest: [quantile(keys, 0.95), mean("layouts"), mean("styles"), quantile(hovers, 0.95)],
+      };
+    });
+    const [mine, other] = costs;
+    const ratio = mine && other ? { key: mine.key / other.key, hover: mine.hover / other.hover } : null;
+    if (ratio) ratios[kind[0]] = ratio;
+    for (const [k, { key, hover, rest }] of costs.entries()) {
+      const [slow = 0, layouts = 0, styles = 0, slowHover = 0] = rest;
+      const cells = [key, slow, layouts, styles, hover, slowHover].map((x) => x.toFixed(1).padStart(6));
+      const last = k === 0 && ratio ? [ratio.key, ratio.hover].map((x) => x.toFixed(2).padStart(7)) : [];
+      console.log((k === 0 ? kind[0] : `  ${pages[k]?.folder}`).padEnd(30), ...cells, ...last);
     }
-  const middles = turns.map((own) => ({
-    key: quantile(
-      own.flatMap(({ keys }) => keys),
-      0.5,
-    ),
-    hover: quantile(
-      own.flatMap(({ hovers }) => hovers),
-      0.5,
-    ),
-  }));
-  for (const [k, own] of turns.entries()) {
-    const keys = own.flatMap((one) => one.keys);
-    const hovers = own.flatMap((one) => one.hovers);
-    const mean = (/** @type {"layouts" | "styles"} */ of) => own.reduce((sum, one) => sum + one[of], 0) / own.length;
-    const cells = [
-      quantile(keys, 0.5),
-      quantile(keys, 0.95),
-      mean("layouts"),
-      mean("styles"),
-      quantile(hovers, 0.5),
-      quantile(hovers, 0.95),
-    ];
-    const [mine, other] = [middles[0], middles[1]];
-    const ratio = k === 0 && mine && other ? [mine.key / other.key, mine.hover / other.hover] : [];
-    console.log(
-      (k === 0 ? kind[0] : `  ${pages[k]?.folder}`).padEnd(30),
-      ...cells.map((x) => x.toFixed(1).padStart(6)),
-      ...ratio.map((x) => x.toFixed(2).padStart(7)),
-    );
   }
+  await browser.close();
+  for (const page of pages) page.close();
+  return ratios;
 }
-await browser.close();
-for (const page of pages) page.close();
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) await comparePages(...process.argv.slice(2));

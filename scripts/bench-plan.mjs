@@ -455,7 +455,7 @@ for (const [name, size] of Object.entries(sizes)) {
 const target = process.env.CARGO_TARGET_DIR ?? at("target");
 const built = (/** @type {string} */ folder) =>
   new Map(rooms(readFileSync(join(target, folder, "wasm32-unknown-unknown", "release", "touchpath.wasm"))));
-const [all, begins] = [built(""), built("first")];
+const [all, begins] = [built("wasm"), built("first")];
 console.log("\nCode by room and control, kB before wasm-opt: in the whole module, in the first one");
 for (const [name, size] of all)
   console.log(name.padEnd(22), ...[size, begins.get(name) ?? 0].map((b) => (b / 1000).toFixed(1).padStart(8)));
