@@ -38,9 +38,24 @@ export const SIZES = [
   [390, 844],
 ];
 
+/** What changes a page or its browser for good: after it the next test gets another one. */
+const LASTING = [
+  "addInitScript",
+  "route",
+  "emulateMedia",
+  "setViewportSize",
+  "exposeFunction",
+  "setOffline",
+  "newPage",
+  "install",
+];
+/** Whether the page and its browser are as every test of the file finds them. */
+let asOpened = false;
+
 /**
- * A page of its own for every test of a file; a problem on it fails the test. Without the service worker, which fetches every
- * file again in the background: only what is asked without a network needs it.
+ * For every test of a file the page as a first visit has it; a problem on it fails the test. The browser stays, with what it has compiled: only a test that
+ * changes it for good gets another one. Without the service worker, which fetches every file again in the background: only what is asked without a network
+ * needs it.
  * @param {{ width: number, height: number }} viewport
  * @param {"allow" | "block"} serviceWorkers
  */
@@ -49,7 +64,19 @@ export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = 
     server = await serve(0);
     browser = await launch();
   });
-  beforeEach(() => open({ viewport, serviceWorkers }));
+  beforeEach(async () => {
+    if (asOpened && serviceWorkers === "block") return forget();
+    await open({ viewport, serviceWorkers });
+    asOpened = true;
+    for (const one of /** @type {any[]} */ ([page, context, page.clock]))
+      for (const name of LASTING.filter((name) => name in one)) {
+        const own = one[name];
+        one[name] = (/** @type {unknown[]} */ ...args) => {
+          asOpened = false;
+          return own.apply(one, args);
+        };
+      }
+  });
   afterEach(() => assert.deepEqual(problems, [], "nothing is complained about on the console"));
   after(async () => {
     await browser?.close();
@@ -57,11 +84,26 @@ export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = 
   });
 }
 
+/** The page as a first visit has it, in the same browser: nothing is kept of the test before. */
+async function forget() {
+  await page.mouse.move(0, 0);
+  await page.evaluate(() => {
+    // The page keeps its state when it goes.
+    for (const storage of [localStorage, sessionStorage]) storage.clear();
+    Storage.prototype.setItem = () => {};
+  });
+  await page.goto("about:blank");
+  problems = [];
+  await page.goto(addressOf(server));
+  await ready();
+}
+
 /**
  * The page in a browser of its own.
  * @param {import("playwright-core").BrowserContextOptions} options
  */
 export async function open(options) {
+  asOpened = false;
   await context?.close();
   // Where people measure in inch a first job is in inch: here it is in mm.
   const locale = "en-GB";

@@ -18,6 +18,8 @@ export let folder;
 let server;
 /** @type {import("playwright-core").Browser} */
 let browser;
+/** What the browser has compiled serves every test of a file. @type {import("playwright-core").BrowserContext} */
+let context;
 /** @type {import("playwright-core").Page} */
 export let page;
 /** What went wrong unseen. @type {string[]} */
@@ -38,8 +40,15 @@ export function setUp() {
     });
     server = await serve(0, folder);
     browser = await launch();
+    context = await browser.newContext({ viewport: { width: 1300, height: 900 } });
   });
   afterEach(async () => {
+    // Nothing is kept for the next test.
+    if (page?.url().startsWith("http"))
+      await page.evaluate(() => {
+        for (const storage of [localStorage, sessionStorage]) storage.clear();
+        Storage.prototype.setItem = () => {};
+      });
     await page?.close();
     assert.deepEqual(problems, [], "nothing is complained about on the console");
   });
@@ -58,7 +67,7 @@ export const address = (/** @type {string} */ name) => `${addressOf(server)}${na
 
 /** A file of the folder in a tab, as it is: nothing is listened to, nothing waited for. */
 export async function visit(/** @type {string} */ name) {
-  page = await browser.newPage();
+  page = await context.newPage();
   await page.goto(address(name));
 }
 
@@ -73,7 +82,7 @@ export async function open(/** @type {string} */ body, script = "", policy = POL
   );
   problems = [];
   modules = [];
-  page = await browser.newPage({ viewport: { width: 1300, height: 900 } });
+  page = await context.newPage();
   page.on("pageerror", (error) => problems.push(String(error)));
   page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
   page.on("request", (request) => request.url().endsWith(".wasm") && modules.push(request.url()));

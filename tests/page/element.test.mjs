@@ -238,8 +238,9 @@ test("a host that returns each changed job late does not overwrite what is typed
   await field("cycle.diameter").focus();
   await page.keyboard.press("Control+a");
   await page.keyboard.type("31.25", { delay: 70 });
-  await page.waitForTimeout(400);
-  assert.equal(await on((element) => element.job.cycle.diameter), 31.25);
+  await page.waitForFunction(
+    () => /** @type {any} */ (document.querySelector("touch-path")).job.cycle.diameter === 31.25,
+  );
   assert.equal(await field("cycle.diameter").inputValue(), "31.25");
 });
 

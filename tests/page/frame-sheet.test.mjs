@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { field, more, page, painted, put, redo, saveButton, setUp, textOf, undo, unfold } from "./common.mjs";
+import { field, more, page, painted, put, redo, saveButton, settles, setUp, textOf, undo, unfold } from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
@@ -88,8 +88,7 @@ test("the setup sheet drew the handle of the virtual part as if it were a featur
   assert.ok((await handle("tp-picture")) > 20);
   await page.getByRole("button", { name: "Setup sheet" }).click();
   await page.locator("tp-sheet [data-view=top]").waitFor();
-  await page.waitForTimeout(300);
-  assert.equal(await handle("tp-sheet"), 0);
+  await settles(async () => (await handle("tp-sheet")) === 0);
 });
 
 test("a result of another plane stood under the name of another axis: in G18 the abscissa is Z", async () => {
@@ -134,10 +133,9 @@ test("the setup sheet is of the form as it stands: its picture follows, and with
     page.locator("tp-sheet [data-view=top]").evaluate((c) => /** @type {HTMLCanvasElement} */ (c).toDataURL());
   const hole = await picture();
   await field("cycle.type").selectOption("internal-rectangle");
-  await page.waitForTimeout(50);
-  assert.notEqual(await picture(), hole);
+  await settles(async () => (await picture()) !== hole);
   await undo().click();
-  assert.equal(await picture(), hole);
+  await settles(async () => (await picture()) === hole);
   await undo().click();
   assert.match(await textOf(page.locator("tp-sheet")), /No setup sheet while the form has an error/);
   assert.equal(await page.locator("tp-sheet :is(article, canvas)").count(), 0);

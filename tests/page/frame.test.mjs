@@ -308,11 +308,10 @@ test("a click on a dimension goes to its field, and a focused depth turns the pi
   const looks = () => page.locator(".picture .tools [aria-pressed=true]").textContent();
   assert.equal(await looks(), "top");
   await field("cycle.depth").focus();
-  await page.waitForTimeout(50);
-  assert.equal(await looks(), "front");
+  await settles(async () => (await looks()) === "front");
+  // In front of the part width 2 is not seen, from above it is.
   await field("cycle.width2").focus();
-  await page.waitForTimeout(50);
-  assert.equal(await looks(), "top", "in front of the part width 2 is not seen, from above it is");
+  await settles(async () => (await looks()) === "top");
 });
 
 test("a line that is clicked stays lit when the pointer leaves; Escape frees it", async () => {
@@ -344,13 +343,12 @@ test("a note that a link was copied went on after the job was another one", asyn
 test("nothing plays that is not seen", async () => {
   await page.getByRole("button", { name: "Play" }).click();
   await more("Tool lengths");
-  await page.waitForTimeout(100);
   const clock = () =>
     page.evaluate(
       () =>
         /** @type {any} */ (document.querySelector("touch-path")).shadowRoot.querySelector("tp-picture").timeline.clock,
     );
-  assert.equal(await clock(), null);
+  await settles(async () => (await clock()) === null);
 });
 
 test("what is narrower than a tablet keeps its order for eye and Tab: picture, form, tabs", async () => {
@@ -363,8 +361,8 @@ test("what is narrower than a tablet keeps its order for eye and Tab: picture, f
     tops,
   );
   await page.setViewportSize({ width: 1440, height: 900 });
-  await page.waitForTimeout(100);
-  const wide = await page.locator("main > *:visible").evaluateAll((all) => all.map((n) => n.className));
-  assert.deepEqual(wide.slice(0, 3), ["setup", "picture", "tabs"]);
-  assert.ok((await pixels()).count > 2000, "the picture is still drawn");
+  const wide = () => page.locator("main > *:visible").evaluateAll((all) => all.map((n) => n.className));
+  await settles(async () => (await wide()).slice(0, 3).join() === "setup,picture,tabs");
+  // The picture is still drawn.
+  await settles(async () => (await pixels()).count > 2000);
 });

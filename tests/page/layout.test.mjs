@@ -259,7 +259,7 @@ test("a tap on a dimension left the focus on the picture: it is in the field", a
   });
   assert.ok(spot);
   await page.touchscreen.tap(spot.x, spot.y);
-  await page.waitForTimeout(200);
+  await settles(async () => (await focusedId()) === `f-${spot.field}`);
   assert.equal(
     await page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id),
     `f-${spot.field}`,
@@ -308,8 +308,7 @@ test("what had the focus and is gone leaves it to what is near, not to the start
   await settled("More");
   await field("cycle.width1").fill("81");
   await page.getByRole("button", { name: "Undo" }).press("Enter");
-  await page.waitForTimeout(600);
-  assert.notEqual(await at(), null);
+  await settles(async () => (await at()) !== null);
   // What is there still, and was left by the user, does not get the focus back.
   await field("cycle.width1").fill("82");
   const button = page.getByRole("button", { name: "Undo" });
@@ -456,8 +455,7 @@ test("a phone that was turned lost the field that had the focus", async () => {
     [844, 390],
   ]) {
     await page.setViewportSize({ width: width ?? 0, height: height ?? 0 });
-    await page.waitForTimeout(200);
-    assert.equal(await focusedId(), "f-cycle.width2", `${width}`);
+    await settles(async () => (await focusedId()) === "f-cycle.width2");
     await settles(async () => {
       const [box, form] = [await boxOf(field("cycle.width2")), await boxOf(page.locator("tp-form"))];
       return box.y >= form.y && box.y + box.height <= form.y + form.height + 1;

@@ -62,6 +62,18 @@ function difference(/** @type {string[]} */ one, /** @type {string[]} */ other) 
 
 const fits = (/** @type {ReturnType<typeof difference>} */ { mean, far, same }) => same && mean <= MEAN && far <= FEW;
 
+/** The page once nothing moves on it any more. */
+async function stillScreen() {
+  let before = await page.screenshot();
+  for (let i = 0; i < 40; i++) {
+    await page.waitForTimeout(100);
+    const now = await page.screenshot();
+    if (now.equals(before)) return now;
+    before = now;
+  }
+  assert.fail("the page never rests");
+}
+
 for (const colorScheme of /** @type {const} */ (["light", "dark"]))
   for (const [width, height] of SIZES)
     test(`the page looks as it was seen to: ${width} pixels, ${colorScheme}`, async () => {
@@ -69,8 +81,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"]))
       // The folded form, as a user finds it.
       await page.reload();
       await page.locator(`tp-picture ${PICTURE}`).waitFor();
-      await page.waitForTimeout(400);
-      const seen = await cells(await page.screenshot());
+      const seen = await cells(await stillScreen());
       const file = `${FOLDER}/${width}-${colorScheme}.txt`;
       if (process.env.UPDATE) {
         mkdirSync(FOLDER, { recursive: true });
@@ -82,7 +93,6 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"]))
       assert.ok(fits(off), `the page looks otherwise than in ${file}: ${JSON.stringify(off)}`);
       // What would be wrong is found: a panel that is gone, the other colours.
       await page.evaluate(() => document.querySelector("touch-path")?.setAttribute("panels", "form program"));
-      await page.waitForTimeout(150);
-      const without = difference(await cells(await page.screenshot()), known);
+      const without = difference(await cells(await stillScreen()), known);
       assert.ok(!fits(without), `a missing picture is seen: ${JSON.stringify(without)}`);
     });

@@ -14,6 +14,7 @@ import {
   pixels,
   program,
   SIZES,
+  settles,
   setUp,
 } from "./common.mjs";
 
@@ -28,8 +29,7 @@ test("a gesture that the browser took over pinned a move", async () => {
   const session = await page.context().newCDPSession(page);
   await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
   await session.send("Input.dispatchTouchEvent", { type: "touchCancel", touchPoints: [] });
-  await page.waitForTimeout(100);
-  assert.equal(await lit(), 0);
+  await settles(async () => (await lit()) === 0);
   await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
   await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   await page.locator("tp-program .line[aria-selected=true]").waitFor();
