@@ -259,6 +259,13 @@ fn the_searches_of_a_path_stay_within_the_travel() {
         |x: f64| format!(r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 40, -20], "max": [200, 60, 20] }}] }}"#);
     assert_eq!(refused(&config(&post(119.6)), follows), [""; 0], "the ball reaches 119.5");
     assert_eq!(refused(&config(&post(119.4)), follows), ["keep-out cycles[1]"]);
+    // The way out of a cycle that follows begins where that cycle lies: at X 100 and up to 5 farther, with a ball of radius 3.
+    let leaves = r#"{ "format": 2, "limits": { "position": 5 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
+        { "type": "hole", "diameter": 25, "origin": ["=A.center.x+100", 0, 0] }, { "type": "hole", "diameter": 25, "origin": [100, 100, 0] }] }"#;
+    let beside =
+        |x: f64| format!(r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 30, -50], "max": [200, 31, 90] }}] }}"#);
+    assert_eq!(refused(&config(&beside(108.1)), leaves), [""; 0]);
+    assert_eq!(refused(&config(&beside(106.0)), leaves), ["keep-out cycles[2]"]);
 }
 
 #[test]

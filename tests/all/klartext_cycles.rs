@@ -471,3 +471,31 @@ fn a_program_comes_back_as_its_job() {
         }
     }
 }
+
+/// HEIDENHAIN, touch probe cycles: Q281 = 0 makes no log, 1 a log as a file, 2 stops the program and shows it.
+#[test]
+fn the_log_of_a_measuring_cycle_is_the_one_that_was_chosen() {
+    for (report, wanted) in [("none", 0.0), ("log", 1.0), ("screen", 2.0)] {
+        let text = plan(&job("hole", &[("control.report", Value::Text(report.to_owned()))])).unwrap().program.text;
+        let (_, given) = &blocks(&text)[0];
+        assert_eq!(given.iter().find(|(q, _)| *q == 281).map(|(_, value)| *value), Some(wanted), "{report}\n{text}");
+    }
+}
+
+/// A call in inch is a job in inch. By hand: the ball of 6 mm has a radius of 3 / 25.4 = 0.11811 inch, Q counts from the contact of its centre, and the hole is
+/// 10 mm = 0.393701 inch deep below the ball's centre.
+#[test]
+fn a_call_in_inch_becomes_a_job_in_inch() {
+    use touchpath::import::toolpath::{Known, run_program};
+    let text = "O1\nG20 G17 G90\nG0 X0 Y0 Z-.2\nG65 P9814 D1. Q.2\nM30\n";
+    let run = run_program(text, &Known { start: Some([0.0, 0.0, 2.0]), ..Known::default() });
+    let job = run.calls.iter().find_map(|call| call.job.clone()).expect("a hole");
+    let near = |path: &str, wanted: f64| {
+        let own = crate::common::number_at(&job, path, f64::NAN);
+        assert!((own - wanted).abs() < 1e-6, "{path}: {own}, not {wanted}");
+    };
+    assert_eq!(job.get("units"), Some(&Value::Text("inch".to_owned())));
+    near("cycle.diameter", 1.0);
+    near("cycle.depth", 10.0 / 25.4);
+    near("overtravel", 0.2 + 3.0 / 25.4);
+}

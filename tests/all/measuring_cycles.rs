@@ -218,3 +218,13 @@ fn results_are_kept_before_the_next_cycle() {
     let back = crate::common::import(text).unwrap();
     assert_eq!(plan(&back.job).unwrap().program.text, *text);
 }
+
+/// CYCLE977's safe range is how far a wall may be off to each side: the limit of the position, and never more than the overtravel.
+#[test]
+fn the_safe_range_is_the_limit_of_the_position() {
+    for (limit, overtravel, safe) in [(0.2, 5.0, "0.2"), (4.0, 5.0, "4"), (7.0, 5.0, "5")] {
+        let changes = [("limits.position", number(limit)), ("overtravel", number(overtravel))];
+        let text = plan(&job("internal-rectangle-protected", &changes)).unwrap().program.text;
+        assert!(text.contains(&format!("80,50,5,{safe},0,")), "{limit}\n{text}");
+    }
+}

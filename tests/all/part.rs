@@ -1,4 +1,4 @@
-//! The virtual part against closed forms worked out by hand, and the uncertainties against 100,000 draws.
+//! The virtual part against closed forms worked out by hand, and the uncertainties against 20,000 draws.
 
 use crate::common::{job, number, planned, point, with};
 use touchpath::form::{Level, Value};
@@ -184,7 +184,7 @@ impl Draws {
 
 /// Every touch scatters along its probing direction, 100,000 times; the spread of each result is its stated uncertainty.
 #[test]
-fn uncertainties_agree_with_a_hundred_thousand_draws() {
+fn uncertainties_agree_with_draws() {
     let acute = r#"{ "format": 1, "stylus": { "repeatability": 0.004 }, "cycle": { "type": "double-wall-internal-corner",
         "angle": 55, "rotation": 25, "clearance1": 12, "clearance2": 18, "count1": 4, "count2": 3, "step1": 6, "step2": 9 },
         "part": { "offset": [0.3, -0.4, 0], "rotation": 0.8, "sizes": { "angle": -0.3 } } }"#;
@@ -210,7 +210,8 @@ fn uncertainties_agree_with_a_hundred_thousand_draws() {
         let plan = planned(&job);
         let touchpath::job::Planned { job: checked, path, .. } = touchpath::job::planned(&job).unwrap();
         let mut draws = Draws(*seed);
-        let count = 100_000;
+        // The spread of so many is known to half a percent.
+        let count = 20_000;
         let mut sums = vec![(0.0, 0.0); plan.results.len()];
         for _ in 0..count {
             let scattered: Vec<_> = plan

@@ -128,3 +128,10 @@ test("a report for JUnit: a case a job, hostile text and all", async () => {
   assert.equal(run(["check", "good.json", "--reporter", "tap"]).status, 2);
   assert.equal(run(["plan", "good.json", "--reporter", "junit"]).status, 2);
 });
+
+test("a finding of a job in one line says its column: 12 characters stand before it", () => {
+  writeFileSync(join(folder, "line.json"), '{"format":1,"overtravel":-1,"cycle":{"type":"hole"}}');
+  const { status, stdout } = run(["check", "line.json"]);
+  assert.equal(status, 1);
+  assert.match(stdout, /^line\.json:1:13: error: /m);
+});

@@ -320,3 +320,11 @@ test("rules that are found by themselves: those of the nearest folder, named one
   assert.match(broken.stderr, /touchpath\.config\.json: config\.tilte/);
   assert.equal(inside("moves", "fast.json").status, 1, "it is for jobs");
 });
+
+test("the programs of a file with a job a line are verified by their own lines", () => {
+  file("lines.ndjson", `${JSON.stringify(job("hole", "E"))}\n${JSON.stringify(job("boss", "F"))}\n`);
+  assert.equal(run(["plan", "lines.ndjson", "-o", "of-lines", "--manifest"]).status, 0);
+  const { status, stdout } = run(["verify", "of-lines", "--manifest"]);
+  assert.equal(status, 0, stdout);
+  assert.equal(stdout.trimEnd().split("\n").length, 2);
+});

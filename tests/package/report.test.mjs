@@ -128,6 +128,8 @@ test("a missing value is not good, and a bad one is the verdict", async () => {
   const measured = (/** @type {string} */ log) => report({ plan, parts: [touchpath.measure(example(), log)] });
   assert.equal(measured(text.replace(/RIB WIDTH.*\n/, "")).verdict, "not measured");
   assert.equal(measured(printed(25.04)).verdict, "out");
+  // 25H7 ends at 25.021, and the expanded uncertainty of the diameter is 0.002.
+  assert.equal(measured(printed(25.0215)).verdict, "out within ±");
   const { rows } = measured(text);
   assert.ok(
     !rows.some((/** @type {any} */ row) => row.code === "POCKET.rotation"),
@@ -163,6 +165,11 @@ test("the command reports a part, a log of several, and fails where a part is no
   assert.deepEqual([json.by, json.machine, json.when, json.parts], ["Ada", "VF-2", "today", 1]);
   const out = run(["report", job, bad]);
   assert.deepEqual([out.status, out.stdout.startsWith("<!doctype html>")], [1, true]);
+  const status = (/** @type {string} */ name, /** @type {string} */ text) =>
+    run(["report", job, file(name, text)]).status;
+  assert.equal(status("near.txt", printed(25.0215)), 1, "out, if only within the uncertainty");
+  assert.equal(status("gap.txt", printed(25.01).replace(/RIB WIDTH.*\n/, "")), 1, "not measured");
+  assert.equal(status("within.txt", printed(25.0205)), 0, "good, if only within the uncertainty");
   assert.equal(run(["report", job]).status, 2);
   assert.equal(run(["plan", job, "--by", "Ada"]).status, 2);
   assert.equal(run(["report", job, good, "-o", "reports"]).status, 0);

@@ -65,7 +65,7 @@ fn uncertainties_agree_with_draws() {
     job = with(&job, "cycle.angularLength", number(200.0));
     job = with(&job, "cycle.startingAngle", number(25.0));
     job = with(&job, "part.rotation", number(0.3));
-    let (plan, spreads) = (planned(&job), drawn_spreads(&job, 100_000));
+    let (plan, spreads) = (planned(&job), drawn_spreads(&job, 20_000));
     for code in ["Q950", "Q951", "Q953", "Q964", "Q966", "Q997"] {
         let index = plan.results.iter().position(|r| r.code == code).unwrap();
         let (spread, stated) = (spreads[index].unwrap(), plan.results[index].uncertainty.unwrap());

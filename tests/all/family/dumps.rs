@@ -33,7 +33,7 @@ fn without_idle(job: &Value) -> Value {
 /// Job, dump, job: the same, in each of the three forms.
 #[test]
 fn a_dump_becomes_the_job_again() {
-    law(400, 100, (dumped_job(),), |(job,)| {
+    law(150, 40, (dumped_job(),), |(job,)| {
         let Ok(planned) = plan(&job) else { return Ok(false) };
         for format in ["text", "csv", "json"] {
             let dump = export_table(&planned, format).unwrap();

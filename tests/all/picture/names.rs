@@ -207,8 +207,8 @@ fn no_name_of_a_dimension_is_cut_off_by_the_edge_of_the_picture() {
     for cycle in touchpath::cycle::CYCLES {
         for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
             let (scene, _) = built(&of(cycle.key), view);
-            for wide in (360..=760).step_by(40) {
-                for high in (260..=700).step_by(40) {
+            for wide in (360..=760).step_by(80) {
+                for high in (260..=700).step_by(88) {
                     let size = [f64::from(wide), f64::from(high)];
                     for placed in Camera::whole(size.into(), &scene).layout(&scene, None).dimensions {
                         let inside = |at: &Vec2| (0..2).all(|i| at[i] >= 0.0 && at[i] <= size[i]);
@@ -221,5 +221,5 @@ fn no_name_of_a_dimension_is_cut_off_by_the_edge_of_the_picture() {
             }
         }
     }
-    assert!(seen > 10_000 && cut.is_empty(), "{} of {seen}: {cut:?}", cut.len());
+    assert!(seen > 2_500 && cut.is_empty(), "{} of {seen}: {cut:?}", cut.len());
 }

@@ -102,6 +102,16 @@ fn a_log_of_ugs_gives_results_and_the_block() {
     assert!(found.findings[0].message.contains("WCO in line 5: X-200 Y-150 Z-60 (mm)"), "{}", found.findings[0].message);
 }
 
+/// With $10=0 a control reports places of the work system: X0 Y0 Z30 is where the program ends. As a place of the machine it would be 250 mm away, and there
+/// would be no block.
+#[test]
+fn a_status_in_work_coordinates_says_where_the_ball_stands() {
+    let at_the_end = measured(&pocket(), &format!("{UGS}<Idle|WPos:0.000,0.000,30.000|FS:0,0>\n"));
+    assert_eq!(at_the_end.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"));
+    let elsewhere = measured(&pocket(), &format!("{UGS}<Idle|WPos:-200.000,-150.000,-30.000|FS:0,0>\n"));
+    assert_eq!(elsewhere.block, None, "the place of the machine is none of the work system");
+}
+
 /// Prompts and times as senders have them: cncjs `<`, bCNC times, Candle's answers behind the block, ioSender without prompts.
 #[test]
 fn logs_of_other_senders() {
