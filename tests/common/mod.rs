@@ -214,14 +214,52 @@ pub fn canonical(program: &str) -> Vec<String> {
     run_interpreter(program).0.lines().map(str::to_owned).collect()
 }
 
-fn run_interpreter(program: &str) -> (String, Option<String>) {
+/// The command of LinuxCNC's interpreter.
+fn interpreter() -> PathBuf {
     let command = std::env::var("RS274").map(PathBuf::from).unwrap_or_else(|_| {
         let target = std::env::var("CARGO_TARGET_DIR").unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));
         PathBuf::from(target).join("tools/linuxcnc/rs274")
     });
     assert!(command.exists(), "LinuxCNC's interpreter is not set up: run `npm run test:setup` once");
+    command
+}
+
+/// A folder for the files of one run.
+fn own_folder() -> PathBuf {
     let folder = std::env::temp_dir().join(format!("touchpath-{}-{:?}", std::process::id(), std::thread::current().id()));
     std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// What LinuxCNC's screens say of each program when it is loaded: `ok`, or why it is refused.
+pub fn preview(programs: &[&str]) -> Vec<String> {
+    let command = interpreter();
+    let root = command.parent().expect("its folder");
+    let folder = own_folder();
+    let paths = programs.iter().enumerate().map(|(i, text)| {
+        let path = folder.join(format!("{i}.ngc"));
+        std::fs::write(&path, text).expect("a file");
+        path
+    });
+    let paths: Vec<PathBuf> = paths.collect();
+    let libraries = format!("{0}/usr/lib:{0}/usr/lib/x86_64-linux-gnu", root.display());
+    let output = Command::new("python3")
+        .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/preview.py"))
+        .arg(root)
+        .args(&paths)
+        .env("LD_LIBRARY_PATH", libraries)
+        .env("HOME", &folder)
+        .output()
+        .expect("Python runs");
+    std::fs::remove_dir_all(&folder).expect("the folder goes");
+    let said: Vec<String> = String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect();
+    assert_eq!(said.len(), programs.len(), "{}", String::from_utf8_lossy(&output.stderr));
+    said
+}
+
+fn run_interpreter(program: &str) -> (String, Option<String>) {
+    let command = interpreter();
+    let folder = own_folder();
     let file = |name: &str, text: &str| {
         let path = folder.join(name);
         std::fs::write(&path, text).expect("a file");
@@ -233,7 +271,8 @@ fn run_interpreter(program: &str) -> (String, Option<String>) {
         .arg("-v")
         .arg(file("empty.var", ""))
         .arg("-g")
-        .arg(file("program.ngc", program))
+        // The command alone is no machine: it would take a program for one that is only drawn.
+        .arg(file("program.ngc", &program.replace("#<_task>", "1")))
         // It maps a tool table of its own from the home folder: two at once would share it and crash.
         .env("HOME", &folder)
         .stdin(std::process::Stdio::null())

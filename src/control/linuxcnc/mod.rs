@@ -210,11 +210,14 @@ impl Moves for LinuxCnc<'_> {
         let value = print::variable(&print::Rs274, formula, question.variable);
         let (limit, wanted) = (decimal(question.limit / unit, 12), decimal(question.wanted / unit, 12));
         let off = less(&value, &wanted);
-        w.parts(&["o", &label, " if [ABS[", &off, "] GT ", &limit, "]"]);
+        let writes = self.request.corrects();
+        let stops = question.stops(writes);
+        // The interpreter that draws a program when it is loaded ends each probing move at its target: no result is plausible there.
+        let (on_machine, end) = if stops { ("[#<_task> EQ 1] AND [", "]") } else { ("", "") };
+        w.parts(&["o", &label, " if [", on_machine, "ABS[", &off, "] GT ", &limit, end, "]"]);
         let code = formula.code(&formula.results[question.result]);
         let says = format!("{code} is {value}{}", question.complaint(unit));
-        let writes = self.request.corrects();
-        if question.stops(writes) {
+        if stops {
             // As in the exit: the last lift is made first.
             w.line("M66 E0 L0");
             w.line(&format!("(ABORT,{says}{})", if writes { ". Nothing is written" } else { "" }));

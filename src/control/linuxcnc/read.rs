@@ -25,10 +25,11 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     if (letter, tenths) == (b'M', 190) { Some("RQ") } else { words::rs274(letter, tenths) }
 }
 
-/// `#5061` and its kin. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
+/// `#5061` and its kin. `#<_task>` is 1 where a program runs on the machine, and 0 where it is only drawn. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
 fn system(name: &[u8]) -> Option<System> {
     if let [b'#', b'<', name @ ..] = name {
         return match name {
+            b"_task>" => Some(System::Fixed(1.0)),
             b"_x>" | b"_X>" => Some(System::Place(0)),
             b"_y>" | b"_Y>" => Some(System::Place(1)),
             b"_z>" | b"_Z>" => Some(System::Place(2)),

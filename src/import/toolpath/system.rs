@@ -101,6 +101,8 @@ impl System {
                 "_x" => known(self.place[0]),
                 "_y" => known(self.place[1]),
                 "_z" => known(self.place[2]),
+                // A run is one on the machine.
+                "_task" => Some(1.0),
                 "_metric" => truth(self.metric),
                 "_imperial" => truth(self.metric.map(|metric| !metric)),
                 "_absolute" => truth(self.absolute),

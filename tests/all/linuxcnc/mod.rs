@@ -1,6 +1,7 @@
 //! LinuxCNC's own interpreter runs every golden program: it accepts it, its moves are the planned path, and what it
 //! prints is what an independent calculation makes of the same points.
 
+mod preview;
 mod ways;
 
 use crate::common::{Interpreted, compare_moves, interpret, interpret_until_stop, number_at, planned, with};
