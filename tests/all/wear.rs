@@ -19,7 +19,7 @@ fn refused(job: &Value) -> Vec<String> {
     errors.map(|finding| format!("{} {}", finding.code, finding.path)).collect()
 }
 
-/// The letters of the reference sheets: T the offset, F the share, V the dead band; 9835 has M, the offsets that keep the values, and C, the parts.
+/// The letters of the reference sheets: T the offset, F the share, V the dead band, which a measuring macro compares with half of the error; 9835 has M, the offsets that keep the values, and C, the parts.
 #[test]
 fn the_macro_gets_the_tool_in_its_own_letters() {
     let whole = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005 }"#;
@@ -30,13 +30,15 @@ fn the_macro_gets_the_tool_in_its_own_letters() {
         text.lines().filter(measures).map(str::to_owned).collect()
     };
     for post in ["fanuc", "haas", "mazak", "hurco"] {
-        assert_eq!(calls(post, whole), ["G65 P9814 D25. Q2. T5. F0.5 V0.005 H0.5"], "{post}");
+        assert_eq!(calls(post, whole), ["G65 P9814 D25. Q2. T5. F0.5 V0.0025 H0.5"], "{post}");
     }
-    assert_eq!(calls("brother", whole), ["G65 P8814 D25. Q2. T5. F0.5 V0.005 H0.5"]);
-    assert_eq!(calls("okuma", whole), ["CALL O9814 PD=25. PQ=2. PT=5. PF=0.5 PV=0.005 PH=0.5"]);
+    assert_eq!(calls("brother", whole), ["G65 P8814 D25. Q2. T5. F0.5 V0.0025 H0.5"]);
+    assert_eq!(calls("okuma", whole), ["CALL O9814 PD=25. PQ=2. PT=5. PF=0.5 PV=0.0025 PH=0.5"]);
     assert_eq!(calls("haas", r#"{ "tool": 12 }"#), ["G65 P9814 D25. Q2. T12. H0.5"], "the whole error, without a dead band");
     let mean = r#"{ "tool": 5, "percent": 25, "parts": 4, "store": 20 }"#;
     assert_eq!(calls("haas", mean), ["G65 P9814 D25. Q2. H0.5", "G65 P9835 T5. M20. C4. F0.25"]);
+    let banded = r#"{ "tool": 5, "deadBand": 0.005, "parts": 4, "store": 20 }"#;
+    assert_eq!(calls("haas", banded)[1], "G65 P9835 T5. M20. C4. V0.005", "the mean compares the whole error");
     // The mean may empty what the measuring macro gave: it is kept before.
     let plan = planned(&bore("haas", mean, 0.03));
     let row = plan.results.iter().find(|row| row.code == "diameter").unwrap();

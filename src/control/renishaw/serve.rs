@@ -193,7 +193,9 @@ impl<'a> Program<'a> {
             correction.push(('F', Quantity::Plain(wear.share)));
         }
         if wear.dead_band > 0.0 {
-            correction.push(('V', Quantity::Length(wear.dead_band)));
+            // The measuring macros compare V with half of the size's error, O9835 with the whole one (Renishaw's macros, read).
+            let compared = if wear.mean.is_none() { 0.5 } else { 1.0 };
+            correction.push(('V', Quantity::Length(compared * wear.dead_band)));
         }
         if wear.mean.is_none() {
             letters.extend(correction);
@@ -256,7 +258,7 @@ impl<'a> Program<'a> {
         let touch = &self.request.path.touches[0];
         let (vector, start) = (touch.vector, self.begins());
         self.down(start, start);
-        if vector.z > 1.0 - NEAR {
+        if vector.z > 0.0 && made::is_along(vector, 2) {
             // By a length to the tip the surface itself is measured: Q counts from the contact.
             let q = Quantity::Length(self.request.setup.overtravel);
             self.measures(9811, vec![('Z', Quantity::Length(touch.point.z)), ('Q', q)]);
@@ -431,7 +433,7 @@ impl<'a> Program<'a> {
             if touch.group < 2 {
                 continue;
             }
-            let Some(from) = from.filter(|_| touch.vector.z > 1.0 - NEAR) else {
+            let Some(from) = from.filter(|_| touch.vector.z > 0.0 && made::is_along(touch.vector, 2)) else {
                 let message = text!("The third surface must lie across Z{advice}", Text::words(ADVICE));
                 return Err(refused("cycle-not-parallel", "cycle", message));
             };
@@ -591,7 +593,7 @@ impl<'a> Program<'a> {
 
 /// The axis of the plane that a direction is parallel to; `None` if it is turned.
 fn axis_of(vector: Vec3) -> Option<usize> {
-    (0..2).find(|axis| vector[*axis].abs() > 1.0 - NEAR)
+    (0..2).find(|axis| made::is_along(vector, *axis))
 }
 
 /// What the macros ask of two circles.
