@@ -499,3 +499,16 @@ fn a_call_in_inch_becomes_a_job_in_inch() {
     near("cycle.depth", 10.0 / 25.4);
     near("overtravel", 0.2 + 3.0 / 25.4);
 }
+
+/// A cosine that is 1 within a millionth is a turn of 0.08°: over 100 mm a wall lies 0.09 mm beside where such a call would touch it.
+#[test]
+fn a_turn_of_a_twentieth_of_a_degree_is_a_turn() {
+    for (cycle, post) in
+        [("web", "heidenhain"), ("double-wall-external-corner", "fanuc"), ("double-wall-external-corner", "haas")]
+    {
+        let turned = |degrees: f64| plan(&own(cycle, post, &[("cycle.rotation", number(degrees))]));
+        assert!(turned(0.0).is_ok() && turned(90.0).is_ok(), "{cycle} {post}");
+        let findings = turned(0.05).expect_err("it is turned").findings;
+        assert!(findings.iter().any(|finding| finding.code == "cycle-not-parallel"), "{cycle} {post}: {findings:?}");
+    }
+}

@@ -189,7 +189,7 @@ impl Plan<'_> {
         high: f64,
         field: &'static str,
     ) -> Result<(), Refused> {
-        let Some(axis) = (0..3).find(|axis| vector[*axis].abs() > 1.0 - NEAR) else {
+        let Some(axis) = (0..3).find(|axis| made::is_along(vector, *axis)) else {
             let message = text!("The control's own cycles touch surfaces across X, Y or Z: this one is turned or sloped");
             return Err(own::refused("cycle-not-parallel", field, message));
         };
@@ -286,7 +286,7 @@ impl Plan<'_> {
 
     fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
         let path = self.request.path;
-        let Some(axis) = (0..2).find(|axis| path.touches[0].vector[*axis].abs() > 1.0 - NEAR) else {
+        let Some(axis) = (0..2).find(|axis| made::is_along(path.touches[0].vector, *axis)) else {
             let message = text!("The control's own cycles take walls along X and Y: these are turned");
             return Err(own::refused("cycle-not-parallel", "cycle.rotation", message));
         };

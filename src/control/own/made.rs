@@ -9,6 +9,11 @@ use crate::path::{Feed, Move, Own, OwnBlock, Path, Purpose, Reach, Stored, Touch
 /// How nearly directions must agree.
 const NEAR: f64 = 1e-6;
 
+/// Whether a direction is parallel to an axis. The sine is asked: a cosine that is off by 1e-6 is a turn of 0.08°.
+pub fn is_along(direction: Vec3, axis: usize) -> bool {
+    (0..3).all(|other| other == axis || direction[other].abs() < NEAR)
+}
+
 /// Moves and touches of what was made. Touches stand in the order of the documented ones, which the formula counts by; or in their own order.
 /// `feeds` has of each the program's feed, where it is the program's own move, and the step; `search` is the rate of the first of two touches. None where
 /// others than the documented surfaces are touched.

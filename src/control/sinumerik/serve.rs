@@ -217,7 +217,7 @@ impl Plan<'_> {
 
     /// CYCLE978 from where the stylus stands.
     fn touches_surface(&mut self, point: Vec3, vector: Vec3, clearance: Entry, field: &'static str) -> Result<(), Refused> {
-        let axis = (0..3).find(|axis| vector[*axis].abs() > 1.0 - NEAR).filter(|axis| *axis < 2 || vector.z > 0.0);
+        let axis = (0..3).find(|axis| made::is_along(vector, *axis)).filter(|axis| *axis < 2 || vector.z > 0.0);
         let Some(axis) = axis else {
             let message = text!(
                 "CYCLE978 touches along X and Y and downwards: this surface is turned or sloped{advice}",
