@@ -46,7 +46,10 @@ const COMMANDS = {
   ],
   new: ["CYCLE", "a job of a cycle with every value, ready to be changed"],
   convert: ["JOB", "a job in other units: --units mm or inch"],
-  lentoax: ["[QUERY]", "SINUMERIK's LENTOAX: which tool length acts on which axis; a query as in the reference"],
+  lentoax: [
+    "[QUERY]",
+    "SINUMERIK's LENTOAX: which tool length acts on which axis; a query as in the reference, as JSON or in a file",
+  ],
   explain: ["CODE", "what the code of a finding, or a safety rule, means"],
   completion: ["SHELL", "a script that completes this command in bash, zsh or fish"],
   serve: ["", "jobs over HTTP: plans, programs, tables, pictures, results; OpenAPI, metrics"],
@@ -595,8 +598,9 @@ async function answered(command: Command, names: string[], values: Values): Prom
       if (values.units === undefined) throw new Refused("convert takes --units mm or --units inch");
       return converted(await textOf(given), values.units);
     case "lentoax":
-      takes([0, 1], "nothing, or a file with a query");
-      return toolLengths(names.length === 0 ? undefined : await textOf(given), values.json === true);
+      takes([0, 1], "nothing, a query as JSON, or a file with one");
+      if (names.length === 0) return toolLengths(undefined, values.json === true);
+      return toolLengths(given.trimStart().startsWith("{") ? given : await textOf(given), values.json === true);
     default:
       return undefined;
   }
