@@ -102,11 +102,15 @@ fn a_lowered_part_is_met_at_its_edge() {
 fn a_part_in_the_way_names_the_move() {
     let near_part = with(&pocket(), "part.offset", point([-5.5, 0.0, 0.0]));
     let findings = touchpath::job::check(&with(&near_part, "overtravel", number(10.0)));
-    let collisions: Vec<&str> = findings.iter().filter(|f| f.code == "collision").map(|f| f.message.as_str()).collect();
+    let collisions: Vec<_> = findings.iter().filter(|f| f.code == "collision").collect();
     // At X 32 the wall is 40 − 5.5 − 32 = 2.5 away: its edge is met √(3² − 2.5²) = 1.6583 above the top.
     assert_eq!(collisions.len(), 1, "{collisions:?}");
-    assert!(collisions[0].starts_with("Move 4 (step 3, positioning)"), "{collisions:?}");
-    assert!(collisions[0].contains("X 32, Y 0, Z 1.6583. The program is that of the nominal part"), "{collisions:?}");
+    assert_eq!(
+        (collisions[0].level, collisions[0].path.as_str()),
+        (Level::Warning, "part"),
+        "the program is that of the nominal part"
+    );
+    assert_eq!(crate::common::values(collisions[0]), ["4", "3", "X 32, Y 0, Z 1.6583"], "in positioning, at no touch");
     assert!(findings.iter().all(|f| f.level != Level::Error));
 }
 

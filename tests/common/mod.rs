@@ -13,6 +13,22 @@ use proptest::prelude::*;
 use touchpath::form::{Finding, Value};
 use touchpath::import::{Imported, TraceRow};
 use touchpath::job::{JobError, Plan, from_json, plan};
+use touchpath::text::{Part, Text};
+
+/// The numbers and names in the message of a finding, in their order, without the words around them: what a test asks that is not about the sentence.
+pub fn values(finding: &Finding) -> Vec<String> {
+    fn of(text: &Text, found: &mut Vec<String>) {
+        for part in text.values() {
+            match part {
+                Part::Verbatim(value) => found.push(value.clone()),
+                Part::Text(text) => of(text, found),
+            }
+        }
+    }
+    let mut found = Vec::new();
+    of(&finding.said, &mut found);
+    found
+}
 
 /// A sequence of numbers from 0 to 1 that is the same in every run.
 pub struct Draws(pub u64);

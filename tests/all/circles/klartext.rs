@@ -2,7 +2,7 @@
 
 use super::{holes, text};
 use crate::common::import;
-use crate::common::{law, number, number_at, planned, point, with};
+use crate::common::{law, number, number_at, planned, point, values, with};
 use proptest::prelude::*;
 use touchpath::form::Value;
 use touchpath::job::plan;
@@ -117,13 +117,13 @@ fn a_parameter_that_is_not_given_has_the_forms_default() {
         }
     };
     let bare = import("0 BEGIN PGM A MM\n1 TCH PROBE 1493\n2 TCH PROBE 1411\n3 END PGM A MM\n").unwrap();
-    let missing: Vec<(&str, &str)> =
-        bare.findings.iter().filter(|f| f.code == "missing-parameter").map(|f| (f.path.as_str(), f.message.as_str())).collect();
+    let missing: Vec<(String, Vec<String>)> =
+        bare.findings.iter().filter(|f| f.code == "missing-parameter").map(|f| (f.path.clone(), values(f))).collect();
     assert_eq!(missing.len(), defaults.len() + extrusion.len());
     for (number, key, default) in extrusion.into_iter().chain(defaults) {
         assert_eq!(at(&bare.job, key), touchpath::form::Value::Number(default), "Q{number}");
-        let message = format!("Q{number} is not given: the form's default, {default}, is used");
-        assert!(missing.contains(&(format!("cycle.{key}").as_str(), message.as_str())), "{message}: {missing:#?}");
+        let wanted = (format!("cycle.{key}"), vec![number.to_string(), default.to_string()]);
+        assert!(missing.contains(&wanted), "{wanted:?}: {missing:#?}");
     }
     // One that is given is no default, and the others stay the form's.
     let one = import("TCH PROBE 1411 ~\nQ1101=+7 ~\nQ1116=abc").unwrap();

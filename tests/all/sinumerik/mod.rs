@@ -4,7 +4,7 @@ mod stops;
 
 use crate::common::mpf::{Program, Statement, read};
 use crate::common::sinumerik::Machine;
-use crate::common::{job, number, planned, point, with};
+use crate::common::{job, number, planned, point, values, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, default_job};
 
@@ -216,7 +216,6 @@ fn what_the_control_cannot_do_is_refused() {
     assert_eq!(found(&corner), [""; 0]);
     let refused = with(&corner, "control.form", text("cycle"));
     assert_eq!(found(&refused), ["form-unsupported control.form"]);
-    assert!(check(&refused)[0].message.contains("CYCLE961"), "{:?}", check(&refused));
     assert_eq!(found(&with(&corner, "control.workOffset", number(99.0))), [""; 0]);
     assert!(planned(&with(&corner, "control.workOffset", number(99.0))).program.text.contains("G599\n"));
 }
@@ -258,7 +257,7 @@ fn the_tool_section_says_which_length_acts_on_the_tool_axis() {
         assert_eq!(found(&with(&pocket, "plane", Value::Text(plane.to_owned()))), fine, "{plane}");
     }
     let turned = with(&pocket, "tool.type", number(500.0));
-    assert!(check(&turned)[0].message.contains("L1 acts along +Y"), "{:?}", check(&turned));
+    assert_eq!(values(&check(&turned)[0]), ["1", "+Y", "2", "+X", "3", "+Z"], "each length and its axis");
     assert_eq!(found(&with(&pocket, "tool.frame", number(1.0))), ["wrong-type tool.frame"]);
     assert_eq!(found(&with(&pocket, "tool.frame", frame(r#"[{ "rot": "A", "angle": 1 }]"#))), ["wrong-type tool.frame[0]"]);
     assert_eq!(found(&with(&pocket, "tool.colour", point([0.0; 3]))), ["unknown-key tool.colour"]);
@@ -271,7 +270,7 @@ fn rapids_stay_protected() {
     let job = with(&with(&job, "feeds.approach", number(1500.0)), "feeds.return", number(1500.0));
     let job = with(&job, "feeds.longLink", Value::Null);
     let plan = planned(&job);
-    assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed" && f.message.contains("2000 mm/min")));
+    assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed" && values(f) == ["2000 mm"]));
     assert!(!plan.program.text.contains("G0 "));
     assert_eq!(plan.program.text.matches("F2000").count(), plan.moves.iter().filter(|m| m.feed == "rapid").count());
 }

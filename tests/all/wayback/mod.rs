@@ -4,7 +4,7 @@ mod laws;
 mod printed;
 mod refused;
 
-use crate::common::{job, with};
+use crate::common::{job, values, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Measurement, measure};
 
@@ -99,7 +99,7 @@ fn a_log_of_ugs_gives_results_and_the_block() {
     // The ball stands at X0 Y0, and the measured centre at 0.1, 0.2 is to read 0: the ball then reads −0.1, −0.2.
     assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"));
     assert_eq!(codes(&found), ["converted", "block-to-type"]);
-    assert!(found.findings[0].message.contains("WCO in line 5: X-200 Y-150 Z-60 (mm)"), "{}", found.findings[0].message);
+    assert_eq!(values(&found.findings[0]), ["5", "X-200 Y-150 Z-60", "mm"]);
 }
 
 /// With $10=0 a control reports places of the work system: X0 Y0 Z30 is where the program ends. As a place of the machine it would be 250 mm away, and there
@@ -149,7 +149,7 @@ fn the_answer_to_settings_says_the_work_offset() {
         let found = measured(&pocket(), &log);
         is_the_pocket(&found);
         assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P2 X-0.1 Y-0.2"), "{log}");
-        assert!(found.findings[0].message.contains("G55, G92 and TLO"), "{}", found.findings[0].message);
+        assert_eq!(values(&found.findings[0])[0], "G55", "made of it, G92 and TLO");
     }
     // grblHAL gives three axes of TLO, and says the active offset in its status reports.
     let hal = answer.replace("[TLO:-10.000]", "[TLO:0.000,0.000,-10.000]\n[TLR:0.000]");

@@ -1,7 +1,7 @@
 //! What is missing, said twice or unclear is refused by its line, and nothing is guessed.
 
 use super::{PRB, UGS, codes, errors, is_the_pocket, measured, pocket, value};
-use crate::common::with;
+use crate::common::{values, with};
 use touchpath::form::Value;
 use touchpath::job::{measure, plan};
 
@@ -10,21 +10,24 @@ fn log(touches: &[&str]) -> String {
     format!("G54\nWCO:-200.000,-150.000,-60.000\n{}\n", touches.join("\n"))
 }
 
-fn message(text: &str) -> String {
+/// Code and values of what a text is refused for.
+fn refusal(text: &str) -> (String, Vec<String>) {
     let error = measure(&pocket(), &Value::Text(text.to_owned())).expect_err(text);
-    error.findings.into_iter().map(|f| f.message).collect::<Vec<_>>().join("\n")
+    let [only] = &error.findings[..] else { panic!("{text}: {error:?}") };
+    (only.code.clone(), values(only))
 }
 
 #[test]
 fn without_a_work_offset_it_is_asked_for() {
     let touches = PRB.join("\n");
     assert_eq!(errors(&pocket(), &touches), ["work-offset-needed"]);
-    assert!(message(&touches).contains("Type $#"), "{}", message(&touches));
     // The offset by its word needs its numbers, and the numbers need the word.
     assert_eq!(errors(&pocket(), &format!("G54\n{touches}")), ["work-offset-needed"]);
     let answer = "[G54:-200.000,-150.000,-60.000]\n[G55:0.000,0.000,0.000]\n[G92:0.000,0.000,0.000]\n[TLO:0.000]\nok\n";
-    assert!(message(&format!("{answer}{touches}")).contains("which work offset was active"));
-    assert!(message(&format!("G55\n{}{touches}", "[G54:-200.000,-150.000,-60.000]\n")).contains("not complete"));
+    assert_eq!(errors(&pocket(), &format!("{answer}{touches}")), ["work-offset-needed"]);
+    // Of G55, which was active, the answer says nothing.
+    let (code, of) = refusal(&format!("G55\n[G54:-200.000,-150.000,-60.000]\n{touches}"));
+    assert_eq!((code.as_str(), of[0].as_str()), ("work-offset-needed", "G55"));
     is_the_pocket(&measured(&pocket(), &format!("G54\n{answer}{touches}")));
 }
 
@@ -50,8 +53,8 @@ fn a_missed_touch_is_said_by_its_line() {
     let missed = measured(&pocket(), &log(&[a, b, "[PRB:-236.900,-150.000,-70.000:0]", "ALARM:5"]));
     assert_eq!(codes(&missed), ["converted", "touch-missed", "touch-missed", "no-block"]);
     assert_eq!(missed.findings[1].path, "measured[2]");
-    assert!(missed.findings[1].message.contains("line 5"), "{}", missed.findings[1].message);
-    assert!(missed.findings[2].message.contains("3 of its 4 touches"), "{}", missed.findings[2].message);
+    assert_eq!(values(&missed.findings[1]), ["3", "5"], "the touch and its line");
+    assert_eq!(values(&missed.findings[2]), ["3", "4"], "so many were made of so many");
     assert_eq!(missed.points[2..], [None, None]);
     super::near(value(&missed, "center.x").unwrap(), 0.1);
     assert_eq!((value(&missed, "center.y"), value(&missed, "width2"), missed.block), (None, None, None));
@@ -60,16 +63,14 @@ fn a_missed_touch_is_said_by_its_line() {
 #[test]
 fn too_few_and_too_many_reports_are_counted() {
     let [a, b, c, d] = PRB;
-    assert_eq!(errors(&pocket(), &log(&[a, b, c])), ["wrong-count"]);
-    assert!(message(&log(&[a, b, c])).contains("PRB reports: 3, touches: 4"));
-    assert!(message(&log(&[a, b, c, d, a])).contains("PRB reports: 5, touches: 4. Give the log of one run only"));
+    let counted = |text: &str, said: &[&str]| {
+        let (code, of) = refusal(text);
+        assert_eq!((code.as_str(), of), ("wrong-count", said.iter().map(|own| (*own).to_owned()).collect()), "{text}");
+    };
+    counted(&log(&[a, b, c]), &["3", "4"]);
+    counted(&log(&[a, b, c, d, a]), &["5", "4"]);
     // The repetition in $# is no touch, and the message says which line that is.
-    let repeated = log(&[a, b, c, "[TLO:0.000]", d, "ok"]);
-    assert!(
-        message(&repeated).contains("touches: 4. The log must reach") && message(&repeated).contains("line 7"),
-        "{}",
-        message(&repeated)
-    );
+    counted(&log(&[a, b, c, "[TLO:0.000]", d, "ok"]), &["3", "4", "7"]);
     // A run that missed, and the next one.
     assert_eq!(errors(&pocket(), &log(&[a, "[PRB:0.000,0.000,0.000:0]", a, b, c, d])), ["unclear-line"]);
     assert_eq!(errors(&pocket(), &log(&[a, "[PRB:0.000,0.000,0.000:0]", c, d])), ["unclear-line"]);
