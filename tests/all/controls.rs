@@ -9,10 +9,89 @@ use touchpath::control::{Form, POSTS, PostDef};
 use touchpath::cycle::CYCLES;
 use touchpath::job;
 
+type Keys = Vec<&'static str>;
+
+/// The keys of the controls that can do this, in the order of the form: what a test is of, so that one more control joins it by itself.
+fn which(can: impl Fn(&PostDef) -> bool) -> Keys {
+    POSTS.iter().filter(|post| can(post)).map(|post| post.key).collect()
+}
+
+fn takes_moves(post: &PostDef) -> bool {
+    CYCLES.iter().any(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+}
+
+/// How a control of cycles of its own names this word of a call; empty where it has none.
+fn word(post: &PostDef, number: u32, letter: &str) -> String {
+    post.own.map_or_else(String::new, |own| (own.word)(number, letter))
+}
+
 /// The keys of the controls that take plain moves.
-pub fn of_moves() -> Vec<&'static str> {
-    let takes = |post: &&&PostDef| CYCLES.iter().any(|def| (post.serves)(def.probes, Form::Moves).is_ok());
-    POSTS.iter().filter(takes).map(|post| post.key).collect()
+pub fn of_moves() -> Keys {
+    which(takes_moves)
+}
+
+/// Those whose programs of moves compute the results.
+pub fn computing() -> Keys {
+    which(|post| takes_moves(post) && post.computes)
+}
+
+/// Those whose programs of moves have a decimal point in every number.
+pub fn pointed() -> Keys {
+    which(|post| takes_moves(post) && post.dialect.points)
+}
+
+/// Those of moves whose numbers need none.
+pub fn unpointed() -> Keys {
+    which(|post| takes_moves(post) && !post.dialect.points)
+}
+
+/// Those that touch by the skip function G31, and tell a contact from the end of the move by how near the two are: the tests' own Fanuc runs them.
+pub fn skipping() -> Keys {
+    which(|post| takes_moves(post) && post.nearest_trigger > 0.0)
+}
+
+/// Those whose programs have a number.
+pub fn numbered() -> Keys {
+    which(|post| !post.unused.contains(&"number"))
+}
+
+/// Those whose programs have none.
+pub fn unnumbered() -> Keys {
+    which(|post| post.unused.contains(&"number"))
+}
+
+/// Those whose programs can write a work offset.
+pub fn with_offsets() -> Keys {
+    which(|post| post.work_offsets > 0)
+}
+
+/// Those with cycles of their own whose path is known.
+pub fn calling() -> Keys {
+    which(|post| post.own.is_some())
+}
+
+/// Those whose own cycles are Renishaw's macros: a letter stands before the number, of which a Brother has other thousands.
+pub fn calling_macros() -> Keys {
+    which(|post| {
+        let word = word(post, 9814, "D");
+        let number = word.strip_prefix(|letter: char| letter.is_ascii_uppercase());
+        number.is_some_and(|number| number.starts_with("9814 ") || number.starts_with("8814 "))
+    })
+}
+
+/// Those that call the macros by the usual numbers and letters, as a Fanuc does.
+pub fn calling_macros_as_a_fanuc() -> Keys {
+    which(|post| word(post, 9814, "D") == "P9814 D")
+}
+
+/// Those whose own cycles can correct a tool offset.
+pub fn correcting_tools() -> Keys {
+    which(|post| post.own.is_some_and(|own| own.corrects_tools))
+}
+
+/// Those of one list that are not in another one.
+pub fn without(keys: &[&'static str], others: &[&str]) -> Keys {
+    keys.iter().copied().filter(|key| !others.contains(key)).collect()
 }
 
 #[test]
@@ -34,6 +113,30 @@ fn every_control_states_what_is_its_own() {
         let lines = touchpath::job::plan(&hole).map_or(0, |plan| plan.program.text.lines().count());
         assert!(lines > 10 || !of_moves().contains(&post.key), "{} writes no program", post.key);
         assert_eq!(post.read.is_some(), of_moves().contains(&post.key), "{}: programs of moves are read back", post.key);
+    }
+}
+
+/// Which control is in which list, by hand from docs/controls.md, and from docs/programs.md what it does not say: points, skips, numbers and macros. A control
+/// that is added later may be in any.
+#[test]
+fn each_control_is_in_the_lists_of_what_it_can() {
+    let today = "linuxcnc grbl grblhal fluidnc sinumerik heidenhain fanuc haas mazak brother hurco okuma";
+    for (what, found, wanted) in [
+        ("moves", of_moves(), "linuxcnc grbl grblhal fluidnc sinumerik fanuc haas"),
+        ("computes", computing(), "linuxcnc sinumerik fanuc haas"),
+        ("points", pointed(), "fanuc haas"),
+        ("no points", unpointed(), "linuxcnc grbl grblhal fluidnc sinumerik"),
+        ("skips", skipping(), "fanuc haas"),
+        ("numbers", numbered(), "fanuc haas mazak hurco okuma"),
+        ("no numbers", unnumbered(), "linuxcnc grbl grblhal fluidnc sinumerik heidenhain brother"),
+        ("work offsets", with_offsets(), "linuxcnc sinumerik heidenhain fanuc haas mazak brother hurco okuma"),
+        ("own cycles", calling(), "sinumerik heidenhain fanuc haas mazak brother hurco okuma"),
+        ("macros", calling_macros(), "fanuc haas mazak brother hurco okuma"),
+        ("macros as a Fanuc", calling_macros_as_a_fanuc(), "fanuc haas mazak hurco"),
+        ("tool offsets", correcting_tools(), "fanuc haas mazak brother hurco okuma"),
+    ] {
+        let known = found.into_iter().filter(|key| today.split(' ').any(|known| known == *key));
+        assert_eq!(known.collect::<Vec<_>>().join(" "), wanted, "{what}");
     }
 }
 

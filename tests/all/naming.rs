@@ -2,6 +2,8 @@
 
 use crate::common::import;
 use crate::common::{job, number, planned, point, with};
+use crate::tests::controls::{numbered, of_moves, unnumbered};
+use touchpath::control::POSTS;
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Level, Value};
 use touchpath::job::{check, convert_units, default_job, job_name, plan};
@@ -12,12 +14,13 @@ fn text(t: &str) -> Value {
 
 fn on(post: &str, name: &str, given: Value) -> Value {
     let job = with(&default_job("internal-rectangle-protected").unwrap(), "control.post", text(post));
+    let job = with(&job, "control.form", text(if of_moves().contains(&post) { "moves" } else { "cycle" }));
     with(&with(&job, "name", text(name)), "control.number", given)
 }
 
 /// The O line of a program.
 fn o_line(job: &Value) -> String {
-    planned(job).program.text.lines().nth(1).unwrap().to_owned()
+    planned(job).program.text.lines().find(|line| line.starts_with('O')).unwrap().to_owned()
 }
 
 #[test]
@@ -61,9 +64,9 @@ fn the_name_of_every_job_goes_into_every_program_as_it_is() {
                 }
                 let name = job_name(&job);
                 let named = with(&with(&fresh, "name", text(&name)), "control.form", text("moves"));
-                for post in ["linuxcnc", "fanuc", "heidenhain"] {
-                    let found = check(&with(&named, "control.post", text(post)));
-                    assert!(found.iter().all(|f| f.code != "name-changed"), "{post} {name}: {found:?}");
+                for post in POSTS {
+                    let found = check(&with(&named, "control.post", text(post.key)));
+                    assert!(found.iter().all(|f| f.code != "name-changed"), "{} {name}: {found:?}", post.key);
                 }
                 let fanuc = with(&named, "control.post", text("fanuc"));
                 assert!(o_line(&fanuc).starts_with("O1000("), "{name}: {}", o_line(&fanuc));
@@ -74,7 +77,7 @@ fn the_name_of_every_job_goes_into_every_program_as_it_is() {
 
 #[test]
 fn every_program_was_o1000() {
-    for post in ["fanuc", "haas"] {
+    for post in numbered() {
         for (name, given, line) in [
             ("BORE-D25", Value::Null, "O1000(BORE-D25)"),
             ("BORE2201", Value::Null, "O2201(BORE2201)"),
@@ -101,7 +104,7 @@ fn every_program_was_o1000() {
 #[test]
 fn a_name_cannot_say_where_the_stylus_stands() {
     for name in ["The stylus is taken to be at X1 Y2 Z3", "x The stylus is taken to be at X1 Y2 Z3 before the start"] {
-        for post in ["fanuc", "haas"] {
+        for post in of_moves() {
             let named = on(post, name, Value::Null);
             let plain = on(post, "A", Value::Null);
             let moves = |job: &Value| import(&planned(job).program.text).unwrap().job.get("cycle").cloned();
@@ -134,12 +137,12 @@ fn a_number_that_the_control_may_refuse_or_does_not_have_is_reported() {
         check(job).into_iter().filter(of).map(|f| (f.code, f.path, f.level)).collect()
     };
     let one = |code: &str, path: &str, level| vec![(code.to_owned(), path.to_owned(), level)];
-    for post in ["fanuc", "haas"] {
+    for post in numbered() {
         assert_eq!(found(&on(post, "A", number(7999.0))), []);
         assert_eq!(found(&on(post, "A", number(8000.0))), one("number-protected", "control.number", Level::Warning));
         assert_eq!(found(&on(post, "O9001", Value::Null)), one("number-protected", "name", Level::Warning));
     }
-    for post in ["linuxcnc", "grbl", "sinumerik"] {
+    for post in unnumbered() {
         assert_eq!(found(&on(post, "O9001", Value::Null)), [], "{post}");
         assert_eq!(found(&on(post, "A", number(2201.0))), one("number-unused", "control.number", Level::Info), "{post}");
     }

@@ -3,7 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::common::{number, owed, point as list, with};
+use crate::common::{number, owed, point as list, values, with};
+use crate::tests::controls::calling_macros;
+use touchpath::control::{Form, find};
 use touchpath::form::Value;
 use touchpath::job::{Plan, plan};
 
@@ -19,9 +21,6 @@ pub(super) enum Face {
 }
 
 pub(super) const BALL: f64 = 3.0;
-
-/// The controls that call the macros.
-const CALLERS: [&str; 6] = ["fanuc", "haas", "mazak", "brother", "hurco", "okuma"];
 
 /// How far along a way of the ball's centre (x, y, tip) a face stops it.
 pub(super) fn stopped(face: Face, a: [f64; 3], b: [f64; 3]) -> Option<f64> {
@@ -273,7 +272,7 @@ fn the_judge_touches_where_the_plan_does() {
                 plan(&own(cycle, post, &changes)).unwrap_or_else(|e| panic!("{post} {cycle}: {:?}", e.findings)).program.text;
             text.lines().filter_map(called).filter(|(number, _)| !matches!(number, 9832 | 9833)).collect::<Vec<_>>()
         };
-        for post in CALLERS {
+        for post in calling_macros() {
             assert_eq!(calls_of(post), calls_of("fanuc"), "{post}");
         }
         let plan =
@@ -537,8 +536,8 @@ fn the_program_runs_as_its_plan() {
 fn an_alarm_ends_the_macro() {
     let far = plan(&own("hole", "fanuc", &[("part.offset", list([0.0, 9.0, 0.0]))])).unwrap();
     assert!(far.triggers.iter().any(Option::is_none) && far.results.iter().all(|row| row.value.is_none()), "{:?}", far.results);
-    let missed: Vec<&str> = far.findings.iter().filter(|f| f.code == "no-contact").map(|f| f.message.as_str()).collect();
-    assert!(missed.len() == 1 && missed[0].starts_with("Touch 2 "), "{missed:?}");
+    let missed: Vec<Vec<String>> = far.findings.iter().filter(|f| f.code == "no-contact").map(values).collect();
+    assert!(missed.len() == 1 && missed[0][0] == "2", "the second touch: {missed:?}");
     // Beside a boss the way down meets it.
     let met = plan(&own("boss", "fanuc", &[("part.offset", list([0.0, -8.0, 0.0]))])).unwrap();
     assert!(met.findings.iter().any(|finding| finding.code == "collision"), "{:?}", met.findings);
@@ -550,9 +549,12 @@ fn an_alarm_ends_the_macro() {
 fn a_program_of_calls_comes_back_as_its_job() {
     let mut read = 0;
     for cycle in touchpath::cycle::CYCLES {
-        for post in CALLERS {
-            let job = own(cycle.key, post, &[]);
-            let Ok(planned) = plan(&job) else { continue };
+        for post in calling_macros() {
+            // All but the NC action and the angle of a wall, and a Hurco's switch.
+            if (find(post).unwrap().serves)(cycle.probes, Form::Cycle).is_err() {
+                continue;
+            }
+            let planned = plan(&own(cycle.key, post, &[])).unwrap();
             let back = crate::common::import(&planned.program.text).unwrap_or_else(|error| panic!("{}: {error:?}", cycle.key));
             let again = plan(&back.job).unwrap().program.text;
             assert_eq!(again, planned.program.text, "{}", cycle.key);
@@ -565,6 +567,5 @@ fn a_program_of_calls_comes_back_as_its_job() {
             read += 1;
         }
     }
-    // All but the NC action, which is no cycle, and a Hurco's switch.
-    assert_eq!(read, 6 * 17 - 1);
+    assert!(read >= 6 * 17 - 1, "{read}");
 }

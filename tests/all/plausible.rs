@@ -4,6 +4,7 @@ use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{ending_at, interpret_until_stop, job, number, on_virtual_part, planned, with};
+use crate::tests::controls::skipping;
 use touchpath::control::{Form, POSTS};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
@@ -45,7 +46,7 @@ fn result(plan: &Plan, control: &Control, code: &str) -> f64 {
 
 #[test]
 fn a_chip_on_the_first_wall_stops_a_fanuc_and_a_haas_before_the_write() {
-    for post in ["fanuc", "haas"] {
+    for post in skipping() {
         let plan = planned(&hole(post, "1", ""));
         let mut control = fanuc(&plan, with_a_chip(&plan));
         control.run(&plan.program.text).unwrap();
@@ -192,7 +193,7 @@ fn no_restart_in_the_middle_writes() {
 #[test]
 fn a_fanuc_that_is_started_at_any_block_writes_nothing_or_everything() {
     let (mut alarms, mut starts) = (0, 0);
-    for post in ["fanuc", "haas"] {
+    for post in skipping() {
         for kind in ["internal-rectangle", "hole", "double-wall-internal-corner"] {
             let job = job(&format!(
                 r#"{{ "format": 1, "cycle": {{ "type": "{kind}" }}, "control": {{ "post": "{post}", "workOffset": 1 }} }}"#
@@ -233,7 +234,7 @@ fn a_fanuc_that_is_started_at_any_block_writes_nothing_or_everything() {
 /// Half of sensible 1411 jobs: sums that grow from touch to touch need no variable for every point.
 #[test]
 fn circles_of_eight_points_fit_the_variables_of_a_fanuc_and_a_haas() {
-    for post in ["fanuc", "haas"] {
+    for post in skipping() {
         for points in [3, 4, 6, 8] {
             for more in ["", r#", "extrusion": { "points": 2, "length": -6 }"#] {
                 let job = job(&format!(

@@ -4,6 +4,7 @@ use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{ending_at, import, interpret, interpret_until_stop, job, number, planned, with};
+use crate::tests::controls::computing;
 use touchpath::describe::catalog;
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, evaluate, plan};
@@ -93,7 +94,7 @@ fn means_count_and_the_spread_is_told() {
 #[test]
 fn touches_that_are_too_far_apart_stop_the_write() {
     let mut stopped = 0;
-    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+    for post in computing() {
         let plan = planned(&repeated(CYCLES[0], post, 3.0, ""));
         for bad in [1, 6, 11] {
             for off in [0.03, -0.03, 0.01] {
@@ -129,7 +130,7 @@ fn touches_that_are_too_far_apart_stop_the_write() {
             }
         }
     }
-    assert_eq!(stopped, 24);
+    assert_eq!(stopped, 6 * computing().len());
 }
 
 /// The mean of n touches scatters by 1/√n of one, the eccentricity of the ball moves all of them alike.

@@ -4,6 +4,7 @@ use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{import, interpret_until_stop, job, on_virtual_part, planned, with};
+use crate::tests::controls::{calling, computing, of_moves, without};
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, RESULT_CODES, convert_units, default_job, evaluate, plan};
 
@@ -48,11 +49,9 @@ fn run(plan: &Plan) -> (bool, bool, String) {
     }
 }
 
-const COMPUTING: [&str; 4] = ["linuxcnc", "sinumerik", "fanuc", "haas"];
-
 #[test]
 fn a_result_out_of_its_tolerance_stops_the_program_or_is_marked_or_only_judged() {
-    for post in COMPUTING {
+    for post in computing() {
         // Within, above and below 25 to 25.021 mm; by hand.
         for (off, good) in [(0.0205, true), (0.0005, true), (0.0215, false), (-0.0005, false)] {
             for (offset, writes) in [("1", true), ("null", false)] {
@@ -101,7 +100,7 @@ fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {
 /// A program without consequences is that of a job without tolerances, but for its header.
 #[test]
 fn a_tolerance_that_nothing_follows_from_changes_no_block() {
-    for post in COMPUTING {
+    for post in computing() {
         let with_it = with(&bore(post, "1", "go", 0.0), "control.header", Value::Text("short".to_owned()));
         let Value::Map(entries) = &with_it else { unreachable!() };
         let without = Value::Map(entries.iter().filter(|(key, _)| key != "tolerances").cloned().collect());
@@ -235,9 +234,8 @@ fn what_is_no_tolerance_is_said_at_its_place() {
 /// A program that cannot compare is refused what follows, and judged by whoever reads it.
 #[test]
 fn a_control_that_cannot_compare_is_not_asked_to() {
-    for (post, form) in
-        [("grbl", "moves"), ("fluidnc", "moves"), ("fanuc", "cycle"), ("mazak", "cycle"), ("heidenhain", "cycle")]
-    {
+    let moves = without(&of_moves(), &computing()).into_iter().map(|post| (post, "moves"));
+    for (post, form) in moves.chain(calling().into_iter().map(|post| (post, "cycle"))) {
         for then in ["mark", "stop"] {
             let job = with(&bore(post, "null", then, 0.0), "control.form", Value::Text(form.to_owned()));
             let found = findings(&job);
@@ -254,7 +252,7 @@ fn a_control_that_cannot_compare_is_not_asked_to() {
 
 #[test]
 fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
-    for post in COMPUTING {
+    for post in computing() {
         let plan = planned(&bore(post, "1", "stop", 0.0));
         let back = import(&plan.program.text).unwrap().job;
         assert_eq!(text_at(&back, &["tolerances", "diameter", "tolerance"]), "H7", "{post}");

@@ -1,6 +1,7 @@
 //! Tools that a macro corrects by what it measures: the letters of its call, what is refused, and what the header says.
 
 use crate::common::{import, job, planned, with};
+use crate::tests::controls::{calling, calling_macros_as_a_fanuc, correcting_tools, without};
 use touchpath::form::{Level, Value};
 use touchpath::job::{convert_units, plan};
 
@@ -29,7 +30,7 @@ fn the_macro_gets_the_tool_in_its_own_letters() {
             |line: &&str| ["9814", "8814", "9835", "8835"].iter().any(|number| line.contains(number)) && !line.contains('(');
         text.lines().filter(measures).map(str::to_owned).collect()
     };
-    for post in ["fanuc", "haas", "mazak", "hurco"] {
+    for post in calling_macros_as_a_fanuc() {
         assert_eq!(calls(post, whole), ["G65 P9814 D25. Q2. T5. F0.5 V0.0025 H0.5"], "{post}");
     }
     assert_eq!(calls("brother", whole), ["G65 P8814 D25. Q2. T5. F0.5 V0.0025 H0.5"]);
@@ -125,7 +126,7 @@ fn a_nominal_value_at_the_edge_of_its_zone_is_a_warning() {
 #[test]
 fn what_cannot_be_corrected_is_refused() {
     let tool = r#"{ "tool": 5 }"#;
-    for post in ["sinumerik", "heidenhain"] {
+    for post in without(&calling(), &correcting_tools()) {
         assert_eq!(refused(&bore(post, tool, 0.0)), ["wear-unsupported tolerances.diameter.wear"], "{post}");
     }
     let moves = with(&bore("haas", tool, 0.0), "control.form", Value::Text("moves".to_owned()));
@@ -161,7 +162,7 @@ fn what_cannot_be_corrected_is_refused() {
 #[test]
 fn it_comes_back_from_the_header_and_is_converted() {
     let mean = r#"{ "tool": 5, "percent": 50, "deadBand": 0.005, "parts": 3, "store": 20 }"#;
-    for post in ["fanuc", "haas", "mazak", "brother", "hurco", "okuma"] {
+    for post in correcting_tools() {
         let bored = bore(post, mean, 0.0);
         let text = planned(&bored).program.text;
         let back = import(&text).unwrap().job;

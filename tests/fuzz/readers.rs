@@ -1,7 +1,10 @@
 //! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
 
+use std::sync::LazyLock;
+
+use crate::common::owed::macro_call;
 use crate::common::{import, with_comments};
-use touchpath::describe::export_table;
+use touchpath::describe::{PostEntry, catalog, export_table};
 use touchpath::form::Value;
 use touchpath::import::read_program;
 use touchpath::job::{Plan, evaluate, plan, reads_alike};
@@ -54,7 +57,10 @@ fn mutate(draw: &mut Draw, text: &str) -> String {
 /// The lines that a strict reader remembers change nothing of what it reads: not the program that was made, and not the same with some of it changed.
 /// One reader in four is that of another control.
 pub fn remembered(made: &Plan, draw: &mut Draw) -> Result<(), String> {
-    const READERS: [&str; 5] = ["linuxcnc", "grbl", "fanuc", "haas", "sinumerik"];
+    static READERS: LazyLock<Vec<&str>> = LazyLock::new(|| {
+        let takes_moves = |post: &&PostEntry| post.cycles.iter().any(|cycle| cycle.form == "moves" && cycle.supported);
+        catalog().posts.iter().filter(takes_moves).map(|post| post.id).collect()
+    });
     let text = &made.program.text;
     for text in [text, &mutate(draw, text), &mutate(draw, text)] {
         let post = if draw.once_in(4) { *draw.of(&READERS) } else { made.program.post };
@@ -87,8 +93,8 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
         let Ok(plan) = plan(&imported.job) else { continue };
         let touched = plan.moves.iter().filter(|m| m.kind == "touch").count();
         // Renishaw's macros touch twice.
-        let once = ["heidenhain", "sinumerik"].contains(&plan.program.post);
-        let times = if plan.program.own && !once { 2 } else { 1 };
+        let macros = plan.program.own && plan.program.text.lines().any(|line| macro_call(line).is_some());
+        let times = if macros { 2 } else { 1 };
         if touched != times * plan.touches.len() {
             return Err(format!("{touched} of {} touches are in the path of\n{text}", plan.touches.len()));
         }

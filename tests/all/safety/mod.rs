@@ -36,7 +36,8 @@ fn every_rule_holds_for_every_control_and_cycle() {
         for def in CYCLES {
             for form in Form::ALL.into_iter().filter(|form| (post.serves)(def.probes, *form).is_ok()) {
                 // Cycle 1411 corrects the active preset itself.
-                let takes = post.work_offsets > 0 && (post.key, def.home.0) != ("heidenhain", "heidenhain");
+                let itself = form == Form::Cycle && (post.own_preset)(def.probes);
+                let takes = post.work_offsets > 0 && !itself;
                 for offset in [false, true].into_iter().filter(|offset| !offset || takes) {
                     // The one of its cycles that lifts between the walls of a groove writes.
                     if (post.key, def.key, offset) == ("heidenhain", "groove-protected", false) {

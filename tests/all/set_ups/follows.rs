@@ -4,7 +4,9 @@ use super::cycle;
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{Draws, ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, with};
+use crate::common::{Draws, ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, values, with};
+use crate::tests::controls::{computing, skipping};
+use touchpath::control::find;
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
@@ -73,11 +75,11 @@ fn the_interpreter_goes_where_the_results_say() {
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
     let high = at(&job(STEPS), [0.0, 0.0, 1.1]);
-    for (post, how) in [("linuxcnc", 1.1), ("linuxcnc", -1.1), ("sinumerik", 1.1), ("fanuc", 1.1), ("haas", -1.1)] {
+    for (post, how) in computing().into_iter().flat_map(|post| [(post, 1.1), (post, -1.1)]) {
         let job = at(&with(&high, "control.post", Value::Text(post.to_owned())), [0.0, 0.0, how]);
         let plan = planned(&job);
         let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post}"));
-        assert!(said.message.contains("before BORE: TOP.point.z is"), "{}", said.message);
+        assert_eq!(values(said)[..2], ["BORE", "TOP.point.z"], "{post}: before the cycle, by the result");
         assert!(plan.results.iter().all(|row| row.value.is_none()), "{post}");
         assert_eq!(plan.triggers.iter().filter(|trigger| trigger.is_some()).count(), 1);
         assert!(plan.findings.iter().all(|f| !["no-contact", "collision"].contains(&f.code.as_str())), "{:?}", plan.findings);
@@ -103,7 +105,7 @@ pub fn the_machines_measure_what_is_shown(text: &str) {
         let end = behind.find(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).unwrap_or(behind.len());
         near(behind[..end].parse().unwrap(), value, 2e-5, &name);
     }
-    for post in ["fanuc", "haas"] {
+    for post in skipping() {
         let plan = on(post);
         let mut control = Control::new(post == "haas", false);
         control.contacts = plan.triggers.iter().flatten().copied().collect();
@@ -160,7 +162,7 @@ fn the_other_controls_measure_what_the_plan_shows() {
 /// The text of a place comes back from every header, and through other units.
 #[test]
 fn places_that_follow_come_back_from_headers_and_units() {
-    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+    for post in computing() {
         let plan = planned(&on(post));
         let back = import(&plan.program.text).unwrap();
         assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
@@ -250,7 +252,7 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
 /// Across at the height between the cycles, which follows nothing; then down, to a place that does.
 #[test]
 fn no_way_goes_across_and_down_at_once() {
-    for post in ["linuxcnc", "sinumerik", "fanuc"] {
+    for post in computing() {
         let plan = planned(&on(post));
         let mut from = plan.moves[0].to;
         for step in &plan.moves[1..] {
@@ -262,10 +264,10 @@ fn no_way_goes_across_and_down_at_once() {
     // A bore in a bore: the way across is nothing but what the first one finds. It stays level, and nothing watches what may be shorter than a probe move.
     let counterbore = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 0.5 }, "part": { "offset": [0.4, -0.3, 0] },
         "cycles": [{ "name": "A", "type": "hole", "diameter": 40 }, { "name": "B", "type": "hole", "diameter": 20, "origin": ["=A.center.x", "=A.center.y", -10] }] }"#;
-    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+    for post in computing() {
         let plan = planned(&with(&job(counterbore), "control.post", Value::Text(post.to_owned())));
         let watched = plan.findings.iter().all(|f| f.code != "positioning-not-watched");
-        assert_eq!(watched, post == "sinumerik", "{post}");
+        assert_eq!(watched, find(post).unwrap().shortest_probe == 0.0, "{post}");
     }
     let plan = planned(&job(counterbore));
     let way = plan.moves.iter().position(|step| step.step == 0).unwrap();

@@ -9,6 +9,8 @@ pub mod turns;
 
 use crate::common::fanuc::Control;
 use crate::common::{Draws, import, interpret, job, number_at, planned, with};
+use crate::tests::controls::{calling, of_moves, skipping, with_offsets};
+use touchpath::control::find;
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{Move, Plan, default_job, evaluate};
@@ -22,9 +24,6 @@ pub const VISE: &str = r#"{ "format": 2, "name": "VISE", "control": { "post": "l
   ],
   "datum": { "rotation": "WALL.rotation" },
   "part": { "offset": [0.3, -0.2, 0.15], "rotation": 0.4 } }"#;
-
-/// The controls with programs of moves.
-const MOVES: [&str; 7] = ["linuxcnc", "grbl", "grblhal", "fluidnc", "sinumerik", "fanuc", "haas"];
 
 /// The keys of the cycles that touch.
 fn measuring() -> Vec<&'static str> {
@@ -47,7 +46,7 @@ fn cycle(key: &str, along: f64) -> Value {
 /// A set-up of these cycles, 300 mm apart.
 fn set_up(post: &str, keys: &[&str]) -> Value {
     let cycles = keys.iter().enumerate().map(|(i, key)| cycle(key, 300.0 * i as f64)).collect();
-    let offset = if ["grbl", "grblhal", "fluidnc"].contains(&post) { Value::Null } else { Value::Number(2.0) };
+    let offset = if with_offsets().contains(&post) { Value::Number(2.0) } else { Value::Null };
     let job = job(&format!(r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "cycles": [] }}"#));
     with(&with(&job, "cycles", Value::List(cycles)), "control.workOffset", offset)
 }
@@ -64,7 +63,7 @@ fn alone(post: &str, key: &str, along: f64) -> Value {
 fn a_cycle_in_a_set_up_is_the_cycle_alone() {
     let keys = measuring();
     let mut seen = 0;
-    for post in MOVES {
+    for post in of_moves() {
         for (i, first) in keys.iter().enumerate() {
             let pair = [*first, keys[(i + 1) % keys.len()]];
             let plan = planned(&set_up(post, &pair));
@@ -102,7 +101,7 @@ fn a_cycle_in_a_set_up_is_the_cycle_alone() {
             the_ways_between_are_clear(&plan, &format!("{post} {pair:?}"));
         }
     }
-    assert_eq!(seen, 2 * MOVES.len() * keys.len());
+    assert_eq!(seen, 2 * of_moves().len() * keys.len());
 }
 
 /// Between two cycles the ball goes up, across and down, and across no lower than any cycle begins or ends.
@@ -268,7 +267,7 @@ fn a_control_without_a_rotation_says_the_block_for_it() {
 /// shifted by 0.3 and -0.2 and turned by 0.4° about the old origin.
 #[test]
 fn the_block_of_the_rotation_puts_the_drawing_on_the_part() {
-    for post in ["fanuc", "haas"] {
+    for post in skipping() {
         let text = VISE.replace("linuxcnc", post).replace("\"diameter\": 25", "\"origin\": [12, -7, 0], \"diameter\": 25");
         let plan = planned(&job(&text));
         let mut control = Control::new(post == "haas", false);
@@ -320,7 +319,7 @@ fn the_angle_of_a_wall_turns_the_work_offset() {
 #[test]
 fn a_program_is_its_set_up_again() {
     let keys = ["surface", "hole-protected", "web", "double-wall-external-corner"];
-    for post in MOVES {
+    for post in of_moves() {
         let whole = set_up(post, &keys);
         let whole = with(&with(&whole, "clear", Value::Number(60.5)), "name", Value::Text("FOUR".to_owned()));
         let plan = planned(&whole);
@@ -379,16 +378,13 @@ fn a_set_up_in_inch_is_the_same() {
     assert!((diameter.value.unwrap() - 25.254).abs() < 1e-5);
 }
 
-/// The controls with cycles of their own that stand in one program.
-const OWN: [&str; 8] = ["fanuc", "haas", "mazak", "brother", "hurco", "okuma", "sinumerik", "heidenhain"];
-
 /// The same of the control's own cycles: the path of each is that which it has alone, and what the next one empties is kept.
 #[test]
 fn cycles_of_the_controls_own_stand_in_one_program() {
     let own =
         |job: &Value| with(&with(job, "control.form", Value::Text("cycle".to_owned())), "control.workOffset", Value::Null);
     let mut seen = 0;
-    for post in OWN {
+    for post in calling() {
         let taken = |key: &&str| touchpath::job::plan(&own(&alone(post, key, 0.0))).is_ok();
         let keys: Vec<&str> = measuring().into_iter().filter(|key| *key != "probing-two-circles").filter(taken).collect();
         for (i, first) in keys.iter().enumerate() {
@@ -396,7 +392,7 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
             let plan = planned(&own(&set_up(post, &pair)));
             assert!(plan.program.own, "{post} {pair:?}");
             // The judges of the others are of their programs of moves.
-            if ["mazak", "brother", "hurco", "okuma", "heidenhain"].contains(&post) {
+            if !of_moves().contains(&post) {
                 crate::common::owed::judge(post).unwrap()(&plan).unwrap_or_else(|why| panic!("{post} {pair:?}: {why}"));
             }
             let mut places: Vec<&str> = Vec::new();
@@ -404,7 +400,8 @@ fn cycles_of_the_controls_own_stand_in_one_program() {
                 let single = planned(&own(&alone(post, key, 300.0 * cycle as f64)));
                 let moves = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0);
                 // A TNC's cycle lifts as high as the way to the next one: its touches are the same.
-                let compared = |m: &&Move| post != "heidenhain" || m.kind == "touch";
+                let lifts = find(post).unwrap().own.is_some_and(|own| own.several.comes_itself);
+                let compared = |m: &&Move| !lifts || m.kind == "touch";
                 let (moves, alone) = (moves.filter(compared), single.moves.iter().filter(compared));
                 let same = moves.zip(alone).filter(|(a, b)| (a.to, a.kind, &a.arc) == (b.to, b.kind, &b.arc)).count();
                 assert_eq!(same, single.moves.iter().filter(compared).count(), "{post} {pair:?} {cycle}");

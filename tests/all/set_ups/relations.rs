@@ -5,6 +5,7 @@ use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{import, interpret, job, on_virtual_part, planned, with};
+use crate::tests::controls::{computing, of_moves, skipping, without};
 use touchpath::form::{Level, Value};
 use touchpath::job::{JobError, Plan, ResultRow, evaluate, plan};
 
@@ -91,7 +92,8 @@ fn displaced(post: &str) -> Value {
 
 #[test]
 fn relations_move_with_the_part_and_agree_with_its_truth() {
-    for post in ["linuxcnc", "grbl", "sinumerik"] {
+    // A program of the tests' Fanuc and Haas has variables for less, as the next test has it.
+    for post in without(&of_moves(), &skipping()) {
         let plan = planned(&displaced(post));
         near(value(&plan, "AC", "distance"), 100.0, 2e-3, post);
         near(value(&plan, "AC", "rotation"), 181.5, 2e-3, post);
@@ -134,7 +136,7 @@ fn programs_compute_what_the_plan_says() {
     near(said("AC", "rotation"), value(&plan, "AC", "rotation"), 2e-3, "sinumerik");
     near(said("BCD", "diameter"), value(&plan, "BCD", "diameter"), 2e-3, "sinumerik");
 
-    for post in ["fanuc", "haas"] {
+    for post in skipping() {
         let plan = planned(&small(&displaced(post)));
         let mut control = Control::new(post == "haas", false);
         control.contacts = plan.triggers.iter().flatten().copied().collect();
@@ -216,7 +218,7 @@ fn a_work_offset_is_written_from_relations() {
 fn relations_take_tolerances_come_back_from_headers_and_from_measured_results() {
     let tolerances =
         r#"{ "AC.distance": { "tolerance": "±0.05", "action": "stop" }, "twist.distance": { "tolerance": "49.9..50.1" } }"#;
-    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+    for post in computing() {
         let job = with(&small(&displaced(post)), "tolerances", job(tolerances));
         let plan = planned(&job);
         assert_eq!(row(&plan, "AC", "distance").verdict.as_deref(), Some("good"), "{post}");
@@ -297,7 +299,7 @@ fn directions_near_half_a_turn_are_compared_within_half_a_turn() {
           "part": {{ "rotation": 0.3 }} }}"#
         )
     };
-    for post in ["linuxcnc", "sinumerik", "fanuc", "haas", "grbl"] {
+    for post in of_moves() {
         let plan = planned(&job(&text(post)));
         near(value(&plan, "APART", "difference.angle"), 180.0, 1e-3, post);
         near(value(&plan, "BOTH", "mean.angle"), 180.3, 1e-3, post);
@@ -323,7 +325,7 @@ fn directions_on_both_sides_of_half_a_turn_have_the_smaller_difference_and_the_m
           "part": {{ "rotation": 0.3 }} }}"#
         )
     };
-    for post in ["linuxcnc", "sinumerik", "fanuc", "grbl"] {
+    for post in of_moves() {
         for (a, b, apart, middle) in
             [(179.0, -179.0, -2.0, 180.0), (-179.0, 179.0, 2.0, 180.0), (170.0, -170.0, -20.0, 180.0), (10.0, 350.0, 20.0, 0.0)]
         {
@@ -336,7 +338,7 @@ fn directions_on_both_sides_of_half_a_turn_have_the_smaller_difference_and_the_m
             near_turned(value(&plan, "BOTH", "mean.angle"), middle + 0.3);
             near_turned(row(&plan, "BOTH", "mean.angle").truth.unwrap(), middle + 0.3);
             let back = import(&plan.program.text).unwrap().job;
-            if post != "grbl" {
+            if computing().contains(&post) {
                 assert!(back.get("tolerances").and_then(|all| all.get("APART.difference.angle")).is_some(), "{what}");
             }
         }

@@ -2,7 +2,8 @@
 
 use super::cycle;
 use super::follows::{near, shown, stops_by, the_machines_measure_what_is_shown};
-use crate::common::{Draws, import, interpret, job, on_virtual_part, planned, with};
+use crate::common::{Draws, import, interpret, job, on_virtual_part, planned, values, with};
+use crate::tests::controls::computing;
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
@@ -115,7 +116,7 @@ fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
 fn the_other_controls_turn_and_grow_a_cycle_likewise() {
     for text in [TURNED, GROWN] {
         the_machines_measure_what_is_shown(text);
-        for post in ["sinumerik", "fanuc", "haas"] {
+        for post in computing() {
             holds(&planned(&on(text, post)));
         }
     }
@@ -125,11 +126,11 @@ fn the_other_controls_turn_and_grow_a_cycle_likewise() {
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle() {
     let wide = |post: &str| with(&on(GROWN, post), "limits.size", Value::Number(1.0));
-    for (post, how) in [("linuxcnc", 1.6), ("linuxcnc", -1.6), ("sinumerik", 1.6), ("fanuc", -1.6), ("haas", 1.6)] {
+    for (post, how) in computing().into_iter().flat_map(|post| [(post, 1.6), (post, -1.6)]) {
         for (job, result) in [(turned_by(&on(TURNED, post), how), "SIDE.rotation"), (wide(post), "SLOT.width")] {
             let plan = planned(&job);
             let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post} {result}"));
-            assert!(said.message.contains(&format!("{result} is")), "{}", said.message);
+            assert_eq!(values(said)[1], result, "{post}");
             stops_by(&plan, post, result);
         }
     }
@@ -144,7 +145,7 @@ fn angles_are_said_as_angles() {
         let job = convert_units(&turned_by(&job(TURNED), 2.0), units).unwrap();
         let plan = planned(&job);
         let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap();
-        assert!(said.message.ends_with("SIDE.rotation is -88°, more than 1.5° from -90°"), "{}", said.message);
+        assert_eq!(values(said)[1..], ["SIDE.rotation", "-88°", "1.5°", "-90°"], "{units}");
     }
 }
 
@@ -237,14 +238,14 @@ fn a_limit_that_a_turned_cycle_exceeds_is_said() {
     // 100 mm and 20 mm away: sin 1.5° · 101.98 mm = 2.67 mm.
     let found = |limit: f64| check(&with(&job(TURNED), "limits.position", Value::Number(limit)));
     let said = found(2.6).into_iter().find(|f| f.code == "turn-beyond-limit").unwrap();
-    assert!(said.message.contains("2.6695 mm") && said.path == "cycles[2].rotation", "{}", said.message);
+    assert_eq!((said.path.as_str(), values(&said)[0].as_str()), ("cycles[2].rotation", "2.6695 mm"));
     assert!(found(2.7).iter().all(|f| f.code != "turn-beyond-limit"));
 }
 
 /// The texts come back from every header; an angle is the same in other units, a size is not.
 #[test]
 fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
-    for post in ["linuxcnc", "sinumerik", "fanuc", "haas"] {
+    for post in computing() {
         for text in [TURNED, GROWN] {
             let plan = planned(&on(text, post));
             let back = import(&plan.program.text).unwrap();
