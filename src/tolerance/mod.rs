@@ -7,6 +7,7 @@
 mod iso286;
 mod result;
 
+use result::canonical;
 pub use result::{RESULT_FORMS, convert_of_result, of_result, plain_of_result};
 
 use crate::num::decimal;
@@ -53,7 +54,11 @@ impl Nominal {
 
 /// Reads a value. `to_mm` is millimetres in the unit it is written in. The error says in plain words what is wrong.
 pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
-    let whole = text.trim();
+    // What is given, behind @, is a number.
+    let (place, given) =
+        text.trim().split_once('@').map_or((text.trim(), String::new()), |(left, right)| (left, format!("@{right}")));
+    let whole = format!("{}{given}", canonical(place));
+    let whole = whole.as_str();
     let wrong = || text!("\"{value}\" is not a value: the forms are {forms}", shown(whole), FORMS.to_owned());
     let mut value = Nominal { text: Some(whole.replace(',', ".")), ..Nominal::default() };
     let (rest, actual) = match whole.split_once('@') {
@@ -114,16 +119,8 @@ pub fn toleranced(text: &str) -> Option<f64> {
 
 /// The smallest and the largest size that such a text allows, in its units, of which one has `to_mm` millimetres. None where it says no limits.
 pub fn zone(text: &str, to_mm: f64) -> Option<[f64; 2]> {
-    let plain = text.trim().trim_start_matches(['Ø', 'ø', '⌀']).replace([' ', '\t'], "").replace('\u{2212}', "-");
-    // `25±0.02` is `25+0.02-0.02`; a limit of 0 is written or left out.
-    let plain = match plain.split_once('±') {
-        Some((size, off)) => format!("{size}+{off}-{off}"),
-        None => plain.trim_end_matches("/0").to_owned(),
-    };
-    let value = parse(&plain, to_mm).ok()?;
-    // `25 0 -0.02` without its spaces is another size.
-    let same = value.nominal == toleranced(text);
-    value.limits.filter(|_| same).map(<[f64; 2]>::from)
+    toleranced(text)?;
+    result::of_size(text, to_mm)
 }
 
 /// Whether a text is one or two letters and one or two digits, such as `H7`, alone or before a slash as in `H7/g6`.
@@ -137,6 +134,7 @@ fn is_class(text: &str) -> bool {
 /// The same value with every length multiplied by `by`; none for a text that is no value. Letters and signs stay.
 pub fn convert(text: &str, by: impl Fn(f64) -> f64) -> Option<String> {
     // Only the form of the text matters here, not whether a class is known for its size.
+    let text = &canonical(text);
     let mut rest = text.trim();
     let mut out = String::new();
     let digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',');
@@ -439,6 +437,17 @@ mod tests {
         assert_eq!(limits("+8-2-1"), (-2000.0, -1000.0));
         assert_eq!(limits("10-0.2"), (-200.0, 0.0));
         assert_eq!(limits("10+0,2"), (0.0, 200.0));
+        // As drawings write them; what goes to the control has the form that it takes.
+        for (text, low, high, written) in [
+            ("10 +0.021/0", 0.0, 21.0, "10+0.021+0"),
+            ("10 0 -0.02", -20.0, 0.0, "10+0-0.02"),
+            ("Ø10 ±0,05", -50.0, 50.0, "10+0.05-0.05"),
+            ("10 H7", 0.0, 15.0, "10H7"),
+        ] {
+            assert_eq!(limits(text), (low, high), "{text}");
+            assert_eq!(parse(text, 1.0).unwrap().text.as_deref(), Some(written), "{text}");
+            assert_eq!(convert(text, |x| 2.0 * x), convert(written, |x| 2.0 * x), "{text}");
+        }
     }
 
     #[test]
@@ -454,7 +463,10 @@ mod tests {
         near("25+0.021", 1.0, [25.0, 25.021]);
         near("25 +0,021/0", 1.0, [25.0, 25.021]);
         near("1H7", 25.4, [1.0, 1.0 + 0.021 / 25.4]);
-        for other in ["25", "25 0 -0.02", "25 0.02 -0.01"] {
+        near("25 0 -0.02", 1.0, [24.98, 25.0]);
+        near("25 +0.021 0", 1.0, [25.0, 25.021]);
+        near("25-0.02", 1.0, [24.98, 25.0]);
+        for other in ["25", "25 0.02 -0.01"] {
             assert_eq!(zone(other, 1.0), None, "{other}");
         }
         assert_eq!(zone("25Q99", 1.0), None);

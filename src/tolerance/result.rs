@@ -5,7 +5,7 @@ use crate::num::decimal;
 use crate::text::{Text, text};
 
 /// The forms that the tolerance of a result may have, for people.
-pub const RESULT_FORMS: &str = "25H7, H7, ±0.02, +0.021/0, 25 ±0.02, 24.98..25.02";
+pub const RESULT_FORMS: &str = "25H7, H7, ±0.02, +0.021/0, 0 -0.02, 25 ±0.02, 24.98..25.02";
 
 /// What the tolerance of a result says.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +14,7 @@ enum Zone<'t> {
     Ends([f64; 2]),
     /// Deviations, from the size in front of them where there is one.
     Off(Option<f64>, Deviations<'t>),
-    /// Two signed numbers without a blank: deviations, but where the first is the nominal value itself.
+    /// Two signed numbers, with or without a blank: deviations, or a size and one deviation. The nominal value decides.
     Either([f64; 2]),
 }
 
@@ -73,34 +73,78 @@ impl<'t> Zone<'t> {
         let Some(end) = end_of_number(text).filter(|_| !text.starts_with("+/-")) else {
             return Deviations::read(text).map(|off| Zone::Off(None, off));
         };
-        let (first, rest) = (number(&text[..end])?, &text[end..]);
-        let relative = text.starts_with(['+', '-']);
-        match (relative, rest) {
-            (true, "") => Deviations::read(text).map(|off| Zone::Off(None, off)),
-            // A fraction: `+0.021/0`.
-            (true, _) if rest.trim_start().starts_with('/') => Deviations::read(text).map(|off| Zone::Off(None, off)),
-            (true, _) if rest.starts_with(['+', '-']) && end_of_number(rest) == Some(rest.len()) => {
-                Some(Zone::Either([first, number(rest)?]))
-            }
-            _ => Deviations::read(rest.trim()).map(|off| Zone::Off(Some(first), off)),
+        let (first, rest) = (number(&text[..end])?, text[end..].trim());
+        // A size has no sign and is not 0: `+0.021/0`, `0/-0.02`, `+0.021 0`, `-0.2` are deviations.
+        let relative = text.starts_with(['+', '-']) || first == 0.0;
+        let one = |text: &str| end_of_number(text) == Some(text.len());
+        match rest {
+            "" | "0" if relative => Deviations::read(text).map(|off| Zone::Off(None, off)),
+            _ if relative && rest.starts_with('/') => Deviations::read(text).map(|off| Zone::Off(None, off)),
+            _ if first == 0.0 && one(rest) => Deviations::read(text).map(|off| Zone::Off(None, off)),
+            _ if relative && rest.starts_with(['+', '-']) && one(rest) => Some(Zone::Either([first, number(rest)?])),
+            _ => Deviations::read(rest).map(|off| Zone::Off(Some(first), off)),
         }
     }
 }
 
+/// How near a size in a text must be to the nominal value to be that value.
+const SAME: f64 = 1e-9;
+/// A deviation this large is none, in any unit: what is larger in front of another one is a size.
+const LARGEST_DEVIATION: f64 = 1.0;
+
+/// The limits that two signed numbers give about a nominal value, and whether the first is that value. `-35-0.2` of -35 is a size with a deviation,
+/// `+0.02-0.02` of 0 and `-0.1-0.2` of 25 are deviations; an error with both readings where both make sense.
+fn of_two(text: &str, [first, second]: [f64; 2], nominal: f64) -> Result<([f64; 2], bool), Text> {
+    let sized = [first + second.min(0.0), first + second.max(0.0)];
+    let about = [nominal + first.min(second), nominal + first.max(second)];
+    let is_size = (first - nominal).abs() < SAME && nominal != 0.0;
+    let small = first.abs() < LARGEST_DEVIATION;
+    if is_size && !small {
+        return Ok((sized, true));
+    }
+    if !is_size && (small || (first - nominal).abs() >= first.abs()) {
+        return Ok((about, false));
+    }
+    let [one, other] = [sized, about].map(|[low, high]| format!("{} … {}", decimal(low, 6), decimal(high, 6)));
+    Err(text!(
+        "\"{value}\" can be read in two ways, {one} and {other}: write the deviations with a slash, such as +0.02/-0.01, or both ends, such as 24.98..25.02",
+        shown(text),
+        one,
+        other
+    ))
+}
+
+/// The limits of a size that says its nominal value, `25 +0.021/0`; `to_mm` is millimetres in its unit. None of any other text.
+pub fn of_size(text: &str, to_mm: f64) -> Option<[f64; 2]> {
+    match Zone::read(&tidied(text))? {
+        Zone::Off(Some(size), off) => off.of(size, Some(to_mm))?.ok().map(|[low, high]| [size + low, size + high]),
+        _ => None,
+    }
+}
+
+/// A size with a tolerance as drawings write it in the form that 1411 takes: `10+0.021+0` for `10 +0.021/0`. Any other text as it is.
+pub fn canonical(text: &str) -> String {
+    let drawn = text.contains([' ', '/', '±', 'Ø', 'ø', '⌀', '\u{2212}']);
+    match Zone::read(&tidied(text)) {
+        Some(Zone::Off(Some(_), _)) if drawn => plain_of_result(text),
+        _ => text.to_owned(),
+    }
+}
+
 /// The smallest and the largest value that a tolerance of a result allows, and whether the text says the nominal value itself. A text that begins with a
-/// sign or a letter is about the nominal value: `±0.02`, `+0.021/0`, `-0.1-0.2`, `H7`. One that begins with a number has it: `25H7`, `25 ±0.02`,
-/// `24.98..25.02`; a negative one with a blank behind it, with two deviations, or where it is the nominal value: `-35 ±0.1`, `-35+0.1-0.2`. `to_mm` is
-/// millimetres in the unit; none of what has no classes.
+/// sign, a letter or a 0 is about the nominal value: `±0.02`, `+0.021/0`, `0 -0.02`, `+0.021 0`, `-0.1-0.2`, `H7`. One that begins with a number has it:
+/// `25H7`, `25 ±0.02`, `24.98..25.02`; a negative one with two deviations, or where it is the nominal value: `-35 ±0.1`, `-35+0.1-0.2`, `-35 -0.2`. Two signed
+/// numbers that read both ways are an error. `to_mm` is millimetres in the unit; none of what has no classes.
 pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 2], bool), Text> {
     let wrong = || text!("\"{value}\" is no tolerance: the forms are {forms}", shown(text), RESULT_FORMS.to_owned());
     let plain = tidied(text);
     let (size, off) = match Zone::read(&plain).ok_or_else(wrong)? {
         Zone::Ends(ends) => return Ok((ends, true)),
         Zone::Off(size, off) => (size, off.of(size.unwrap_or(nominal), to_mm).ok_or_else(wrong)??),
-        Zone::Either([first, second]) if (first - nominal).abs() < 1e-9 && nominal != 0.0 => {
-            (Some(first), [second.min(0.0), second.max(0.0)])
+        Zone::Either(both) => {
+            let (limits, says) = of_two(text, both, nominal)?;
+            return if limits[0] < limits[1] { Ok((limits, says)) } else { Err(wrong()) };
         }
-        Zone::Either([one, other]) => (None, [one.min(other), one.max(other)]),
     };
     let [low, high] = off;
     if low >= high {
@@ -194,6 +238,18 @@ mod tests {
             ("-35+0.1-0.2", -35.0, [-35.2, -34.9], true),
             ("-35 -0.2", -35.0, [-35.2, -35.0], true),
             ("-35 +0.1", -35.0, [-35.0, -34.9], true),
+            // As drawings and their tables write a fit: zeros, blanks, slashes, one side.
+            ("+0.02 -0.02", 0.0, [-0.02, 0.02], false),
+            ("+0.02-0.02", 0.0, [-0.02, 0.02], false),
+            ("+0.02 -0.02", 25.0, [24.98, 25.02], false),
+            ("0 -0.02", 25.0, [24.98, 25.0], false),
+            ("0 -0.02", 0.0, [-0.02, 0.0], false),
+            ("0/-0.02", 25.0, [24.98, 25.0], false),
+            ("0 +0.02", 25.0, [25.0, 25.02], false),
+            ("+0.021 0", 25.0, [25.0, 25.021], false),
+            ("-0.02 0", 25.0, [24.98, 25.0], false),
+            ("-0.1 -0.2", 25.0, [24.8, 24.9], false),
+            ("25 +0.021 0", 25.0, [25.0, 25.021], true),
             ("-35 0/-0.2", -35.0, [-35.2, -35.0], true),
             ("-35-0.2", -35.0, [-35.2, -35.0], true),
             ("24.98..25.02", 25.0, [24.98, 25.02], true),
@@ -228,6 +284,11 @@ mod tests {
             "1 2 3",
         ] {
             assert!(of_result(text, 25.0, Some(1.0)).is_err(), "{text}: {:?}", of_result(text, 25.0, Some(1.0)));
+        }
+        // Two readings: -34.9 … -34.7 about -35.1 where it is a size, -70.1 … -35.3 as deviations; or about a nominal value that is itself as small as one.
+        for (text, nominal) in [("-35 -0.2", -35.1), ("-0.1-0.2", -0.1), ("+0.5 -0.02", 0.5)] {
+            let error = of_result(text, nominal, Some(1.0)).unwrap_err();
+            assert!(error.english().contains("two ways"), "{text}: {}", error.english());
         }
         // An angle has no classes.
         assert!(of_result("H7", 25.0, None).is_err());

@@ -107,7 +107,7 @@ fn cut(program: &str) -> String {
     let mut values = false;
     for line in program.lines() {
         let line = line.trim_start_matches(|c: char| c.is_ascii_digit());
-        let line = if line.starts_with(' ') { &line[1..] } else { line };
+        let line = line.strip_prefix(' ').unwrap_or(line);
         let folded = line.to_lowercase();
         values &= !folded.contains("blocks below");
         if !values {

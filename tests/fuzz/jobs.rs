@@ -470,7 +470,7 @@ fn follow_more(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Va
         let turns = |other: &Value| matches!(other.get("type"), Some(Value::Text(key)) if key == "wall-angle" || key.ends_with("corner"));
         let turning: Vec<usize> = (0..i).filter(|of| turns(&cycles[*of])).collect();
         let sized: Vec<(usize, &str, f64)> = (0..i)
-            .flat_map(|of| sizes.iter().filter_map(move |key| Some((of, *key))))
+            .flat_map(|of| sizes.map(|key| (of, key)))
             .filter_map(|(of, key)| Some((of, key, number(&cycles[of], key)?)))
             .collect();
         let own = sizes.iter().find_map(|key| Some((*key, number(&cycles[i], key)?)));
