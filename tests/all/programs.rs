@@ -172,12 +172,37 @@ fn list(rows: impl IntoIterator<Item = String>, between: &str) -> String {
     if rows.is_empty() { "none".to_owned() } else { rows.join(between) }
 }
 
-/// `name:line` of a line, `line` alone in the program itself.
+/// `name:line` of a 0-based line, `line` alone in the program itself.
+fn line_of(case: &Case, file: u32, line: u32) -> String {
+    match file {
+        0 => (line + 1).to_string(),
+        file => format!("{}:{}", case.files[file as usize - 1].0, line + 1),
+    }
+}
+
 fn place_in(path: &Toolpath, case: &Case, index: usize) -> String {
-    let line = path.line[index] + 1;
-    match path.file.get(index).copied().unwrap_or(0) {
-        0 => line.to_string(),
-        file => format!("{}:{line}", case.files[file as usize - 1].0),
+    line_of(case, path.file.get(index).copied().unwrap_or(0), path.line[index])
+}
+
+fn numbered(lines: &[u32]) -> String {
+    list(lines.iter().map(|line| (line + 1).to_string()), " ")
+}
+
+/// What is said of an argument of the first call that has it: its value and its meaning.
+fn argument(path: &Toolpath, name: &str) -> String {
+    let found = path.calls.iter().flat_map(|call| &call.arguments).find(|argument| argument.name == name);
+    found.map_or("none".to_owned(), |argument| {
+        format!("{} {}", coordinate(argument.value.unwrap_or(f64::NAN)), argument.meaning.unwrap_or("not known"))
+    })
+}
+
+/// `all hold`, or the rules that do not, or of which that is not known.
+fn rules(path: &Toolpath) -> String {
+    let states = path.rules.iter().filter(|rule| rule.holds != Some(true));
+    let rows = states.map(|rule| format!("{}: {}", rule.rule, if rule.holds.is_some() { "broken" } else { "not known" }));
+    match list(rows, " | ") {
+        rows if rows == "none" && !path.rules.is_empty() => "all hold".to_owned(),
+        rows => rows,
     }
 }
 
@@ -220,27 +245,32 @@ fn found(path: &Toolpath, case: &Case, text: &str, key: &str, wanted: &str) -> S
         "calls" => {
             let rows = path.calls.iter().map(|call| {
                 let contradictions: String = call.contradictions.iter().map(|text| format!("; {text}")).collect();
-                format!("{} {}: {}{contradictions}", call.line + 1, call.name, call.title.unwrap_or("not known"))
+                let line = line_of(case, call.file, call.line);
+                format!("{line} {}: {}{contradictions}", call.name, call.title.unwrap_or("not known"))
             });
             list(rows, " | ")
         }
         "broken" => {
             let broken = path.rules.iter().filter(|rule| rule.holds == Some(false));
-            list(
-                broken.map(|rule| format!("{}@{}", rule.rule, list(rule.lines.iter().map(|line| (line + 1).to_string()), ","))),
-                " ",
-            )
+            list(broken.map(|rule| format!("{}@{}", rule.rule, numbered(&rule.lines).replace(' ', ","))), " ")
         }
+        "rules" => rules(path),
+        "plane" => path.plane.word().to_owned(),
         "is" => {
             let units = path.metric.map_or("no units", |metric| if metric { "mm" } else { "inch" });
             format!("{} {units}", path.dialect)
         }
         "judge" => judged(path, text),
-        _ => match key.strip_prefix("line ").and_then(|line| line.parse::<u32>().ok()) {
-            Some(line) => {
+        _ => match key.split_once(' ') {
+            Some(("line", line)) => {
+                let line: u32 = line.parse().unwrap_or_else(|_| panic!("{key}"));
                 list(indices.filter(|index| path.line[*index] + 1 == line).map(|index| moved(path, index, feed)), " | ")
             }
-            None => panic!("{key}: is not known"),
+            Some(("ask", name)) => {
+                path.asks.iter().find(|ask| ask.name == name).map_or("none".to_owned(), |ask| numbered(&ask.lines))
+            }
+            Some(("argument", name)) => argument(path, name),
+            _ => panic!("{key}: is not known"),
         },
     }
 }
@@ -272,7 +302,7 @@ type Said = (String, String, Vec<u32>);
 /// Whether some finding is as `code "text" in line N` says; `wanted` may leave out text and line.
 fn has_finding(findings: &[Said], wanted: &str) -> bool {
     let (code, rest) = wanted.split_once(' ').unwrap_or((wanted, ""));
-    let part = rest.split('"').nth(1).unwrap_or("");
+    let part = rest.split_once('"').and_then(|(_, rest)| rest.rsplit_once('"')).map_or("", |(part, _)| part);
     let line =
         rest.rsplit_once("in line ").filter(|_| !rest.ends_with('"')).map(|(_, line)| line.parse::<u32>().expect("a line"));
     findings.iter().any(|(own, message, lines)| {
@@ -286,8 +316,10 @@ fn imported(text: &str) -> (Option<Vec<String>>, Vec<Said>) {
         Ok(read) => (read.trace, read.findings),
         Err(error) => (None, error.findings),
     };
-    let row =
-        |one: &touchpath::import::TraceMove| format!("{} {}", one.line + 1, coordinates(one.to.map(|x| x.unwrap_or(f64::NAN))));
+    let row = |one: &touchpath::import::TraceMove| {
+        let kind = format!("{:?}", one.kind).to_lowercase();
+        format!("{} {kind} {}", one.line + 1, coordinates(one.to.map(|x| x.unwrap_or(f64::NAN))))
+    };
     let moves = trace.map(|trace| trace.moves.iter().map(row).collect());
     (moves, findings.into_iter().map(|finding| (finding.code, finding.message, Vec::new())).collect())
 }
@@ -390,6 +422,10 @@ fn a_wrong_expectation_is_found() {
         ("no finding: start-unknown", "no finding: lines-skipped"),
         ("is: iso mm", "is: iso inch"),
         ("asks: none", "asks: #1"),
+        ("plane: G17", "plane: G18"),
+        ("rules: none", "rules: all hold"),
+        ("ask #1: none", "ask #1: 3"),
+        ("argument D: none", "argument D: 5 diameter"),
     ] {
         assert_eq!((case(right).len(), case(not).len()), (0, 1), "{right} / {not}: {:?}", case(right));
     }
