@@ -161,45 +161,6 @@ fn programs_of_plans_are_their_plans() {
     assert!(seen > 1000, "{seen}");
 }
 
-#[test]
-fn what_cannot_be_read_is_said_and_the_rest_is_read() {
-    let path = read_program(
-        "O1000 (FANUC)\nG21 G17\nG0 X1. Y2. Z3.\n#101=#5041\nIF [#101 GT 3] GOTO 20\nG1 X#101 F100.\nG31 Y-5. F50.\nN20 X7.\nG53 G0 Z0.\nM98 P20\nM30\n%\n",
-        None,
-    );
-    assert_eq!(kinds(&path), ["rapid", "feed", "probe", "feed", "rapid"]);
-    assert_eq!(path.line, [2, 5, 6, 7, 8]);
-    let ends = places(&path);
-    assert_eq!(ends[0], [1.0, 2.0, 3.0]);
-    assert!(ends[1][0].is_nan() && ends[2][0].is_nan() && ends[2][1] == -5.0, "not known until a number is given");
-    assert_eq!(ends[3], [7.0, -5.0, 3.0]);
-    assert!(ends[4][2].is_nan());
-    assert_eq!(said(&path), ["lines-skipped", "places-computed", "machine-places"]);
-    assert!(path.findings[0].message.ends_with("3 times, the first in line 4"), "{}", path.findings[0].message);
-}
-
-#[test]
-fn a_sinumerik_is_known_by_its_words() {
-    let text = "; a probe\nG71 G17\nMEAS=1 G1 X10 F300\nSTOPRE\nIF $AC_MEA[1]==0 GOTOF OUT\nG1 Y=R1+5\nG2 X20 Y0 CR=5 F100\nG700\nG0 X1\nOUT:\nM30\n";
-    let path = read_program(text, None);
-    assert_eq!((path.dialect, path.metric), ("sinumerik", Some(true)));
-    assert_eq!(kinds(&path), ["probe", "feed", "feed", "rapid"]);
-    assert_eq!(places(&path)[3][0], 25.4, "in the units that are stated first");
-    assert_eq!(said(&path), ["lines-skipped", "places-computed", "arc-unsolved"]);
-    assert_eq!(read_program(text, Some("iso")).dialect, "iso");
-}
-
-#[test]
-fn arcs_come_with_centre_and_degrees() {
-    let path = read_program("G21 G0 X10 Y0 Z0\nG3 X0 Y10 I-10 J0 F100\nG2 X10 Y0 R10\nG2 X10 Y0 I-10\nG91 G1 X1\n", None);
-    assert_eq!(path.arcs.len(), 3);
-    let near = |a: [f64; 6], b: [f64; 6]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9);
-    assert!(near(path.arcs[0], [1.0, 0.0, 0.0, 0.0, 90.0, 17.0]), "{:?}", path.arcs);
-    assert!(near(path.arcs[1], [2.0, 0.0, 0.0, 0.0, -90.0, 17.0]), "{:?}", path.arcs);
-    assert!(near(path.arcs[2], [3.0, 0.0, 0.0, 0.0, -360.0, 17.0]), "{:?}", path.arcs);
-    assert_eq!(path.end(4).x, 11.0);
-}
-
 /// What one block says is not said by the next: a centre of which only I is given has no J of the arc before.
 #[test]
 fn no_word_stays_for_the_next_block() {
@@ -348,35 +309,9 @@ fn words_that_are_no_moves_were_read_as_moves() {
     }
 }
 
-#[test]
-fn what_is_said_beside_a_motion_is_no_feed_no_mode_and_no_dialect() {
-    let dwell = read_program("G71\nG1 X1 F1000\nG4 F2\nX5\n", Some("sinumerik"));
-    assert_eq!(dwell.feed, [1000.0, 1000.0], "the time of a dwell");
-    let jump = read_program("G21 G90\nG1 X1 F1000\nG0 G91 GOTO 5\nX5\n", None);
-    assert_eq!((kinds(&jump), jump.end(1).x), (vec!["feed", "feed"], 5.0), "nothing of a line that is not followed stays");
-    assert_eq!(read_program("G70\nG1 X1\n", Some("sinumerik")).metric, Some(false));
-    assert_eq!(read_program("G71\nX1\nG70\nX1\n", Some("sinumerik")).end(1).x, 25.4);
-    let comment = read_program("%\nO1 (A)\nG21 G90\nT1 M6 (PROBE CYCLE TEST)\nG0 X1 Y1 Z1\nG31 Z-5 F100\n", None);
-    assert_eq!((comment.dialect, kinds(&comment)), ("iso", vec!["rapid", "probe"]), "a comment may say anything");
-    let planes = read_program("G21\nG17\nG0 X0 Y0 Z0\nG2 X10 Y0 I5 J0\nG18\nG2 X20 Z0 I5 K0\n", None);
-    assert_eq!((planes.plane.word(), planes.arcs[0][5], planes.arcs[1][5]), ("G17", 17.0, 18.0));
-}
-
-#[test]
-fn a_feed_is_by_the_minute_or_not_known() {
-    let path = read_program("G21\nG1 X1 F100\nX2 F#1\nG93 X3 F20\nG94 X4 F50\nG33 Z-5 K1\n", None);
-    assert_eq!(path.feed[..1], [100.0]);
-    assert!(path.feed[1].is_nan() && path.feed[2].is_nan(), "{:?}", path.feed);
-    assert_eq!((path.feed[3], kinds(&path)[4]), (50.0, "feed"));
-}
-
 /// What real programs begin with, and what a SINUMERIK alone has not.
 #[test]
 fn a_dialect_is_that_of_its_words() {
-    let sinumerik = "N10 G71 G90 G17\nN20 T=\"MILL\" D1\nN40 G0 X10 Y0 Z5\nN50 CYCLE977(1101,10001,,1,32)\nN60 G0 Z20\n";
-    let path = read_program(sinumerik, None);
-    assert_eq!((path.dialect, path.metric, path.len()), ("sinumerik", Some(true), 2));
-    assert!(path.end(1).x.is_nan(), "a cycle leaves the ball somewhere");
     for text in ["%_N_A_MPF\nG0 X1\n", "N5 R1=5\n", "n5 meas=1 g1 x5\n", "N5 MSG(\"x\")\n", "N1 IF $AC_MEA[1]==0 GOTOF E\n"] {
         assert_eq!(read_program(text, None).dialect, "sinumerik", "{text}");
     }
@@ -397,8 +332,6 @@ fn units_below_the_first_moves_are_said() {
     ] {
         assert_eq!(said(&read_program(text, None)), codes, "{text}");
     }
-    let late = read_program("G0 X1\nG20\nG0 X2\n", None);
-    assert!(late.findings[0].message.contains("above line 2"), "{}", late.findings[0].message);
 }
 
 /// Frames of a SINUMERIK were lines that are not understood.
@@ -433,69 +366,4 @@ fn a_carriage_return_ends_a_line() {
     ] {
         assert_eq!(read_program(text, None).line, lines, "{text:?}");
     }
-}
-
-/// A tape sign after code ends the program, as LinuxCNC's interpreter has it; a first one begins it, and a name after one ends nothing.
-#[test]
-fn a_tape_sign_ends_the_program() {
-    for text in [
-        "%\nG21 G90\nG0 X1 Y0 Z0\n%\nG0 X2\n",
-        "%\n(a comment)\nG21 G90\nG0 X1 Y0 Z0\nG1 X3 F100\n%\n(below)\nG0 X2\n%\nG0 X4\n",
-        "%\nG21 G90\nG0 X1 Y0 Z0\n % \nG0 X2\nM2\n",
-        "%\nG21 G90\nG0 X1 Y0 Z0\nM2\n%\n",
-    ] {
-        let ran = interpret(text).unwrap_or_else(|why| panic!("{why}\n{text}"));
-        let path = read_program(text, None);
-        let wanted: Vec<_> = ran.moves.iter().map(|made| made.to).collect();
-        assert_eq!(places(&path), wanted, "{text}");
-        let below = text.rsplit_once('%').is_some_and(|(_, rest)| rest.contains('G'));
-        assert_eq!(said(&path), if below { vec!["lines-skipped"] } else { vec![] }, "{text}");
-    }
-    for text in
-        ["(a comment)\n%\nG21\nG0 X1\nM30\n%\n", "G71\nG0 X1\n%_N_SECOND_MPF\nG0 X2\nM30\n", "%100\nG21\nG0 X1\nX2\n%\n"]
-    {
-        let path = read_program(text, None);
-        assert_eq!((path.len(), said(&path).len()), (text.matches('X').count(), 0), "{text}");
-    }
-}
-
-/// Probing moves of other makers were rapids, and a condition around an end hid all that stood below it.
-#[test]
-fn no_probing_move_is_lost() {
-    let probes = |text: &str| kinds(&read_program(text, None)).into_iter().filter(|kind| *kind == "probe").count();
-    for (text, wanted) in [
-        ("G21 G90\nG0 X0 Y0 Z9\nG38.6 Z-1 F100\nG38.9 X5\nG38.2 Y1\n", 3),
-        ("G21 G90\nG0 X0 Y0 Z9\nG31.1 Z-1. F100.\nG31.3 X5. F100.\nG31 P2 X7. F100.\nG0 Z9.\n", 3),
-        ("G21\no101 if [#5070 EQ 1]\nM2\no101 endif\nG38.2 X4 F150\nM2\nG38.2 X5\n", 1),
-        ("G21\no1 if [#1]\no2 if [#2]\no2 endif\nM30\no1 endif\nG38.2 X4 F150\nM2\n", 1),
-        ("G21\nIF [#1 EQ 2] GOTO 10\n(a comment)\nM30\nN10\nG31 X4. F100.\nM30\nN20\nG31 X5. F100.\n", 1),
-        ("G21\nN5 IF[#1EQ2]GOTO10\nN6 M30\nN10 G31 X4. F100.\nM30\n", 1),
-        ("G71\nMEAS = 1 G1 X20 F100\nMEAS=R1 G1 X25\nL1: MEAS=1 G1 X30\nOUT: MEAW=-1 G1 X60 SPOS=0\nG0 Z5\n", 4),
-        ("G71\nG1 X0 Y0 F100\nMEAS=1G1X5F50\nG1 MEAS=1X6\nSPOS=0G1X5MEAS=1\n", 3),
-        ("G71\nIF R1==0\nM30\nENDIF\nMEAS=1 G1 X20 F100\nM30\nMEAS=1 G1 X25\n", 1),
-        ("G71\nN5 if (R1==0)\nN6 M30\nN7 endif\nMEAS=1 G1 X20 F100\n", 1),
-        ("G71\nIF R1==0 GOTOF L1\nM30\nL1:\nMEAS=1 G1 X20 F100\nM30\n", 1),
-        ("G21\nN10 /G31 X5. F100.\nN20/G31 Y5. F100.\n", 2),
-        ("G21\nG31 X5. F100.\nDPRNT[MEAS=#5061[43]]\nDPRNT[CR=#5061[43]]\nG31 Y5. F100.\n", 2),
-    ] {
-        assert_eq!(probes(text), wanted, "{text}");
-    }
-    let ended = read_program("G21\nG0 X1\nM30\nN9 G0 X2\nX3\n", None);
-    assert_eq!(
-        (ended.len(), ended.findings[0].message.as_str()),
-        (1, "Lines below the end of the program, M2, M30, M99 or %, are not followed: 2 times, the first in line 4")
-    );
-    // A radius that is computed makes no arc.
-    let computed = read_program("G71\nG0 X0 Y0\nG2 X20 Y0 CR=R5 F100\nSTOPRE\n", None);
-    assert_eq!((computed.dialect, computed.arcs.len()), ("sinumerik", 0));
-    assert!(said(&computed).contains(&"arc-unsolved"));
-    let close = read_program("G71\nG0 X0 Y0\nG2X10Y0CR=5F200\nSTOPRE\n", None);
-    assert_eq!((close.arcs.len(), close.feed[1]), (1, 200.0));
-    let assigned = read_program("G71\nG1 X=5Y=-3Z1 F=200G90\nX=5+R1 Y7\n", None);
-    assert_eq!((assigned.end(0).to_array(), assigned.feed[0]), ([5.0, -3.0, 1.0], 200.0));
-    assert!(assigned.end(1).x.is_nan() && assigned.end(1).y == 7.0);
-    // A number of an offset that no control has.
-    assert_eq!(said(&read_program("G21\nG54.1 P1\nG0 X1\nG54.1 P999999999999\nX2\n", None)), ["places-transformed"]);
-    // What gives a variable a value is no word.
-    assert!(said(&read_program("G71\nTP_MOVE=5\nSTOPRE\nG0 X1\n", None)).contains(&"lines-skipped"));
 }
