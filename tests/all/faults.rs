@@ -396,28 +396,6 @@ fn a_direction_has_the_limit_of_angles() {
     }
 }
 
-/// A printer's limits of its axes: what is known of an axis that such a code does not name stays known.
-#[test]
-fn limits_of_an_axis_forget_no_other() {
-    for code in ["M92", "M201", "M203", "M208", "M566"] {
-        let path = touchpath::import::read_program(&format!("G21 G90\nG1 X1 Y2 Z3 F100\n{code} X900\nG1 Z9\n"), None);
-        let end = path.end(path.len() - 1);
-        assert!(end.x.is_nan() && (end.y, end.z) == (2.0, 9.0), "{code}: {end}");
-        assert_eq!(path.len(), 2, "{code}");
-    }
-}
-
-/// G110 to G112 of a SINUMERIK set the pole: they move nothing, and what is known of the axes stays known.
-#[test]
-fn a_pole_forgets_no_place() {
-    for code in ["G110", "G111", "G112"] {
-        let text = format!("G71 G90\nG1 X1 Y2 Z3 F100\n{code} X40 Y50\nG1 Z9\n");
-        let path = touchpath::import::read_program(&text, Some("sinumerik"));
-        assert_eq!(path.end(path.len() - 1).to_array(), [1.0, 2.0, 9.0], "{code}");
-        assert_eq!(path.len(), 2, "{code}");
-    }
-}
-
 /// What grbl reports where the walls of a job stand as its virtual part has them, and the first one `chip` mm nearer to −X; G54 is X−200 Y−150 Z−60.
 fn grbl_log(job: &Value, chip: f64) -> String {
     let touches = planned(job).triggers.into_iter().flatten().enumerate();

@@ -165,15 +165,6 @@ fn long_exits_and_long_numbers_come_back() {
     }
 }
 
-/// Any endsub closed any sub.
-#[test]
-fn a_subroutine_is_closed_by_its_own_name() {
-    let program = |end: &str| format!("o<a> sub\nG0 Z1\no<{end}> endsub\nG38.2 X1 F10\nM2\n");
-    assert_eq!(import(&program("a")).unwrap().trace.unwrap().moves.len(), 1);
-    let error = import(&program("x")).unwrap_err();
-    assert_eq!(error.findings[0].code, "not-understood", "{error}");
-}
-
 /// The approach of a program whose first place is the origin was `unchecked`.
 #[test]
 fn a_program_without_a_job_has_no_unchecked_move() {
