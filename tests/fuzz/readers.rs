@@ -1,5 +1,6 @@
 //! Mutated texts for every reader: none may panic, hang, or make a job that breaks a law.
 
+use std::path::Path;
 use std::sync::LazyLock;
 
 use crate::common::owed::macro_call;
@@ -10,6 +11,15 @@ use touchpath::import::read_program;
 use touchpath::job::{Plan, evaluate, plan, reads_alike};
 
 use crate::draw::Draw;
+
+/// The programs of `tests/programs`, in the order of their names.
+static PROGRAMS: LazyLock<Vec<String>> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
+    let entries = std::fs::read_dir(folder).expect("tests/programs");
+    let mut paths: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()).collect();
+    paths.sort();
+    paths.iter().map(|path| std::fs::read_to_string(path).expect("a program")).collect()
+});
 
 /// A text with some of it changed, left out, said twice, or put elsewhere.
 fn mutate(draw: &mut Draw, text: &str) -> String {
@@ -71,10 +81,11 @@ pub fn remembered(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     Ok(())
 }
 
-/// What a reader makes of a mutated program or dump is a job that is refused, or one whose touches are all in its path.
+/// What a reader makes of a mutated program, made here or by other hands, or of a mutated dump is a job that is refused, or one whose touches are all in its path.
 pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     let source = match draw.index(3) {
         0 => export_table(made, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?,
+        _ if draw.once_in(4) => draw.of(&PROGRAMS).clone(),
         _ => made.program.text.clone(),
     };
     for _ in 0..3 {
