@@ -1,49 +1,9 @@
 // The page's state by itself, without a browser: the same module that the page loads, on the real core.
 import assert from "node:assert/strict";
-import { mkdtempSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { fileURLToPath, pathToFileURL } from "node:url";
-import { build } from "vite";
+import { test } from "node:test";
+import { read, readNumber, Store, setUp } from "./state.mjs";
 
-const root = fileURLToPath(new URL("../..", import.meta.url));
-/** @type {string} */
-let folder;
-/** @type {any} */
-let Store;
-/** @type {(text: string) => any} */
-let read;
-/** @type {(text: string, unit?: string, units?: string, comma?: boolean, size?: boolean) => number | string} */
-let readNumber;
-
-before(async () => {
-  folder = mkdtempSync(join(tmpdir(), "touchpath-store-"));
-  // In Node the package's own entry for Node stands where the page has that for browsers.
-  const core = pathToFileURL(join(root, "dist/node.js")).href;
-  await build({
-    root,
-    configFile: false,
-    logLevel: "silent",
-    build: {
-      ssr: true,
-      rolldownOptions: { input: ["www/store.ts", "www/number.ts", "www/read-text.ts"] },
-      outDir: folder,
-      emptyOutDir: true,
-    },
-    plugins: [
-      {
-        name: "core",
-        enforce: "pre",
-        resolveId: (id) => (id.endsWith("core/browser.js") ? { id: core, external: true } : null),
-      },
-    ],
-  });
-  ({ Store } = await import(pathToFileURL(join(folder, "store.js")).href));
-  ({ read } = await import(pathToFileURL(join(folder, "read-text.js")).href));
-  ({ readNumber } = await import(pathToFileURL(join(folder, "number.js")).href));
-});
-after(() => rmSync(folder, { recursive: true, force: true }));
+setUp();
 
 test("a value that is set is in the job, the plan and the event", () => {
   const store = new Store();

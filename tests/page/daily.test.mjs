@@ -1,7 +1,22 @@
 // What a setter does every day: cycles and controls changed, presets, pictures, phones, other people's devices.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, chooseUnits, field, held, more, open, page, put, ready, setUp, textOf, unfold } from "./common.mjs";
+import {
+  boxOf,
+  chooseUnits,
+  field,
+  framed,
+  held,
+  more,
+  open,
+  page,
+  put,
+  ready,
+  settles,
+  setUp,
+  textOf,
+  unfold,
+} from "./common.mjs";
 
 setUp();
 
@@ -11,24 +26,7 @@ const keep = async (/** @type {string} */ name) => {
   await dialog().getByRole("button", { name: "Keep the present values" }).click();
 };
 
-test("a preset changed which work offset is written; and what it holds can be taken by parts", async () => {
-  await field("control.workOffset").selectOption("3");
-  await field("stylus.diameter").fill("4");
-  await field("feeds.work").fill("90");
-  await more("My machines");
-  await keep("A");
-  await page.keyboard.press("Escape");
-  await field("control.workOffset").selectOption("");
-  await field("stylus.diameter").fill("6");
-  await field("feeds.work").fill("150");
-  await more("My machines");
-  await dialog().getByRole("checkbox", { name: "Feeds" }).uncheck();
-  await dialog().getByRole("button", { name: "Use A" }).click();
-  const now = [await held("control.workOffset"), await held("stylus.diameter"), await held("feeds.work")];
-  assert.deepEqual(now, [null, 4, 150]);
-});
-
-test("a preset of the same name gave way without a word, and a forgotten one was gone", async () => {
+test("a preset of the same name gave way without a word, and a forgotten one was gone; what is not chosen of one stays", async () => {
   await more("My machines");
   await keep("A");
   await put("stylus.diameter", 2);
@@ -36,24 +34,15 @@ test("a preset of the same name gave way without a word, and a forgotten one was
   const said = () => textOf(dialog().getByRole("status"));
   assert.equal(await said(), "Replaced “A”");
   await dialog().getByRole("button", { name: "Undo" }).click();
+  await put("feeds.work", 90);
+  await dialog().getByRole("checkbox", { name: "Feeds" }).uncheck();
   await dialog().getByRole("button", { name: "Use A" }).click();
   assert.equal(await held("stylus.diameter"), 6, "the first one is back");
+  assert.equal(await held("feeds.work"), 90, "feeds were not chosen");
   await dialog().getByRole("button", { name: "Forget A" }).click();
   assert.equal(await dialog().getByRole("button", { name: "Use A" }).count(), 0);
   await dialog().getByRole("button", { name: "Undo" }).click();
   await dialog().getByRole("button", { name: "Use A" }).waitFor();
-});
-
-test("a cycle that its control does not take goes back to the control before it, and says so", async () => {
-  await field("control.post").selectOption("sinumerik");
-  await field("cycle.type").selectOption("probing-two-circles");
-  await page.getByText("This is a cycle of HEIDENHAIN TNC7 (Klartext); the program for SINUMERIK").waitFor();
-  await field("control.post").selectOption("heidenhain");
-  await field("cycle.type").selectOption("double-wall-internal-corner");
-  assert.equal(await held("control.post"), "sinumerik");
-  await page
-    .getByText("HEIDENHAIN TNC7 (Klartext) does not take this cycle: the program is now for SINUMERIK")
-    .waitFor();
 });
 
 test("the form of another cycle began where the one before was scrolled to", async () => {
@@ -64,32 +53,20 @@ test("the form of another cycle began where the one before was scrolled to", asy
   assert.equal(await page.locator("tp-form").evaluate((form) => form.scrollTop), 0);
 });
 
-test("cycles are found by what people call them, in their language, and Enter takes the first", async () => {
+test("in the gallery everything is shown again where nothing is found, and Enter takes the first that is", async () => {
   await page.getByRole("button", { name: "Gallery" }).click();
-  const search = () => page.locator("tp-gallery input");
+  const search = page.locator("tp-gallery input");
   const found = () =>
     page.locator("tp-gallery [data-type]:visible").evaluateAll((all) => all.map((one) => one.dataset.type));
-  for (const [words, type] of /** @type {[string, string][]} */ ([
-    ["pocket", "internal-rectangle"],
-    ["bore", "hole"],
-    ["slot", "groove"],
-    ["stud", "boss"],
-    ["outside corner", "double-wall-external-corner"],
-  ])) {
-    await search().fill(words);
-    assert.ok((await found()).includes(type), `${words}: ${await found()}`);
-  }
-  await search().fill("xyzzy");
+  await search.fill("pocket");
+  assert.deepEqual(await found(), ["internal-rectangle", "internal-rectangle-protected"]);
+  await search.fill("xyzzy");
   await page.getByRole("button", { name: "Show all" }).click();
   assert.equal((await found()).length, 19);
-  await search().fill("web");
-  await search().press("Enter");
+  await search.fill("web");
+  await search.press("Enter");
   await page.locator("tp-gallery").waitFor({ state: "detached" });
   assert.equal(await held("cycle.type"), "web");
-  await open({ viewport: { width: 1280, height: 800 }, locale: "de-DE" });
-  await page.getByRole("button", { name: "Galerie" }).click();
-  await search().fill("Tasche");
-  assert.deepEqual(await found(), ["internal-rectangle", "internal-rectangle-protected"]);
 });
 
 test("back in the browser left the page where the gallery stood", async () => {
@@ -110,7 +87,9 @@ test("back in the browser left the page where the gallery stood", async () => {
 
 test("a browser that keeps nothing is said, once", async () => {
   await page.addInitScript(() => {
+    const counts = Object.assign(globalThis, { refused: 0 });
     Storage.prototype.setItem = () => {
+      counts.refused++;
       throw new DOMException("full", "QuotaExceededError");
     };
   });
@@ -119,9 +98,13 @@ test("a browser that keeps nothing is said, once", async () => {
   await field("cycle.width1").fill("70");
   const said = page.locator("tp-findings .note", { hasText: "This browser keeps nothing" });
   await said.waitFor();
+  const refused = () => page.evaluate(() => /** @type {any} */ (globalThis).refused);
+  const before = await refused();
   await field("cycle.width1").fill("71");
   await said.waitFor({ state: "detached" });
-  await page.waitForTimeout(150);
+  // It is refused again, a moment later.
+  await settles(async () => (await refused()) > before);
+  await framed();
   assert.equal(await said.count(), 0);
 });
 
@@ -206,11 +189,11 @@ test("a deviation that is drawn larger, and one that is not any more, are in the
   await put("part.offset[0]", 0.2);
   for (const _ of [1, 2]) await page.getByRole("button", { name: /Deviations are drawn/ }).click();
   await page.getByRole("button", { name: "Deviations are drawn 100 times as large" }).waitFor();
-  await page.waitForTimeout(100);
+  await framed();
   const [left, right] = await far();
   assert.ok((left ?? 0) > 0.02 && (right ?? 1) < 0.98, `${left} ${right}`);
   await put("part.offset[0]", 12);
-  await page.waitForTimeout(100);
+  await framed();
   const [from, to] = await far();
   assert.ok((to ?? 0) - (from ?? 0) > 0.4, `not a speck: ${from} ${to}`);
 });
@@ -265,7 +248,7 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
     const faults = [];
     for (const tab of ["Setup", "Program", "Parameters", "Results", "Checks"]) {
       await page.getByRole("tab", { name: tab }).click();
-      await page.waitForTimeout(60);
+      await framed();
       faults.push(
         ...(await page.evaluate((tab) => {
           const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
@@ -297,20 +280,21 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
 
 test("forced colours: the picture has the user's, and what is not chosen has no line", async () => {
   await page.emulateMedia({ forcedColors: "active", colorScheme: "dark" });
-  await page.waitForTimeout(100);
-  const ground = await page
-    .locator("tp-picture canvas")
-    .first()
-    .evaluate((canvas) => {
-      const pen = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d");
-      const probe = document.createElement("span");
-      probe.style.color = "Canvas";
-      document.body.append(probe);
-      const wanted = getComputedStyle(probe).color;
-      const [r, g, b] = pen?.getImageData(3, 3, 1, 1).data ?? [];
-      return [`rgb(${r}, ${g}, ${b})`, wanted];
-    });
-  assert.equal(ground[0], ground[1]);
+  const ground = () =>
+    page
+      .locator("tp-picture canvas")
+      .first()
+      .evaluate((canvas) => {
+        const pen = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d");
+        const probe = document.createElement("span");
+        probe.style.color = "Canvas";
+        document.body.append(probe);
+        const wanted = getComputedStyle(probe).color;
+        probe.remove();
+        const [r, g, b] = pen?.getImageData(3, 3, 1, 1).data ?? [];
+        return `rgb(${r}, ${g}, ${b})` === wanted;
+      });
+  await settles(ground);
 });
 
 test("what is pasted and cannot be read says why beside it, and Escape closes it", async () => {
@@ -337,15 +321,13 @@ test("a height turns the picture to where it is seen, an angle about the tool ax
       if ((await field(`cycle.${key}`).count()) === 0) continue;
       await page.getByRole("button", { name: "top", exact: true }).click();
       await field(`cycle.${key}`).focus();
-      await page.waitForTimeout(50);
-      assert.match((await view()) ?? "", /front|side/, `${type} ${key}`);
+      await settles(async () => /front|side/.test((await view()) ?? ""));
     }
     for (const key of ["rotation", "startAngle", "startingAngle", "angularLength"]) {
       if ((await field(`cycle.${key}`).count()) === 0) continue;
       await page.getByRole("button", { name: "front", exact: true }).click();
       await field(`cycle.${key}`).focus();
-      await page.waitForTimeout(50);
-      assert.equal(await view(), "top", `${type} ${key}`);
+      await settles(async () => (await view()) === "top");
     }
   }
 });

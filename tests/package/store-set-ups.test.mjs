@@ -1,0 +1,255 @@
+// Several cycles in one program: their names and order, what is written from which, and what one takes from another.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { program, read, Store, said, setUp } from "./state.mjs";
+
+setUp();
+
+/** A job that begins with this cycle and writes this work offset. */
+function begun(/** @type {string} */ type, /** @type {number | null} */ workOffset = null) {
+  const store = new Store();
+  store.choose(type);
+  store.put("control.workOffset", workOffset);
+  return store;
+}
+
+/** A job out of a file. */
+function opened(/** @type {object} */ job) {
+  const store = new Store();
+  store.open(read(JSON.stringify(job)));
+  return store;
+}
+
+/** A further cycle, this far away along an axis. */
+function add(/** @type {any} */ store, /** @type {string} */ type, /** @type {Record<string, number>} */ values = {}) {
+  store.addFeature(type);
+  for (const [path, value] of Object.entries(values)) store.put(`cycle.${path}`, value);
+}
+
+const names = (/** @type {any} */ store) => store.features.all.map((/** @type {any} */ one) => one.name);
+/** Renames the cycle in hand. */
+const rename = (/** @type {any} */ store, /** @type {string} */ name) => store.renameFeature(store.features.hand, name);
+/** Adds a relation of places. */
+const relate = (/** @type {any} */ store, /** @type {string} */ type, /** @type {string[]} */ of) =>
+  store.relate((/** @type {any} */ features) => features.relate(type, of));
+
+test("the top and a wall added to a bore: the program writes X and Y from the bore, Z from the top, the rotation from the wall", () => {
+  const store = begun("hole", 1);
+  add(store, "surface", { "origin[0]": -40 });
+  assert.deepEqual(names(store), ["BORE", "SURFACE"]);
+  assert.equal(store.get("cycle.elevation"), 90, "the new one is in the form");
+  rename(store, "TOP");
+  store.moveFeature(1, 0);
+  assert.deepEqual(names(store), ["TOP", "BORE"]);
+  add(store, "wall-angle", { "origin[0]": 100 });
+  store.writeFrom("rotation", "WALL.rotation");
+  assert.deepEqual(names(store), ["TOP", "WALL", "BORE"], "behind the one in hand");
+  const from = store.plan.datum.map((/** @type {any} */ row) => [row.axis, row.from?.split(".")[0]]);
+  assert.deepEqual(from, [
+    ["x", "BORE"],
+    ["y", "BORE"],
+    ["z", "TOP"],
+    ["rotation", "WALL"],
+  ]);
+  assert.match(program(store), /\(TOP: ENCY[\s\S]*\(WALL: Touchpath[\s\S]*\(BORE: ENCY/);
+  assert.match(program(store), /G10 L2 P1 R\[#5230\+#<wall_turn>\][\s\S]*G10 L20 P1 X\[[\s\S]*M72\nM2$/);
+});
+
+test("a move of another cycle that is kept lit brings that cycle into the form, and nothing of the job changes", () => {
+  const store = begun("hole");
+  add(store, "web", { "origin[0]": 120 });
+  const before = program(store);
+  store.pin(store.plan.moves.findIndex((/** @type {any} */ move) => move.kind === "touch"));
+  assert.equal(store.get("cycle.type"), "hole");
+  assert.equal(program(store), before);
+  store.bringFeature(1);
+  assert.equal(store.get("cycle.origin[0]"), 120);
+  assert.equal(program(store), before);
+});
+
+test("what is wrong with a cycle that is not in the form is said at its place in the job, and in the form at its field", () => {
+  const store = begun("hole");
+  add(store, "web");
+  store.put("cycle.width", -3);
+  store.bringFeature(0);
+  const { path } = store.findings.find((/** @type {any} */ f) => f.level === "error");
+  assert.equal(path, "cycles[1].width");
+  assert.equal(store.features.placeOf(1), 1);
+  store.bringFeature(1);
+  assert.equal(store.get("cycle.width"), -3);
+  assert.equal(store.at("cycle.width")[0].level, "error");
+});
+
+test("a cycle is duplicated, left out and taken in again, removed, and the removal is taken back", () => {
+  const store = begun("hole");
+  add(store, "hole", { "origin[0]": 90 });
+  assert.deepEqual(names(store), ["BORE", "BORE2"]);
+  store.duplicateFeature(1);
+  store.put("cycle.origin[0]", 180);
+  assert.deepEqual(names(store), ["BORE", "BORE2", "BORE3"]);
+  store.switchFeature(2);
+  assert.doesNotMatch(program(store), /BORE3/);
+  assert.deepEqual(names(store), ["BORE", "BORE2", "BORE3"]);
+  store.switchFeature(2);
+  assert.match(program(store), /\(BORE3:/);
+  store.removeFeature(2);
+  store.removeFeature(1);
+  assert.equal(store.features.several, false);
+  assert.match(program(store), /\(ENCY\/SprutCAM type 3: Hole\)/, "one cycle again");
+  store.undo();
+  assert.deepEqual(names(store), ["BORE", "BORE2"]);
+});
+
+test("a file with several cycles is opened and saved as it is; sizes of the virtual part go with their cycles", () => {
+  const store = opened({
+    format: 2,
+    name: "PAIR",
+    cycles: [
+      { name: "A", type: "hole" },
+      { name: "B", type: "hole", origin: [150, 0, 0] },
+    ],
+    clear: 77,
+    part: { sizes: { "B.diameter": 0.25 } },
+  });
+  assert.deepEqual(names(store), ["A", "B"]);
+  assert.match(program(store), /G38\.3 X0 Y0 Z77/);
+  store.bringFeature(1);
+  assert.equal(store.get("part.sizes.diameter"), 0.25);
+  const { format, clear, part, cycles } = store.job;
+  assert.deepEqual(
+    [format, clear, part.sizes, cycles.map((/** @type {any} */ c) => [c.name, c.type])],
+    [
+      2,
+      77,
+      { "B.diameter": 0.25 },
+      [
+        ["A", "hole"],
+        ["B", "hole"],
+      ],
+    ],
+  );
+  store.clearAt(20);
+  assert.match(said(store, "clear").join(), /goes across at 20 mm/);
+});
+
+test("a name that is taken for a while took the datum with it", () => {
+  const store = opened({
+    format: 2,
+    control: { workOffset: 1 },
+    cycles: [
+      { name: "A", type: "hole" },
+      { name: "B", type: "hole", origin: [150, 0, 0] },
+    ],
+    datum: { x: "A.center.x", y: "A.center.y" },
+  });
+  store.bringFeature(1);
+  rename(store, "A");
+  assert.match(store.withheld, /both called A/);
+  rename(store, "C");
+  assert.deepEqual(names(store), ["A", "C"]);
+  assert.deepEqual(store.job.datum, { x: "A.center.x", y: "A.center.y" });
+});
+
+test("cycles without a name are called as everywhere else, and keep their sizes and what is written from them", () => {
+  const store = opened({
+    format: 2,
+    control: { workOffset: 1 },
+    cycles: [{ type: "hole" }, { name: "BORE", type: "hole", origin: [100, 0, 0] }],
+    datum: { x: "BORE.center.x", y: "BORE.center.y" },
+    part: { sizes: { "BORE.diameter": 0.1 } },
+  });
+  assert.deepEqual(names(store), ["BORE2", "BORE"]);
+  const { cycles, datum, part } = store.job;
+  assert.deepEqual([cycles.length, datum.x, part.sizes], [2, "BORE.center.x", { "BORE.diameter": 0.1 }]);
+});
+
+test("a list of no cycle is refused, and the last one in the program stays there", () => {
+  const store = begun("hole");
+  add(store, "web", { "origin[0]": 120 });
+  const before = structuredClone(store.job);
+  assert.throws(() => store.open(read('{"format":2,"cycles":[]}')), /Nothing was changed/);
+  assert.deepEqual(store.job, before);
+  add(store, "hole", { "origin[0]": 240 });
+  assert.deepEqual(names(store), ["BORE", "WEB", "BORE2"]);
+  store.switchFeature(2);
+  store.switchFeature(0);
+  store.removeFeature(1);
+  assert.equal(store.job.cycles.length, 1);
+});
+
+test("a relation between two cycles is computed, written from, left out and gone with its cycle", () => {
+  const store = begun("hole", 1);
+  add(store, "hole", { "origin[0]": 90 });
+  relate(store, "line", ["BORE", "BORE2"]);
+  store.relate((/** @type {any} */ features) => features.changeRelation(0, { name: "ROW" }));
+  store.writeFrom("rotation", "ROW.rotation");
+  assert.match(program(store), /#<row_distance>=\[SQRT\[/);
+  assert.match(program(store), /G10 L2 P1 R\[/);
+  const distance = store.plan.results.find((/** @type {any} */ row) => row.code === "distance");
+  assert.deepEqual([distance.unit, distance.value], ["mm", 90]);
+  store.bringFeature(0);
+  store.duplicateFeature(0);
+  store.put("cycle.origin[1]", 80);
+  relate(store, "pitch-circle", ["BORE", "BORE3", "BORE2"]);
+  assert.match(program(store), /#<rel1_diameter>=/);
+  store.switchFeature(1);
+  assert.doesNotMatch(program(store), /rel1_/, "left out with its cycle");
+  store.removeFeature(1);
+  assert.equal(store.features.relations.length, 1, "gone with its cycle");
+});
+
+test("a relation that takes a taken name for a while keeps what is written from it", () => {
+  const store = begun("hole", 1);
+  add(store, "hole", { "origin[0]": 90 });
+  for (const _ of [1, 2]) relate(store, "line", ["BORE", "BORE2"]);
+  const call = (/** @type {number} */ index, /** @type {string} */ name) =>
+    store.relate((/** @type {any} */ features) => features.changeRelation(index, { name }));
+  call(0, "ROW");
+  store.writeFrom("rotation", "REL2.rotation");
+  call(1, "ROW");
+  call(1, "LINE");
+  assert.notEqual(store.features.datum.rotation, "ROW.rotation", "never from the other one");
+});
+
+test("a rotation and a size follow results of earlier cycles, and keep to them when those are renamed", () => {
+  const store = begun("hole");
+  add(store, "wall-angle", { "origin[1]": -45, rotation: -90 });
+  add(store, "groove", { "origin[0]": 100 });
+  store.put("cycle.rotation", "=WALL.rotation+90");
+  assert.match(program(store), /X\[\d+-\d+\*#<\w+_sin>\]|#<\w+_cos>/);
+  store.bringFeature(1);
+  rename(store, "SIDE");
+  store.bringFeature(2);
+  assert.equal(store.get("cycle.rotation"), "=SIDE.rotation+90");
+  store.put("cycle.rotation", 0);
+  store.put("cycle.width", "=BORE.diameter+5");
+  assert.match(program(store), /\+0\.5\*#<\w+_growth_1>/);
+});
+
+test("a cycle follows a relation of the cycles before it, by its name of the day", () => {
+  const store = begun("hole");
+  add(store, "hole", { "origin[0]": 90 });
+  relate(store, "line", ["BORE", "BORE2"]);
+  add(store, "groove", { "origin[1]": 80 });
+  store.put("cycle.rotation", "=REL1.rotation+90");
+  assert.match(program(store), /#<rel1_rotation>[\s\S]*#<groove_turned_by>/, "computed before the groove");
+  store.relate((/** @type {any} */ features) => features.changeRelation(0, { name: "ROW" }));
+  assert.equal(store.get("cycle.rotation"), "=ROW.rotation+90");
+});
+
+test("a place follows a result of an earlier cycle, and keeps to it when that is renamed", () => {
+  const store = begun("surface", 1);
+  store.put("cycle.origin[0]", -40);
+  add(store, "hole");
+  store.put("limits.position", 1);
+  store.put("cycle.origin[2]", "=SURFACE.z-2");
+  assert.match(program(store), /G38\.3 X0 Y0 Z\[-12\+#<bore_shift_z>\]/);
+  store.bringFeature(0);
+  rename(store, "TOP");
+  store.bringFeature(1);
+  assert.equal(store.get("cycle.origin[2]"), "=TOP.z-2");
+  assert.match(program(store), /TOP\.point\.z is #<top_point_z>, more than 1 from 0/);
+  // A number stands there again as any other does.
+  store.put("cycle.origin[2]", -2);
+  assert.doesNotMatch(program(store), /shift_z/);
+});
