@@ -2,15 +2,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { measure } from "touchpath";
-import { read, Store, setUp } from "./state.mjs";
+import { read, Store, setUp, type } from "./state.mjs";
 
 setUp();
-
-/** How many moves of each kind were read, by their names. */
-const kinds = (/** @type {any} */ { kind, kinds }) =>
-  [...kind]
-    .map((/** @type {number} */ move) => kinds[move])
-    .reduce((/** @type {Record<string, number>} */ all, name) => ({ ...all, [name]: (all[name] ?? 0) + 1 }), {});
 
 /** Why no job is made of a text, as the page says it. */
 function refusal(/** @type {any} */ store, /** @type {any} */ reading) {
@@ -81,7 +75,15 @@ test("a probing move, its feeds and what is not followed are told apart in a pro
   const { moves } = read(
     "(found on a machine)\nG21 G17 G90\nG0 X0 Y0 Z20\nG0 Z5\nG38.2 Z-5 F100\nG1 Z5 F500\nG2 X20 Y0 I10 J0 F800\n#5=#5063\nG0 Z20\nM2\n",
   );
-  assert.equal(kinds(moves).probe, 1);
-  assert.equal(moves.kind.length, 6);
+  const kinds = [...moves.kind].map((/** @type {number} */ kind) => moves.kinds[kind]);
+  assert.equal(kinds.length, 6);
+  assert.equal(kinds.filter((kind) => kind === "probe").length, 1);
   assert.match(moves.findings.map((/** @type {any} */ f) => f.message).join(), /not followed: once, in line 8/);
+});
+
+test("a text of one move from nowhere gives no job, and the form stays", () => {
+  const store = new Store();
+  type(store, "cycle.width1", "71");
+  assert.match(refusal(store, read("G1 X0")), /This text gives no job/);
+  assert.equal(store.get("cycle.width1"), 71);
 });

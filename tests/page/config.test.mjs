@@ -1,4 +1,5 @@
 // The portal in charge: what its config lets the user of <touch-path> see, choose and change.
+// What it fills in and fixes, whatever the user does: tests/package/store-config.test.mjs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { field, heard, inner, LISTEN, on, open, page, set, setUp } from "./element.mjs";
@@ -106,37 +107,6 @@ test("machines and styli of the portal are chosen by name", async () => {
   assert.equal(await on((element) => element.job.stylus.diameter), 6);
 });
 
-test("the order in which job and config are set does not matter", async () => {
-  const job = { format: 1, name: "A", cycle: { type: "web", width: 20 } };
-  const result = (/** @type {string} */ id) =>
-    page.evaluate((id) => {
-      const { job, findings } = /** @type {any} */ (document.querySelector(id));
-      return [job.control.post, job.cycle.depth, job.feeds.work, findings.map((/** @type {any} */ f) => f.code).sort()];
-    }, id);
-  await open(`<touch-path id="a"></touch-path><touch-path id="b"></touch-path>`);
-  await page.evaluate(
-    ([job, config]) => {
-      const [a, b] = /** @type {any[]} */ ([...document.querySelectorAll("touch-path")]);
-      a.config = config;
-      a.job = job;
-      b.job = job;
-      b.config = JSON.stringify(config);
-    },
-    [job, HALL],
-  );
-  assert.deepEqual(await result("#a"), await result("#b"));
-  assert.deepEqual((await result("#a")).slice(0, 3), ["haas", 7, 100]);
-  // What the user has typed is not filled over.
-  await page.locator("#b").locator('[id="f-cycle.width"]').fill("21");
-  await page.evaluate(
-    (config) => {
-      /** @type {any} */ (document.querySelector("#b")).config = config;
-    },
-    { ...HALL, fields: { "cycle.depth": { value: 3 } } },
-  );
-  assert.deepEqual((await result("#b")).slice(1, 2), [7]);
-});
-
 test("a path beyond the travel is drawn, and has no program", async () => {
   await open(`<touch-path></touch-path>`, LISTEN);
   await heard();
@@ -183,73 +153,6 @@ test("a config that is wrong changes nothing, and every fault of it is said", as
   assert.equal(await on((element) => element.config.title), "Hall 4");
 });
 
-test("a config that fills in nothing holds for the job that was set before it", async () => {
-  await open(`<touch-path></touch-path>`);
-  await set("job", { format: 1, cycle: { type: "web", width: 20 }, feeds: { work: 150 } });
-  await set("config", { format: 1, findings: [{ message: "The order is closed" }] });
-  assert.deepEqual(await errors(), ["portal "]);
-  assert.equal(await on((element) => element.plan), null);
-  await set("config", { format: 1, fields: { "feeds.work": { value: 100 } } });
-  assert.deepEqual(
-    [await errors(), await on((element) => element.job.feeds.work)],
-    [[], 150],
-    "what the job says stays",
-  );
-  await set("config", null);
-  // A job that is the one that is shown is the portal's all the same.
-  const own = await on((element) => element.job);
-  await set("job", own);
-  await set("config", { format: 1, fields: { "feeds.work": { value: 90 } } });
-  assert.equal(await on((element) => element.job.feeds.work), 150);
-});
-
-test("nothing that the user does changes a fixed field", async () => {
-  const fields = {
-    "cycle.diameter": { locked: true },
-    "stylus.diameter": { value: 5, locked: true },
-    "part.rotation": { locked: true },
-  };
-  const styli = [{ name: "Ball 4", diameter: 4, length: 30 }];
-  const machines = [{ name: "VF-2", stylus: { diameter: 3, shank: 2 } }];
-  await open(`<touch-path cycle="hole">${script({ format: 1, fields, styli, machines })}</touch-path>`);
-  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
-  const now = () =>
-    on((element) => [element.job.cycle.diameter, element.job.stylus.diameter, element.job.part.rotation]);
-  const before = await now();
-  assert.equal(before[1], 5);
-  await page.locator("#f-styli").selectOption({ label: "Ball 4" });
-  assert.deepEqual([await now(), await on((element) => element.job.stylus.length)], [before, 30]);
-  await page.locator('select[id="f-control.post"]').selectOption("machine:VF-2");
-  assert.deepEqual([await now(), await on((element) => element.job.stylus.shank)], [before, 2]);
-  await on((element) => element.store.set("cycle.diameter", 60));
-  await on((element) => element.store.put("part", { offset: [1, 0, 0], rotation: 3, sizes: {} }));
-  await on((element) => element.store.judge("cycle.diameter", 25.01, 0.01, "25H7"));
-  assert.deepEqual([await now(), await on((element) => element.job.part.offset[0])], [before, 1]);
-  await on((element) => element.store.reset());
-  assert.deepEqual(await now(), before);
-  // Other units convert it, to the last digit.
-  await page.locator(`${inner("bar")} input[value="inch"]`).check({ force: true });
-  assert.deepEqual(await errors(), []);
-  assert.equal(await on((element) => element.job.stylus.diameter), 0.19685);
-});
-
-test("the defaults of a cycle are for a control that is allowed, in a form that it has", async () => {
-  for (const controls of [["grbl"], ["linuxcnc"], ["sinumerik"], ["heidenhain"], ["haas", "heidenhain"]]) {
-    await open(`<touch-path cycle="probing-two-circles">${script({ format: 1, allow: { controls } })}</touch-path>`);
-    const state = () => on((element) => [element.job.control.post, element.store.stale]);
-    const first = await state();
-    await page.getByRole("button", { name: "More" }).click();
-    await page.getByRole("button", { name: "Reset", exact: true }).click();
-    assert.deepEqual(
-      [controls.includes((await state())[0]), (await state())[1]],
-      [true, false],
-      `${controls}: ${first}`,
-    );
-    await page.close();
-  }
-  await open(`<touch-path></touch-path>`);
-});
-
 test("what the bar asks can be hidden, and is there again where it must be put right", async () => {
   const fields = {
     units: { hidden: true },
@@ -268,22 +171,4 @@ test("what the bar asks can be hidden, and is there again where it must be put r
   assert.deepEqual(await seen(), [0, 0, 0, 0]);
   await set("job", { format: 1, cycle: { type: "hole" }, control: { post: "fanuc" }, feeds: { work: 80 } });
   assert.deepEqual(await seen(), [1, 0, 1, 0]);
-});
-
-test("a control that the config fills in is that of a new job", async () => {
-  for (const rules of [
-    { fields: { "control.post": { value: "haas" } } },
-    { allow: { controls: ["linuxcnc", "haas"] }, fields: { "control.post": { value: "haas" } } },
-  ]) {
-    await open(`<touch-path cycle="hole">${script({ format: 1, ...rules })}</touch-path>`);
-    const post = () => on((element) => element.job.control.post);
-    assert.equal(await post(), "haas");
-    await on((element) => element.store.reset());
-    assert.equal(await post(), "haas");
-    await page.close();
-  }
-  await open(
-    `<touch-path post="fanuc">${script({ format: 1, fields: { "control.post": { value: "haas" } } })}</touch-path>`,
-  );
-  assert.equal(await on((element) => element.job.control.post), "fanuc", "what is asked for goes before it");
 });

@@ -181,7 +181,7 @@ test("the page begins with the smaller module, and fetches the whole one when a 
   });
   await tab.goto(page.url());
   await element(tab);
-  await tab.waitForTimeout(1000);
+  await tab.waitForLoadState("networkidle");
   assert.deepEqual([...new Set(modules)], ["first"]);
   const buffer = Buffer.from("G21\nG0 X1 Y2\nG1 Z-3 F100\nM2\n");
   await tab.locator("#file").setInputFiles({ name: "some.ngc", mimeType: "text/plain", buffer });

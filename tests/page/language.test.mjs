@@ -72,15 +72,22 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
           for (const name of ["aria-label", "title", "placeholder"]) found.push(one.getAttribute(name) ?? "");
       };
       root.querySelector("tp-form").unfold();
+      /** Until nothing more comes: two frames in which the page stays as long as it was. */
+      const rest = async () => {
+        for (let before = -1; before !== root.textContent.length; ) {
+          before = root.textContent.length;
+          for (let frame = 0; frame < 2; frame++) await new Promise((done) => requestAnimationFrame(done));
+        }
+      };
       for (const tab of root.querySelectorAll("[role=tab]")) {
         tab.click();
         for (const details of root.querySelectorAll("details")) details.open = true;
-        await new Promise((done) => setTimeout(done, 100));
+        await rest();
         walk();
       }
       for (const tool of ["gallery", "lengths", "sheet", "cycles"]) {
         await host.app.ask(tool === "cycles" ? "gallery" : tool);
-        await new Promise((done) => setTimeout(done, 200));
+        await rest();
         walk();
       }
       return [...new Set(found)];
@@ -120,7 +127,8 @@ for (const [language, locale] of Object.entries({ en: "en-GB", ...LANGUAGES }))
         };
         for (const tab of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[role=tab]"))) {
           tab.click();
-          await new Promise((done) => setTimeout(done, 80));
+          // The panel is there in the next frame, and laid out in the one after it.
+          for (let frame = 0; frame < 2; frame++) await new Promise((done) => requestAnimationFrame(done));
           for (const selector of [
             ".frame",
             "header",

@@ -14,6 +14,16 @@ const CELL = 20;
 /** By so many of 255 a cell may differ on average, and by more than `FAR` so many of 100 cells. */
 const [MEAN, FAR, FEW] = [3.5, 40, 5];
 
+/** The page when nothing of it changes any more: two screenshots are the same. */
+async function still() {
+  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
+  for (let before = Buffer.of(); ; ) {
+    const now = await page.screenshot();
+    if (now.equals(before)) return now;
+    before = now;
+  }
+}
+
 /** The picture as rows of grey cells, two hexadecimal digits each. */
 async function cells(/** @type {Buffer} */ png) {
   const blank = await context.newPage();
@@ -62,18 +72,6 @@ function difference(/** @type {string[]} */ one, /** @type {string[]} */ other) 
 
 const fits = (/** @type {ReturnType<typeof difference>} */ { mean, far, same }) => same && mean <= MEAN && far <= FEW;
 
-/** The page once nothing moves on it any more. */
-async function stillScreen() {
-  let before = await page.screenshot();
-  for (let i = 0; i < 40; i++) {
-    await page.waitForTimeout(100);
-    const now = await page.screenshot();
-    if (now.equals(before)) return now;
-    before = now;
-  }
-  assert.fail("the page never rests");
-}
-
 for (const colorScheme of /** @type {const} */ (["light", "dark"]))
   for (const [width, height] of SIZES)
     test(`the page looks as it was seen to: ${width} pixels, ${colorScheme}`, async () => {
@@ -81,7 +79,7 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"]))
       // The folded form, as a user finds it.
       await page.reload();
       await page.locator(`tp-picture ${PICTURE}`).waitFor();
-      const seen = await cells(await stillScreen());
+      const seen = await cells(await still());
       const file = `${FOLDER}/${width}-${colorScheme}.txt`;
       if (process.env.UPDATE) {
         mkdirSync(FOLDER, { recursive: true });
@@ -93,6 +91,6 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"]))
       assert.ok(fits(off), `the page looks otherwise than in ${file}: ${JSON.stringify(off)}`);
       // What would be wrong is found: a panel that is gone, the other colours.
       await page.evaluate(() => document.querySelector("touch-path")?.setAttribute("panels", "form program"));
-      const without = difference(await cells(await stillScreen()), known);
+      const without = difference(await cells(await still()), known);
       assert.ok(!fits(without), `a missing picture is seen: ${JSON.stringify(without)}`);
     });

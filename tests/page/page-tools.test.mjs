@@ -114,10 +114,3 @@ test("a dump is pasted in and becomes the job again; nonsense stays where it was
   assert.equal(await page.locator("#paste").count(), 0);
   assert.deepEqual(problems, []);
 });
-
-test("a file that is nothing is refused and the form stays", async () => {
-  await field("cycle.width1").fill("71");
-  await page.locator("#file").setInputFiles({ name: "x.txt", mimeType: "text/plain", buffer: Buffer.from("G1 X0") });
-  assert.match((await page.locator(".note").textContent()) ?? "", /This text gives no job/);
-  assert.equal(await field("cycle.width1").inputValue(), "71");
-});

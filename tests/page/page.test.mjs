@@ -6,7 +6,6 @@ import { AxeBuilder } from "@axe-core/playwright";
 import { catalog } from "touchpath";
 import {
   boxOf,
-  chooseUnits,
   field,
   focusedId,
   held,
@@ -17,7 +16,6 @@ import {
   pixels,
   problems,
   program,
-  put,
   ready,
   reset,
   saveButton,
@@ -45,22 +43,6 @@ test("a keystroke changes program, table, picture and results", async () => {
   assert.deepEqual(problems, []);
 });
 
-test("a decimal comma is a number and stays as it was typed", async () => {
-  await field("cycle.width1").fill("80,5");
-  assert.match(await program(), /G38\.2 X42\.25 Y0 Z-10 F150/);
-  assert.equal(await field("cycle.width1").inputValue(), "80,5");
-});
-
-test("the other cycle, and back without losing the form", async () => {
-  await field("cycle.width1").fill("77");
-  await field("cycle.type").selectOption("double-wall-internal-corner");
-  await field("cycle.count1").fill("3");
-  assert.match(await program(), /type 13/);
-  assert.equal((await program()).match(/^G38\.2/gm)?.length, 5);
-  await field("cycle.type").selectOption("internal-rectangle-protected");
-  assert.equal(await field("cycle.width1").inputValue(), "77");
-});
-
 test("an error stands beside its field, the last good plan stays and is marked, and what was typed is kept", async () => {
   const good = await program();
   await field("cycle.sideClearance1").fill("2");
@@ -83,24 +65,11 @@ test("an error stands beside its field, the last good plan stays and is marked, 
   assert.equal(await page.getByText("last good plan").filter({ visible: true }).count(), 0);
 });
 
-test("units convert what is shown, not the part", async () => {
-  // What nobody has touched begins as in inch: everything of this job was given.
-  await put("cycle", await held("cycle"));
-  for (const section of ["stylus", "feeds", "overtravel"]) await put(section, await held(section));
-  await chooseUnits("inch");
-  assert.equal(await field("cycle.width1").inputValue(), "3.149606");
-  assert.match(await program(), /G20/);
-  assert.match(await program(), /G38\.2 X1\.65354/);
-  await chooseUnits("mm");
-  assert.equal(await field("cycle.width1").inputValue(), "80");
-  assert.match(await program(), /G38\.2 X42 Y0 Z-10 F150/);
-});
-
-test("a feed is rapid only by its own box, never by an empty field", async () => {
+test("a feed is rapid only by its own box, and an empty field says what is missing", async () => {
   await field("feeds.longLink").fill("");
   assert.match((await page.locator(`[id="e-feeds.longLink"]`).textContent()) ?? "", /must be a number/);
   await page.getByLabel("Long link feed: rapid").check();
-  assert.match(await program(), /G0 X32 Y0 Z-10\n/);
+  assert.equal(await held("feeds.longLink"), null);
 });
 
 test("the keyboard alone is enough", async () => {
@@ -171,12 +140,10 @@ test("the virtual part: its fields, its handle, its results", async () => {
   );
 });
 
-test("two circles: tolerances, verdicts, handles, Klartext out and in", async () => {
+test("two circles: a class in a diameter, the verdict of the size, the handle of a touch", async () => {
   await field("cycle.type").selectOption("probing-two-circles");
   await field("control.post").selectOption("heidenhain");
-  assert.match(await program(), /^0 BEGIN PGM CIRCLES-D20 MM\n[\s\S]*\n\d+ TCH PROBE 1411 PROBING TWO CIRCLES ~\n/);
   await field("cycle.diameter1").fill("20H7");
-  assert.match(await program(), /QS1116="20H7" ;DIAMETER 1 ~/);
   await field("part.sizes.diameter1").fill("0.05");
   await page.getByRole("tab", { name: "Results" }).click();
   const status = page.locator("tp-results tr", { hasText: "Q183" }).first();
@@ -201,19 +168,23 @@ test("two circles: tolerances, verdicts, handles, Klartext out and in", async ()
   const angle = Number(await field("cycle.startingAngle").inputValue());
   const length = Number(await field("cycle.angularLength").inputValue());
   assert.ok(angle !== 0 || length !== 360, "the form follows the handle");
-  // Extrusion in and out.
+  assert.deepEqual(problems, []);
+});
+
+test("a form inside the form is taken in by its box, and its program is opened again as it was saved", async () => {
+  await field("cycle.type").selectOption("probing-two-circles");
+  await field("control.post").selectOption("heidenhain");
   await unfold();
   await page.locator("#group-Extrusion-probing-1493-").getByLabel("Use it").check();
   await field("cycle.extrusion.points").fill("3");
   assert.match(await program(), /\n\d+ TCH PROBE 1493 EXTRUSION PROBING ~\n {4}Q1140=\+3 /);
   const download = page.waitForEvent("download");
   await saveButton().click();
-  const path = await (await download).path();
-  const text = readFileSync(path, "utf8");
+  const text = readFileSync(await (await download).path(), "utf8");
   await reset();
   assert.doesNotMatch(await program(), /1493/);
   await page.locator("#file").setInputFiles({ name: "A.H", mimeType: "text/plain", buffer: Buffer.from(text) });
-  await until("cycle.diameter1", "20H7");
+  await until("cycle.extrusion.points", "3");
   assert.equal(`${await program()}\n`, text, "what was saved comes back byte for byte");
   assert.match((await page.locator(".note").textContent()) ?? "", /does not contain the part's position/);
   assert.deepEqual(problems, []);
@@ -257,11 +228,9 @@ test("touches are picked one by one and taken back", async () => {
   assert.deepEqual(problems, []);
 });
 
-test("SINUMERIK: the probe's length decides, the program comes back", async () => {
+test("a frame of the tool lengths is made in their tool and applied to the job; a program is pasted back in", async () => {
   await field("control.post").selectOption("sinumerik");
   await field("control.workOffset").selectOption({ label: "writes G505" });
-  assert.match(await program(), /MEAS=1 G1 X42 Y0 Z-10 F150\nSTOPRE\nIF \$AC_MEA\[1\]==0 GOTOF TP_MISSED/);
-  assert.match(await program(), /\$P_UIFR\[5,X,TR\]=/);
   await field("tool.type").fill("500");
   assert.match((await page.locator("tp-findings").textContent()) ?? "", /L1 acts along \+Y/);
   await field("tool.type").fill("710");

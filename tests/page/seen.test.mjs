@@ -1,7 +1,6 @@
 // What was seen on the page by someone who did not know it, and is mended: a test each.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { defaultJob } from "touchpath";
 import { field, held, more, open, page, pixels, put, ready, setUp, textOf } from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
@@ -149,47 +148,6 @@ test("forms of cycles that were left were gone after a reload", async () => {
   assert.equal(await held("cycle.width1"), 99);
 });
 
-test("a kept form that is no such form is left out, and the rest is there", async () => {
-  const job = defaultJob("boss");
-  const points = { mm: "", inch: "" };
-  const left = [
-    ["hole", { units: "mm", cycle: { type: "hole", touches: "abc" }, points }],
-    ["web", { units: "mm", cycle: { type: "groove", width: 3 }, points }],
-    ["groove", { units: "mm", cycle: { ...defaultJob("groove").cycle, width: 33 }, points }],
-    ["surface", null],
-    7,
-  ];
-  await page.evaluate(
-    (state) => {
-      sessionStorage.clear();
-      localStorage.setItem("touchpath.job.1", state);
-    },
-    JSON.stringify({ draft: job, typed: [], left }),
-  );
-  await page.reload();
-  await ready();
-  assert.equal(await held("cycle.type"), "boss");
-  for (const [type, key, value] of /** @type {const} */ ([
-    ["groove", "cycle.width", 33],
-    ["web", "cycle.width", 30],
-    ["hole", "cycle.diameter", 40],
-  ])) {
-    await field("cycle.type").selectOption(type);
-    assert.equal(await held(key), value, type);
-  }
-});
-
-test("kept text that cannot be read was passed over in silence", async () => {
-  await page.evaluate(() => {
-    sessionStorage.clear();
-    localStorage.setItem("touchpath.job.1", "{");
-  });
-  await page.reload();
-  await ready();
-  assert.match(await textOf(page.locator(".note")), /What was kept in this browser cannot be used/);
-  assert.equal(await held("cycle.width1"), 80);
-});
-
 test("a cycle that touches nothing asks for no probe, feeds or part, and has nothing to drag", async () => {
   const groups = () => page.locator("tp-form .fold b").allTextContents();
   assert.ok((await groups()).includes("Feeds and limits"));
@@ -265,25 +223,6 @@ test("what was typed last is there after a reload, though it is written a moment
   await page.reload();
   await ready();
   assert.equal(await held("cycle.width1"), 71);
-});
-
-test("the number of a work offset was taken to another control, where it is another offset", async () => {
-  await field("control.workOffset").selectOption({ label: "writes G59.1" });
-  await field("control.post").selectOption("sinumerik");
-  assert.equal(await held("control.workOffset"), null);
-  await page.getByText("This control has no G59.1: the program now writes no work offset").waitFor();
-  await page.keyboard.press("Control+z");
-  assert.deepEqual([await held("control.post"), await held("control.workOffset")], ["linuxcnc", 7]);
-  // G55 is G55 everywhere, and grbl has none.
-  await field("control.workOffset").selectOption("2");
-  for (const post of ["sinumerik", "fanuc", "haas"]) {
-    await field("control.post").selectOption(post);
-    assert.equal(await held("control.workOffset"), 2, post);
-  }
-  await page.getByRole("tab", { name: "Checks" }).click();
-  await page.getByText("This job on every control").click();
-  await page.getByRole("button", { name: "Choose grbl, moves" }).click();
-  assert.deepEqual([await held("control.post"), await held("control.workOffset")], ["grbl", null]);
 });
 
 test("the box for measured points folded shut when it was emptied, and what was typed next was lost", async () => {
