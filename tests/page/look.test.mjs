@@ -17,11 +17,9 @@ const [MEAN, FAR, FEW] = [3.5, 40, 5];
 /** The page when nothing of it changes any more: two screenshots are the same. */
 async function still() {
   await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
-  for (let before = Buffer.of(); ; ) {
-    const now = await page.screenshot();
-    if (now.equals(before)) return now;
-    before = now;
-  }
+  let [before, now] = [await page.screenshot(), await page.screenshot()];
+  while (!now.equals(before)) [before, now] = [now, await page.screenshot()];
+  return now;
 }
 
 /** The picture as rows of grey cells, two hexadecimal digits each. */
