@@ -43,6 +43,10 @@ test("a machine changed which work offset is written; and what it holds can be t
   store.usePreset(kept, ["stylus", "overtravel", "control", "tool"]);
   const now = [store.get("control.workOffset"), store.get("stylus.diameter"), store.get("feeds.work")];
   assert.deepEqual(now, [null, 4, 150]);
+  assert.ok(!("workOffset" in kept.sections.control));
+  store.put("control.workOffset", 2);
+  store.usePreset(kept);
+  assert.deepEqual([store.get("control.workOffset"), store.get("feeds.work")], [2, 90], "that of the job stays");
 });
 
 test("of two machines of one name the one that was kept last stays, and names are in order", () => {

@@ -1,14 +1,14 @@
 // Several cycles in one program: their names and order, what is written from which, and what one takes from another.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { program, read, Store, said, setUp } from "./state.mjs";
+import { program, read, Store, said, setUp, type } from "./state.mjs";
 
 setUp();
 
 /** A job that begins with this cycle and writes this work offset. */
-function begun(/** @type {string} */ type, /** @type {number | null} */ workOffset = null) {
+function begun(/** @type {string} */ cycle, /** @type {number | null} */ workOffset = null) {
   const store = new Store();
-  store.choose(type);
+  store.choose(cycle);
   store.put("control.workOffset", workOffset);
   return store;
 }
@@ -21,8 +21,8 @@ function opened(/** @type {object} */ job) {
 }
 
 /** A further cycle, this far away along an axis. */
-function add(/** @type {any} */ store, /** @type {string} */ type, /** @type {Record<string, number>} */ values = {}) {
-  store.addFeature(type);
+function add(/** @type {any} */ store, /** @type {string} */ cycle, /** @type {Record<string, number>} */ values = {}) {
+  store.addFeature(cycle);
   for (const [path, value] of Object.entries(values)) store.put(`cycle.${path}`, value);
 }
 
@@ -30,8 +30,8 @@ const names = (/** @type {any} */ store) => store.features.all.map((/** @type {a
 /** Renames the cycle in hand. */
 const rename = (/** @type {any} */ store, /** @type {string} */ name) => store.renameFeature(store.features.hand, name);
 /** Adds a relation of places. */
-const relate = (/** @type {any} */ store, /** @type {string} */ type, /** @type {string[]} */ of) =>
-  store.relate((/** @type {any} */ features) => features.relate(type, of));
+const relate = (/** @type {any} */ store, /** @type {string} */ kind, /** @type {string[]} */ of) =>
+  store.relate((/** @type {any} */ features) => features.relate(kind, of));
 
 test("the top and a wall added to a bore: the program writes X and Y from the bore, Z from the top, the rotation from the wall", () => {
   const store = begun("hole", 1);
@@ -215,14 +215,14 @@ test("a rotation and a size follow results of earlier cycles, and keep to them w
   const store = begun("hole");
   add(store, "wall-angle", { "origin[1]": -45, rotation: -90 });
   add(store, "groove", { "origin[0]": 100 });
-  store.put("cycle.rotation", "=WALL.rotation+90");
+  type(store, "cycle.rotation", "=WALL.rotation+90");
   assert.match(program(store), /X\[\d+-\d+\*#<\w+_sin>\]|#<\w+_cos>/);
   store.bringFeature(1);
   rename(store, "SIDE");
   store.bringFeature(2);
   assert.equal(store.get("cycle.rotation"), "=SIDE.rotation+90");
   store.put("cycle.rotation", 0);
-  store.put("cycle.width", "=BORE.diameter+5");
+  type(store, "cycle.width", "=BORE.diameter+5");
   assert.match(program(store), /\+0\.5\*#<\w+_growth_1>/);
 });
 
@@ -231,7 +231,7 @@ test("a cycle follows a relation of the cycles before it, by its name of the day
   add(store, "hole", { "origin[0]": 90 });
   relate(store, "line", ["BORE", "BORE2"]);
   add(store, "groove", { "origin[1]": 80 });
-  store.put("cycle.rotation", "=REL1.rotation+90");
+  type(store, "cycle.rotation", "=REL1.rotation+90");
   assert.match(program(store), /#<rel1_rotation>[\s\S]*#<groove_turned_by>/, "computed before the groove");
   store.relate((/** @type {any} */ features) => features.changeRelation(0, { name: "ROW" }));
   assert.equal(store.get("cycle.rotation"), "=ROW.rotation+90");
@@ -242,7 +242,7 @@ test("a place follows a result of an earlier cycle, and keeps to it when that is
   store.put("cycle.origin[0]", -40);
   add(store, "hole");
   store.put("limits.position", 1);
-  store.put("cycle.origin[2]", "=SURFACE.z-2");
+  type(store, "cycle.origin[2]", "=SURFACE.z-2");
   assert.match(program(store), /G38\.3 X0 Y0 Z\[-12\+#<bore_shift_z>\]/);
   store.bringFeature(0);
   rename(store, "TOP");

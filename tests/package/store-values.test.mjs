@@ -138,4 +138,5 @@ test("a language tag leads to the words of its language: Taiwan's are traditiona
     [["xx"], null],
   ]))
     assert.equal(words.languageOf(tags), lang, `${tags}`);
+  assert.deepEqual([wordsOf("zh-Hans").Program, wordsOf("zh-Hant").Program], ["程序", "程式"]);
 });

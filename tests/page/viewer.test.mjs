@@ -194,6 +194,16 @@ test("a program that was refused was not shown: its text is, with the reason, al
   assert.equal(await program(), before);
 });
 
+test("a program of more than two million characters was not read, though its moves could be", async () => {
+  const rows = Array.from({ length: 90_000 }, (_, i) => `N${i} G1 X${i % 300} Y${i % 7} F500`);
+  const text = `G21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`;
+  assert.ok(text.length > 2_000_000);
+  await openText(text, "contour.nc");
+  const viewer = page.locator("tp-viewer");
+  await viewer.locator("p[role=status]", { hasText: "90001 moves" }).waitFor();
+  assert.match(await textOf(viewer.locator(".notes")), /a job is made of at most 2 million/);
+});
+
 test("a long program: only lines that are seen are in the document; a line and its move light each other", async () => {
   const rows = Array.from({ length: 20_000 }, (_, i) => `N${i + 4} G1 X${i % 200} Y${Math.floor(i / 200)} F500`);
   await openText(`(long)\nG21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`, "long.nc");
