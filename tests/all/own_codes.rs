@@ -46,13 +46,18 @@ const MORE_840D: [&str; 19] = [
 ];
 const KNOWN_840D: [&str; 12] = ["10", "25", "26", "53", "58", "59", "74", "75", "110", "111", "112", "153"];
 
+/// The decimals that a code is tried with: all below 1000, where makers have theirs; above, none and one.
+fn tenths(number: u32) -> impl Iterator<Item = u32> {
+    (0..=9).filter(move |tenth| number < 1000 || *tenth == number % 10 || *tenth == 0)
+}
+
 /// Every code there may be, before and behind places, in either dialect.
 #[test]
 fn a_code_that_is_not_known_makes_no_place_of_its_words() {
     let mut checked = 0;
     for dialect in ["iso", "sinumerik"] {
         for number in 0..=9999 {
-            for tenth in 0..=9 {
+            for tenth in tenths(number) {
                 let code = if tenth == 0 { number.to_string() } else { format!("{number}.{tenth}") };
                 let own = |lists: &[&[&str]]| lists.iter().any(|list| list.contains(&code.as_str()));
                 let offset = dialect == "sinumerik" && tenth == 0 && (505..=599).contains(&number);
@@ -87,7 +92,7 @@ fn a_code_that_is_not_known_makes_no_place_of_its_words() {
             }
         }
     }
-    assert!(checked > 199_000, "{checked}");
+    assert!(checked > 38_000, "{checked}");
 }
 
 /// The same of M codes: first in their block they may be anything, behind a motion they are the machine's.
@@ -105,7 +110,7 @@ fn an_m_code_in_front_of_places_makes_none_of_them() {
                 continue;
             }
             let gears = dialect == "sinumerik" && (40..=45).contains(&number);
-            for tenth in 0..=9 {
+            for tenth in tenths(number) {
                 let code = if tenth == 0 { format!("M{number}") } else { format!("M{number}.{tenth}") };
                 let known = tenth == 0 && (plain.iter().any(|list| list.contains(&number)) || gears);
                 let text =

@@ -51,6 +51,10 @@ test("a unit after a number is that unit, in a field that has one", () => {
     ["2 inch", "length", "inch", 2],
     ["10 ipm", "feed", "mm", 254],
     ["150 mm/min", "feed", "mm", 150],
+    // 500 / 25.4.
+    ["500 mm/s²", "acceleration", "inch", 19.685039],
+    ["500 mm/s^2", "acceleration", "inch", 19.685039],
+    ["20 in/s²", "acceleration", "mm", 508],
     ["30°", "angle", "inch", 30],
     ["30 mm", "angle", "mm", "30 mm"],
     ["3 mm", "none", "mm", "3 mm"],

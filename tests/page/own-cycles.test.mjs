@@ -67,7 +67,7 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
     [await box("Percent of the error").inputValue(), await box("Dead band").inputValue()],
     ["50", "0,005"],
   );
-  await settles(async () => (await text()).includes("G65 P9814 D25. Q2. T5. F0.5 V0.005 H0.5"));
+  await settles(async () => (await text()).includes("G65 P9814 D25. Q2. T5. F0.5 V0.0025 H0.5"));
   const asked = page.locator('[id="f-control.workOffset"]');
   assert.equal(await textOf(asked.locator("option:checked")), "corrects tool offset 5");
   // What is no number stays where it was typed, and is reported.
@@ -79,7 +79,7 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
   const tolerance = page.getByRole("textbox", { name: /^Tolerance of diameter/ });
   await tolerance.fill("");
   await tolerance.fill("±0.04");
-  await settles(async () => (await text()).includes("T5. F0.5 V0.005"));
+  await settles(async () => (await text()).includes("T5. F0.5 V0.0025"));
   // Without a tool nothing is left of it.
   for (const name of ["Dead band", "Percent of the error", "Tool offset"]) await box(name).fill("");
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. H0.5"));
