@@ -51,7 +51,7 @@ function failed(/** @type {string} */ command, /** @type {string[]} */ args, /**
   process.exit(1);
 }
 
-/** The laws asked of random jobs: half of them the same every time, half fresh. Ends the script where one breaks a law. */
+/** The laws asked of random jobs: a quarter of them the same every time, the rest fresh. Ends the script where one breaks a law. */
 export function fuzz(/** @type {number} */ jobs, /** @type {Record<string, string>} */ seed = {}) {
   const own = ["--profile", "fuzz", "--target-dir", join(target, "fuzzer")];
   run("cargo", ["test", "--locked", "--quiet", "--test", "fuzz", ...own], {

@@ -53,8 +53,9 @@ for (const signal of /** @type {const} */ (["SIGINT", "SIGTERM"]))
  * begins first. Ends the script where one fails.
  * @param {Stage[]} stages
  * @param {(name: string) => string[]} args by which this script runs one of them
+ * @param {string} [hint] how a run that failed is repeated
  */
-export async function runStages(stages, args) {
+export async function runStages(stages, args, hint = "") {
   const start = performance.now();
   /** @type {Map<string, number>} */
   const passed = new Map();
@@ -71,7 +72,7 @@ export async function runStages(stages, args) {
     if (failed) {
       stopAll();
       print(passed, start);
-      console.error(`\nFailed: ${name}`);
+      console.error(`\nFailed: ${name}. It alone: npm test -- "${name}". ${hint}`);
       process.exit(1);
     }
     passed.set(name, seconds(own));

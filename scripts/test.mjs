@@ -29,7 +29,7 @@ import { runStages } from "./stages.mjs";
 /** @typedef {import("./stages.mjs").Stage} Stage */
 
 const { values, positionals } = parseArgs({
-  options: { seed: { type: "string" }, stage: { type: "string" } },
+  options: { seed: { type: "string" } },
   allowPositionals: true,
 });
 const seed = values.seed === undefined ? Date.now() % 2 ** 32 : Number(values.seed || Number.NaN);
@@ -85,7 +85,7 @@ const cargo = (/** @type {string[]} */ ...args) => run("cargo", args, { env: { R
 const clippy = (/** @type {string[]} */ ...args) =>
   cargo("clippy", "--quiet", "--locked", ...args, "--", "-D", "warnings");
 
-/** @type {Stage[]} */
+/** What a machine may lack. @type {Stage[]} */
 const SETUP = [
   { name: "Packages", after: [], work: ensurePackages },
   {
@@ -100,19 +100,13 @@ const SETUP = [
   { name: "Debian packages", after: [], work: ensureDebianPackages },
   {
     name: "Tools of tests",
-    after: ["Bindings tool", "Debian packages"],
+    after: ["WebAssembly"],
     work: async () => {
       await ensureBindgen();
       ensureWasmPack();
       ensureFirefox();
     },
   },
-];
-
-/** What `npm run check` asks, after a quick build. @type {Stage[]} */
-const CHECKS = [
-  { name: "Format", after: ["Packages"], work: () => format() },
-  { name: "Lints", after: ["Rust"], work: () => lints() },
 ];
 
 async function format() {
@@ -126,27 +120,28 @@ function lints() {
     clippy("--lib", "--target", "wasm32-unknown-unknown", ...features);
 }
 
-async function types() {
-  await Promise.all([npx("tsc", "-p", "tsconfig.json"), npx("tsc", "-p", "tsconfig.scripts.json")]);
-}
+const types = () => Promise.all([npx("tsc", "-p", "tsconfig.json"), npx("tsc", "-p", "tsconfig.scripts.json")]);
+
+/** What `npm run check` asks. @type {Stage[]} */
+const CHECKS = [
+  { name: "Format", after: ["Packages"], work: format },
+  { name: "Lints", after: ["Rust"], work: lints },
+  { name: "Types", after: ["Package"], work: types },
+];
 
 const native = ["test", "--locked"];
 
-/** @type {Stage[]} */
+/**
+ * Every stage; of those that may begin the first begins. The module comes first, for the longest tests are those of the page, and while a page waits compilers
+ * have a core. What shares a folder of cargo's stands one after the other.
+ * @type {Stage[]}
+ */
 const TESTS = [
-  ...SETUP,
+  ...SETUP.slice(0, 4),
   {
     name: "WebAssembly",
     after: ["Packages", "Rust", "Bindings tool"],
-    work: async () => {
-      await writeModules(await compileModules(false), false);
-    },
-  },
-  { name: "Native tests, compiled", after: ["Debian packages"], work: () => cargo(...native, "--no-run") },
-  {
-    name: "Native tests",
-    after: ["Native tests, compiled", "Debian packages"],
-    work: () => run("cargo", native, { env: { ...random, RS274: ensureInterpreter(), CI: "1", INSTA_UPDATE: "no" } }),
+    work: async () => writeModules(await compileModules(false), false),
   },
   {
     name: "Package",
@@ -156,26 +151,19 @@ const TESTS = [
       printSizes();
     },
   },
+  ...SETUP.slice(4),
   {
     name: "Page tests",
-    after: ["Package", "Tools of tests"],
+    after: ["Package", "Debian packages", "Tools of tests"],
     work: () => nodeTests("page", "--test-concurrency=2"),
   },
-  { name: "Project tests", after: ["Package", "Debian packages", "Tools of tests"], work: () => nodeTests("projects") },
-  { name: "Package tests", after: ["Package"], work: () => nodeTests("package") },
-  { name: "Fuzz", after: ["Rust"], work: () => fuzz(200_000, random) },
-  ...CHECKS,
+  { name: "Lints", after: ["Rust"], work: lints },
+  { name: "Native tests, compiled", after: ["Lints"], work: () => cargo(...native, "--no-run") },
   {
-    name: "Documentation",
-    after: ["Native tests, compiled"],
-    work: () => cargo("doc", "--quiet", "--locked", "--no-deps", "--lib"),
+    name: "Native tests",
+    after: ["Native tests, compiled", "Debian packages"],
+    work: () => run("cargo", native, { env: { ...random, RS274: ensureInterpreter(), CI: "1", INSTA_UPDATE: "no" } }),
   },
-  {
-    name: "Oldest Rust",
-    after: ["Rust"],
-    work: () => cargo(`+${ensureOldestRust()}`, "check", "--quiet", "--locked", "--target-dir", targetOf("oldest")),
-  },
-  { name: "Types", after: ["Package"], work: types },
   {
     name: "WebAssembly tests",
     after: ["WebAssembly", "Tools of tests"],
@@ -186,6 +174,25 @@ const TESTS = [
       rmSync(at("pkg"), { recursive: true });
     },
   },
+  {
+    name: "Project tests",
+    after: ["Package", "Native tests, compiled", "Tools of tests"],
+    work: () => nodeTests("projects"),
+  },
+  { name: "Package tests", after: ["Package"], work: () => nodeTests("package") },
+  { name: "Fuzz", after: ["Native tests, compiled"], work: () => fuzz(130_000, random) },
+  {
+    name: "Oldest Rust",
+    after: ["Rust"],
+    work: () => cargo(`+${ensureOldestRust()}`, "check", "--quiet", "--locked", "--target-dir", targetOf("oldest")),
+  },
+  {
+    name: "Documentation",
+    after: ["Native tests, compiled"],
+    work: () => cargo("doc", "--quiet", "--locked", "--no-deps", "--lib"),
+  },
+  { name: "Format", after: ["Packages"], work: format },
+  { name: "Types", after: ["Package"], work: types },
 ];
 
 const names = ["setup", "check", ...TESTS.map(({ name }) => name)];
@@ -196,15 +203,16 @@ if (more.length > 0 || (only && !names.includes(only)) || !Number.isSafeInteger(
 }
 const stage = TESTS.find(({ name }) => name === only);
 const again = (/** @type {string} */ name) => [name, "--seed", String(seed)];
+const sameCases = `The same random cases again: npm test -- --seed ${seed}`;
+/** Only these stages: what they wait for besides is there. */
+const alone = (/** @type {Stage[]} */ stages) =>
+  stages.map((one) => ({ ...one, after: one.after.filter((name) => stages.some((other) => other.name === name)) }));
 if (stage) await stage.work();
-else if (only === "setup") await runStages(SETUP, again);
+else if (only === "setup") await runStages(alone(SETUP), again);
 else if (only === "check") {
   await build({ quick: true });
-  await runStages(
-    [...CHECKS.map(({ name, work }) => ({ name, work, after: [] })), { name: "Types", after: [], work: types }],
-    again,
-  );
+  await runStages(alone(CHECKS), again);
 } else {
-  console.log(`Random cases of this run: npm test -- --seed ${seed}`);
-  await runStages(TESTS, again);
+  console.log(sameCases);
+  await runStages(TESTS, again, sameCases);
 }

@@ -1,7 +1,7 @@
 //! The laws as a fuzzer: whole jobs over every cycle, control, plane and unit, and mutated dumps, programs and measured points for every
 //! reader. A job that breaks a law is kept as a file, in `target/fuzz/`, and named.
 //!
-//! `FUZZ_JOBS` says how many jobs (0 is none: a plain `cargo test` runs none), `FUZZ_SEED` where the fresh half of them begins.
+//! `FUZZ_JOBS` says how many jobs (0 is none: a plain `cargo test` runs none), `FUZZ_SEED` where the fresh ones of them begin.
 //! `npm run fuzz` runs until it is stopped.
 
 #[path = "../common/mod.rs"]
@@ -43,7 +43,7 @@ fn main() {
     // A panic is caught and reported with its job; its message is printed once, there.
     std::panic::set_hook(Box::new(|_| {}));
     let start = Instant::now();
-    let fixed = Share { seed: FIXED, jobs: count / 2 };
+    let fixed = Share { seed: FIXED, jobs: count / 4 };
     let (mut tally, known) = run(&fixed);
     // Whether a law is asked often enough is decided by the jobs that are the same in every run: no run fails by its draw alone.
     let idle = idle(&tally, fixed.jobs);
