@@ -1,7 +1,7 @@
 //! Finds CmdPrm codes and their values in a text, whatever stands around them.
 //!
 //! `Int[-1]`, `Flt [-101]` or `Bol[-3]` name a code; its value is what [`value`] finds after it in the same line, or the `value` of its
-//! JSON object.
+//! JSON object. Web pages break the cells of a table into lines: a code whose line has no value takes the next line that is one.
 
 use crate::form::Value;
 use crate::path::Accessor;
@@ -18,18 +18,35 @@ pub struct Entry {
 /// Every code of a text with its value, in order.
 pub fn entries(text: &str) -> Vec<Entry> {
     let mut found = Vec::new();
+    // The last code, where its line has no value.
+    let mut open: Option<(Accessor, i32)> = None;
     for line in text.lines() {
         let mut next = next_code(line);
+        if next.is_none()
+            && let Some((accessor, code)) = open
+            && let Some(value) = cell(line, code)
+        {
+            found.push(Entry { accessor, code, value });
+            open = None;
+        }
         while let Some((accessor, code, behind)) = next {
             next = next_code(behind);
             // The value stands before the next code of the line.
             let end = next.map_or(behind.len(), |(.., rest)| behind.len() - rest.len());
-            if let Some(value) = value(&behind[..end]) {
-                found.push(Entry { accessor, code, value });
-            }
+            let value = value(&behind[..end]);
+            open = value.is_none().then_some((accessor, code));
+            found.extend(value.map(|value| Entry { accessor, code, value }));
         }
     }
     found
+}
+
+/// The value in a cell of a table that has a line of its own: a number as a whole, or what the description of the cycle type says, `value = 7`.
+fn cell(line: &str, code: i32) -> Option<f64> {
+    let line = typographic(line);
+    let cell = line.trim().trim_matches('|').trim();
+    let kind = || cell.rsplit_once("value =").filter(|_| code == -1).and_then(|(_, kind)| whole(kind));
+    whole(cell).or_else(kind)
 }
 
 /// Every code of parsed JSON, wherever it lies: objects with a `code` and a `value`, and objects whose keys are codes.
@@ -206,6 +223,10 @@ mod tests {
         ] {
             assert_eq!(entries(text), [Entry { accessor: Accessor::Flt, code: -50, value }], "{text}");
         }
+        // As the pages of the documentation break their tables, with values put in.
+        let page = "CmdPrm.Int[-1] |\nInteger |\nProbing cycle type: Internal rectangle probing protected value = 7 |\nCmdPrm. Flt [-50] |\nDouble |\nFeed distance, 1 of 2 |\n20,5 |\nCmdPrm.Flt[-51]\n12\n13\nCmdPrm.Flt[-53] |\nWidth 1 |\n";
+        let read: Vec<(i32, f64)> = entries(page).iter().map(|entry| (entry.code, entry.value)).collect();
+        assert_eq!(read, [(-1, 7.0), (-50, 20.5), (-51, 12.0)]);
         assert!(entries("TouchPoint[1] = 2.5").is_empty());
         assert_eq!(value(" = True"), Some(1.0));
         assert_eq!(value(",Boolean,false,On"), Some(0.0));

@@ -325,6 +325,9 @@ impl Reader {
             "A program does not give the stylus, the touch probe table (SET_UP, DIST, F, FMAX) or the start: the defaults are used, with the start no lower than the clearance height"
         );
         checker.info("not-in-program", "stylus", unknown);
+        if checker.failed() {
+            return Err(JobError { findings: checker.findings() });
+        }
         Ok((job, checker.findings()))
     }
 }
@@ -358,7 +361,12 @@ fn raise_start(job: &mut Value) {
     }
 }
 
-/// Puts the parameters of a block into the form of its cycle. What the block does not give keeps the form's default.
+/// Whether a parameter says where an object is, or how large: no default stands for it, and the control refuses the block without it.
+fn is_geometry(key: &str) -> bool {
+    ["point1", "point2", "diameter1", "diameter2"].iter().any(|name| key.starts_with(name))
+}
+
+/// Puts the parameters of a block into the form of its cycle. What the block does not give keeps the form's default; a position or a diameter must be there.
 fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &mut Checker) {
     let known = parameters(fields);
     let given = assignments(block);
@@ -381,6 +389,17 @@ fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &
                     number.to_string()
                 );
                 checker.warning("predefined", path, message);
+            }
+            (Some(_), _) if is_geometry(&key) => {
+                let message = text!("Q{number} of cycle {cycle} is not a number", number.to_string(), cycle.to_owned());
+                checker.error("not-a-number", path, message);
+            }
+            (None, _) if is_geometry(&key) => {
+                let message = text!(
+                    "Q{number} is not given: no default stands for a position or a diameter, and the control refuses the block",
+                    number.to_string()
+                );
+                checker.error("missing-parameter", path, message);
             }
             (Some(_), _) => {
                 let message = text!(

@@ -88,12 +88,19 @@ pub fn blocks(text: &str) -> Vec<String> {
     numbered_blocks(text).into_iter().map(|(_, block)| block).collect()
 }
 
-/// The same, each with the 0-based line in which it begins.
+/// The same, each with the 0-based line in which it begins. `~` continues a block over blank lines and comments, and may stand behind the comment that
+/// follows a parameter in a line of its own, as the manual prints it.
 pub fn numbered_blocks(text: &str) -> Vec<(usize, String)> {
     let mut blocks: Vec<(usize, String)> = Vec::new();
     let mut goes_on = false;
+    // Whether the last block has several lines.
+    let mut long = false;
     for (number, line) in lines_of(text).map(str::trim).enumerate() {
         let continued = line.ends_with('~');
+        if long && (line.is_empty() || line.starts_with(';')) {
+            goes_on |= continued;
+            continue;
+        }
         let line = line.trim_end_matches('~');
         // `*` ends an ISO block.
         let line = code(line, false).trim().trim_end_matches('*').trim_end();
@@ -104,6 +111,7 @@ pub fn numbered_blocks(text: &str) -> Vec<(usize, String)> {
         } else {
             blocks.push((number, without_count(without_number(line)).to_owned()));
         }
+        long = goes_on || continued;
         goes_on = continued;
     }
     blocks

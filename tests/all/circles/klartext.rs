@@ -4,7 +4,7 @@ use super::{holes, text};
 use crate::common::import;
 use crate::common::{law, number, number_at, planned, point, values, with};
 use proptest::prelude::*;
-use touchpath::form::Value;
+use touchpath::form::{Level, Value};
 use touchpath::job::plan;
 
 /// The example of the manual, block by block.
@@ -65,7 +65,7 @@ fn other_ways_to_write_the_block_are_read() {
     assert_eq!(cycle.get("diameter1"), Some(&text("10H7")));
     assert_eq!((cycle.get("geometryType"), cycle.get("transferPosition")), (Some(&number(2.0)), Some(&number(1.0))));
     let messy = "0 BEGIN PGM A_B INCH\r\n1 L Z+100 R0 FMAX M91\r\n2 TOOL CALL 7 Y S50\r\n3 TCH PROBE 1493 EXTRUSION PROBING ~\r\n\
-                 Q1140=+1 ;anything at all ~\r\n Q1145=+4 ~\r\nQ1146=-2,5;x ~\r\nQ1149=+0\r\n4 TCH PROBE 1411 ~\r\n  Q1100=+1 ;x ~\r\n Q9999=+1\r\n\
+                 Q1140=+1 ;anything at all ~\r\n Q1145=+4 ~\r\nQ1146=-2,5;x ~\r\nQ1149=+0\r\n4 TCH PROBE 1411 ~\r\n  Q1100=+1 ;x ~\r\n Q1101=+0 Q1102=+0 Q1116=+1 Q1103=+4 Q1104=+0 Q1105=+0 Q1117=+1 ~\r\n Q9999=+1\r\n\
                  5 END PGM A_B INCH\r\n";
     let imported = import(messy).unwrap();
     let at = |path: &str| number_at(&imported.job, path, f64::NAN);
@@ -77,19 +77,63 @@ fn other_ways_to_write_the_block_are_read() {
     assert!(import("nothing at all").is_err() && import("").is_err() && import("{").is_err());
 }
 
-/// Without Q1100 the first point was X0 Y0 Z0, and the finding spoke of the form's default, which is another one. The numbers here are
-/// typed from the manual page of the cycle (docs/cycles/probing-two-circles.md), in mm.
+/// Where both circles are, and how large.
+const PLACED: &str = "Q1100=-31 Q1101=+1 Q1102=-11 Q1116=+21 Q1103=+29 Q1104=+2 Q1105=-12 Q1117=+22";
+
+/// The example at the end of the manual's page of 1411, as the page prints it: blank lines, and each comment with its `~` in a line of its own. The numbers are
+/// others than the form's.
+#[test]
+fn the_example_of_the_manual_is_read_as_it_is_printed() {
+    let parameters = [
+        ("1100", "+5", "1ST POINT REF AXIS"),
+        ("1101", "+75", "1ST POINT MINOR AXIS"),
+        ("1102", "-3", "1ST POINT TOOL AXIS"),
+        ("1116", "+12", "DIAMETER 1"),
+        ("1103", "+75", "2ND POINT REF AXIS"),
+        ("1104", "+76", "2ND POINT MINOR AXIS"),
+        ("1105", "-4", "2ND POINT TOOL AXIS"),
+        ("1117", "+14", "DIAMETER 2"),
+        ("1115", "+1", "GEOMETRY TYPE"),
+        ("423", "+5", "NO. OF PROBE POINTS"),
+        ("325", "+10", "STARTING ANGLE"),
+        ("1119", "+300", "ANGULAR LENGTH"),
+        ("320", "+2", "SET-UP CLEARANCE"),
+        ("260", "+101", "CLEARANCE HEIGHT"),
+        ("1125", "+1", "CLEAR. HEIGHT MODE"),
+        ("309", "+1", "ERROR REACTION"),
+        ("1126", "+0", "ALIGN ROTARY AXIS"),
+        ("1120", "+1", "TRANSER POSITION"),
+        ("1121", "+1", "CONFIRM ROTATION"),
+    ];
+    let rows: Vec<String> = parameters.map(|(number, value, name)| format!("Q{number}={value}\n\n;{name}")).to_vec();
+    let block = format!("11 TCH PROBE 1411 PROBING TWO CIRCLES ~\n\n{}\n\n12 M5\n", rows.join(" ~\n\n"));
+    let read = import(&block).unwrap();
+    assert!(read.findings.iter().all(|f| f.code != "missing-parameter"), "{:?}", read.findings);
+    let cycle = read.job.get("cycle").unwrap();
+    assert_eq!(cycle.get("point1"), Some(&point([5.0, 75.0, -3.0])));
+    assert_eq!(cycle.get("point2"), Some(&point([75.0, 76.0, -4.0])));
+    for (key, wanted) in [("diameter1", 12.0), ("diameter2", 14.0), ("clearanceHeight", 101.0), ("confirmRotation", 1.0)] {
+        assert_eq!(cycle.get(key), Some(&number(wanted)), "{key}");
+    }
+}
+
+/// A position or a diameter that nobody gave was the form's: a hole of 20 at X-30. The control refuses such a block.
+#[test]
+fn a_position_or_a_diameter_that_is_not_given_is_no_default() {
+    let refused = |text: &str| -> Vec<String> {
+        let findings = import(text).expect_err("refused").findings;
+        let errors = findings.into_iter().filter(|f| f.level == Level::Error);
+        errors.map(|f| format!("{} {}", f.code, f.path)).collect()
+    };
+    assert_eq!(refused("TCH PROBE 1411 ~\nQ1115=+1").len(), 8, "all at once");
+    assert_eq!(refused(&format!("TCH PROBE 1411 {}", PLACED.replace("Q1102=-11 ", ""))), ["missing-parameter cycle.point1[2]"]);
+    assert_eq!(refused(&format!("TCH PROBE 1411 {}", PLACED.replace("+22", "abc"))), ["not-a-number cycle.diameter2"]);
+}
+
+/// The finding spoke of another default than the form's. The numbers here are typed from the manual page of the cycle (docs/cycles/probing-two-circles.md), in mm.
 #[test]
 fn a_parameter_that_is_not_given_has_the_forms_default() {
-    let defaults: [(u32, &str, f64); 19] = [
-        (1100, "point1[0]", -30.0),
-        (1101, "point1[1]", 0.0),
-        (1102, "point1[2]", -10.0),
-        (1116, "diameter1", 20.0),
-        (1103, "point2[0]", 30.0),
-        (1104, "point2[1]", 0.0),
-        (1105, "point2[2]", -10.0),
-        (1117, "diameter2", 20.0),
+    let defaults: [(u32, &str, f64); 11] = [
         (1115, "geometryType", 0.0),
         (423, "probePoints", 4.0),
         (325, "startingAngle", 0.0),
@@ -116,7 +160,11 @@ fn a_parameter_that_is_not_given_has_the_forms_default() {
             (value, _) => value.clone(),
         }
     };
-    let bare = import("0 BEGIN PGM A MM\n1 TCH PROBE 1493\n2 TCH PROBE 1411\n3 END PGM A MM\n").unwrap();
+    let placed = |units: &str, more: &str| {
+        import(&format!("0 BEGIN PGM A {units}\n1 TCH PROBE 1493\n2 TCH PROBE 1411 {PLACED} {more}\n3 END PGM A {units}\n"))
+            .unwrap()
+    };
+    let bare = placed("MM", "");
     let missing: Vec<(String, Vec<String>)> =
         bare.findings.iter().filter(|f| f.code == "missing-parameter").map(|f| (f.path.clone(), values(f))).collect();
     assert_eq!(missing.len(), defaults.len() + extrusion.len());
@@ -125,16 +173,14 @@ fn a_parameter_that_is_not_given_has_the_forms_default() {
         let wanted = (format!("cycle.{key}"), vec![number.to_string(), default.to_string()]);
         assert!(missing.contains(&wanted), "{wanted:?}: {missing:#?}");
     }
-    // One that is given is no default, and the others stay the form's.
-    let one = import("TCH PROBE 1411 ~\nQ1101=+7 ~\nQ1116=abc").unwrap();
-    assert_eq!((at(&one.job, "point1[0]"), at(&one.job, "point1[1]")), (number(-30.0), number(7.0)));
-    assert_eq!(at(&one.job, "diameter1"), number(20.0));
-    let unread: Vec<_> = one.findings.iter().filter(|f| f.path == "cycle.diameter1").map(|f| f.code.as_str()).collect();
+    // One that is given is no default, and one that cannot be read is reported once.
+    let one = placed("MM", "Q325=+7 Q320=abc");
+    assert_eq!((at(&one.job, "startingAngle"), at(&one.job, "setUpClearance")), (number(7.0), number(0.0)));
+    let unread: Vec<_> = one.findings.iter().filter(|f| f.path == "cycle.setUpClearance").map(|f| f.code.as_str()).collect();
     assert_eq!(unread, ["not-a-number"], "it is reported once");
-    // In inch the defaults are those of the form in inch: 30 mm are 1.1811 inch.
-    let inch = import("0 BEGIN PGM A INCH\n1 TCH PROBE 1411\n2 END PGM A INCH\n").unwrap();
-    let Value::Number(x) = at(&inch.job, "point1[0]") else { panic!() };
-    assert!((x + 30.0 / 25.4).abs() < 0.01, "{x}");
+    // In inch the defaults are those of the form in inch: 100 mm are 3.937 inch.
+    let Value::Number(x) = at(&placed("INCH", "").job, "clearanceHeight") else { panic!() };
+    assert!((x - 100.0 / 25.4).abs() < 0.1, "{x}");
 }
 
 /// Emit, import, emit: the same bytes.
