@@ -1,16 +1,17 @@
 // Runs stages beside each other, each as a process of its own: what it prints comes in one piece, and what hangs or fails ends alone.
 import { spawn } from "node:child_process";
-import { availableParallelism } from "node:os";
+import { availableParallelism, constants, setPriority } from "node:os";
 
 /**
- * A stage: what it is called, the stages that must have passed before it, and its work.
- * @typedef {{ name: string, after: string[], work: () => unknown }} Stage
+ * A stage: what it is called, the stages that must have passed before it, and its work. Nothing waits for one that is `patient`: it takes what the others leave of
+ * the cores.
+ * @typedef {{ name: string, after: string[], patient?: boolean, work: () => unknown }} Stage
  */
 
 const seconds = (/** @type {number} */ start) => (performance.now() - start) / 1000;
 
 /** Runs this script again with these arguments; gives what it printed, in its order, and whether it failed. */
-function again(/** @type {string[]} */ args) {
+function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
   /** @type {Promise<{ printed: Buffer, failed: boolean }>} */
   const ended = new Promise((done) => {
     // A group of its own: what it has started ends with it.
@@ -19,6 +20,7 @@ function again(/** @type {string[]} */ args) {
       detached: true,
     });
     running.add(child);
+    if (patient && child.pid) setPriority(child.pid, constants.priority.PRIORITY_BELOW_NORMAL);
     /** @type {Buffer[]} */
     const chunks = [];
     for (const stream of [child.stdout, child.stderr]) stream.on("data", (chunk) => chunks.push(chunk));
@@ -62,10 +64,10 @@ export async function runStages(stages, args, hint = "") {
   /** @type {Map<string, Promise<void>>} */
   const begun = new Map();
   const most = availableParallelism() + 1;
-  const begin = async (/** @type {string} */ name) => {
+  const begin = async (/** @type {Stage} */ { name, patient = false }) => {
     const own = performance.now();
     console.log(`.. ${name} begins at ${seconds(start).toFixed(0)} s`);
-    const { printed, failed } = await again(args(name));
+    const { printed, failed } = await again(args(name), patient);
     console.log(`\n== ${name}`);
     process.stdout.write(printed);
     console.log(`-- ${name}: ${seconds(own).toFixed(1)} s`);
@@ -82,7 +84,7 @@ export async function runStages(stages, args, hint = "") {
     const next = stages.filter(
       ({ name, after }) => !passed.has(name) && !begun.has(name) && after.every((before) => passed.has(before)),
     );
-    for (const { name } of next.slice(0, most - begun.size)) begun.set(name, begin(name));
+    for (const one of next.slice(0, most - begun.size)) begun.set(one.name, begin(one));
     if (begun.size === 0) break;
     await Promise.race(begun.values());
   }

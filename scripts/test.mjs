@@ -8,7 +8,6 @@ import { build, buildPackage, compileModules, printSizes, targetOf, writeModules
 import {
   at,
   ensureBindgen,
-  ensureBindings,
   ensureChromium,
   ensureDebianPackages,
   ensureFirefox,
@@ -96,10 +95,10 @@ const SETUP = [
       ensureOldestRust();
     },
   },
-  { name: "Bindings tool", after: [], work: ensureBindings },
   { name: "Debian packages", after: [], work: ensureDebianPackages },
   {
     name: "Tools of tests",
+    patient: true,
     after: ["WebAssembly"],
     work: async () => {
       await ensureBindgen();
@@ -125,7 +124,7 @@ const types = () => Promise.all([npx("tsc", "-p", "tsconfig.json"), npx("tsc", "
 /** What `npm run check` asks. @type {Stage[]} */
 const CHECKS = [
   { name: "Format", after: ["Packages"], work: format },
-  { name: "Lints", after: ["Rust"], work: lints },
+  { name: "Lints", patient: true, after: ["Rust"], work: lints },
   { name: "Types", after: ["Package"], work: types },
 ];
 
@@ -137,11 +136,16 @@ const native = ["test", "--locked"];
  * @type {Stage[]}
  */
 const TESTS = [
-  ...SETUP.slice(0, 4),
+  ...SETUP.slice(0, 3),
   {
     name: "WebAssembly",
-    after: ["Packages", "Rust", "Bindings tool"],
-    work: async () => writeModules(await compileModules(false), false),
+    after: ["Rust"],
+    work: async () => {
+      const modules = await compileModules(false);
+      // Another stage installs the packages, and long since has.
+      await ensurePackages();
+      await writeModules(modules, false);
+    },
   },
   {
     name: "Package",
@@ -151,21 +155,23 @@ const TESTS = [
       printSizes();
     },
   },
-  ...SETUP.slice(4),
+  ...SETUP.slice(3),
   {
     name: "Page tests",
     after: ["Package", "Debian packages", "Tools of tests"],
     work: () => nodeTests("page", "--test-concurrency=2"),
   },
-  { name: "Lints", after: ["Rust"], work: lints },
-  { name: "Native tests, compiled", after: ["Lints"], work: () => cargo(...native, "--no-run") },
+  { name: "Lints", patient: true, after: ["Rust"], work: lints },
+  { name: "Native tests, compiled", patient: true, after: ["Lints"], work: () => cargo(...native, "--no-run") },
   {
     name: "Native tests",
+    patient: true,
     after: ["Native tests, compiled", "Debian packages"],
     work: () => run("cargo", native, { env: { ...random, RS274: ensureInterpreter(), CI: "1", INSTA_UPDATE: "no" } }),
   },
   {
     name: "WebAssembly tests",
+    patient: true,
     after: ["WebAssembly", "Tools of tests"],
     work: async () => {
       await wasmPack("test", "--node");
@@ -180,14 +186,16 @@ const TESTS = [
     work: () => nodeTests("projects"),
   },
   { name: "Package tests", after: ["Package"], work: () => nodeTests("package") },
-  { name: "Fuzz", after: ["Native tests, compiled"], work: () => fuzz(130_000, random) },
+  { name: "Fuzz", patient: true, after: ["Native tests, compiled"], work: () => fuzz(130_000, random) },
   {
     name: "Oldest Rust",
+    patient: true,
     after: ["Rust"],
     work: () => cargo(`+${ensureOldestRust()}`, "check", "--quiet", "--locked", "--target-dir", targetOf("oldest")),
   },
   {
     name: "Documentation",
+    patient: true,
     after: ["Native tests, compiled"],
     work: () => cargo("doc", "--quiet", "--locked", "--no-deps", "--lib"),
   },
