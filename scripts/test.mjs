@@ -42,19 +42,24 @@ const tests = (/** @type {string} */ folder) =>
 /** A test that hangs is a test that fails. */
 const patient = ["--test", "--test-timeout=900000"];
 const nodeTests = (/** @type {string} */ folder, /** @type {string[]} */ ...flags) =>
-  run("node", [...patient, ...flags, ...tests(folder)], { env: browsers() });
+  run("node", [...patient, ...flags, ...tests(folder).filter((file) => !file.endsWith(ENGINES))], {
+    env: { CHROMIUM: ensureChromium().shell },
+  });
+/** The tests in other browsers. */
+const ENGINES = "engines.test.mjs";
 
-/** The browsers by which tests of pages find them. */
-const browsers = () => {
+/** The page in Firefox and WebKit, beside Chromium. */
+function engines() {
   const [chromium, firefox, webkit] = [ensureChromium(), ensureFirefox(), ensureWebKit()];
-  return {
+  const env = {
     CHROMIUM: chromium.shell,
     FIREFOX: firefox.browser,
     GECKODRIVER: firefox.driver,
     WEBKITDRIVER: webkit.driver,
     XVFB_RUN: webkit.screen,
   };
-};
+  run("node", [...patient, at("tests", "page", ENGINES)], { env });
+}
 
 /** How many tests must have passed, by the command. wasm-pack skips a test file that has no fitting mode without failing: the tests are counted. */
 const LEAST = { "test --node": 7, "test --headless --chrome": 7 };
@@ -99,7 +104,7 @@ const SETUP = [
   {
     name: "Tools of tests",
     patient: true,
-    after: ["WebAssembly"],
+    after: ["Rust"],
     work: async () => {
       await ensureBindgen();
       ensureWasmPack();
@@ -158,9 +163,10 @@ const TESTS = [
   ...SETUP.slice(3),
   {
     name: "Page tests",
-    after: ["Package", "Debian packages", "Tools of tests"],
+    after: ["Package", "Debian packages"],
     work: () => nodeTests("page", "--test-concurrency=2"),
   },
+  { name: "Page tests in other browsers", after: ["Package", "Tools of tests"], work: engines },
   { name: "Lints", patient: true, after: ["Rust"], work: lints },
   { name: "Native tests, compiled", patient: true, after: ["Lints"], work: () => cargo(...native, "--no-run") },
   {
@@ -182,11 +188,11 @@ const TESTS = [
   },
   {
     name: "Project tests",
-    after: ["Package", "Native tests, compiled", "Tools of tests"],
+    after: ["Package", "Native tests, compiled", "Debian packages"],
     work: () => nodeTests("projects"),
   },
   { name: "Package tests", after: ["Package"], work: () => nodeTests("package") },
-  { name: "Fuzz", patient: true, after: ["Native tests, compiled"], work: () => fuzz(130_000, random) },
+  { name: "Fuzz", patient: true, after: ["Native tests, compiled"], work: () => fuzz(100_000, random) },
   {
     name: "Oldest Rust",
     patient: true,

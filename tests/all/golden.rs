@@ -3,6 +3,7 @@
 //! - `<job>.snap`: path, table, results, findings, and the program for LinuxCNC.
 //! - `<control>/<job>.snap`: the program for another control, `<control>-cycle/` for its native cycles.
 //! - `<control>/refused.snap`: the jobs that a control refuses, and why.
+//! - `programs.snap`: hashes of the jobs' own programs.
 //! - `<control>.snap`: a control whose programs are nearly those of another one, as what differs.
 //!
 //! The values of the job in a program's header stand in the first program of each control, and are cut in the others; so is our version, and the numbers of
@@ -124,6 +125,13 @@ fn unversioned(text: &str) -> String {
     text.replace(version, "VERSION").replace(&version.to_uppercase(), "VERSION")
 }
 
+/// FNV-1a of a text's bytes.
+fn fnv(text: &str) -> String {
+    let hash =
+        text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    format!("{hash:016x}")
+}
+
 /// With the name of the control taken out.
 fn unnamed(text: &str, post: &PostDef) -> String {
     let names = [post.title.to_owned(), post.title.to_uppercase(), post.key.to_owned(), post.key.to_uppercase()];
@@ -199,6 +207,11 @@ fn jobs_and_programs_as_they_were() {
         };
         snapshots.assert("", &name, &format!("{}{program}", path_of(&job)));
     }
+    // The package's tests hold the programs of the module against these.
+    let hash =
+        |(name, job): (String, Value)| format!("{name} {}\n", fnv(&unversioned(&crate::common::planned(&job).program.text)));
+    let hashes: String = crate::common::jobs().into_iter().map(hash).collect();
+    snapshots.assert("", "programs", &format!("Hashes of the jobs' own programs:\n{hashes}"));
     for (folder, (post, programs)) in &all {
         if let Some((_, of)) = KIN.iter().find(|(kin, _)| kin == folder) {
             let (base, other) = &all[*of];

@@ -77,7 +77,11 @@ test("lentoax answers a query: the example of the manual", () => {
   const text = run(["lentoax", query]).stdout;
   assert.match(text, /^L1 acts along \+1·Z, .+\n_AXIND = 2, -3, 1\n\nDEF INT _STAT\n/);
   assert.match(run(["lentoax"]).stdout, /^L1 acts along \+Z/);
-  assert.equal(run(["lentoax", readFileSync(query, "utf8")]).stdout, text, "the query itself, in place of its file");
+  assert.equal(
+    run(["lentoax", readFileSync(join(folder, query), "utf8")]).stdout,
+    text,
+    "the query itself, in place of its file",
+  );
   assert.match(run(["lentoax", "-"], '{"plane":"G20"}').stderr, /Plane must be one of/);
 });
 
