@@ -1,5 +1,6 @@
 // Runs stages beside each other, each as a process of its own: what it prints comes in one piece, and what hangs or fails ends alone.
 import { spawn } from "node:child_process";
+import { writeFileSync } from "node:fs";
 import { availableParallelism, constants, setPriority } from "node:os";
 
 /**
@@ -20,7 +21,7 @@ function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
       detached: true,
     });
     running.add(child);
-    if (patient && child.pid) setPriority(child.pid, constants.priority.PRIORITY_BELOW_NORMAL);
+    if (patient && child.pid) yieldCores(child.pid);
     /** @type {Buffer[]} */
     const chunks = [];
     for (const stream of [child.stdout, child.stderr]) stream.on("data", (chunk) => chunks.push(chunk));
@@ -30,6 +31,16 @@ function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
     });
   });
   return ended;
+}
+
+/** Lets a process and what it starts take what the others leave. Linux shares its cores by sessions, and each stage is one: the session yields. */
+function yieldCores(/** @type {number} */ pid) {
+  try {
+    setPriority(pid, constants.priority.PRIORITY_BELOW_NORMAL);
+    if (process.platform === "linux") writeFileSync(`/proc/${pid}/autogroup`, String(constants.priority.PRIORITY_LOW));
+  } catch {
+    // Without it the stages share as they are.
+  }
 }
 
 /** @type {Set<import("node:child_process").ChildProcess>} */
