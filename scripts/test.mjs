@@ -192,7 +192,7 @@ const TESTS = [
     work: () => nodeTests("projects"),
   },
   { name: "Package tests", after: ["Package"], work: () => nodeTests("package") },
-  { name: "Fuzz", patient: true, after: ["Native tests, compiled"], work: () => fuzz(100_000, random) },
+  { name: "Fuzz", patient: true, after: ["Native tests, compiled"], work: () => fuzz(60_000, random) },
   {
     name: "Oldest Rust",
     patient: true,
