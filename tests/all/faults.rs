@@ -251,7 +251,7 @@ fn a_dump_that_fits_two_planes_says_so() {
 
 #[test]
 fn of_a_q_given_twice_the_last_counts() {
-    let program = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 ~\nQ1116=+5 ~\nQ1100=-30 ~\nQ1116=+12.5\n2 END PGM A MM\n";
+    let program = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 ~\nQ1116=+5 ~\nQ1100=-30 Q1101=+0 Q1102=-10 Q1103=+30 Q1104=+0 Q1105=-10 Q1117=+20 ~\nQ1116=+12.5\n2 END PGM A MM\n";
     assert_eq!(crate::common::number_at(&import(program).unwrap().job, "cycle.diameter1", 0.0), 12.5);
 }
 

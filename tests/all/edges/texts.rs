@@ -151,7 +151,7 @@ fn predef_has_no_place_in_a_job() {
 
 #[test]
 fn the_star_of_an_iso_block_takes_the_last_parameter_with_it() {
-    let iso = "%A G71 *\nN10 G1411 Q1100=-30 Q1103=+30 Q1126=+1 Q1121=+1*\n";
+    let iso = "%A G71 *\nN10 G1411 Q1100=-30 Q1116=+20 Q1101=+0 Q1102=-10 Q1103=+30 Q1104=+0 Q1105=-10 Q1117=+20 Q1126=+1 Q1121=+1*\n";
     assert_eq!(crate::common::number_at(&import(iso).unwrap().job, "cycle.confirmRotation", 0.0), 1.0);
 }
 

@@ -376,6 +376,6 @@ fn a_program_that_was_changed_is_told() {
         assert!(said(&format!("{head}R1=1{}\n", deep.repeat(50_000))).contains(&"not-understood".to_owned()), "{deep}");
     }
     // Texts of others that only mention it are theirs.
-    let klartext = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 Q1100=0 Q1101=0 Q1102=0 ; was CYCLE977\n2 END PGM A MM\n";
+    let klartext = "0 BEGIN PGM A MM\n1 TCH PROBE 1411 Q1100=0 Q1101=0 Q1102=0 Q1116=20 Q1103=50 Q1104=0 Q1105=0 Q1117=20 ; was CYCLE977\n2 END PGM A MM\n";
     assert!(crate::common::import(klartext).is_ok());
 }
