@@ -1,7 +1,7 @@
 // Puts faults into a copy of the tree and looks whether the tests that are named for them fail: `npm run mutants`, or with a part of a name only those.
 // The faults are in tests/mutants/. One whose text is gone fails the run, so the list stays alive.
 import { spawnSync } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { at, ensureInterpreter, ensurePackages, run } from "./lib.mjs";
 
@@ -44,7 +44,7 @@ const env = {
   CI: "1",
 };
 
-/** The tree as git sees it, copied where it changed: cargo and its caches take the rest as it was. */
+/** The tree as git sees it, copied where it changed: cargo and its caches take the rest as it was. Its packages are its own: npm would empty a folder that is linked. */
 function copy() {
   const listed = run("git", ["ls-files", "--cached", "--others", "--exclude-standard", "-z"], { quiet: true });
   for (const file of listed.split("\0").filter((name) => name && existsSync(at(name)))) {
@@ -53,7 +53,6 @@ function copy() {
     mkdirSync(dirname(to), { recursive: true });
     copyFileSync(at(file), to);
   }
-  if (!existsSync(join(tree, "node_modules"))) symlinkSync(at("node_modules"), join(tree, "node_modules"), "junction");
 }
 
 const command = (/** @type {string} */ name, /** @type {string[]} */ args) =>
