@@ -361,7 +361,7 @@ fn raise_start(job: &mut Value) {
     }
 }
 
-/// Whether a parameter says where an object is, or how large: no default stands for it, and the control refuses the block without it.
+/// Whether a parameter is a position or a diameter. These have no default, and the control refuses a block without them.
 fn is_geometry(key: &str) -> bool {
     ["point1", "point2", "diameter1", "diameter2"].iter().any(|name| key.starts_with(name))
 }

@@ -89,7 +89,7 @@ impl<'t> Zone<'t> {
 
 /// How near a size in a text must be to the nominal value to be that value.
 const SAME: f64 = 1e-9;
-/// A deviation this large is none, in any unit: what is larger in front of another one is a size.
+/// A first number from here on is a size and not a deviation, in any unit.
 const LARGEST_DEVIATION: f64 = 1.0;
 
 /// The limits that two signed numbers give about a nominal value, and whether the first is that value. `-35-0.2` of -35 is a size with a deviation,

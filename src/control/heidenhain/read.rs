@@ -88,8 +88,8 @@ pub fn blocks(text: &str) -> Vec<String> {
     numbered_blocks(text).into_iter().map(|(_, block)| block).collect()
 }
 
-/// The same, each with the 0-based line in which it begins. `~` continues a block over blank lines and comments, and may stand behind the comment that
-/// follows a parameter in a line of its own, as the manual prints it.
+/// The same, each with the 0-based line in which it begins. `~` continues a block over blank lines and comments. It may also end
+/// a comment on the next line, as the manual prints it.
 pub fn numbered_blocks(text: &str) -> Vec<(usize, String)> {
     let mut blocks: Vec<(usize, String)> = Vec::new();
     let mut goes_on = false;
