@@ -41,7 +41,7 @@ pub fn entries(text: &str) -> Vec<Entry> {
     found
 }
 
-/// The value in a table cell on a separate line: a whole number text, or the type in the description of the cycle, `value = 7`.
+/// The value in a table cell on a separate line: a line that is only a number, or the type in the description of the cycle, `value = 7`.
 fn cell(line: &str, code: i32) -> Option<f64> {
     let line = typographic(line);
     let cell = line.trim().trim_matches('|').trim();
