@@ -202,8 +202,12 @@ export const textOf = async (/** @type {import("playwright-core").Locator} */ lo
 export const program = async (tab = page) => (await tab.locator("tp-program .text").allTextContents()).join("\n");
 
 /** Chooses a file with this text. */
-export const openText = (/** @type {string} */ text, name = "job.json", tab = page) =>
-  tab.locator("#file").setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+export async function openText(/** @type {string} */ text, name = "job.json", tab = page) {
+  const file = tab.locator("#file");
+  await file.setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  // The page empties it when the text is read: until then the job before is shown.
+  await settles(async () => (await file.inputValue()) === "", tab);
+}
 
 /** The picture, without the canvas over it. */
 export const PICTURE = "canvas:not(.over, .mini)";
