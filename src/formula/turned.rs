@@ -48,8 +48,23 @@ impl<T: Copy> Turn<T> {
     }
 }
 
-/// Abscissa and ordinate of a place: the value that holds each, where it is measured, and its nominal one.
-type Pair = [(Option<Variable>, f64); 2];
+/// A coordinate of a place.
+#[derive(Clone, Copy, PartialEq)]
+enum Known {
+    /// This value holds it.
+    Measured(Variable),
+    /// Nothing measures it: it is nominal, mm.
+    Nominal(f64),
+}
+
+impl Known {
+    fn new(measured: Option<Variable>, nominal: f64) -> Known {
+        measured.map_or(Known::Nominal(nominal), Known::Measured)
+    }
+}
+
+/// Abscissa and ordinate of a place. What is measured is the same place by its variables: nominal values of one place may be rounded differently.
+type Pair = [Known; 2];
 
 /// What a cycle that is turned has become.
 struct Written {
@@ -151,8 +166,8 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
         }
         let number = places.borrow().len() + 1;
         let from = |i: usize, name: &'static str| match pair[i] {
-            (Some(variable), _) => f.set(Name::new(name, number), known(variable) - f.length(turn.about[i])),
-            (None, nominal) => f.set(Name::new(name, number), f.length(nominal - turn.about[i])),
+            Known::Measured(variable) => f.set(Name::new(name, number), known(variable) - f.length(turn.about[i])),
+            Known::Nominal(nominal) => f.set(Name::new(name, number), f.length(nominal - turn.about[i])),
         };
         let (a, o) = (from(0, "from_x"), from(1, "from_y"));
         let turned = [a + a * turn.cosine - o * turn.sine, o + o * turn.cosine + a * turn.sine];
@@ -166,19 +181,23 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
     };
     let in_datum = |axis: usize| {
         let place = own.datum.and_then(|datum| datum.place[axis]);
-        place.map_or((None, turn.about[axis]), |place| (place.measured, place.nominal))
+        place.map_or(Known::Nominal(turn.about[axis]), |place| Known::new(place.measured, place.nominal))
     };
-    // The other coordinate of the same place: another result, or what the datum has of it.
-    let other = |of: &str, axis: usize| {
-        let result = own.results.iter().find(|other| coordinate_of(other.code) == Some((of, axis)));
-        result.map_or_else(|| in_datum(axis), |result| (result.variable, result.nominal))
+    // Both coordinates of a place, of which a value holds one. The other is another result, or what the datum has of it.
+    let pair = |of: &str, axis: usize, variable: Variable| -> Pair {
+        [0, 1].map(|i| {
+            let result = own.results.iter().find(|other| coordinate_of(other.code) == Some((of, i)));
+            match result {
+                _ if i == axis => Known::Measured(variable),
+                Some(result) => Known::new(result.variable, result.nominal),
+                None => in_datum(i),
+            }
+        })
     };
     let moved = |(i, result): (usize, &ResultDef)| {
         let variable = match (result.role, coordinate_of(result.code), result.variable?) {
             (Role::Abscissa | Role::Ordinate | Role::Reading, Some((of, axis @ 0..=1)), variable) => {
-                let mut pair = [other(of, 0), other(of, 1)];
-                pair[axis].0 = Some(variable);
-                placed(pair)[axis]
+                placed(pair(of, axis, variable))[axis]
             }
             (Role::Direction, _, variable) => f.set(Name::new("turned", i + 1), known(variable) + turn.angle).variable,
             // How far off something is along a direction of the drawing says nothing of a part that is turned.
@@ -190,9 +209,14 @@ fn write<'f>(own: &Formula, f: &'f Draft, first_sample: usize, turn: Turn<Expr<'
     let results = own.results.iter().enumerate();
     let results = results.map(|of| ResultDef { variable: moved(of), ..of.1.clone() }).collect();
     let datum = own.datum.map(|datum| {
+        // The place of a result, where one holds this coordinate.
+        let in_plane = |axis: usize, variable: Variable| {
+            let shown = own.results.iter().filter(|result| result.variable == Some(variable));
+            let of = shown.filter_map(|result| coordinate_of(result.code)).find(|(_, of)| *of == axis);
+            placed(of.map_or_else(|| [0, 1].map(in_datum), |(of, _)| pair(of, axis, variable)))[axis]
+        };
         let moved = |i: usize, place: Coordinate| {
-            let plane = || placed([in_datum(0), in_datum(1)])[i];
-            let measured = place.measured.map(|old| if i < 2 { plane() } else { variables[old.index()] });
+            let measured = place.measured.map(|old| if i < 2 { in_plane(i, old) } else { variables[old.index()] });
             Coordinate { measured, ..place }
         };
         let place = [0, 1, 2].map(|i| datum.place[i].map(|place| moved(i, place)));

@@ -2,8 +2,9 @@
 
 use super::cycle;
 use super::follows::{near, shown, stops_by, the_machines_measure_what_is_shown};
-use crate::common::{Draws, import, interpret, job, on_virtual_part, planned, values, with};
+use crate::common::{Draws, import, interpret, job, law, on_virtual_part, planned, values, with};
 use crate::tests::controls::computing;
+use proptest::prelude::*;
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
@@ -110,6 +111,48 @@ fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
     let outmost = beside.iter().copied().fold(0.0, f64::max);
     let gone = ran.moves.iter().map(|made| made.to[0] - 90.0).fold(0.0, f64::max);
     near(gone, outmost + 0.6, 2e-6, "half of 1.2 mm farther out");
+}
+
+/// What the program writes is what the plan says is written, what `datum` takes and what has a row `offset`: also where the numbers of a job are no short
+/// decimals.
+#[test]
+fn what_a_turned_cycle_writes_is_listed_by_the_same_name() {
+    let cycles = [
+        r#""type": "hole", "diameter": 30"#,
+        r#""type": "web", "width": 30"#,
+        r#""type": "internal-rectangle", "width1": 40, "width2": 30"#,
+        r#""type": "surface", "elevation": 0"#,
+    ];
+    let places = (-200.0..200.0f64, -200.0..200.0f64);
+    law(60, 55, (places, 0..cycles.len(), 0..4, proptest::bool::ANY), |((x, y), cycle, quarter, inch)| {
+        let text = format!(
+            r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "workOffset": 1 }}, "cycles": [
+                {{ "name": "SIDE", "type": "wall-angle", "origin": [{x}, {}, -8], "rotation": -90 }},
+                {{ "name": "BORE", {}, "origin": [{x}, {y}, 0], "rotation": "=SIDE.rotation+{}" }} ] }}"#,
+            y - 60.0,
+            cycles[cycle],
+            90 * quarter,
+        );
+        let given = job(&text);
+        let given = if inch { convert_units(&given, "inch").unwrap() } else { given };
+        let Ok(plan) = plan(&given) else { return Ok(false) };
+        let block = plan.program.text.lines().find(|line| line.starts_with("G10 L20")).unwrap_or("");
+        // `X[#<_x>]` keeps what X reads: where the control turns its axes, both are named.
+        let written = ["x", "y", "z"].map(|axis| block.contains(&format!(" {}[#<_{axis}>-", axis.to_ascii_uppercase())));
+        prop_assert!(written.contains(&true), "{}", plan.program.text);
+        for (axis, written) in ["x", "y", "z"].into_iter().zip(written) {
+            let row = plan.datum.iter().find(|row| row.axis == axis).unwrap();
+            prop_assert_eq!(row.from.is_some(), written, "{} of {}", axis, text);
+            let shown = plan.results.iter().any(|row| row.code == format!("offset.{axis}"));
+            prop_assert_eq!(shown, written, "the row of {} of {}", axis, text);
+            if let Some(from) = &row.from {
+                let said = with(&given, &format!("datum.{axis}"), Value::Text(from.clone()));
+                let program = touchpath::job::plan(&said).map(|plan| plan.program.text).unwrap_or_default();
+                prop_assert!(program.contains(block), "{} said", from);
+            }
+        }
+        Ok(true)
+    });
 }
 
 #[test]
