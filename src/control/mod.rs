@@ -172,6 +172,8 @@ pub struct PostDef {
     pub orients: Result<(), &'static str>,
     /// Whether its program watches positioning moves with the probe, where the job asks for it.
     pub watches: bool,
+    /// Whether that holds for the way to the first place, too, from wherever the stylus stands.
+    pub watches_first: bool,
     /// The shortest probing move, mm: shorter positioning moves are plain.
     pub shortest_probe: f64,
     /// By how much a written constant may be off, as a part of itself.
@@ -217,6 +219,7 @@ pub const BASE: PostDef = PostDef {
     nearest_trigger: 0.0,
     orients: Ok(()),
     watches: true,
+    watches_first: true,
     shortest_probe: 0.0,
     constant_error: 1e-12,
     dialect: &PLAIN,

@@ -536,6 +536,7 @@ impl Expected {
             Purpose::Touch(_) | Purpose::Search(_) => Kind::Touch,
             Purpose::Back(_) => plain,
             Purpose::Position if !(request.protected && request.post.watches) => plain,
+            Purpose::Position if from.is_none() && !request.post.watches_first => plain,
             // Too short for a probe move.
             Purpose::Position if made.kind == plain && way.min(nominal) < request.shortest_watched() => plain,
             Purpose::Position => Kind::Watched,

@@ -295,6 +295,11 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
         let breaks = (rule.breaks)(case);
         let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
         match breaks.into_iter().next() {
+            None if rule.name == WATCHED && case.first_way().is_some() => (
+                Some(true),
+                text!("Every positioning move but the way to the first place is watched, and a contact in it ends the program"),
+                Vec::new(),
+            ),
             None => (Some(true), Text::words(rule.says), Vec::new()),
             Some((_, what)) => (Some(false), what, lines),
         }
@@ -346,6 +351,16 @@ impl Case<'_> {
             }
         }
         lines
+    }
+
+    /// How many motions lead to the first place, on a control that cannot watch them: it does not know from where.
+    fn first_way(&self) -> Option<usize> {
+        let Request { path, post, .. } = self.request;
+        if post.watches_first || path.start.is_some() {
+            return None;
+        }
+        let first = path.moves.first()?.to.to_array().map(|mm| mm / self.request.scale);
+        self.steps().iter().position(|step| machine::near(step.to, first, self.digit())).map(|last| last + 1)
     }
 
     /// Motions that are not the way back from a touch: index and motion.
@@ -438,11 +453,12 @@ fn low_start(case: &Case<'_>) -> Vec<Break> {
 
 fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
     let shortest = case.request.shortest_watched() / case.request.scale;
+    let first_way = case.first_way().unwrap_or(0);
     // How far the ball has gone without being watched, in pieces that follow each other.
     let (mut gone, mut last) = (0.0, None);
     case.positioning()
         .filter(|(i, step)| {
-            if step.kind == Kind::Watched {
+            if step.kind == Kind::Watched || *i < first_way {
                 return false;
             }
             let way = (0..3).map(|axis| (step.to[axis] - step.from[axis]).powi(2)).sum::<f64>().sqrt();

@@ -1,14 +1,22 @@
 //! Every code of a finding, and what it means. Codes are stable: portals act on them.
 
 /// Those that say how a control, or a form of its programs, always is: no job is better or worse by them.
-pub const STANDING: &[&str] =
-    &["limit-stops", "no-results-in-program", "not-verified", "own-path", "positioning-not-watched", "units-not-stated"];
+pub const STANDING: &[&str] = &[
+    "approach-not-watched",
+    "limit-stops",
+    "no-results-in-program",
+    "not-verified",
+    "own-path",
+    "positioning-not-watched",
+    "units-not-stated",
+];
 
 /// Code and meaning, in the order of the codes.
 pub const CODES: &[(&str, &str)] = &[
     ("align-needs-confirm", "1411: aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121)."),
     ("angle-rounded", "An angle has more decimals than the control's parameter takes; the program has it rounded."),
     ("approach-beyond-wall", "A clearance is so large that the place in front of a touch is behind the opposite wall."),
+    ("approach-not-watched", "The way to the first place is not watched: the program does not know where the stylus stands."),
     (
         "arc-unsolved",
         "A spline, or an arc of a program whose centre or start is not known or whose end is not on its circle: it is drawn straight.",

@@ -467,7 +467,9 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     for post in POSTS.iter().filter(|post| may_be_for(post, sign, text)) {
         match followed(post, text) {
             Some(Ok(trace)) if !trace.ends && !probes(text) => {}
-            Some(Ok(trace)) if found.as_ref().is_none_or(|(_, before)| before.steps.is_empty()) => found = Some((post, trace)),
+            Some(Ok(trace)) if found.as_ref().is_none_or(|(_, before)| understands_more(&trace, before)) => {
+                found = Some((post, trace));
+            }
             Some(Err(troubles)) if least.as_ref().is_none_or(|(_, known)| troubles.len() < known.len()) => {
                 least = Some((post, troubles));
             }
@@ -502,6 +504,12 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     };
     checker.error("not-understood", "", message);
     Some(Err(JobError { findings: checker.findings() }))
+}
+
+/// Whether a reading knows more of what a program does than the one before it.
+fn understands_more(trace: &Trace, before: &Trace) -> bool {
+    let unchecked = |trace: &Trace| trace.steps.iter().filter(|step| step.kind == Kind::Unchecked).count();
+    before.steps.is_empty() || unchecked(trace) < unchecked(before)
 }
 
 /// Whether a text may be for this control, by its signs.

@@ -92,8 +92,10 @@ fn watched_positioning_that_stops_too_late_is_named() {
     assert_eq!(codes(&with(&fast, "feeds.approach", number(3100.0))), [""; 0]);
     let both = with(&fast, "feeds.longLink", number(5000.0));
     assert_eq!(codes(&both), ["Warning stops-too-late feeds.approach", "Warning stops-too-late feeds.longLink"]);
-    for (path, word) in [("control.post", "grbl"), ("control.protection", "none")] {
-        assert_eq!(codes(&with(&both, path, text(word))), [""; 0], "{word}");
+    for post in ["linuxcnc", "grbl"] {
+        let own = with(&both, "control.post", text(post));
+        assert_eq!(codes(&own), ["Warning stops-too-late feeds.approach", "Warning stops-too-late feeds.longLink"], "{post}");
+        assert_eq!(codes(&with(&own, "control.protection", text("none"))), [""; 0], "{post}");
     }
     // 1411: FMAX; its arcs are watched, too, and the control's own cycle watches nothing that is known here.
     let circles = with(&default_job("probing-two-circles").unwrap(), "cycle.probe.rapid", number(5000.0));

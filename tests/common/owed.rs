@@ -173,7 +173,10 @@ fn rs274_is_sane(plan: &Plan) -> Result<(), String> {
         };
         owe!("a block has the motion word of its move", wanted.contains(&word), "{} for {:?}", word, step);
         block_ends_at_its_place(lines[line as usize], step, plan, scale)?;
-        if word == "G38.3" {
+        if word == "G38.3" && like_grbl(plan) {
+            let next = lines[line as usize + 1..].iter().find(|line| !line.starts_with('(')).unwrap();
+            owe!("after a contact nothing moves on grbl", next.starts_with("G38.") || *next == "M2", "{}", next);
+        } else if word == "G38.3" {
             let check = lines[line as usize + 1];
             owe!(
                 "a watched move is checked in the next line",

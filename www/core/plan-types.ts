@@ -8,6 +8,7 @@ export type FindingCode =
   | "align-needs-confirm"
   | "angle-rounded"
   | "approach-beyond-wall"
+  | "approach-not-watched"
   | "arc-unsolved"
   | "ball-too-wide"
   | "ball-unknown"

@@ -1,22 +1,26 @@
 //! grbl 1.1 and its kin: the moves alone.
 //!
 //! Sources: grbl's motion control and its interface document. grbl has no variables and no arithmetic: after each touch it
-//! reports `[PRB:x,y,z:1]` in machine coordinates, and the sender has to do the rest. It does not watch the probe during
-//! positioning moves.
+//! reports `[PRB:x,y,z:1]` in machine coordinates, and the sender has to do the rest.
+//!
+//! Positioning that is watched is a chain of `G38.3`: each ends at a contact, and the next probing move finds the probe triggered and raises alarm 4,
+//! whichever of the four it is. A program needs no condition for that. A probing move that ends where it begins is error 33: the way to the first
+//! place, of which the program does not know where it begins, is not watched, and the proof refuses the rare job with a move whose numbers are those of where it begins.
 
 mod read;
 mod write;
 
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
-use crate::control::moves::{self, Moves, Step};
+use crate::control::moves::{self, Moves, Step, each_piece};
 use crate::control::rules;
 use crate::control::{
-    BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, does, orientation_line,
+    BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, check_watched, does,
+    orientation_line,
 };
 use crate::form::Checker;
 use crate::geom::Vec3;
 use crate::num::decimal;
-use crate::path::{Move, Touch};
+use crate::path::{Move, Purpose, STATED_RAPID, Touch};
 use crate::text::{text, words};
 
 pub static DEF: PostDef = KIN;
@@ -45,8 +49,7 @@ const LATER: PostDef = PostDef {
     orients: Err(words!("the program is that of grbl and does not turn the spindle: turn it by hand")),
     dialect: &LONG,
     cannot: &[
-        (rules::WATCHED, words!("the program is that of grbl and does not ask whether a positioning move hit something")),
-        (rules::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),
+        (rules::CONTACT_LIFTS, CONTACT_STAYS),
         (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs")),
         (
             rules::LOW_START,
@@ -69,6 +72,10 @@ const LATER: PostDef = PostDef {
     ..KIN
 };
 
+const CONTACT_STAYS: &str = words!(
+    "after a contact the next probing move raises alarm 4, and the control stops where the ball is: nothing after it runs"
+);
+
 const WRITTEN_BY_THE_SENDER: &str =
     words!("the program is that of grbl and uses no variables: the sender writes the work offset");
 
@@ -76,19 +83,18 @@ const WRITTEN_BY_THE_SENDER: &str =
 const KIN: PostDef = PostDef {
     key: "grbl",
     title: "grbl",
-    about: "the same moves. grbl has no variables, so a program cannot compute or write anything, and it does not watch the probe in positioning moves; the page and the program say so.",
+    about: "the same moves, positioning watched by G38.3. grbl has no variables, so a program cannot compute or write anything; the page and the program say so.",
     extension: "nc",
     no_work_offset: words!(
         "{control} has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
     ),
     computes: false,
     orients: Err(words!("{control} cannot turn a spindle to an angle: turn it by hand")),
-    watches: false,
+    watches_first: false,
     dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number", "setUp"],
     cannot: &[
-        (rules::WATCHED, words!("{control} has no conditions: a program cannot ask whether a positioning move hit something")),
-        (rules::CONTACT_LIFTS, words!("{control} does not watch positioning moves: nothing follows a contact there")),
+        (rules::CONTACT_LIFTS, CONTACT_STAYS),
         (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs")),
         (
             rules::LOW_START,
@@ -133,26 +139,36 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         text!("The program computes nothing: {control} reports [PRB:x,y,z:1] in machine coordinates after each touch; the results shown are what \
          those points give", request.post.title.to_owned()),
     );
-    if !request.path.moves.is_empty() {
+    check_watched(request, checker);
+    if request.protected && !request.path.moves.is_empty() && request.path.start.is_none() {
         let message = text!(
-            "{control} does not watch the probe in positioning moves: a contact there goes unnoticed",
+            "The way to the first place is not watched: {control} refuses a probing move that ends where it begins, and the program does not know where the stylus stands",
             request.post.title.to_owned()
         );
-        checker.warning("positioning-not-watched", "control.protection", message);
+        checker.info("approach-not-watched", "control.protection", message);
     }
-    if request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message = text!(
-            "{control} does not watch positioning moves: a rapid that goes down runs at the feed of the touches",
-            request.post.title.to_owned()
+    if !request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+        checker.info(
+            "rapid-at-feed",
+            "feeds",
+            text!("Nothing watches the positioning: a rapid that goes down runs at the feed of the touches"),
         );
-        checker.info("rapid-at-feed", "feeds", message);
     }
 }
 
-/// A rapid that goes down runs at the feed of the touches, since a contact would go unnoticed; so does an arc, which needs a feed.
+/// Whether the probe is watched in a move: in positioning, from a known place.
+fn is_watched(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> bool {
+    request.protected && step.purpose == Purpose::Position && from.is_some()
+}
+
+/// What is watched has a feed. A rapid that goes down and is not watched runs at the feed of the touches; so does an arc, which needs a feed.
 fn rate(request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
+    let stated = request.feeds.rate(step.feed);
+    if is_watched(request, from, step) {
+        return Some(stated.unwrap_or(STATED_RAPID));
+    }
     let careful = step.arc.is_some() || upwards(request, from, step.to) < 0;
-    request.feeds.rate(step.feed).or(careful.then_some(request.feeds.work))
+    stated.or(careful.then_some(request.feeds.work))
 }
 
 fn emit(request: &Request<'_>) -> Program {
@@ -174,7 +190,13 @@ impl Moves for Grbl<'_> {
             w.comment(&format!("The stylus must stand at {height} or higher before the start: the first block moves in the plane at that height, the second \
                  down to {place}. That way must be free"));
         }
-        w.comment("Positioning moves are NOT watched: a contact there goes unnoticed");
+        w.comment(match (self.request.protected, path.start) {
+            (false, _) => "Positioning moves are NOT watched: a contact there goes unnoticed",
+            (true, None) => {
+                "Positioning is G38.3: a contact ends the move, and the next probing move raises alarm 4. Only the way to the first place is NOT watched"
+            }
+            (true, Some(_)) => "Positioning is G38.3: a contact ends the move, and the next probing move raises alarm 4",
+        });
         w.comment(&match self.request.orient {
             Some(angle) => format!(
                 "Turn the spindle to {} degrees by hand first: the probe must be calibrated at that angle",
@@ -193,7 +215,11 @@ impl Moves for Grbl<'_> {
 
     fn position(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         w.makes_move();
-        plain(w, self.request, step);
+        if !is_watched(self.request, step.from, step.step) {
+            return plain(w, self.request, step);
+        }
+        let rate = rate(self.request, step.from, step.step);
+        each_piece(self.request, step, |_, to| w.straight("G38.3", to, false, rate));
     }
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
@@ -202,7 +228,8 @@ impl Moves for Grbl<'_> {
     }
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
-        self.position(w, step);
+        w.makes_move();
+        plain(w, self.request, step);
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {

@@ -45,6 +45,7 @@ impl<'t> Blocks<'t> for Program {
 
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
+    script.begins_free = true;
     lines::lines(text, (Hand::Grbl, b'('), &mut script, &mut Targets::default(), &mut Program)?;
     Ok(script)
 }

@@ -273,6 +273,8 @@ pub struct Script<'t> {
     pub straight: bool,
     /// Whether a probing move sees only the edge of the probe's signal: nothing of a probe that is deflected when it begins.
     pub sees_edges: bool,
+    /// Whether a probing move that begins in contact is an alarm, also one that needs no contact.
+    pub begins_free: bool,
     /// What a variable without a value counts as, where the control keeps its variables from one run to the next; none where using one is an error.
     pub vacant: Option<f64>,
     /// Whether ATAN of its control gives 0 to 360 rather than -180 to 180 degrees.

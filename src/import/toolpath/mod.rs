@@ -174,6 +174,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         watched: false,
         asked: false,
         reads: false,
+        chained: false,
         contact: [f64::NAN; 3],
         met: None,
     });
@@ -343,6 +344,7 @@ impl Run<'_> {
         if probes(line) || self.reader.modes.motion.probes() {
             let behind = watch::behind(line, &self.text[below..]);
             (touching.watched, touching.asked, touching.reads) = (behind.watched, behind.asked, behind.reads);
+            touching.chained = behind.chained;
         }
         if watch::judges(line) {
             self.reader.asks();

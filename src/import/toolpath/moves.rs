@@ -145,9 +145,8 @@ impl Reader {
             self.path.contacts.push([(self.path.kind.len() - 1) as f64, x, y, z]);
         }
         // LinuxCNC's G38.2 and G38.4 stop the program without a contact.
-        if trip == Trip::Never && matches!(motion, Motion::MustTouch) {
-            self.ended = true;
-        }
+        let missed = trip == Trip::Never && matches!(motion, Motion::MustTouch);
+        self.ended |= missed || run.chained && run.met == Some(true);
     }
 
     /// Centre and sweep of an arc, in degrees; none where the block does not give one.

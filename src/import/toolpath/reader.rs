@@ -54,6 +54,8 @@ pub(super) struct Touching {
     /// Whether the program asks behind it for a contact, and whether it reads where it ended.
     pub asked: bool,
     pub reads: bool,
+    /// Whether the motion behind it is an alarm after a contact.
+    pub chained: bool,
     /// Where the last one ended, in the units of the path, and whether it met something.
     pub contact: [f64; 3],
     pub met: Option<bool>,

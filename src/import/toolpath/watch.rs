@@ -2,6 +2,9 @@
 //!
 //! A touch without a contact, or a positioning move with one, leads away. So it is a positioning move where the first condition behind it, before the
 //! next motion, asks for a contact and then leaves: by a jump, a call, an alarm or an end. This reading is ours: a program may do otherwise.
+//!
+//! Without variables a positioning move is a `G38.3` behind which the next motion is a `G38.2` or `G38.3`, or the program ends: a probing move that begins
+//! in contact is an alarm.
 
 use crate::control::iso::lex::{code, head, lines_of, trimmed};
 
@@ -25,6 +28,8 @@ pub(super) struct Behind {
     pub watched: bool,
     /// It reads where the move ended.
     pub reads: bool,
+    /// The next motion is an alarm where there was a contact.
+    pub chained: bool,
 }
 
 /// What follows a probing move, by the lines below its block.
@@ -34,7 +39,8 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     let before = &lines[..lines.iter().position(|line| moves(line)).unwrap_or(lines.len())];
     let reads = before.iter().any(|line| reads_place(line));
     let Some(at) = before.iter().position(|line| asks(line)).or_else(|| asks_by_name(before)) else {
-        return Behind { reads, ..Behind::default() };
+        let chained = !reads && is_free_to_miss(line) && begins_free(lines.get(before.len()), before);
+        return Behind { reads, chained, asked: chained, watched: chained };
     };
     let condition = &before[at];
     // A miss of G38.2 and G38.4 is an alarm: they do not position.
@@ -44,7 +50,20 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         Some(_) => true,
         None => lines.get(at + 1).is_some_and(|line| leaves(line)),
     };
-    Behind { asked: true, watched: !touches && leaves_then, reads }
+    Behind { asked: true, watched: !touches && leaves_then, reads, chained: false }
+}
+
+/// Whether a block has `G38.3`.
+fn is_free_to_miss(line: &[u8]) -> bool {
+    memchr::memchr2_iter(b'G', b'g', line).any(|at| line[at + 1..].starts_with(b"38.3"))
+}
+
+/// Whether the next motion is a touch, or there is none before the program ends.
+fn begins_free(next: Option<&String>, before: &[String]) -> bool {
+    match next {
+        Some(next) => next.starts_with("G38.2") || next.starts_with("G38.3"),
+        None => before.iter().any(|line| ["M2", "M02", "M30"].contains(&line.as_str())),
+    }
 }
 
 /// The last condition that reads a variable which was given the place of the contact: `#148=#5063-30.`, then `IF[ABS[#148]GT0.05]`. A condition in front

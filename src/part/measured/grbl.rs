@@ -2,7 +2,8 @@
 //!
 //! Sources: grbl 1.1's report.c, gcode.c and motion_control.c. A touch is reported in machine coordinates. All reports are in mm, or in inch under
 //! `$13=1`, whatever the program's units. The answer to `$#` ends with the last touch once more. A touch that misses raises alarm 5, which ends
-//! the program.
+//! the program. A positioning move that is watched (`G38.3`) is reported as well: with `:0` where it met nothing; after a contact the next probing
+//! move raises alarm 4.
 
 use crate::form::Checker;
 use crate::geom::Vec3;
@@ -10,7 +11,11 @@ use crate::part::measured::line::Item;
 use crate::part::measured::log::Log;
 use crate::part::measured::offset::{self, Shift};
 use crate::part::measured::{Expected, Measured, Numbered, Stand, reach, stand};
+use crate::path::Purpose;
 use crate::text::text;
+
+/// A shorter positioning move is no probing move, mm: its block has no other numbers than the one before.
+const ONE_PLACE: f64 = 1e-4;
 
 /// An inch in mm.
 const INCH: f64 = 25.4;
@@ -19,7 +24,10 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     let before = checker.count();
     let mut log = Log::of(checker, lines);
     log.drop_echoes(checker);
-    check_count(checker, &log, expected);
+    drop_positioning(checker, &mut log, expected);
+    if checker.count() == before {
+        check_count(checker, &log, expected);
+    }
     let inches = inches(checker, &log);
     let shift = offset::find(checker, &log, inches);
     let Some(shift) = shift.filter(|_| checker.count() == before) else { return Measured::default() };
@@ -28,6 +36,99 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     say_missed(checker, &log, expected);
     let away = stand::away(&log, &shift, scale, expected);
     Measured { points, results: None, stand: Some(Stand { offset: shift.offset, away }) }
+}
+
+/// The reports of positioning moves before a touch, or after the last one.
+#[derive(Clone, Copy, Default)]
+struct Before {
+    /// One a straight move that is watched.
+    straight: usize,
+    /// An arc is reported as the pieces that it is made of.
+    arcs: bool,
+}
+
+impl Before {
+    fn fits(self, reports: usize) -> bool {
+        reports == self.straight || self.arcs && reports > self.straight
+    }
+}
+
+/// For each touch what is reported before it, in the order of the moves, and what is after the last one.
+fn positioning(expected: &Expected<'_>) -> Vec<Before> {
+    let path = expected.path;
+    let (mut all, mut next) = (Vec::with_capacity(path.touches.len() + 1), Before::default());
+    let mut from = path.start;
+    for step in &path.moves {
+        match step.purpose {
+            Purpose::Touch(_) => all.push(std::mem::take(&mut next)),
+            Purpose::Position if step.arc.is_some() => next.arcs = true,
+            // The way to the first place is not watched.
+            Purpose::Position => next.straight += usize::from(from.is_some_and(|from| from.distance(step.to) >= ONE_PLACE)),
+            Purpose::Back(_) | Purpose::Search(_) => {}
+        }
+        from = Some(step.to);
+    }
+    all.push(next);
+    all
+}
+
+/// Leaves out the reports of positioning moves, where the log has them. They say which touch comes next: a contact that comes too early is one of a
+/// positioning move, and no touch.
+fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Expected<'_>) {
+    let reports: Vec<(usize, bool)> = log.touched().map(|(line, place, _)| (line, place.is_some())).collect();
+    let Some(((_, last), sooner)) = reports.split_last() else { return };
+    let touches = expected.path.touches.len();
+    if sooner.iter().all(|(_, contact)| *contact) {
+        let stopped = log.items.iter().find(|(_, item)| *item == Item::Trouble { in_contact: true });
+        if let Some((line, _)) = stopped {
+            let message = text!(
+                "The control stopped in line {line}, since a probing move began in contact: the last report may be of a positioning move. Give the log with every report, also those that end with :0",
+                *line
+            );
+            checker.error("unclear-line", "measured", message);
+        } else if !last && sooner.len() == touches {
+            log.touches.pop();
+        }
+        return;
+    }
+    let before = positioning(expected);
+    let (mut made, mut passed) = (0, 0);
+    let mut keep = Vec::with_capacity(reports.len());
+    for (i, (line, contact)) in reports.iter().enumerate() {
+        let fits = before[made].fits(passed);
+        let is_last = i + 1 == reports.len();
+        let message = match (*contact, made < touches) {
+            (true, true) if fits => {
+                (made, passed) = (made + 1, 0);
+                keep.push(true);
+                continue;
+            }
+            (true, _) => text!(
+                "The contact in line {line} is not where the program touches: a positioning move met something, or reports are missing. Give the whole log of one run",
+                *line
+            ),
+            // A miss ends the program.
+            (false, true) if fits && !before[made].arcs => {
+                keep.push(true);
+                match is_last {
+                    true => continue,
+                    false => text!(
+                        "The touch in line {line} missed, which ends a program, and further touches follow: give the log of one run only",
+                        *line
+                    ),
+                }
+            }
+            (false, _) => {
+                passed += 1;
+                keep.push(false);
+                continue;
+            }
+        };
+        checker.error("unclear-line", "measured", message);
+        return;
+    }
+    let mut keep = keep.into_iter();
+    log.touches.retain(|_| keep.next().unwrap_or(true));
 }
 
 /// One report a touch is needed. A miss ends a program, so that it is the last one.

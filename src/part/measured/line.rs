@@ -37,8 +37,8 @@ pub enum Item {
     Travels,
     /// A block that touches. Its report comes later: senders are some lines ahead.
     Probes,
-    /// An alarm or an error.
-    Trouble,
+    /// An alarm or an error; whether it says that a probing move began in contact, `ALARM:4`.
+    Trouble { in_contact: bool },
     /// A report of a touch that cannot be read.
     Unreadable,
 }
@@ -57,7 +57,11 @@ pub fn items(line: &str) -> Vec<Item> {
         found.push(Item::Answered);
     }
     if says("ALARM:") || says("error:") || line.contains("[MSG:ERR") {
-        found.push(Item::Trouble);
+        let in_contact = plain
+            .split("ALARM:")
+            .skip(1)
+            .any(|number| number.strip_prefix('4').is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit())));
+        found.push(Item::Trouble { in_contact });
     }
     if line.contains("Pgm End") || line.contains("Program End") {
         found.push(Item::Ended);
@@ -335,6 +339,9 @@ mod tests {
         assert_eq!(items(">>> G38.2 Z-5 F100"), [Item::Probes]);
         assert_eq!(items(">>> G10 L20 P1 X0"), [Item::Changes]);
         assert_eq!(items(">>> $J=G91 X10 F500"), [Item::Moves]);
-        assert_eq!(items("ALARM:5"), [Item::Trouble]);
+        for (line, in_contact) in [("ALARM:5", false), ("ALARM:4", true), ("< ALARM:4 (Probe fail)", true), ("ALARM:45", false)]
+        {
+            assert_eq!(items(line), [Item::Trouble { in_contact }], "{line}");
+        }
     }
 }

@@ -16,7 +16,7 @@ pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Op
     let mut stands = None;
     for (i, (number, item)) in log.items.iter().enumerate().skip(first) {
         match item {
-            Item::Trouble => return Some(text!("line {line} is an alarm or an error", *number)),
+            Item::Trouble { .. } => return Some(text!("line {line} is an alarm or an error", *number)),
             Item::Ended => ended = true,
             Item::Changes | Item::Moves if i > last => {
                 return Some(text!("line {line} moves the machine or changes an offset after the touches", *number));

@@ -3,7 +3,7 @@
 use super::{cycle, errors, text, warnings};
 use crate::common::import;
 use crate::common::{job, number, planned, with};
-use touchpath::job::{check, default_job};
+use touchpath::job::{Plan, check, default_job};
 
 // The first block dives into the feature, and the program ends inside it.
 
@@ -122,18 +122,29 @@ fn an_extrusion_goes_deeper_by_rapid() {
 // Programs.
 
 #[test]
-fn grbl_descends_by_rapid() {
-    let job = job(
-        r#"{ "format": 1, "cycle": { "type": "boss" }, "feeds": { "approach": null, "longLink": null }, "control": { "post": "grbl" } }"#,
-    );
-    let plan = planned(&job);
-    for (i, pair) in plan.moves.windows(2).enumerate() {
-        let line = plan.program.text.lines().nth(plan.program.move_lines[i + 1] as usize).unwrap();
-        let down = pair[1].to[2] < pair[0].to[2];
+fn grbl_descends_at_a_feed_where_nothing_watches() {
+    let boss = |protection: &str| {
+        job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "boss" }}, "feeds": {{ "approach": null, "longLink": null }},
+                "control": {{ "post": "grbl", "protection": "{protection}" }} }}"#
+        ))
+    };
+    let lines = |plan: &Plan| -> Vec<(bool, String)> {
+        let line = |i: usize| plan.program.text.lines().nth(plan.program.move_lines[i] as usize).unwrap().to_owned();
+        (1..plan.moves.len()).map(|i| (plan.moves[i].to[2] < plan.moves[i - 1].to[2], line(i))).collect()
+    };
+    let plan = planned(&boss("none"));
+    for (down, line) in lines(&plan) {
         assert!(!(down && line.starts_with("G0")), "{line}");
         assert!(!down || line.ends_with("F150"), "{line}");
     }
     assert!(plan.findings.iter().any(|f| f.code == "rapid-at-feed"));
+    // Watched, it goes at the feed that a machine stops from.
+    let plan = planned(&boss("checked"));
+    for (down, line) in lines(&plan).iter().filter(|(_, line)| line.contains(" Z")) {
+        assert!(line.starts_with("G38.3") && line.ends_with("F2000"), "{down} {line}");
+    }
+    assert!(plan.findings.iter().all(|f| f.code != "rapid-at-feed"));
 }
 
 #[test]

@@ -302,7 +302,7 @@ fn a_mode_of_the_work_offset_that_the_source_does_not_have_is_warned_of() {
 /// three stand in the block.
 #[test]
 fn the_same_number_made_in_two_ways_is_another_word() {
-    let job = job(r#"{ "format": 1, "control": { "post": "grbl", "form": "moves" },
+    let job = job(r#"{ "format": 1, "control": { "post": "grbl", "form": "moves", "protection": "none" },
              "cycle": { "type": "probing-two-circles", "diameter1": 10, "diameter2": 10.000034, "point1": [0, 0, 0], "point2": [49.99955, 0, 0] } }"#);
     let program = planned(&job).program.text;
     assert!(program.lines().filter(|line| *line == "G0 X49.9995 Y0 Z100").count() == 2, "{program}");

@@ -219,7 +219,9 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("feeds-stated", "linuxcnc", "G38.2 X42 Y0 Z-10 F150", "G38.2 X42 Y0 Z-10"),
     ("feeds-stated", "grbl", "G38.2 X42 F150", "G38.2 X42"),
     ("feeds-stated", "haas", " F150. M79", " M79"),
-    ("no-low-rapid", "grbl", "G1 Z-10 F1000", "G0 Z-10"),
+    ("no-low-rapid", "grbl", "G38.3 Z-10 F1000", "G0 Z-10"),
+    ("positioning-watched", "grbl", "G38.3 Z-10 F1000", "G1 Z-10 F1000"),
+    ("positioning-watched", "fluidnc", "G38.3 X-32 F1000\n", "G38.3 X-32 F1000\nG1 X-32.1\n"),
     ("no-low-rapid", "linuxcnc", "G38.3 X32 Y0 Z-10 F1000", "G0 X32 Y0 Z-10"),
     ("offset-after-touches", "linuxcnc", "M5 M9\n", "M5 M9\nG10 L20 P1 X0 Y0\n"),
     ("offset-after-touches", "sinumerik", "TP_MOVE=5\n", "TP_MOVE=5\n$P_UIFR[1,X,TR]=0\n"),
@@ -254,7 +256,7 @@ pub const BROKEN: &[(&str, &str, &str, &str)] = &[
     ("restart-writes-nothing", "haas", "#109=0\n#5221=", "#5221="),
     ("restart-writes-nothing", "sinumerik", "R10=0\n$P_UIFR", "$P_UIFR"),
     ("ends-above", "linuxcnc", "\nM72\nM2\n", "\nM72\n"),
-    ("ends-above", "grbl", "G1 Z30 F2000\nM2", "M2"),
+    ("ends-above", "grbl", "G38.3 Z30 F2000\nM2", "M2"),
 ];
 
 #[test]

@@ -127,6 +127,9 @@ fn a_rule_names_the_lines_that_break_it() {
     };
     let good = "G21 G17 G90\nM5\nG38.3 X5 Y5 F900\no1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\nG38.2 Z-5 F60\n#<z> = #5063\nG1 Z20 F600\no2 if [#<z> GT 100]\n(ABORT, far)\no2 endif\nG10 L20 P1 Z0\nM2\n";
     assert_eq!(broken(good), Vec::<String>::new());
+    // A touch that begins in contact is an error.
+    let chain = good.replace("o1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\n", "");
+    assert_eq!(broken(&chain), Vec::<String>::new());
     assert_eq!(broken(&good.replace("M5\n", "M5\nG4 P0.5\nG4 X1\ng04 s1\n")), Vec::<String>::new());
     for (from, to, rule) in [
         ("G17 G90", "G90", "modes-stated [3]"),
@@ -134,7 +137,11 @@ fn a_rule_names_the_lines_that_break_it() {
         ("G38.3 X5 Y5 F900", "G0 X5 Y5", "positioning-watched [3]"),
         ("G38.2 Z-5 F60", "G38.3 Z-5 F60", "missed-touch-stops [7]"),
         // Nothing reads where it ended, and nothing asks: a positioning move whose contact goes unnoticed.
-        ("G38.3 X5 Y5 F900\no1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\n", "G38.3 X5 Y5 F900\n", "positioning-watched [3]"),
+        (
+            "G38.3 X5 Y5 F900\no1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\n",
+            "G38.3 X5 Y5 F900\nG1 X6 F900\n",
+            "positioning-watched [3, 4]",
+        ),
         ("G38.2 Z-5 F60", "G38.2 Z-5", "feeds-stated [7]"),
         ("#<z> = #5063\nG1 Z20 F600\n", "G0 X9\nG38.2 Z-6 F60\n", "no-low-rapid [8]"),
         ("G38.2 Z-5 F60\n", "G10 L20 P1 Z0\nG38.2 Z-5 F60\n", "offset-after-touches [7]"),

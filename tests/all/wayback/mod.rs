@@ -4,7 +4,7 @@ mod laws;
 mod printed;
 mod refused;
 
-use crate::common::{job, values, with};
+use crate::common::{job, planned, values, with};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Measurement, measure};
 
@@ -100,6 +100,65 @@ fn a_log_of_ugs_gives_results_and_the_block() {
     assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"));
     assert_eq!(codes(&found), ["converted", "block-to-type"]);
     assert_eq!(values(&found.findings[0]), ["5", "X-200 Y-150 Z-60", "mm"]);
+}
+
+/// What a control reports of the pocket's program: of each `G38.3` the place where it ends, and `:0`; the touches of [`PRB`].
+fn reports() -> Vec<(bool, String)> {
+    let plan = planned(&pocket());
+    let mut touches = PRB.iter();
+    let reports = plan.moves.iter().zip(&plan.program.move_lines).filter_map(|(step, line)| {
+        match plan.program.text.lines().nth(*line as usize)?.split(' ').next()? {
+            "G38.2" => Some((true, (*touches.next().unwrap()).to_owned())),
+            "G38.3" => {
+                let [x, y, z] = step.to;
+                Some((false, format!("[PRB:{:.3},{:.3},{:.3}:0]", x - 200.0, y - 150.0, z - 60.0)))
+            }
+            _ => None,
+        }
+    });
+    reports.collect()
+}
+
+fn log_of<'a>(reports: impl IntoIterator<Item = &'a str>) -> String {
+    let reports: Vec<&str> = reports.into_iter().collect();
+    format!("G54\nWCO:-200.000,-150.000,-60.000\n{}\n", reports.join("\nok\n"))
+}
+
+/// Each positioning move is reported, too: a miss there is none.
+#[test]
+fn the_reports_of_watched_positioning_are_no_touches() {
+    let reports = reports();
+    assert!(reports.iter().filter(|(touch, _)| !touch).count() > 4, "{reports:?}");
+    let found = measured(&pocket(), &log_of(reports.iter().map(|(_, report)| report.as_str())));
+    is_the_pocket(&found);
+    assert_eq!(codes(&found), ["converted", "block-to-type"]);
+    // The last report is that of a touch that missed.
+    for (k, (at, _)) in reports.iter().enumerate().filter(|(_, (touch, _))| *touch).enumerate() {
+        let missed = reports[at].1.replace(":1]", ":0]");
+        let log = log_of(reports[..at].iter().map(|(_, report)| report.as_str()).chain([missed.as_str(), "ALARM:5"]));
+        let found = measured(&pocket(), &log);
+        assert_eq!(found.findings[1].code, "touch-missed", "{log}");
+        assert_eq!(values(&found.findings[1])[0], (k + 1).to_string(), "{log}");
+        assert_eq!(found.points.iter().filter(|point| point.is_some()).count(), k, "{log}");
+    }
+}
+
+/// A contact on the way to a touch is not taken for the touch.
+#[test]
+fn a_contact_in_positioning_is_no_touch() {
+    let reports = reports();
+    for (at, _) in reports.iter().enumerate().filter(|(_, (touch, _))| !touch) {
+        let met = reports[at].1.replace(":0]", ":1]");
+        let before = || reports[..at].iter().map(|(_, report)| report.as_str()).chain([met.as_str()]);
+        for log in [log_of(before()), log_of(before().chain(["ALARM:4"]))] {
+            let refused = measure(&pocket(), &Value::Text(log.clone())).expect_err(&log);
+            let codes: Vec<&str> = refused.findings.iter().map(|finding| finding.code.as_str()).collect();
+            assert!(matches!(codes[..], ["unclear-line"] | ["wrong-count"]), "{log}{codes:?}");
+        }
+        // A sender that keeps the contacts alone, and the alarm.
+        let contacts = log_of(before().filter(|report| report.ends_with(":1]")).chain(["ALARM:4"]));
+        assert!(measure(&pocket(), &Value::Text(contacts.clone())).is_err(), "{contacts}");
+    }
 }
 
 /// With $10=0 a control reports places of the work system: X0 Y0 Z30 is where the program ends. As a place of the machine it would be 250 mm away, and there

@@ -5,6 +5,7 @@ export const CODES: Record<string, string> = {
   "align-needs-confirm": "1411: aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121).",
   "angle-rounded": "An angle has more decimals than the control's parameter takes; the program has it rounded.",
   "approach-beyond-wall": "A clearance is so large that the place in front of a touch is behind the opposite wall.",
+  "approach-not-watched": "The way to the first place is not watched: the program does not know where the stylus stands.",
   "arc-unsolved": "A spline, or an arc of a program whose centre or start is not known or whose end is not on its circle: it is drawn straight.",
   "ball-too-wide": "The ball does not fit between the walls, or into the hole.",
   "ball-unknown": "A dump says ball centres but not the ball's diameter: the default is taken.",

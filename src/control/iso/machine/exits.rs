@@ -56,6 +56,11 @@ impl Machine<'_, '_> {
         ending
     }
 
+    /// Whether the ball stands in a contact, from which no probing move may begin.
+    fn in_contact(&self) -> bool {
+        self.script.begins_free && self.state.contact
+    }
+
     /// Follows the program until it stops, or until it clearly continues.
     fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
@@ -75,6 +80,8 @@ impl Machine<'_, '_> {
             match flow {
                 Flow::Next | Flow::Output(..) => {}
                 Flow::Wrote(..) => writes = true,
+                // What the contact was to keep from being made is not made.
+                Flow::End if self.in_contact() && moves == 0 => return Ok(Ending::ControlStops),
                 Flow::Native | Flow::End => return Ok(Ending::GoesOn),
                 Flow::Alarm if !self.run.strict && computed >= COMPUTES => return Ok(Ending::GoesOn),
                 Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
@@ -90,6 +97,10 @@ impl Machine<'_, '_> {
                     self.state.ahead = self.runs_on(motion);
                     match motion {
                         Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => return Ok(Ending::ControlStops),
+                        Motion::MayTouch if deflected && self.script.begins_free => return Ok(Ending::ControlStops),
+                        Motion::MustTouch | Motion::MayTouch if self.in_contact() && moves == 0 => {
+                            return Ok(Ending::ControlStops);
+                        }
                         // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
                         Motion::MayTouch if deflected && probes < MOST_LIFTS && !self.script.sees_edges => {
                             self.arrive(from, Some((from, from)));
