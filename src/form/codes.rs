@@ -3,7 +3,6 @@
 /// Those that say how a control, or a form of its programs, always is: no job is better or worse by them.
 pub const STANDING: &[&str] = &[
     "approach-not-watched",
-    "limit-stops",
     "no-results-in-program",
     "not-verified",
     "own-path",

@@ -3,9 +3,11 @@
 use crate::control::Form;
 use crate::form::Checker;
 use crate::formula::{self, Asked, ON_LIMIT, Question, Tolerance};
+use crate::geom::Vec3;
 use crate::job::Job;
-use crate::num::{decimal, tidy};
-use crate::path::Path;
+use crate::job::planned::Planned;
+use crate::num::{decimal, tidy, wrap_degrees};
+use crate::path::{Guard, Off, Path};
 use crate::text::{Text, text};
 
 /// Judges results by their tolerances and limits. Gives the questions of the program that they do not hold: implausible ones first.
@@ -50,8 +52,54 @@ fn report_tolerances(job: &Job, rows: &[formula::ResultRow], off: &[Question], w
     }
 }
 
+/// What a control's own cycle stops for on the virtual part, in its order; none where it goes on.
+fn stops_for(path: &Path, triggers: &[Option<Vec3>], rows: &[formula::ResultRow], checker: &Checker) -> Option<Text> {
+    let results = &path.formula.results;
+    let of = |code: &str| results.iter().zip(rows).find(|(def, _)| def.code == code);
+    let off = |code: &str| of(code).and_then(|(def, row)| Some(row.value? - def.nominal));
+    let shown = |x: f64, angle: bool| if angle { format!("{}°", decimal(x, 3)) } else { checker.length(tidy(x)) };
+    // Each cycle of a set-up is asked by itself.
+    let own = path.own.iter().filter(|_| path.members.is_empty());
+    own.flat_map(|own| &own.guards).find_map(|Guard { codes, off: compared, limit }| match compared {
+        Off::Each => codes.iter().find_map(|code| {
+            let (def, row) = of(code).filter(|_| off(code).is_some_and(|off| off.abs() >= *limit))?;
+            let [value, limit, wanted] =
+                [row.value.unwrap_or(f64::NAN), *limit, def.nominal].map(|x| shown(x, def.role.is_angle()));
+            Some(text!("{result} is {value}, more than {limit} from {wanted}", row.meaning.clone(), value, limit, wanted))
+        }),
+        Off::Place => {
+            let far = codes.iter().filter_map(|code| off(code)).fold(0.0, f64::hypot);
+            let what = || text!("the measured place is {far} off, more than {limit}", shown(far, false), shown(*limit, false));
+            (far >= *limit).then(what)
+        }
+        Off::BothWalls => {
+            let turns = [0, 1].map(|group| wall_turn(path, triggers, group));
+            let both = turns.iter().all(|turn| turn.is_some_and(|turn| turn.abs() >= *limit));
+            both.then(|| text!("the directions of both walls are more than {limit} off", shown(*limit, true)))
+        }
+    })
+}
+
+/// By how much a wall of two touches is turned, degrees.
+fn wall_turn(path: &Path, triggers: &[Option<Vec3>], group: usize) -> Option<f64> {
+    let of: Vec<usize> = (0..path.touches.len()).filter(|k| path.touches[*k].group == group).collect();
+    let [first, .., last] = of[..] else { return None };
+    let direction = |from: Vec3, to: Vec3| (to.y - from.y).atan2(to.x - from.x).to_degrees();
+    let measured = direction((*triggers.get(first)?)?, (*triggers.get(last)?)?);
+    Some(wrap_degrees(measured - direction(path.touches[first].point, path.touches[last].point)))
+}
+
 /// What the program, run on the virtual part, makes of results that are implausible or out of tolerance. `off` is what [`judge`] gave.
-pub fn report_judged(job: &Job, rows: &[formula::ResultRow], off: &[Question], writes: bool, checker: &mut Checker) {
+pub fn report_judged(planned: &Planned, rows: &[formula::ResultRow], off: &[Question], writes: bool, checker: &mut Checker) {
+    let Planned { job, path, run, .. } = planned;
+    let field = if job.placement.nominal { "limits" } else { "part" };
+    if let Some(what) = stops_for(path, &run.triggers, rows, checker) {
+        let message = match writes {
+            true => text!("On this part the control's own cycle stops with a message before it writes: {what}", what),
+            false => text!("On this part the control's own cycle stops with a message: {what}", what),
+        };
+        return checker.warning("implausible", field, message);
+    }
     let Some(question) = off.first().filter(|question| question.asked == Asked::Plausible) else {
         return report_tolerances(job, rows, off, writes, checker);
     };
@@ -67,7 +115,7 @@ pub fn report_judged(job: &Job, rows: &[formula::ResultRow], off: &[Question], w
         (true, false) => text!("On this part the program reports an implausible result: {what}", what),
         (false, _) => text!("On this part a result is implausible, and the program does not ask: {what}", what),
     };
-    checker.warning("implausible", if job.placement.nominal { "limits" } else { "part" }, message);
+    checker.warning("implausible", field, message);
 }
 
 /// Judges results by their tolerances, with twice their uncertainty as guard band: what is that near to a limit is not known to be on its side of it.

@@ -224,7 +224,7 @@ fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> 
         let off = judge(job, path, &mut rows);
         // Where the program stops before a cycle that follows, it asks nothing more.
         if writes.is_some() {
-            report_judged(job, &rows, &off, writes == Some(true), checker);
+            report_judged(planned, &rows, &off, writes == Some(true), checker);
             wear::report(path, &rows, job.limits.size, checker);
         }
         report_at_start(job, path, run, checker);

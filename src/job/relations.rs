@@ -418,7 +418,7 @@ pub fn add_rows(
     let of_relations = |result: usize| relations.iter().any(|relation| relation.results.contains(&result));
     let off: Vec<_> = off.into_iter().filter(|question| of_relations(question.result)).collect();
     if let Some(checker) = checker {
-        report_judged(&whole.job, &evaluated, &off, whole.writes(), checker);
+        report_judged(whole, &evaluated, &off, whole.writes(), checker);
     }
     for (i, relation) in relations.iter().enumerate() {
         let truth = |index: usize| {

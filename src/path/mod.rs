@@ -16,7 +16,7 @@ pub use feature::{
     Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top, Touched, TwoCircles,
 };
 pub use follow::{Along, Follow, Follows, Of, Reaches, Shifts, Term, far_apart, most};
-pub use own::{Own, OwnBlock, Quantity, Reach, Stored};
+pub use own::{Guard, Off, Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
 pub use set_up::{DatumSource, Measuring, Member, Relate, Related, Single, WAY, WayBlock};
 pub use surface::{Round, Surface, Wall};

@@ -69,6 +69,27 @@ pub enum Stored {
     Kept(usize),
 }
 
+/// What a call stops for before it writes: results that are off by as much.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guard {
+    /// The results that it looks at, by their codes.
+    pub codes: Vec<&'static str>,
+    pub off: Off,
+    /// mm or degrees.
+    pub limit: f64,
+}
+
+/// What of the results a call compares with its limit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Off {
+    /// Each by itself.
+    Each,
+    /// How far the place is off in the plane.
+    Place,
+    /// The directions of both walls of a corner: it stops only where both are off.
+    BothWalls,
+}
+
 /// What a table of the control says of touches, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Reach {
@@ -129,6 +150,8 @@ pub struct Own {
     pub counts: Vec<usize>,
     /// Where each result is found, by its code; of a set-up [`Path::stored`](crate::path::Path::stored) says it.
     pub stored: Vec<(&'static str, Stored)>,
+    /// What its calls stop for, in their order.
+    pub guards: Vec<Guard>,
     /// How far its touches reach, where the calls do not say it.
     pub reach: Reach,
 }

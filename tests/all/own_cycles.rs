@@ -436,22 +436,18 @@ fn each_control_has_its_own_words() {
 /// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S stands where nothing is measured again.
 #[test]
 fn two_circles_are_measured_from_feature_to_feature() {
-    let job =
-        own("probing-two-circles", "fanuc", &[("control.workOffset", number(3.0)), ("cycle.transferPosition", number(2.0))]);
-    let planned = plan(&job).unwrap();
+    let given = [("control.workOffset", number(3.0)), ("cycle.transferPosition", number(2.0)), ("limits.angle", Value::Null)];
+    let planned = plan(&own("probing-two-circles", "fanuc", &given)).unwrap();
     let calls: Vec<&str> =
         planned.program.text.lines().filter(|line| line.starts_with("G65 P98") && !line.contains("P9810")).collect();
     assert_eq!(
         calls,
-        [
-            "G65 P9832",
-            "G65 P9814 D20. Q5. H0.5",
-            "G65 P9834",
-            "G65 P9814 D20. Q5. H0.5 S3.",
-            "G65 P9834 X60. Y0. B1.",
-            "G65 P9833"
-        ]
+        ["G65 P9832", "G65 P9814 D20. Q5. H0.5", "G65 P9834", "G65 P9814 D20. Q5. H0.5 S3.", "G65 P9834 X60. Y0.", "G65 P9833"]
     );
+    // Where nothing is written the angle is asked.
+    let measures = plan(&own("probing-two-circles", "fanuc", &[])).unwrap();
+    assert!(measures.program.text.contains("\nG65 P9834 X60. Y0. B1.\n"), "{}", measures.program.text);
+    let job = own("probing-two-circles", "fanuc", &given);
     let stored: Vec<(&str, &str)> =
         planned.results.iter().filter_map(|row| Some((row.code.as_str(), row.stored.as_deref()?))).collect();
     assert_eq!(

@@ -8,7 +8,7 @@ use crate::tests::controls::skipping;
 use touchpath::control::{Form, POSTS};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
-use touchpath::job::{Plan, default_job, evaluate, examine};
+use touchpath::job::{Plan, check, default_job, evaluate, examine};
 
 /// A hole of 40 mm at the origin, touched at +X, −X, +Y and −Y with a ball of 6 mm.
 fn hole(post: &str, offset: &str, more: &str) -> Value {
@@ -255,4 +255,80 @@ fn circles_of_eight_points_fit_the_variables_of_a_fanuc_and_a_haas() {
             }
         }
     }
+}
+
+/// What is said of a control's own cycle that measures a bad result on a part of these limits.
+fn own_cycle(post: &str, cycle: &str, part: &str, offset: &str) -> Vec<String> {
+    let job = job(&format!(
+        r#"{{ "format": 1, "control": {{ "post": "{post}", "form": "cycle", "workOffset": {offset} }}, "cycle": {cycle},
+            "limits": {{ "position": 1 }}, "part": {{ {part} }} }}"#
+    ));
+    planned(&job).findings.into_iter().filter(|f| f.code == "implausible").map(|f| f.message).collect()
+}
+
+/// H, M and B as Renishaw's macros compare them (read in the edition for Haas): H with the size, M with twice the way of the place from its nominal one, B with both walls.
+#[test]
+fn renishaws_macros_stop_as_their_letters_say() {
+    let hole = r#"{ "type": "hole", "diameter": 40 }"#;
+    let corner = r#"{ "type": "double-wall-internal-corner" }"#;
+    let stops = "On this part the control's own cycle stops with a message: ";
+    for (cycle, part, says) in [
+        (hole, r#""sizes": { "diameter": 0.4 }"#, None),
+        (hole, r#""sizes": { "diameter": 0.6 }"#, Some(format!("{stops}Diameter is 40.6 mm, more than 0.5 mm from 40 mm"))),
+        // 0.8 along both axes is 1.131 away, and M2. stops from 1 on.
+        (hole, r#""offset": [0.8, 0, 0]"#, None),
+        (hole, r#""offset": [0.8, 0.8, 0]"#, Some(format!("{stops}the measured place is 1.1314 mm off, more than 1 mm"))),
+        // The second wall alone, both, and the first alone.
+        (
+            corner,
+            r#""sizes": { "angle": 3 }"#,
+            Some("On this part a result is implausible, and the program does not ask: Angle between the walls is 93°, more than 1° from 90°".to_owned()),
+        ),
+        (corner, r#""rotation": 3"#, Some(format!("{stops}the directions of both walls are more than 1° off"))),
+        (
+            corner,
+            r#""rotation": 3, "sizes": { "angle": 3 }"#,
+            Some(
+                "On this part a result is implausible, and the program does not ask: Angle between the walls is 93°, more than 1° from 90°"
+                    .to_owned(),
+            ),
+        ),
+    ] {
+        let found = own_cycle("haas", cycle, part, "null");
+        assert_eq!(found, Vec::from_iter(says), "{cycle} {part}");
+    }
+}
+
+/// HEIDENHAIN's cycles compare the size, and each axis of the centre; those that write compare nothing.
+#[test]
+fn heidenhains_cycles_stop_as_q309_says() {
+    let hole = r#"{ "type": "hole", "diameter": 40 }"#;
+    let said = |part: &str, offset: &str| own_cycle("heidenhain", hole, part, offset);
+    let larger = r#""sizes": { "diameter": 0.6 }"#;
+    assert_eq!(said(r#""offset": [0.8, 0.8, 0]"#, "null"), Vec::<String>::new());
+    let stops = "On this part the control's own cycle stops with a message: ";
+    assert_eq!(
+        said(r#""offset": [1.2, 0, 0]"#, "null"),
+        [format!("{stops}Centre, abscissa is 1.2 mm, more than 1 mm from 0 mm")]
+    );
+    assert_eq!(said(larger, "null"), [format!("{stops}Diameter is 40.6 mm, more than 0.5 mm from 40 mm")]);
+    let [goes_on] = &said(larger, "1")[..] else { panic!("it writes a bad size") };
+    assert!(goes_on.starts_with("On this part a result is implausible, and the program does not ask"), "{goes_on}");
+}
+
+/// What a macro does not ask before it writes is said; 1411 would ask its angle behind the write.
+#[test]
+fn what_a_macro_does_not_ask_before_it_writes_is_said() {
+    let unasked = |cycle: &str, rest: &str| -> Vec<String> {
+        let text = format!(
+            r#"{{ "format": 1, "control": {{ "post": "haas", "form": "cycle", "workOffset": 1 }}, "cycle": {cycle}{rest} }}"#
+        );
+        let found = check(&job(&text));
+        found.into_iter().filter(|f| f.code == "limits-not-asked").map(|f| format!("{:?} {}", f.level, f.path)).collect()
+    };
+    assert_eq!(unasked(r#"{ "type": "hole" }"#, ""), [""; 0]);
+    assert_eq!(unasked(r#"{ "type": "double-wall-internal-corner" }"#, ""), ["Warning limits.angle"]);
+    let circles = r#"{ "type": "probing-two-circles", "transferPosition": 2 }"#;
+    assert_eq!(unasked(circles, ""), ["Error limits.angle"]);
+    assert_eq!(unasked(circles, r#", "limits": { "angle": null }"#), [""; 0]);
 }

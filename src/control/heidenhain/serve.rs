@@ -9,7 +9,7 @@ use crate::control::{Program, Report, Request, check_write, does, own};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
-use crate::path::{Bore, Entry, Feature, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
+use crate::path::{Bore, Entry, Feature, Guard, Off, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
 use crate::text::{Text, text};
 
 /// How nearly directions and places must agree.
@@ -45,7 +45,7 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
         let message = text!("The control's own cycles choose their touch points: picked ones cannot be used");
         return Err(own::refused("cycle-chooses-points", "cycle.touches", message));
     }
-    let mut program = Plan { request, blocks: Vec::new(), stored: Vec::new(), first: Vec3::ZERO };
+    let mut program = Plan { request, blocks: Vec::new(), stored: Vec::new(), guards: Vec::new(), first: Vec3::ZERO };
     match &path.feature {
         Feature::Surface(point) => program.surface(point)?,
         Feature::Bore(bore) => program.bore(bore)?,
@@ -69,6 +69,7 @@ struct Plan<'a> {
     request: &'a OwnRequest<'a>,
     blocks: Vec<OwnBlock>,
     stored: Vec<(&'static str, Stored)>,
+    guards: Vec<Guard>,
     first: Vec3,
 }
 
@@ -170,6 +171,11 @@ impl Plan<'_> {
         self.stored.extend(results.iter().map(|(code, q)| (*code, Stored::Output(*q))));
     }
 
+    /// It stops where one of these results is off by more than a limit: with tolerances and Q309.
+    fn stops_for(&mut self, codes: &[&'static str], limit: Option<f64>) {
+        self.guards.extend(limit.map(|limit| Guard { codes: codes.to_vec(), off: Off::Each, limit }));
+    }
+
     fn surface(&mut self, point: &Point) -> Result<(), Refused> {
         let path = self.request.path;
         let touch = &path.touches[0];
@@ -220,7 +226,9 @@ impl Plan<'_> {
                 parameters.extend([(288, Length(high)), (289, Length(low))]);
                 parameters.extend(self.stops(&[limit]));
                 self.calls(427, parameters);
-                self.stores(&[(["point.x", "point.y", "point.z"][axis], 160)]);
+                let code = ["point.x", "point.y", "point.z"][axis];
+                self.stores(&[(code, 160)]);
+                self.stops_for(&[code], limit);
             }
         }
         Ok(())
@@ -281,6 +289,10 @@ impl Plan<'_> {
         }
         self.calls([[421, 412], [422, 413]][usize::from(!inside)][usize::from(row.is_some())], parameters);
         self.stores(&[("center.x", 151), ("center.y", 152), ("diameter", 153)]);
+        if row.is_none() {
+            self.stops_for(&["diameter"], self.request.limits.size);
+            self.stops_for(&["center.x", "center.y"], self.request.limits.position);
+        }
         Ok(())
     }
 
@@ -340,6 +352,10 @@ impl Plan<'_> {
         }
         self.calls([[423, 410], [424, 411]][usize::from(!pairs.internal)][usize::from(row.is_some())], parameters);
         self.stores(&[("center.x", 151), ("center.y", 152), codes[0], codes[1]]);
+        if row.is_none() {
+            self.stops_for(&codes.map(|(code, _)| code), self.request.limits.size);
+            self.stops_for(&["center.x", "center.y"], self.request.limits.position);
+        }
         Ok(())
     }
 
@@ -381,6 +397,7 @@ impl Plan<'_> {
                 parameters.extend(self.verdict(&[self.request.limits.size]));
                 self.calls(425, parameters);
                 self.stores(&[(["center.x", "center.y"][axis], 157), ("width", 156)]);
+                self.stops_for(&["width"], self.request.limits.size);
             }
             (false, Some(row)) => {
                 self.begins_at(center + along * (width / 2.0 + aside), high);
@@ -406,6 +423,7 @@ impl Plan<'_> {
                 parameters.extend(self.verdict(&[self.request.limits.size]));
                 self.calls(426, parameters);
                 self.stores(&[(["center.x", "center.y"][axis], 157), ("width", 156)]);
+                self.stops_for(&["width"], self.request.limits.size);
             }
         }
         let top = path.searches().find(|(k, ..)| *k == 2);
@@ -425,9 +443,9 @@ impl Plan<'_> {
         if let Some(row) = self.row() {
             self.blocks.push(OwnBlock::Cycle(247, vec![(339, Plain(row))]));
         }
-        let Plan { request, blocks, stored, first } = self;
+        let Plan { request, blocks, stored, guards, first } = self;
         let reach = Reach { set_up: request.set_up, behind: request.setup.overtravel };
-        made::planned(request, Drafted { blocks, stored, first, reach }, call, meets).map_err(|alarm| {
+        made::planned(request, Drafted { blocks, stored, guards, first, reach }, call, meets).map_err(|alarm| {
             let message = match alarm {
                 Some(alarm) => text!("On the nominal part the control's own cycle would stop: {alarm}", what(alarm)),
                 None => text!("The control's own cycle would touch other surfaces than the documented one does"),

@@ -4,7 +4,7 @@ use super::machine::{Alarm, Kind, Machine, Made};
 use super::{Meets, Outcome, OwnRequest};
 use crate::formula::Role;
 use crate::geom::Vec3;
-use crate::path::{Feed, Move, Own, OwnBlock, Path, Purpose, Reach, Stored, Touch};
+use crate::path::{Feed, Guard, Move, Own, OwnBlock, Path, Purpose, Reach, Stored, Touch};
 
 /// How nearly directions must agree.
 const NEAR: f64 = 1e-6;
@@ -97,6 +97,8 @@ pub struct Drafted {
     pub blocks: Vec<OwnBlock>,
     pub stored: Vec<(&'static str, Stored)>,
     /// Where the first move comes to.
+    /// What the calls stop for.
+    pub guards: Vec<Guard>,
     pub first: Vec3,
     pub reach: Reach,
 }
@@ -104,7 +106,7 @@ pub struct Drafted {
 /// The path that a program makes on the nominal part, its touches in the order of the documented ones. Else what stops it, or nothing where it touches other
 /// surfaces than the documented cycle.
 pub fn planned(request: &OwnRequest<'_>, drafted: Drafted, runs: Runs, meets: Meets<'_>) -> Result<Path, Option<Alarm>> {
-    let Drafted { blocks, stored, first, reach } = drafted;
+    let Drafted { blocks, stored, guards, first, reach } = drafted;
     let (mut path, radius) = (request.path.clone(), request.setup.radius);
     let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
     let mut machine = Machine::new(first, radius, 0.0, &mut answer);
@@ -127,6 +129,7 @@ pub fn planned(request: &OwnRequest<'_>, drafted: Drafted, runs: Runs, meets: Me
         first,
         blocks: blocks.into_iter().zip(counted).collect(),
         stored,
+        guards,
         reach,
     }));
     Ok(path)

@@ -11,7 +11,7 @@ use crate::control::{
 };
 use crate::form::Checker;
 use crate::num::decimal;
-use crate::path::{Own, OwnBlock, Quantity, STATED_RAPID, Stored};
+use crate::path::{Off, Own, OwnBlock, Quantity, STATED_RAPID, Stored};
 use crate::text::text;
 
 /// How a control's programs call the macros.
@@ -106,11 +106,14 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
         );
         checker.warning("macro-not-seen", "control.form", message);
     }
-    if request.limits.position.is_some() || request.limits.size.is_some() {
+    if !own.guards.is_empty() {
         let message = text!(
             "A result that is off by more than its limit stops the macro with a message before it writes: who starts the program again lets it write"
         );
         checker.info("limit-stops", "limits", message);
+    }
+    if request.work_offset.is_some() {
+        check_asked(request, own, checker);
     }
     check_plain_moves(request, checker);
     check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
@@ -123,6 +126,28 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     check_orientation(request, checker);
     offsets::check_optional(request, checker);
     number::check_digits(request, checker);
+}
+
+/// What a program that writes does not ask before.
+fn check_asked(request: &Request<'_>, own: &Own, checker: &mut Checker) {
+    let path = request.path;
+    let of_walls = own.guards.iter().any(|guard| guard.off == Off::BothWalls);
+    if of_walls {
+        let message = text!(
+            "The corner macros stop for an angle only where both walls are off: one tilted wall, or a chip on one, is written"
+        );
+        checker.warning("limits-not-asked", "limits.angle", message);
+    }
+    let is_asked = |code: &str| own.guards.iter().any(|guard| guard.codes.contains(&code));
+    // What was said of the walls holds for the angle between them.
+    let questions = path.formula.questions(&request.limits).into_iter().filter(|question| !(of_walls && question.angle));
+    let results = questions.map(|question| path.formula.results[question.result].code).filter(|code| !is_asked(code));
+    let results: Vec<&str> = results.collect();
+    if !results.is_empty() {
+        let message =
+            text!("The macros write without asking whether these are within their limits: {results}", results.join(", "));
+        checker.warning("limits-not-asked", "limits", message);
+    }
 }
 
 pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program {

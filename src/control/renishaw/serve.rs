@@ -8,7 +8,7 @@ use crate::control::own::{Meets, Outcome, OwnRequest, Refused, Several, degrees_
 use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
 use crate::path::{
-    Bore, Corner, Entry, Feature, Feed, Feeds, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Quantity, Reach,
+    Bore, Corner, Entry, Feature, Feed, Feeds, Guard, Off, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Quantity, Reach,
     STATED_RAPID, Stored, Surface, Touch, TwoCircles,
 };
 use crate::text::{Text, text, words};
@@ -72,6 +72,7 @@ struct Program<'a> {
     at: Vec3,
     blocks: Vec<OwnBlock>,
     stored: Vec<(&'static str, Stored)>,
+    guards: Vec<Guard>,
     /// The feed of each protected move, in order.
     feeds: Vec<Feed>,
     kept: usize,
@@ -99,6 +100,7 @@ impl<'a> Program<'a> {
             at: first,
             blocks: Vec::new(),
             stored: Vec::new(),
+            guards: Vec::new(),
             feeds: Vec::new(),
             kept: 0,
         })
@@ -237,9 +239,22 @@ impl<'a> Program<'a> {
         self.blocks.push(OwnBlock::Call(number, letters));
     }
 
-    /// Where these results are: in the output of this call.
+    /// Where these results are: in the output of this call, which stops for them by its letters.
     fn stores(&mut self, results: &[(&'static str, usize)]) {
         self.stored.extend(results.iter().map(|(code, output)| (*code, Stored::Output(*output))));
+        let Some(OwnBlock::Call(number, letters)) = self.blocks.last() else { return };
+        let letter = |wanted: char| letters.iter().find(|(letter, _)| *letter == wanted).map(|(_, value)| value.value());
+        let of = |outputs: &[usize]| -> Vec<&'static str> {
+            results.iter().filter(|(_, output)| outputs.contains(output)).map(|(code, _)| *code).collect()
+        };
+        // H is compared with the size, M with twice how far the place is off, B with both walls.
+        let guards = [
+            (of(&[3]), Off::Each, letter('H')),
+            (of(&[0, 1, 2]), Off::Place, letter('M').map(|zone| zone / 2.0)),
+            (of(&[8, 9]), if *number == 9834 { Off::Each } else { Off::BothWalls }, letter('B')),
+        ];
+        let stops = guards.into_iter().filter(|(codes, ..)| !codes.is_empty());
+        self.guards.extend(stops.filter_map(|(codes, off, limit)| Some(Guard { codes, off, limit: limit? })));
     }
 
     /// Keeps what the last call gave, before the next one empties it.
@@ -475,6 +490,12 @@ impl<'a> Program<'a> {
             );
             return Err(refused("offset-measured-again", "cycle.transferPosition", message));
         }
+        if self.request.work_offset.is_some() && transfer == 2 && self.request.limits.angle.is_some() {
+            let message = text!(
+                "P9834 asks the angle after the second circle has written the work offset: let limits.angle be null, or write no work offset"
+            );
+            return Err(refused("limits-not-asked", "limits.angle", message));
+        }
         let up = path.moves.iter().map(|step| step.to.z).fold(f64::NEG_INFINITY, f64::max);
         self.first = line[0].with_z(up);
         self.at = self.first;
@@ -517,14 +538,20 @@ impl<'a> Program<'a> {
         let mut path = self.request.path.clone();
         let number = if self.request.switches_on { 9832 } else { 9833 };
         let blocks = vec![(OwnBlock::Call(number, Vec::new()), 0)];
-        path.own =
-            Some(Box::new(Own { first: Vec3::ZERO, blocks, counts: Vec::new(), stored: Vec::new(), reach: Reach::default() }));
+        path.own = Some(Box::new(Own {
+            first: Vec3::ZERO,
+            blocks,
+            counts: Vec::new(),
+            stored: Vec::new(),
+            guards: Vec::new(),
+            reach: Reach::default(),
+        }));
         Ok(path)
     }
 
     /// Runs the calls on the nominal part: the path, its touches in the order of the documented ones.
     fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
-        let Program { request, radius, first, blocks, stored, feeds, .. } = self;
+        let Program { request, radius, first, blocks, stored, guards, feeds, .. } = self;
         let mut path = request.path.clone();
         let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
         let mut machine = Machine::new(first, radius, radius, &mut answer);
@@ -585,6 +612,7 @@ impl<'a> Program<'a> {
             first,
             blocks: blocks.into_iter().zip(counted).collect(),
             stored,
+            guards,
             reach: Reach::default(),
         }));
         Ok(path)

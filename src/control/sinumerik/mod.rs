@@ -93,6 +93,12 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         "That MEAS ends a move at the contact, and what $A_PROBE and $AA_IW hold, is recalled and not verified; $AC_MEA and $AA_MW follow the description of a converter, CYCLE977 working programs. None of it was run on a control: try it without a part first, with a hand on the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
+    if request.path.own.as_ref().is_some_and(|own| !own.guards.is_empty()) {
+        let message = text!(
+            "A place that is off by more than the safe range (TSA) of its call is an alarm of the cycle; what the alarm leaves undone is recalled and not read"
+        );
+        checker.info("limit-stops", "limits.position", message);
+    }
     // The rapids of a measuring cycle are its own.
     let own = request.path.own.is_some();
     let rapid = |m: &Move| request.feeds.rate(m.feed).is_none() && !(own && m.feed == Feed::Rapid);

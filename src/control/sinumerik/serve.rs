@@ -16,7 +16,7 @@ use crate::control::{Request, check_write};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
-use crate::path::{Bore, Entry, Feature, Feed, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
+use crate::path::{Bore, Entry, Feature, Feed, Guard, Off, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
 use crate::text::{Text, text, words};
 
 use Quantity::{Angle, Length, Plain};
@@ -58,8 +58,16 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
         return Err(refused("cycle-plane", "plane", message));
     }
     let first = path.moves.first().map_or(Vec3::ZERO, |step| step.to);
-    let mut program =
-        Plan { request, radius: request.setup.radius, first, at: first, blocks: Vec::new(), stored: Vec::new(), kept: 0 };
+    let mut program = Plan {
+        request,
+        radius: request.setup.radius,
+        first,
+        at: first,
+        blocks: Vec::new(),
+        stored: Vec::new(),
+        guards: Vec::new(),
+        kept: 0,
+    };
     match &path.feature {
         Feature::Surface(point) => program.surface(point)?,
         Feature::Bore(bore) => program.bore(bore)?,
@@ -91,6 +99,7 @@ struct Plan<'a> {
     at: Vec3,
     blocks: Vec<OwnBlock>,
     stored: Vec<(&'static str, Stored)>,
+    guards: Vec<Guard>,
     kept: usize,
 }
 
@@ -192,6 +201,19 @@ impl Plan<'_> {
 
     fn stores(&mut self, results: &[(&'static str, usize)]) {
         self.stored.extend(results.iter().map(|(code, entry)| (*code, Stored::Output(*entry))));
+        let places: Vec<&'static str> = results.iter().map(|(code, _)| *code).filter(|code| code.contains('.')).collect();
+        self.stops_for(&places);
+    }
+
+    /// The call stops where one of these is off by more than its safe range [R].
+    fn stops_for(&mut self, codes: &[&'static str]) {
+        let safe = self.blocks.iter().rev().find_map(|block| match block {
+            OwnBlock::Cycle(977, arguments) => arguments.iter().find(|(place, _)| *place == 9),
+            OwnBlock::Cycle(978, arguments) => arguments.iter().find(|(place, _)| *place == 7),
+            _ => None,
+        });
+        let safe = safe.filter(|_| !codes.is_empty());
+        self.guards.extend(safe.map(|(_, safe)| Guard { codes: codes.to_vec(), off: Off::Each, limit: safe.value() }));
     }
 
     /// Keeps what the last call gave, before the next one writes there.
@@ -237,6 +259,7 @@ impl Plan<'_> {
         self.tolerances(13, &mut arguments);
         arguments.extend([(21, Plain(1.0)), (22, Plain(1.0))]);
         self.blocks.push(OwnBlock::Cycle(978, arguments));
+        self.stops_for(&[["point.x", "point.y", "point.z"][axis]]);
         Ok(())
     }
 
@@ -372,16 +395,20 @@ impl Plan<'_> {
 
     /// The path that the program makes on the nominal part.
     fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
-        let Plan { request, first, blocks, stored, .. } = self;
-        made::planned(request, Drafted { blocks, stored, first, reach: Reach::default() }, run, meets).map_err(|alarm| {
-            let message = match alarm {
-                Some(_) => text!("On the nominal part the cycle would touch something on its way{advice}", Text::words(ADVICE)),
-                None => {
-                    text!("The cycle would touch other surfaces than the documented one does{advice}", Text::words(ADVICE))
-                }
-            };
-            refused("cycle-stops", "cycle", message)
-        })
+        let Plan { request, first, blocks, stored, guards, .. } = self;
+        made::planned(request, Drafted { blocks, stored, guards, first, reach: Reach::default() }, run, meets).map_err(
+            |alarm| {
+                let message = match alarm {
+                    Some(_) => {
+                        text!("On the nominal part the cycle would touch something on its way{advice}", Text::words(ADVICE))
+                    }
+                    None => {
+                        text!("The cycle would touch other surfaces than the documented one does{advice}", Text::words(ADVICE))
+                    }
+                };
+                refused("cycle-stops", "cycle", message)
+            },
+        )
     }
 }
 
