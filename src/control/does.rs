@@ -47,6 +47,14 @@ impl Request<'_> {
         if matches!(self.path.feature, Feature::Unmoving) {
             return text!("moves nothing, writes nothing");
         }
+        if self.dry.is_some() {
+            return match self.work_offset {
+                Some(number) => {
+                    text!("dry run: selects {offset}, measures nothing, writes nothing", (self.post.work_offset_word)(number))
+                }
+                None => text!("dry run: measures nothing, writes nothing"),
+            };
+        }
         if let Some(preset) = self.preset() {
             return preset.does();
         }
@@ -125,6 +133,7 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
             ": by the macros, as soon as the size is measured. No work offset is written"
         }
         (Some(_), None) if !request.tools().is_empty() => ": by the macros, as soon as each has measured",
+        (None, None) if request.dry.is_some() => ", in the work offset that is active",
         (None, None) => ", in the work offset that is active: nothing is written",
         _ if request.writes().is_empty() => "",
         (_, Some(_)) => CYCLE,

@@ -288,6 +288,8 @@ pub struct Request<'a> {
     pub tool: Option<i32>,
     /// Whether positioning is to be watched by the probe, where the control can.
     pub protected: bool,
+    /// Of a dry run by how much the path is lifted, mm: it measures nothing and writes nothing.
+    pub dry: Option<f64>,
     /// The work offset to write, 1 = G54; none measures only.
     pub work_offset: Option<i32>,
     /// How far results may be off before the program stops without writing.

@@ -4,7 +4,7 @@ use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, Value};
 use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, names};
 use crate::job::naming::job_name;
-use crate::job::sections::{FORMAT, SECTIONS, TOLERANCES, Units};
+use crate::job::sections::{FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, Units};
 use crate::job::units::default_in;
 use crate::tolerance::plain_of_result;
 
@@ -131,8 +131,18 @@ pub fn resolved(job: &Value) -> Option<Value> {
     if let Value::Map(entries) = &mut whole {
         entries.retain(|(key, _)| key != TOLERANCES);
         entries.extend(plain_tolerances(job));
+        entries.iter_mut().filter(|(key, _)| key == "control").for_each(|(_, control)| leave_normal_run(control));
     }
     Some(whole)
+}
+
+/// That a run is no dry one goes without saying: programs stay as they were before there were dry runs.
+fn leave_normal_run(control: &mut Value) {
+    if let Value::Map(entries) = control
+        && entries.iter().any(|(key, value)| key == "run" && *value == Value::Text(NORMAL_RUN.to_owned()))
+    {
+        entries.retain(|(key, value)| key != "run" && !(key == "lift" && *value == Value::Number(0.0)));
+    }
 }
 
 /// The tolerances of a job in characters that a comment of any control takes; none where it has none.

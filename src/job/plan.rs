@@ -269,9 +269,15 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         if checker.failed() {
             return Err(JobError { findings: std::mem::take(checker).findings() });
         }
-        let rows = predicted(planned, Some(planned.writes()), checker);
+        let asks = planned.dry.is_none().then(|| planned.writes());
+        let mut rows = predicted(planned, asks, checker);
+        if planned.dry.is_some() {
+            rows.iter_mut().for_each(unknown);
+        }
         let results = result_rows(job, path, rows);
-        report_results(planned, &results, checker);
+        if planned.dry.is_none() {
+            report_results(planned, &results, checker);
+        }
         return Ok(results);
     }
     let names: Vec<String> = path.members.iter().map(|member| member.name.clone()).collect();
@@ -286,17 +292,19 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     set_up::report_crossing(planned, checker);
     let failed = checker.failed() || own.iter().any(Checker::failed);
     // Nothing of a cycle is stored where the program does not come to its end.
-    let stopped = planned.run.collision.is_some() || planned.run.halt.is_some();
+    let stopped = planned.run.collision.is_some() || planned.run.halt.is_some() || planned.dry.is_some();
     let mut results = Vec::new();
     for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
         if !failed {
-            let asks = planned.run.halt.is_none().then(|| planned.writes());
+            let asks = (planned.run.halt.is_none() && planned.dry.is_none()).then(|| planned.writes());
             let mut rows = predicted(member, asks, &mut checker);
             if stopped {
                 rows.iter_mut().for_each(unknown);
             }
             let own = result_rows(&member.job, &member.path, rows);
-            report_results(member, &own, &mut checker);
+            if planned.dry.is_none() {
+                report_results(member, &own, &mut checker);
+            }
             let feeds = member.path.feeds.unwrap_or(member.job.feeds);
             (job.post.check)(&request(member, &feeds, None), &mut checker);
             results.extend(set_up::rows_of(i, own));
@@ -312,8 +320,10 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     let said: Vec<Finding> = whole.findings().into_iter().filter(|finding| !merged.has(&finding.code)).collect();
     merged.give(checker);
     said.into_iter().for_each(|finding| checker.adopt(set_up::of_whole(finding)));
-    report_rotation(job, path, checker);
-    follows::report(planned, checker);
+    if planned.dry.is_none() {
+        report_rotation(job, path, checker);
+        follows::report(planned, checker);
+    }
     if checker.failed() {
         return Err(JobError { findings: std::mem::take(checker).findings() });
     }
@@ -324,7 +334,9 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         }
         relations::add_rows(planned, rows, &mut results, Some(checker));
     }
-    results.extend(datum::written_rows(planned, &results));
+    if planned.dry.is_none() {
+        results.extend(datum::written_rows(planned, &results));
+    }
     Ok(results)
 }
 
@@ -454,7 +466,8 @@ pub fn writes_any(planned: &Planned) -> bool {
 
 /// What a program is to be written for.
 pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<&'a Value>) -> Request<'a> {
-    let Planned { job, path, .. } = planned;
+    let Planned { job, path, dry, .. } = planned;
+    let measures = dry.is_none();
     Request {
         post: job.post,
         tool: job.tool,
@@ -471,8 +484,9 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
         limits: job.limits,
         orient: job.orient,
         report: job.report,
-        path,
-        protected: job.protected,
+        path: dry.as_ref().unwrap_or(path),
+        protected: job.protected || !measures,
+        dry: job.dry,
         job: whole,
         header: job.header,
         numbered: OnceCell::new(),

@@ -124,6 +124,8 @@ pub struct Planned {
     pub refused: Refused,
     /// The cycles of a set-up, each as if it were alone; empty where there is one cycle.
     pub members: Vec<Planned>,
+    /// The path of a dry run, which the program makes in the place of this one.
+    pub dry: Option<Path>,
 }
 
 impl Planned {
@@ -144,12 +146,13 @@ impl Planned {
             (Some(own), Some(cycles)) => own_run(&path, own, cycles, &surfaces, job.setup.radius),
             _ => part::run(&path, &surfaces, &job.setup),
         };
-        Planned { job, path, surfaces, run, refused, members: Vec::new() }
+        let dry = job.dry.map(|lift| path.dry(lift));
+        Planned { job, path, surfaces, run, refused, members: Vec::new(), dry }
     }
 
     /// Whether the program writes a work offset.
     pub fn writes(&self) -> bool {
-        self.job.work_offset.is_some() && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
+        self.dry.is_none() && self.job.work_offset.is_some() && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
     }
 
     /// The parameter table, in the job's units.

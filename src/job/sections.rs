@@ -108,6 +108,13 @@ const PROTECTIONS: &[Choice] = &[
     Choice { value: Protection::None.word(), label: "Not watched" },
 ];
 
+const RUNS: &[Choice] =
+    &[Choice { value: NORMAL_RUN, label: "Normal" }, Choice { value: DRY_RUN, label: "Dry run: measures and writes nothing" }];
+
+/// The run that measures, and the one that tries the moves.
+pub const NORMAL_RUN: &str = "normal";
+const DRY_RUN: &str = "dry";
+
 const REPORTS: &[Choice] = &[
     Choice { value: Report::Screen.word(), label: "On the screen" },
     Choice { value: Report::Log.word(), label: "In a log" },
@@ -199,6 +206,10 @@ form! {
         work_offset: Option<i32> = Field::count("workOffset", "Work offset to write", 1, 1, 105).null_by_default().null_means("measure only").group("Program and machine"),
         /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
         protection: String = Field::choice("protection", "Positioning", PROTECTIONS).group("Program and machine"),
+        /// A dry run makes the same moves without a part: a touch ends at its nominal contact, a contact anywhere stops it, and nothing is written.
+        run: String = Field::choice("run", "Run", RUNS).group("Program and machine"),
+        /// How much higher along the tool axis the whole path of a dry run lies: above the part it can be run with the part in the machine.
+        lift: f64 = Field::length("lift", "Height of a dry run", 0.0).range(0.0, 1000.0).usual(0.0, 300.0).group("Program and machine"),
         /// How much the comments at the top say: with the whole job the program can be opened here again.
         header: String = Field::choice("header", "Comments at the top", HEADERS).group("Program and machine"),
         /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call.
@@ -284,6 +295,8 @@ pub struct Job {
     pub tool: Option<i32>,
     /// Whether positioning is to be watched, where the control can.
     pub protected: bool,
+    /// Of a dry run by how much its path is lifted, mm.
+    pub dry: Option<f64>,
     pub header: Header,
     /// The work offset to write, 1 = G54; none measures only.
     pub work_offset: Option<i32>,
@@ -426,6 +439,7 @@ impl Job {
             tool: control.tool,
             header: Header::named(&control.header),
             protected: control.protection == Protection::Checked.word(),
+            dry: (control.run == DRY_RUN).then_some(control.lift),
             work_offset: control.work_offset,
             orient: control.orient,
             report: Report::named(&control.report),
@@ -521,6 +535,21 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
             Err(_) => text!("{title} does not take this cycle in the form \"{form}\": {why}", title, form, why),
         };
         checker.error("form-unsupported", "control.form", message);
+    }
+    if control.run == DRY_RUN && Form::named(&control.form) == Form::Cycle {
+        let message = match def.map_or(Ok(()), |def| (post.serves)(def.probes, Form::Moves)) {
+            Ok(()) => {
+                text!("The control's own cycle touches by itself: a dry run is a program of moves. Use the form \"moves\"")
+            }
+            Err(_) => text!(
+                "The control's own cycle touches by itself, and {title} takes no moves: it has no dry run",
+                post.title.to_owned()
+            ),
+        };
+        checker.error("dry-run-unsupported", "control.run", message);
+    }
+    if control.run != DRY_RUN && control.lift != 0.0 {
+        checker.info("lift-unused", "control.lift", text!("Only a dry run is lifted: this height changes nothing"));
     }
     if control.number.is_some() && post.unused.contains(&"number") {
         let message = text!("Programs for {title} have no number: it is ignored", post.title.to_owned());

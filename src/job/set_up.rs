@@ -278,7 +278,8 @@ fn join(
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
     let path = Path::join(cycles, clear.unwrap_or(highest), feeds, (way, relate), (job.setup.plane.axes(), reaches));
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
-    Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members }
+    let dry = job.dry.map(|lift| path.dry(lift));
+    Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members, dry }
 }
 
 /// Which part a path is run on.

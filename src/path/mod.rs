@@ -243,6 +243,29 @@ pub struct Repeat {
 }
 
 impl Path {
+    /// The same moves for a run that measures nothing, so much higher along the tool axis: a touch is a positioning move to its nominal contact.
+    pub fn dry(&self, lift: f64) -> Path {
+        let up = self.frame.w * lift;
+        let moves = self.moves.iter().map(|step| Move {
+            to: step.to + up,
+            purpose: Purpose::Position,
+            arc: step.arc.map(|arc| Arc { center: arc.center + up, ..arc }),
+            ..*step
+        });
+        let mut members = self.members.clone();
+        members.iter_mut().for_each(|member| member.placing = follow::Placing::default());
+        Path {
+            touches: Vec::new(),
+            moves: moves.collect(),
+            formula: Formula::default(),
+            members,
+            own: None,
+            relations: Vec::new(),
+            shifts: Vec::new(),
+            ..self.clone()
+        }
+    }
+
     /// The moves that touch, in order: which touch, where the move begins (none where that is not known), and the move.
     pub fn searches(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &Move)> {
         let begins = std::iter::once(self.start).chain(self.moves.iter().map(|step| Some(step.to)));

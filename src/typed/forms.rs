@@ -994,6 +994,10 @@ pub struct Control {
     pub work_offset: Option<Option<i32>>,
     /// Whether positioning moves are watched by the probe, where the control can: a contact then stops the program.
     pub protection: Option<Protection>,
+    /// A dry run makes the same moves without a part: a touch ends at its nominal contact, a contact anywhere stops it, and nothing is written.
+    pub run: Option<Run>,
+    /// How much higher along the tool axis the whole path of a dry run lies: above the part it can be run with the part in the machine.
+    pub lift: Option<f64>,
     /// How much the comments at the top say: with the whole job the program can be opened here again.
     pub header: Option<Header>,
     /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call. `Some(None)`: in the spindle, not called.
@@ -1009,7 +1013,7 @@ pub struct Control {
 }
 
 impl Given for Control {
-    fn given(&self) -> Value { map([("post", of(&self.post)), ("form", of(&self.form)), ("workOffset", of(&self.work_offset)), ("protection", of(&self.protection)), ("header", of(&self.header)), ("tool", of(&self.tool)), ("orient", of(&self.orient)), ("report", of(&self.report)), ("setUp", of(&self.set_up)), ("number", of(&self.number))]) }
+    fn given(&self) -> Value { map([("post", of(&self.post)), ("form", of(&self.form)), ("workOffset", of(&self.work_offset)), ("protection", of(&self.protection)), ("run", of(&self.run)), ("lift", of(&self.lift)), ("header", of(&self.header)), ("tool", of(&self.tool)), ("orient", of(&self.orient)), ("report", of(&self.report)), ("setUp", of(&self.set_up)), ("number", of(&self.number))]) }
 }
 
 /// The section `tool` of a job.
@@ -1179,6 +1183,19 @@ pub enum Report {
 
 impl Given for Report {
     fn given(&self) -> Value { Value::Text(match self { Report::Screen => "screen", Report::Log => "log", Report::None => "none" }.to_owned()) }
+}
+
+/// One of a fixed set of words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Run {
+    /// `normal`.
+    Normal,
+    /// `dry`.
+    Dry,
+}
+
+impl Given for Run {
+    fn given(&self) -> Value { Value::Text(match self { Run::Normal => "normal", Run::Dry => "dry" }.to_owned()) }
 }
 
 /// One of a fixed set of words.

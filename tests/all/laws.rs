@@ -93,6 +93,8 @@ pub fn whole_job() -> impl Strategy<Value = Value> {
             }
             let form = if klartext && def.home.0 == "heidenhain" { "cycle" } else { "moves" };
             job = with(&job, "control.form", Value::Text(form.to_owned()));
+            // A dry run has a law of its own.
+            job = with(&job, "control.run", Value::Text("normal".to_owned()));
             if form == "cycle" { with(&job, "control.workOffset", Value::Null) } else { job }
         })
     })

@@ -7,6 +7,7 @@ mod config;
 mod controls;
 mod does;
 mod draws;
+mod dry;
 mod edges;
 mod family;
 mod fanuc;

@@ -709,6 +709,10 @@ export interface Job {
     workOffset?: number | null;
     /** Whether positioning moves are watched by the probe, where the control can: a contact then stops the program. */
     protection?: "checked" | "none";
+    /** A dry run makes the same moves without a part: a touch ends at its nominal contact, a contact anywhere stops it, and nothing is written. */
+    run?: "normal" | "dry";
+    /** How much higher along the tool axis the whole path of a dry run lies: above the part it can be run with the part in the machine. */
+    lift?: number;
     /** How much the comments at the top say: with the whole job the program can be opened here again. */
     header?: "full" | "short";
     /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call. `null`: in the spindle, not called. */

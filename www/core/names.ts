@@ -19,8 +19,12 @@ export function stem(name: unknown): string {
   return DEVICES.test(plain) ? `${plain}_` : plain;
 }
 
-/** The stem of a program's file: the program's own name where it says one (HEIDENHAIN wants them the same), or else the job's. */
+/** The first comment of a dry run. */
+const DRY = /^[%\s]*(?:O\d+[^\n]*\n)?\s*[(;]\s*DRY RUN/i;
+
+/** The stem of a program's file: the program's own name where it says one (HEIDENHAIN wants them the same), or else the job's; that of a dry run ends in `-DRY`. */
 export function programStem(name: unknown, text: string): string {
+  if (DRY.test(text)) return `${stem(name)}-DRY`;
   const own = /^0 BEGIN PGM ([A-Za-z0-9_-]+) /.exec(text)?.[1];
   return own && !DEVICES.test(own) ? own : stem(name);
 }

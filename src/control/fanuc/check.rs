@@ -36,7 +36,7 @@ pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
 /// Whether the two can do what is asked for.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = text!(
-        "G31, skip positions and work offset origins follow posts and macros in use; none of it was run on a control: try it without a part, with a hand on feed hold. G31 may ignore the feed override"
+        "G31, skip positions and work offset origins follow posts and macros in use; none of it was run on a control: make a dry run first, with a hand on feed hold. G31 may ignore the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
     let rapid = request.path.moves.iter().find(|m| request.feeds.rate(m.feed).is_none());

@@ -491,7 +491,10 @@ impl Skip<'_> {
             ));
         }
         w.comment(
-            "Not verified on a control: run it without a part first, feed hold at hand. G31 may ignore the feed override",
+            match request.dry {
+                Some(_) => "Not verified on a control: feed hold at hand. G31 may ignore the feed override",
+                None => "Not verified on a control: make the dry run of the job first, feed hold at hand. G31 may ignore the feed override",
+            },
         );
         if self.moving() {
             w.comment(
@@ -528,8 +531,9 @@ impl Skip<'_> {
             forget.into_iter().for_each(|forget| w.line(forget));
             w.line(&format!("#3000={alarm}"));
         };
-        exit(FREE, Some("9011"), forget.as_ref(), "1(CONTACT IN MOVE #149)");
-        exit(BLOCKED, None, forget.as_ref(), "1(CONTACT IN MOVE #149)");
+        let contact = if self.request.dry.is_some() { "1(DRY RUN: IN THE WAY, #149)" } else { "1(CONTACT IN MOVE #149)" };
+        exit(FREE, Some("9011"), forget.as_ref(), contact);
+        exit(BLOCKED, None, forget.as_ref(), contact);
         exit(MISSED, Some("9012"), forget.as_ref(), "2(NO CONTACT IN TOUCH #149)");
         let start =
             if self.request.path.start.is_some() { "4(STYLUS NOT AT STATED START)" } else { "4(STYLUS TOO LOW TO START)" };

@@ -201,6 +201,12 @@ impl<'a> Writer<'a> {
     pub fn header(&mut self, offset: &str) {
         let request = self.request;
         let unit = if request.scale == 1.0 { "mm" } else { "inch" };
+        if let Some(lift) = request.dry {
+            let lifted = if lift > 0.0 { format!(", {} above the path of the job", self.number(lift)) } else { String::new() };
+            self.comment(&format!(
+                "DRY RUN{lifted}: the moves alone. A contact anywhere stops it. Nothing is measured or written"
+            ));
+        }
         self.comment(&format!("Job: {}", comment_text(request.name)));
         match request.path.members.len() {
             0 => self.comment(&format!("{}: {}", request.source, request.title)),

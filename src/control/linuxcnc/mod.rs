@@ -321,7 +321,10 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     w.line("o1 endif");
     // ABORT throws away the moves that are read but not yet made: M66 waits until the lift is done.
     w.line("M66 E0 L0");
-    w.line("(ABORT,Contact in move #1, which must be free. Nothing is written)");
+    w.line(match request.dry {
+        Some(_) => "(ABORT,Dry run: something is in the way of move #1)",
+        None => "(ABORT,Contact in move #1, which must be free. Nothing is written)",
+    });
     w.line("M2");
     w.line("o<tp_exit> endsub");
     if request.path.start.is_some() && across_from_stated(request).is_none() {

@@ -91,7 +91,7 @@ fn called(own: &Own) -> impl Iterator<Item = u32> {
 pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &mut Checker) {
     let Some(own) = &request.path.own else { return };
     let message = text!(
-        "The program calls Renishaw's macros, which must be installed and calibrated: they choose touches, order and feeds. Nothing of it was run on a control: try it without a part, with a hand on feed hold"
+        "The program calls Renishaw's macros, which must be installed and calibrated: they choose touches, order and feeds. Nothing of it was run on a control: keep a hand on feed hold. Without a part it ends at the first touch"
     );
     checker.info("not-verified", "control.form", message);
     if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
@@ -267,7 +267,7 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     if !names.is_empty() {
         w.comment(&format!("Results: {}", names.join(", ")));
     }
-    w.comment("Not verified on a control: try it without a part first");
+    w.comment("Not verified on a control: without a part it ends at the first touch. Keep a hand on feed hold");
     w.says_job();
     w.modes();
     w.line("M5");

@@ -90,7 +90,7 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     let unverified = text!(
-        "That MEAS ends a move at the contact, and what $A_PROBE and $AA_IW hold, is recalled and not verified; $AC_MEA and $AA_MW follow the description of a converter, CYCLE977 working programs. None of it was run on a control: try it without a part first, with a hand on the feed override"
+        "That MEAS ends a move at the contact, and what $A_PROBE and $AA_IW hold, is recalled and not verified; $AC_MEA and $AA_MW follow the description of a converter, CYCLE977 working programs. None of it was run on a control: keep a hand on the feed override. Without a part a program ends at the first touch, but for the dry run of moves"
     );
     checker.info("not-verified", "control.post", unverified);
     if request.path.own.as_ref().is_some_and(|own| !own.guards.is_empty()) {
@@ -558,7 +558,10 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     // Where something jumps to an exit that lifts: a watched move, or a touch.
     let touches = request.form == Form::Moves;
     if let Some(first) = request.path.moves.first().filter(|_| request.protected || touches) {
-        let contact = format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")");
+        let contact = match request.dry {
+            Some(_) => "MSG(\"Dry run: something is in the way of move \"<<TP_MOVE)".to_owned(),
+            None => format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")"),
+        };
         // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
         let (axis, height) = (AXIS_NAMES[tool], w.number(request.highest()[tool]));
         if request.protected {
