@@ -127,9 +127,9 @@ static OKUMA_OWN: OwnCycles = OwnCycles {
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
-        (_, Form::Moves) => Err(words!(
-            "no source says how the control answers a program that asks for modes, tool length and contacts: use its own cycles"
-        )),
+        (_, Form::Moves) => {
+            Err(words!("no source says how the control answers a program that asks for modes, tool length and contacts"))
+        }
         (Subject::Wall, Form::Cycle) => {
             Err(words!("the macro for the angle of a wall, 9843, is read and drawn, and not written"))
         }

@@ -159,6 +159,8 @@ pub struct PostDef {
     pub no_work_offset: &'static str,
     /// The fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
+    /// Paths of the job's fields that programs of its own cycles do not use.
+    pub unused_by_cycles: &'static [&'static str],
     /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
     pub first_length: bool,
     /// Whether its program computes the results itself: in plain arithmetic, circles by their normal equations and not by geometric least
@@ -213,6 +215,7 @@ pub const BASE: PostDef = PostDef {
     rotates: true,
     no_work_offset: "",
     unused: &[],
+    unused_by_cycles: &["control.protection", "feeds.work", "feeds.retract"],
     first_length: false,
     computes: true,
     when: When::AtTheEnd,

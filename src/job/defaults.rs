@@ -64,6 +64,14 @@ fn typed(mm: f64) -> f64 {
     }
 }
 
+/// Whether a field has this value in a job that says nothing of it, in whichever units.
+pub fn is_default(field: &Field, value: &Value) -> bool {
+    let units =
+        [(Units::Mm, Inch::Exact), (Units::Inch, Inch::Exact), (Units::Inch, Inch::Converted), (Units::Inch, Inch::Typed)];
+    let same = |(units, inch)| default_values(std::slice::from_ref(field), units, inch).iter().all(|(_, known)| known == value);
+    units.into_iter().any(same)
+}
+
 /// A job with the name of what it measures.
 fn named(mut job: Value) -> Value {
     let name = Value::Text(job_name(&job));
@@ -197,7 +205,7 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
 }
 
 /// Puts what `over` says over what is there; lists are taken whole.
-fn overlay(under: &mut Value, over: &Value) {
+pub(super) fn overlay(under: &mut Value, over: &Value) {
     let (Value::Map(entries), Value::Map(given)) = (&mut *under, over) else {
         *under = over.clone();
         return;

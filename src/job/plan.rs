@@ -11,12 +11,13 @@ use crate::formula::{self, Role};
 use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
 use crate::job::cycles::is_set_up;
+use crate::job::defaults::{is_default, overlay};
 use crate::job::inertia::report_inertia;
 use crate::job::judge::{judge, report_judged};
 use crate::job::planned::{Planned, judge_touches};
 use crate::job::rows::{Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows, triple};
 use crate::job::stylus::{report_stylus, report_unknown};
-use crate::job::{Job, JobError, datum, follows, relations, resolved, set_up, tolerances, wear};
+use crate::job::{Job, JobError, SECTIONS, datum, follows, relations, resolved, set_up, tolerances, wear};
 use crate::num::{decimal, tidy};
 use crate::part;
 use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault};
@@ -24,10 +25,52 @@ use crate::text::{Text, text};
 
 /// Reads a job and plans its path, or those of its cycles. Reports everything; none where anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
+    let planned = read_in_its_form(checker, value);
+    if checker.has_at("form-unsupported", "control.form") && is_taken_in(value, Form::Cycle) {
+        checker.info("other-form", "control.form", text!("The control takes this job in the form \"cycle\""));
+    }
+    planned
+}
+
+fn read_in_its_form(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let read = if is_set_up(value) { set_up::read(checker, value) } else { Job::read(checker, value).map(Planned::of) };
     let mut planned = read?;
     tolerances::read(checker, value, &mut planned);
+    report_unused(&planned.job, value, checker);
     (!checker.failed()).then_some(planned)
+}
+
+/// Values that are given, and that a program for this control, or of this form, does not use.
+fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
+    let post = job.post;
+    // A program number has a finding of its own.
+    let of_control = post.unused.iter().filter(|key| **key != "number").map(|key| ("control", *key));
+    let of_cycles = post.unused_by_cycles.iter().filter(|_| job.form == Form::Cycle).filter_map(|path| path.split_once('.'));
+    for (section, key) in of_control.chain(of_cycles) {
+        let Some(given) = value.get(section).and_then(|entries| entries.get(key)) else { continue };
+        let fields = SECTIONS.iter().find(|(path, _)| *path == section).map_or(&[][..], |(_, fields)| *fields);
+        let Some(field) = fields.iter().find(|field| field.key == key).filter(|field| !is_default(field, given)) else {
+            continue;
+        };
+        let message = match post.unused.contains(&key) {
+            true => text!(
+                "Programs for {title} do not use \"{field}\": it changes nothing",
+                post.title.to_owned(),
+                Text::words(field.label)
+            ),
+            false => text!("The control's own cycles do not use \"{field}\": it changes nothing", Text::words(field.label)),
+        };
+        checker.info("field-unused", format!("{section}.{key}"), message);
+    }
+}
+
+/// Whether the control takes a job in this form.
+fn is_taken_in(value: &Value, form: Form) -> bool {
+    let mut value = value.clone();
+    let form = Value::Map(vec![("form".to_owned(), Value::Text(form.word().to_owned()))]);
+    overlay(&mut value, &Value::Map(vec![("control".to_owned(), form)]));
+    let planned = read_in_its_form(&mut Checker::default(), &value);
+    planned.is_some_and(|planned| planned.refused.is_empty() && planned.members.iter().all(|cycle| cycle.refused.is_empty()))
 }
 
 /// What the whole path must hold, whatever cycle it is of.

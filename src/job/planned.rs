@@ -62,6 +62,7 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
         set_up: job.set_up,
         clear,
         wear: &job.wear,
+        takes_moves: (job.post.serves)(job.def.probes, Form::Moves).is_ok(),
     };
     let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
     match own {

@@ -402,9 +402,15 @@ impl Job {
         check_name(checker, post, &general.name);
         let repeats = cycle.as_ref().is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1));
         if repeats && Form::named(&control.form) == Form::Cycle {
-            let message = text!(
-                "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
-            );
+            let takes_moves = cycle.as_ref().is_some_and(|(def, ..)| (post.serves)(def.probes, Form::Moves).is_ok());
+            let message = match takes_moves {
+                true => text!(
+                    "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
+                ),
+                false => {
+                    text!("The control's own cycles touch each point as often as the control is set to: touch each point once")
+                }
+            };
             checker.error("repeat-unsupported", "cycle.repeat", message);
         }
         let extruded = matches!(value.get("cycle").and_then(|cycle| cycle.get("extrusion")), Some(Value::Map(_)));
@@ -522,7 +528,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         let other = Form::named(&control.form).other();
         let (title, form) = (post.title.to_owned(), control.form.clone());
         let message = match (post.serves)(def.probes, other) {
-            Ok(()) => {
+            Ok(()) if other == Form::Moves => {
                 let other = other.word().to_owned();
                 text!(
                     "{title} does not take this cycle in the form \"{form}\": {why}. Use the form \"{other}\"",
@@ -532,7 +538,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
                     other
                 )
             }
-            Err(_) => text!("{title} does not take this cycle in the form \"{form}\": {why}", title, form, why),
+            _ => text!("{title} does not take this cycle in the form \"{form}\": {why}", title, form, why),
         };
         checker.error("form-unsupported", "control.form", message);
     }

@@ -2,14 +2,23 @@
 
 use std::collections::BTreeSet;
 
-use crate::common::{job, owed};
+use crate::common::{job, owed, with};
 use crate::tests::safety::{BROKEN, DANGEROUS};
 use touchpath::control::iso::writer::Dialect;
 use touchpath::control::{Form, POSTS, PostDef};
-use touchpath::cycle::CYCLES;
-use touchpath::job;
+use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::form::{Field, Kind, Level, Value};
+use touchpath::job::{self, SECTIONS, check, default_job, plan};
 
 type Keys = Vec<&'static str>;
+
+fn text(word: &str) -> Value {
+    Value::Text(word.to_owned())
+}
+
+fn hole() -> &'static CycleDef {
+    touchpath::cycle::find("hole").expect("a cycle")
+}
 
 /// The keys of the controls that can do this, in the order of the form: what a test is of, so that one more control joins it by itself.
 fn which(can: impl Fn(&PostDef) -> bool) -> Keys {
@@ -185,4 +194,109 @@ fn a_dialect_of_its_own_is_written() {
     assert!(text.contains("X42.06 "), "{text}");
     assert!(text.lines().filter(|line| line.starts_with('(')).all(|line| line.len() <= 30), "{text}");
     assert_eq!(own.half_digit(1.0), 0.005 * (1.0 + 1e-6));
+}
+
+/// The control's refusals: every cycle in every form, and what makes a control's own cycle refuse it.
+fn refused_jobs() -> Vec<Value> {
+    let variants: [&[(&str, &str)]; 8] = [
+        &[],
+        &[("cycle.rotation", "30")],
+        &[("cycle.count1", "3"), ("cycle.count2", "3")],
+        &[("cycle.stepCount", "5"), ("cycle.angularStep", "70")],
+        &[("cycle.elevation", "30")],
+        &[("cycle.repeat", r#"{ "times": 2 }"#)],
+        &[("control.workOffset", "1"), ("cycle.rotation", "30")],
+        &[("plane", "\"G18\"")],
+    ];
+    let mut jobs = Vec::new();
+    for post in POSTS {
+        for def in CYCLES {
+            for form in Form::ALL {
+                for changes in variants {
+                    let mut job = with(&default_job(def.key).unwrap(), "control.post", text(post.key));
+                    job = with(&job, "control.form", text(form.word()));
+                    for (path, value) in changes {
+                        let key = path.strip_prefix("cycle.");
+                        if key.is_none_or(|key| key == "repeat" || def.fields.iter().any(|field| field.key == key)) {
+                            job = with(&job, path, crate::common::job(value));
+                        }
+                    }
+                    jobs.push(job);
+                }
+            }
+        }
+    }
+    jobs
+}
+
+/// A message never recommends what the control refuses: where one names a form, the job is not refused for that form.
+#[test]
+fn no_message_recommends_what_the_control_refuses() {
+    let mut asked = 0;
+    for job in refused_jobs() {
+        for finding in check(&job).into_iter().filter(|f| f.level == Level::Error) {
+            for form in Form::ALL {
+                if !finding.message.contains(&format!("Use the form \"{}\"", form.word())) {
+                    continue;
+                }
+                let other = check(&with(&job, "control.form", text(form.word())));
+                let refused: Vec<_> =
+                    other.iter().filter(|f| f.level == Level::Error && f.message.contains("form \"")).collect();
+                assert!(refused.is_empty(), "{}\n{refused:?}", finding.message);
+                asked += 1;
+            }
+        }
+    }
+    assert!(asked > 100, "{asked}");
+}
+
+/// Another value that a field takes.
+fn changed(field: &Field) -> Vec<Value> {
+    let numbers = |low: f64, high: f64| [low, high, (low + high) / 2.0].map(Value::Number).to_vec();
+    let (low, high) = field.usual.unwrap_or((field.hard.min.max(1.0), field.hard.max.min(9.0)));
+    match field.kind {
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => numbers(low, high),
+        Kind::Count => [1.0, 2.0, 7.0].map(Value::Number).to_vec(),
+        Kind::Flag => [true, false].map(Value::Flag).to_vec(),
+        Kind::Choice(choices) => choices.iter().map(|choice| text(choice.value)).collect(),
+        Kind::Text(_) => vec![text("OTHER")],
+        _ => Vec::new(),
+    }
+}
+
+/// Changing a field of the control or a feed changes the program of some cycle, or is said to change nothing.
+#[test]
+fn no_field_is_ignored_without_a_word() {
+    let mut silent = BTreeSet::new();
+    let fields = SECTIONS.iter().filter(|(section, _)| ["control", "feeds"].contains(section));
+    let paths: Vec<(String, &Field)> = fields
+        .flat_map(|(section, fields)| fields.iter().map(move |field| (format!("{section}.{}", field.key), field)))
+        .collect();
+    for post in POSTS {
+        for form in Form::ALL {
+            let cycles = CYCLES.iter().filter(|def| (post.serves)(def.probes, form).is_ok());
+            let jobs: Vec<Value> = cycles
+                .map(|def| {
+                    let job = with(&default_job(def.key).unwrap(), "control.post", text(post.key));
+                    with(&with(&job, "control.form", text(form.word())), "control.header", text("short"))
+                })
+                .collect();
+            let said =
+                |job: &Value| plan(job).map(|plan| (plan.program.text, plan.findings)).map_err(|refused| refused.findings);
+            let before: Vec<_> = jobs.iter().map(said).collect();
+            if before.iter().all(Result::is_err) {
+                continue;
+            }
+            for (path, field) in &paths {
+                let own = ["control.post", "control.form", "control.header"].contains(&path.as_str());
+                let changes = |value: &Value| {
+                    jobs.iter().zip(&before).any(|(job, before)| said(&with(job, path, value.clone())) != *before)
+                };
+                if !own && !changed(field).iter().any(changes) {
+                    silent.insert(format!("{path} on {} {}", post.key, form.word()));
+                }
+            }
+        }
+    }
+    assert!(silent.is_empty(), "{silent:#?}");
 }

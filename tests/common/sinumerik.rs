@@ -198,6 +198,8 @@ impl Machine {
             }
             Term::System(name, parts) => match (name.as_str(), parts.as_slice()) {
                 ("$AC_MEA", _) => self.state,
+                // What the measuring cycles give is theirs.
+                ("_OVR", [_]) => 0.0,
                 ("$A_PROBE", _) => truth(self.is_deflected()),
                 ("$MN_SCALING_SYSTEM_IS_METRIC", []) => truth(self.metric),
                 ("$AA_MW" | "$AA_IW", [axis]) => at[axis_of(axis)?],

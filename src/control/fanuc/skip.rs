@@ -265,7 +265,8 @@ impl Moves for Skip<'_> {
             return;
         }
         if let Some(angle) = request.orient {
-            let word = self.flavour.angle.map(|word| format!("{word}{}", decimal(angle, 3)));
+            let point = if angle.fract() == 0.0 { "." } else { "" };
+            let word = self.flavour.angle.map(|word| format!("{word}{}{point}", decimal(angle, 3)));
             w.parts(&["M19", &word.unwrap_or_default()]);
         }
         if let Some(n) = request.work_offset {

@@ -35,6 +35,14 @@ pub static DEF: PostDef = PostDef {
     watches: false,
     dialect: &Dialect { comment: ("; ", ""), comment_width: 72, numbered: true, ..PLAIN },
     unused: &["orient", "number"],
+    unused_by_cycles: &[
+        "control.protection",
+        "feeds.approach",
+        "feeds.longLink",
+        "feeds.work",
+        "feeds.retract",
+        "feeds.return",
+    ],
     name: program_name,
     rate: |request, _, step| request.feeds.rate(step.feed),
     serves,
@@ -47,9 +55,9 @@ pub static DEF: PostDef = PostDef {
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (Subject::Switch | Subject::Action, _) => Err("the control has no cycle for it"),
-        (_, Form::Moves) => Err(
-            "our sources do not document the control's low-level probing blocks well enough to write these moves: use its own cycle",
-        ),
+        (_, Form::Moves) => {
+            Err("our sources do not document the control's low-level probing blocks well enough to write these moves")
+        }
         (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, Form::Cycle) => Err(
             "no source shows the whole block of the corner cycles 414 and 415, and programs of one cycle 427 a touch with arithmetic in Q parameters are not made",
         ),

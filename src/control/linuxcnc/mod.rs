@@ -272,6 +272,9 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
     }
     if !request.path.moves.is_empty() {
         w.comment(&orientation_line(request));
+        if request.orient.is_none() {
+            w.comment("M5 releases the spindle from an M19 before it: control.orient turns it in the program");
+        }
     }
     w.says_job();
     if request.protected && !request.path.moves.is_empty() {

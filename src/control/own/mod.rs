@@ -9,7 +9,7 @@ use crate::formula::{Limits, Wear};
 use crate::geom::Vec3;
 use crate::num::{decimal, tidy};
 use crate::path::{Feed, Feeds, Own, OwnBlock, Path, Setup, Stored};
-use crate::text::Text;
+use crate::text::{Text, words};
 
 /// What such a path is to be planned for.
 #[derive(Debug)]
@@ -34,6 +34,8 @@ pub struct OwnRequest<'a> {
     pub clear: Option<f64>,
     /// The tools that are corrected, by the codes of the results.
     pub wear: &'a [(String, Wear)],
+    /// Whether the control takes the job as a program of moves.
+    pub takes_moves: bool,
 }
 
 /// Why a job is refused: code, field, words.
@@ -78,6 +80,11 @@ pub struct Several {
 }
 
 impl OwnRequest<'_> {
+    /// What else can be done where its own cycles do not take a job.
+    pub fn advice(&self) -> Text {
+        Text::words(if self.takes_moves { words!(". Use the form \"moves\"") } else { "" })
+    }
+
     /// A length, mm, in the job's unit.
     pub fn length(&self, mm: f64) -> String {
         let unit = if self.scale == 1.0 { "mm" } else { "inch" };

@@ -6,8 +6,8 @@
 
 use crate::control::iso::writer::Writer;
 use crate::control::{
-    Program, Request, check_orientation, check_plain_moves, check_rotary, check_write, does, number, offsets, orientation_line,
-    rotation_field,
+    Program, Report, Request, check_orientation, check_plain_moves, check_rotary, check_write, does, number, offsets,
+    orientation_line, rotation_field,
 };
 use crate::form::Checker;
 use crate::num::decimal;
@@ -186,11 +186,22 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
     if probes && calls.switches {
         w.line(&call(calls, OFF, &[]));
     }
+    let names = results(request);
+    if probes && request.report == Report::Screen && !names.is_empty() {
+        w.comment(&format!("Read the results now: {}", names.join(", ")));
+        w.line("M0");
+    }
     w.line(calls.end);
     if let Some(tape) = calls.tape {
         w.line(tape);
     }
     w.finish()
+}
+
+/// Where each result is: `#135 center.x`.
+fn results(request: &Request<'_>) -> Vec<String> {
+    let named = |(code, stored): &(String, Stored)| Some(format!("{} {}", (request.post.own?.name)(*stored), code));
+    request.path.stored().iter().filter_map(named).collect()
 }
 
 /// A call as the control writes it.
@@ -200,10 +211,21 @@ fn call(calls: &Calls, number: u32, words: &[(char, String)]) -> String {
     format!("{}{}{}", calls.call, number - calls.lower, words.collect::<String>())
 }
 
+/// Turns the spindle to the angle of the job.
+fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
+    if let Some(angle) = request.orient.filter(|_| request.post.orients.is_ok()) {
+        let point = if request.post.dialect.points && angle.fract() == 0.0 { "." } else { "" };
+        let word = calls.angle.map(|word| format!("{word}{}{point}", decimal(angle, 3)));
+        w.parts(&["M19", &word.unwrap_or_default()]);
+    }
+}
+
 /// Where the stylus stands is not known: in the plane first, at whatever height, then down.
 fn approach(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     if calls.switches {
         w.line(&call(calls, ON, &[]));
+        // The macro orients the spindle itself, to where the control has it.
+        orient(request, calls, w);
     }
     let (first, rate) = (own.first, request.feeds.approach.unwrap_or(STATED_RAPID));
     let [x, y, z, feed] = [first.x, first.y, first.z - request.setup.radius, rate].map(|value| w.number(value).to_string());
@@ -261,9 +283,14 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
         "Before the start: probe in the spindle, {} active, the stylus above {z}: it goes there in the plane first",
         calls.length
     ));
-    w.comment(&orientation_line(request));
-    let named = |(code, stored): &(String, Stored)| Some(format!("{} {}", (request.post.own?.name)(*stored), code));
-    let names: Vec<String> = request.path.stored().iter().filter_map(named).collect();
+    match request.orient.filter(|_| request.post.orients.is_ok()) {
+        None if calls.switches => w.comment(&format!(
+            "{} may turn the spindle by M19, as one edition of it does: the probe must be calibrated at that angle",
+            calls.name(ON)
+        )),
+        _ => w.comment(&orientation_line(request)),
+    }
+    let names = results(request);
     if !names.is_empty() {
         w.comment(&format!("Results: {}", names.join(", ")));
     }
@@ -272,9 +299,8 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     w.modes();
     w.line("M5");
     w.line("M9");
-    if let Some(angle) = request.orient.filter(|_| request.post.orients.is_ok()) {
-        let word = calls.angle.map(|word| format!("{word}{}", decimal(angle, 3)));
-        w.parts(&["M19", &word.unwrap_or_default()]);
+    if !calls.switches {
+        orient(request, calls, w);
     }
     if let Some(n) = request.work_offset {
         w.line(&(request.post.work_offset_word)(n));

@@ -25,8 +25,6 @@ const LEAST_CLEARANCE: f64 = 0.2;
 /// How nearly directions and places must agree.
 const NEAR: f64 = 1e-6;
 
-const ADVICE: &str = words!(". Use the form \"moves\"");
-
 /// The path that the macros make of a job's feature, with the calls.
 pub fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     let mut program = Program::of(request)?;
@@ -89,7 +87,7 @@ impl<'a> Program<'a> {
             ));
         }
         if path.picked {
-            let message = text!("The macros choose their own touch points{advice}", Text::words(ADVICE));
+            let message = text!("The macros choose their own touch points{advice}", request.advice());
             return Err(refused("cycle-chooses-points", "cycle.touches", message));
         }
         let first = path.moves.first().map_or(Vec3::ZERO, |step| step.to);
@@ -155,7 +153,7 @@ impl<'a> Program<'a> {
                 "The macros count the search by the ball's centre from the surface: an overtravel of {overtravel} behind the contact ends in front of it. More than the ball's radius, {radius}, is needed{advice}",
                 self.request.length(overtravel.value),
                 self.request.length(self.radius),
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("overtravel-too-short", overtravel.field, message));
         }
@@ -293,7 +291,7 @@ impl<'a> Program<'a> {
                 }
             }
         } else {
-            let message = text!("No macro touches a sloped surface{advice}", Text::words(ADVICE));
+            let message = text!("No macro touches a sloped surface{advice}", self.request.advice());
             return Err(refused("cycle-not-parallel", point.elevation, message));
         }
         self.up();
@@ -307,7 +305,7 @@ impl<'a> Program<'a> {
             path.touches.iter().map(|touch| degrees_of(if inside { -touch.vector } else { touch.vector })).collect();
         let square = made::are_quarters;
         if square(&angles) && (angles[0] / 90.0 - (angles[0] / 90.0).round()).abs() > NEAR {
-            let message = text!("P9814 touches along X and Y: these four touches are turned{advice}", Text::words(ADVICE));
+            let message = text!("P9814 touches along X and Y: these four touches are turned{advice}", self.request.advice());
             return Err(refused("cycle-not-parallel", "cycle.rotation", message));
         }
         let mut letters = vec![('D', Quantity::Length(bore.diameter.value))];
@@ -324,7 +322,7 @@ impl<'a> Program<'a> {
                 let message = text!(
                     "The macros touch a circle at four points a quarter turn apart, or at three: not at {count} like these{advice}",
                     angles.len(),
-                    Text::words(ADVICE)
+                    self.request.advice()
                 );
                 return Err(refused("cycle-chooses-points", "cycle.stepCount", message));
             }
@@ -348,7 +346,7 @@ impl<'a> Program<'a> {
         if turned && pairs.sides.len() == 2 && self.request.work_offset.is_some() {
             let message = text!(
                 "Both macros of a turned rectangle write X and Y, and the second would measure in the system that the first has moved: write no work offset{advice}",
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("offset-measured-again", "control.workOffset", message));
         }
@@ -403,12 +401,12 @@ impl<'a> Program<'a> {
         let (Some(a), Some(b)) = (axis_of(one[0].vector), axis_of(two[0].vector)) else {
             let message = text!(
                 "The corner macros take walls along X and Y, square to each other: these are turned{advice}",
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("cycle-not-parallel", "cycle.rotation", message));
         };
         if a == b || (corner.angle.value - 90.0).abs() > NEAR {
-            let message = text!("The corner macros take walls that are square to each other{advice}", Text::words(ADVICE));
+            let message = text!("The corner macros take walls that are square to each other{advice}", self.request.advice());
             return Err(refused("cycle-not-square", corner.angle.field, message));
         }
         if one.len() > 2 || two.len() > 2 || one.len() != two.len() {
@@ -416,7 +414,7 @@ impl<'a> Program<'a> {
                 "The corner macros touch each wall once, or each wall twice: not {first} and {second} times{advice}",
                 one.len(),
                 two.len(),
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("cycle-chooses-points", "cycle.count1", message));
         }
@@ -449,11 +447,11 @@ impl<'a> Program<'a> {
                 continue;
             }
             let Some(from) = from.filter(|_| touch.vector.z > 0.0 && made::is_along(touch.vector, 2)) else {
-                let message = text!("The third surface must lie across Z{advice}", Text::words(ADVICE));
+                let message = text!("The third surface must lie across Z{advice}", self.request.advice());
                 return Err(refused("cycle-not-parallel", "cycle", message));
             };
             if path.touches.iter().filter(|other| other.group == touch.group).count() > 1 {
-                let message = text!("A surface is touched once by a macro{advice}", Text::words(ADVICE));
+                let message = text!("A surface is touched once by a macro{advice}", self.request.advice());
                 return Err(refused("cycle-chooses-points", "cycle", message));
             }
             self.keeps();
@@ -480,13 +478,13 @@ impl<'a> Program<'a> {
         let of = |group: usize| path.touches.iter().filter(|touch| touch.group == group).collect::<Vec<&Touch>>();
         let full = circles.spread.is_some_and(|spread| (spread.sweep.abs().to_degrees() - 360.0).abs() < NEAR);
         if [0, 1].iter().any(|group| of(*group).len() != 4) || !full || !circles.extrusion.is_empty() {
-            return Err(four_points());
+            return Err(four_points(self.request));
         }
         let (transfer, line) = (setting(1120), circles.line.unwrap_or([Vec3::ZERO; 2]));
         if self.request.work_offset.is_some() && matches!(transfer, 1 | 3) {
             let message = text!(
                 "The work offset can be written by the second circle alone (Q1120 = 2): after the first the second would be measured in the system that it has moved{advice}",
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("offset-measured-again", "cycle.transferPosition", message));
         }
@@ -505,7 +503,7 @@ impl<'a> Program<'a> {
             let from = path.searches().find(|(touch, ..)| *touch == k).and_then(|(_, from, _)| from).unwrap_or(center);
             let round = match &path.surfaces[i] {
                 Surface::Round(round) => *round,
-                _ => return Err(four_points()),
+                _ => return Err(four_points(self.request)),
             };
             self.goes(center.with_z(up), &[0, 1], Feed::LongLink);
             let q = self.q_of(Entry { field: "cycle.probe.dist", value: touches[0].search })?;
@@ -566,7 +564,7 @@ impl<'a> Program<'a> {
                         "On the nominal part P{number} would stop: {alarm}{advice}",
                         *number as usize,
                         words_of(alarm),
-                        Text::words(ADVICE)
+                        self.request.advice()
                     );
                     return Err(refused("cycle-stops", "cycle", message));
                 }
@@ -583,7 +581,7 @@ impl<'a> Program<'a> {
             _ => false,
         };
         let Some((moves, touches)) = moves_of(&path, own_order, &made, &own_feeds, first, (radius, Some(SEARCH))) else {
-            let message = text!("The macros would touch other surfaces than the cycle does{advice}", Text::words(ADVICE));
+            let message = text!("The macros would touch other surfaces than the cycle does{advice}", self.request.advice());
             return Err(refused("cycle-stops", "cycle", message));
         };
         (path.moves, path.touches) = (moves, touches);
@@ -625,9 +623,9 @@ fn axis_of(vector: Vec3) -> Option<usize> {
 }
 
 /// What the macros ask of two circles.
-fn four_points() -> Refused {
+fn four_points(request: &OwnRequest<'_>) -> Refused {
     let message =
-        text!("The macros touch each circle at four points a quarter turn apart, at one height{advice}", Text::words(ADVICE));
+        text!("The macros touch each circle at four points a quarter turn apart, at one height{advice}", request.advice());
     refused("cycle-chooses-points", "cycle.probePoints", message)
 }
 

@@ -18,6 +18,7 @@ pub mod cycles;
 mod read;
 mod serve;
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::control::iso::print::{self, Notation};
@@ -45,6 +46,7 @@ pub static DEF: PostDef = PostDef {
     first_length: true,
     dialect: &DIALECT,
     unused: &["tool", "number", "setUp"],
+    unused_by_cycles: &["feeds.work", "feeds.retract"],
     serves,
     check,
     emit,
@@ -307,10 +309,16 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
-        report(w, self.request, formula);
+        let shown = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
+        // The results have the first registers, in their order.
+        report(w, self.request, shown.map(|(i, result)| (formula.code(result), format!("R{}", i + 1))));
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
+        if self.request.form == Form::Cycle {
+            let stored = self.request.path.stored().into_iter();
+            report(w, self.request, stored.map(|(code, stored)| (code.into(), (serve::CYCLES.name)(stored))));
+        }
         end(w, self.request, self.count());
     }
 }
@@ -322,15 +330,12 @@ const LONGEST_MESSAGE: usize = 100;
 const VALUE: usize = 12;
 
 /// Shows every result: on the screen, as much as goes into a message, and waits; or writes it into a file in the control.
-fn report(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
-    let shown = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
-    // The results have the first registers, in their order.
-    let each = shown.map(|(i, result)| (formula.code(result), i + 1));
+fn report<'f>(w: &mut Writer<'_>, request: &Request<'_>, each: impl Iterator<Item = (Cow<'f, str>, String)>) {
     match request.report {
         Report::None => {}
         Report::Log => {
-            for (code, register) in each {
-                w.line(&format!("WRITE(TP_ERROR,\"_N_TOUCHPATH_MPF\",\"; {code}=\"<<R{register})"));
+            for (code, variable) in each {
+                w.line(&format!("WRITE(TP_ERROR,\"_N_TOUCHPATH_MPF\",\"; {code}=\"<<{variable})"));
             }
         }
         Report::Screen => {
@@ -342,7 +347,7 @@ fn report(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
                     message.clear();
                 }
             };
-            for (code, register) in each {
+            for (code, variable) in each {
                 let own = code.len() + 2 + VALUE;
                 if length + own > LONGEST_MESSAGE {
                     show(w, &mut message);
@@ -350,7 +355,7 @@ fn report(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula) {
                 }
                 let blank = if message.is_empty() { "" } else { "<<\" " };
                 let quote = if message.is_empty() { "\"" } else { "" };
-                message.push_str(&format!("{blank}{quote}{code}=\"<<R{register}"));
+                message.push_str(&format!("{blank}{quote}{code}=\"<<{variable}"));
                 length += own;
             }
             show(w, &mut message);

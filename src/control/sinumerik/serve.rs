@@ -17,7 +17,7 @@ use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{Bore, Entry, Feature, Feed, Guard, Off, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
-use crate::text::{Text, text, words};
+use crate::text::text;
 
 use Quantity::{Angle, Length, Plain};
 
@@ -26,8 +26,6 @@ const SHORTEST_PATH: f64 = 0.1;
 
 /// How nearly directions and places must agree.
 const NEAR: f64 = 1e-6;
-
-const ADVICE: &str = words!(". Use the form \"moves\"");
 
 pub static CYCLES: OwnCycles = OwnCycles {
     plan: serve,
@@ -47,13 +45,13 @@ pub static CYCLES: OwnCycles = OwnCycles {
 fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     let path = request.path;
     if path.picked {
-        let message = text!("The measuring cycles choose their own touch points{advice}", Text::words(ADVICE));
+        let message = text!("The measuring cycles choose their own touch points{advice}", request.advice());
         return Err(refused("cycle-chooses-points", "cycle.touches", message));
     }
     if request.setup.plane != Plane::G17 {
         let message = text!(
             "No source at hand shows how a measuring cycle selects another plane than G17: it could probe in the wrong one{advice}",
-            Text::words(ADVICE)
+            request.advice()
         );
         return Err(refused("cycle-plane", "plane", message));
     }
@@ -146,7 +144,7 @@ impl Plan<'_> {
                 "The measuring path of the cycle (clearance less ball radius, before and behind each contact) would be {path}: at least {least} makes sense{advice}",
                 self.request.length(path),
                 self.request.length(SHORTEST_PATH),
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("cycle-path-short", clearance.field, message));
         }
@@ -243,7 +241,7 @@ impl Plan<'_> {
         let Some(axis) = axis else {
             let message = text!(
                 "CYCLE978 touches along X and Y and downwards: this surface is turned or sloped{advice}",
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("cycle-not-parallel", field, message));
         };
@@ -272,7 +270,7 @@ impl Plan<'_> {
             let message = text!(
                 "CYCLE977 touches a circle at four points a quarter turn apart: not at {count} like these{advice}",
                 angles.len(),
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("cycle-chooses-points", "cycle.stepCount", message));
         }
@@ -298,7 +296,7 @@ impl Plan<'_> {
         let zone = width.value - 2.0 * (clearance.value + self.radius);
         if zone <= 0.0 {
             let message =
-                text!("The points where the ball goes down leave no room for a protection zone{advice}", Text::words(ADVICE));
+                text!("The points where the ball goes down leave no room for a protection zone{advice}", self.request.advice());
             return Err(refused("cycle-no-zone", clearance.field, message));
         }
         Ok(zone)
@@ -313,7 +311,7 @@ impl Plan<'_> {
         {
             let message = text!(
                 "CYCLE977 has one measuring path for all four walls: both side clearances must be the same{advice}",
-                Text::words(ADVICE)
+                self.request.advice()
             );
             return Err(refused("cycle-one-path", two.field, message));
         }
@@ -362,7 +360,7 @@ impl Plan<'_> {
             if turned && self.request.work_offset.is_some() {
                 let message = text!(
                     "No source says how CYCLE977 corrects a work offset along a turned groove or web: write no work offset{advice}",
-                    Text::words(ADVICE)
+                    self.request.advice()
                 );
                 return Err(refused("cycle-not-parallel", "control.workOffset", message));
             }
@@ -400,10 +398,13 @@ impl Plan<'_> {
             |alarm| {
                 let message = match alarm {
                     Some(_) => {
-                        text!("On the nominal part the cycle would touch something on its way{advice}", Text::words(ADVICE))
+                        text!("On the nominal part the cycle would touch something on its way{advice}", self.request.advice())
                     }
                     None => {
-                        text!("The cycle would touch other surfaces than the documented one does{advice}", Text::words(ADVICE))
+                        text!(
+                            "The cycle would touch other surfaces than the documented one does{advice}",
+                            self.request.advice()
+                        )
                     }
                 };
                 refused("cycle-stops", "cycle", message)

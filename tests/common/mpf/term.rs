@@ -87,6 +87,10 @@ impl Parser<'_> {
                     self.take(1);
                     return Ok(Term::Call(name, self.list(')')?));
                 }
+                if self.rest.starts_with('[') {
+                    self.take(1);
+                    return Ok(Term::System(name, self.list(']')?));
+                }
                 match name.strip_prefix('R').map(str::parse::<usize>) {
                     Some(Ok(number)) => Ok(Term::Register(number)),
                     _ => Ok(Term::Name(name)),
