@@ -6,7 +6,7 @@ use crate::common::{job, owed, with};
 use crate::tests::safety::{BROKEN, DANGEROUS};
 use touchpath::control::iso::writer::Dialect;
 use touchpath::control::{Form, POSTS, PostDef};
-use touchpath::cycle::{CYCLES, CycleDef};
+use touchpath::cycle::CYCLES;
 use touchpath::form::{Field, Kind, Level, Value};
 use touchpath::job::{self, SECTIONS, check, default_job, plan};
 
@@ -14,10 +14,6 @@ type Keys = Vec<&'static str>;
 
 fn text(word: &str) -> Value {
     Value::Text(word.to_owned())
-}
-
-fn hole() -> &'static CycleDef {
-    touchpath::cycle::find("hole").expect("a cycle")
 }
 
 /// The keys of the controls that can do this, in the order of the form: what a test is of, so that one more control joins it by itself.

@@ -324,3 +324,15 @@ test("a HEIDENHAIN program and its file had two names: the control wants them th
   store.chooseControl("heidenhain");
   assert.equal(store.fileName("h"), "CON_.h", "a name that Windows keeps");
 });
+
+test("a dry run says so in its first line, its file name and what the program does", () => {
+  const store = new Store();
+  const { text } = store.plan.program;
+  store.set("control.run", "dry");
+  assert.match(store.plan.program.text, /^\(DRY RUN: the moves alone/);
+  assert.match(store.fileName("ngc"), /^[A-Z0-9_-]+-DRY\.ngc$/);
+  assert.match(store.does, /^dry run: measures nothing, writes nothing/i);
+  assert.ok(store.plan.results.every((/** @type {any} */ row) => row.value === null));
+  store.set("control.run", "normal");
+  assert.equal(store.plan.program.text, text);
+});
