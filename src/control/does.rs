@@ -117,7 +117,7 @@ impl Preset {
 }
 
 /// A setting of the cycle that is a whole number.
-fn code(circles: &TwoCircles, number: i32) -> i32 {
+pub(super) fn code(circles: &TwoCircles, number: i32) -> i32 {
     match circles.settings.iter().find(|setting| setting.number == number).map(|setting| &setting.value) {
         Some(ParameterValue::Whole(n)) => *n,
         _ => 0,

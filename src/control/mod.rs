@@ -467,6 +467,9 @@ fn orientation_line(request: &Request<'_>) -> String {
     }
 }
 
+/// What a reset leaves in variables that keep their values: the touches of one run must not be completed by those of another part.
+const FROM_THE_TOP: &str = "After RESET start at the top, NEVER in the middle: the touches made before it would still count";
+
 /// A work offset that is chosen, and gets nothing.
 fn check_write(request: &Request<'_>, checker: &mut Checker) {
     let something = request.path.formula.datum.as_ref().is_some_and(Datum::writes);

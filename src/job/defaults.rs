@@ -196,7 +196,9 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
     }
     entries.retain(|(key, _)| key != "cycle");
     entries.push(("clear".to_owned(), job.get("clear").cloned().unwrap_or(Value::Null)));
-    entries.push(("datum".to_owned(), job.get("datum").cloned().unwrap_or_else(|| Value::Map(Vec::new()))));
+    // No table of signs of a Fanuc has the braces of an empty one.
+    let datum = job.get("datum").filter(|datum| !matches!(datum, Value::Map(none) if none.is_empty()));
+    entries.extend(datum.map(|datum| ("datum".to_owned(), datum.clone())));
     entries.push(("cycles".to_owned(), Value::List(all)));
     let relations = job.get(RELATIONS).filter(|given| matches!(given, Value::List(list) if !list.is_empty()));
     entries.extend(relations.map(|relations| (RELATIONS.to_owned(), relations.clone())));

@@ -334,14 +334,20 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     set_up::check(planned, checker);
     set_up::report_crossing(planned, checker);
     let failed = checker.failed() || own.iter().any(Checker::failed);
-    // Nothing of a cycle is stored where the program does not come to its end.
-    let stopped = planned.run.collision.is_some() || planned.run.halt.is_some() || planned.dry.is_some();
+    // Where the program stops in a cycle, or before one, the cycles in front of it have measured.
+    let collides = planned.run.collision.map(|(index, _)| path.member_of_move(index).unwrap_or(0));
+    let measured = match (planned.run.halt, collides) {
+        _ if planned.dry.is_some() => 0,
+        (Some((before, _)), within) => before.min(within.unwrap_or(before)),
+        (None, within) => within.unwrap_or(members.len()),
+    };
+    let stopped = measured < members.len();
     let mut results = Vec::new();
     for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
         if !failed {
             let asks = (planned.run.halt.is_none() && planned.dry.is_none()).then(|| planned.writes());
             let mut rows = predicted(member, asks, &mut checker);
-            if stopped {
+            if i >= measured {
                 rows.iter_mut().for_each(unknown);
             }
             let own = result_rows(&member.job, &member.path, rows);
@@ -378,7 +384,8 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         relations::add_rows(planned, rows, &mut results, Some(checker));
     }
     if planned.dry.is_none() {
-        results.extend(datum::written_rows(planned, &results));
+        let written = datum::written_rows(planned, &results);
+        results.extend(written.into_iter().map(|row| if stopped { row.without_value() } else { row }));
     }
     Ok(results)
 }

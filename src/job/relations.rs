@@ -406,6 +406,21 @@ impl Known<'_> {
     }
 }
 
+/// Pitch circles whose places are on none on the nominal part: their diameter is of another circle than the drawing's, and the program always stops there.
+pub fn check_circles(checker: &mut Checker, whole: &Planned) {
+    let (path, Some(limit)) = (&whole.path, whole.job.limits.residual) else { return };
+    for relation in path.relations.iter().filter(|relation| relation.own.relation == Relation::PitchCircle) {
+        let nominal = |index: usize| Some(path.formula.results[index].nominal);
+        let Some(off) = path.related(relation, nominal).pop().flatten().filter(|off| *off > limit) else { continue };
+        let message = text!(
+            "The nominal places are {off} off one circle, more than limits.residual, {limit}",
+            checker.length(off),
+            checker.length(limit)
+        );
+        checker.error("relation-of", format!("relations[{}].of", relation.index), message);
+    }
+}
+
 /// Adds the rows of all relations to those of the cycles. `evaluated` are the rows of the whole formula.
 pub fn add_rows(
     whole: &Planned,

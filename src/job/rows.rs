@@ -235,6 +235,14 @@ pub struct ResultRow {
     pub said: ResultWords,
 }
 
+impl ResultRow {
+    /// The same where the control never comes to store it.
+    pub fn without_value(self) -> Self {
+        let said = ResultWords { verdict: None, ..self.said };
+        ResultRow { value: None, deviation: None, uncertainty: None, uncertainty_runout: None, verdict: None, said, ..self }
+    }
+}
+
 /// The words of a result, to be put into other languages.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ResultWords {

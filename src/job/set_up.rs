@@ -13,7 +13,7 @@ use crate::geom::{AXIS_NAMES, Vec3};
 use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_name, names};
 use crate::job::follows::{self, Earlier, Wanted};
 use crate::job::planned::{Planned, several};
-use crate::job::relations::{AllAhead, Relations};
+use crate::job::relations::{self, AllAhead, Relations};
 use crate::job::rows::ResultRow;
 use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
@@ -126,6 +126,7 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         }
     }
     relations.add_all(checker, &mut whole.path, several.is_none() && whole.job.post.computes);
+    relations::check_circles(checker, &whole);
     let source = datum::read(checker, value, &whole, offset.is_some())?;
     whole.path.write_from(&source);
     if !whole.job.post.rotates {

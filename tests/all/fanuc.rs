@@ -388,3 +388,29 @@ fn what_these_controls_cannot_do_is_refused() {
     );
     assert_eq!(found(&[("control.workOffset", number(105.0)), ("control.post", Value::Text("haas".to_owned()))]), [""; 0]);
 }
+
+/// The control shows 26 characters of an alarm, and has neither braces nor brackets of that kind: of every job and control, also in comments.
+#[test]
+fn alarms_are_short_and_signs_are_the_controls() {
+    let mut alarms = 0;
+    for post in crate::tests::controls::skipping() {
+        for (name, job) in crate::common::jobs() {
+            let job = with(
+                &with(&job, "control.post", Value::Text(post.to_owned())),
+                "control.form",
+                Value::Text("moves".to_owned()),
+            );
+            let Ok(plan) = touchpath::job::plan(&job) else { continue };
+            for line in plan.program.text.lines() {
+                assert!(!line.contains(['{', '}']), "{name} {post}: {line}");
+                if let Some((_, says)) =
+                    line.split_once('(').filter(|(code, _)| code.starts_with("#3000=") || code.starts_with("#3006="))
+                {
+                    assert!(says.trim_end_matches(')').len() <= 26, "{name} {post}: {line}");
+                    alarms += 1;
+                }
+            }
+        }
+    }
+    assert!(alarms > 500, "{alarms}");
+}

@@ -56,6 +56,22 @@ test("a series: mean, spread, trend, Cp and Cpk as by hand", async () => {
   assert.equal(one.rows.find((/** @type {any} */ r) => r.code === "PITCH.distance").series, null);
 });
 
+test("the components that Renishaw's macros print are the parts of a series", async () => {
+  const { report, runsOf } = await reports();
+  const job = touchpath.defaultJob("hole");
+  job.cycle.diameter = 40;
+  const plan = touchpath.plan(job);
+  const log = [40.01, 40.03]
+    .map(
+      (size, i) =>
+        `COMPONENT NO ${i + 1}   FEATURE NO 1\nSIZE D 40.0000   ACTUAL ${size.toFixed(4)}   DEV ${(size - 40).toFixed(4)}\nPOSN X 0.0000   ACTUAL 0.0000\nPOSN Y 0.0000   ACTUAL 0.0000\n`,
+    )
+    .join("");
+  const parts = runsOf(log, plan).map((/** @type {string} */ text) => touchpath.measure(job, text));
+  const row = report({ plan, parts }).rows.find((/** @type {any} */ one) => one.code === "diameter");
+  assert.deepEqual(row.values, [40.01, 40.03]);
+});
+
 test("what a program says of a result is no run, equal parts have no capability, and a set-up of one cycle keeps its names", async () => {
   const { report, runsOf } = await reports();
   const job = /** @type {any} */ ({

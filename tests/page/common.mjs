@@ -39,18 +39,26 @@ export const SIZES = [
 ];
 
 /** What changes a page or its browser for good: after it the next test gets another one. */
-const LASTING = [
-  "addInitScript",
-  "route",
-  "emulateMedia",
-  "setViewportSize",
-  "exposeFunction",
-  "setOffline",
-  "newPage",
-  "install",
-];
+const LASTING = ["addInitScript", "exposeFunction", "install"];
+/** What changes it until that is undone. */
+const UNDONE = {
+  route: async () => {
+    await page.unrouteAll({ behavior: "ignoreErrors" });
+    await context.unrouteAll({ behavior: "ignoreErrors" });
+  },
+  emulateMedia: () => page.emulateMedia({ media: null, colorScheme: null, reducedMotion: null, forcedColors: null }),
+  setViewportSize: () => page.setViewportSize(opened),
+  setOffline: () => context.setOffline(false),
+  newPage: async () => {
+    for (const tab of context.pages()) if (tab !== page) await tab.close();
+  },
+};
 /** Whether the page and its browser are as every test of the file finds them. */
 let asOpened = false;
+/** What the test before has changed. @type {Set<keyof typeof UNDONE>} */
+const changed = new Set();
+/** How large the page is at first. */
+let opened = { width: 1280, height: 800 };
 
 /**
  * For every test of a file the page as a first visit has it; a problem on it fails the test. The browser stays, with what it has compiled: only a test that
@@ -67,15 +75,21 @@ export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = 
   beforeEach(async () => {
     if (asOpened && serviceWorkers === "block") return forget();
     await open({ viewport, serviceWorkers });
+    opened = viewport;
     asOpened = true;
-    for (const one of /** @type {any[]} */ ([page, context, page.clock]))
-      for (const name of LASTING.filter((name) => name in one)) {
-        const own = one[name];
-        one[name] = (/** @type {unknown[]} */ ...args) => {
-          asOpened = false;
-          return own.apply(one, args);
-        };
-      }
+    changed.clear();
+    const watch = (/** @type {any} */ one, /** @type {string} */ name, /** @type {() => void} */ note) => {
+      const own = one[name];
+      one[name] = (/** @type {unknown[]} */ ...args) => {
+        note();
+        return own.apply(one, args);
+      };
+    };
+    for (const one of /** @type {any[]} */ ([page, context, page.clock])) {
+      for (const name of LASTING.filter((name) => name in one)) watch(one, name, () => (asOpened = false));
+      for (const name of /** @type {(keyof typeof UNDONE)[]} */ (Object.keys(UNDONE)).filter((name) => name in one))
+        watch(one, name, () => changed.add(name));
+    }
   });
   afterEach(() => assert.deepEqual(problems, [], "nothing is complained about on the console"));
   after(async () => {
@@ -86,6 +100,9 @@ export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = 
 
 /** The page as a first visit has it, in the same browser: nothing is kept of the test before. */
 async function forget() {
+  const undo = [...changed];
+  for (const name of undo) await UNDONE[name]();
+  changed.clear();
   await page.mouse.move(0, 0);
   await page.evaluate(() => {
     // The page keeps its state when it goes.

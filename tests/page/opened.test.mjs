@@ -271,7 +271,8 @@ test("a worker whose text is of no use any more ran to its end", async () => {
     };
   });
   const workers = () => page.evaluate(() => /** @type {any} */ (globalThis).workers);
-  await openText(long("hole"));
+  const buffer = Buffer.from(long("hole"));
+  await page.locator("#file").setInputFiles({ name: "job.json", mimeType: "text/plain", buffer });
   await settles(async () => (await workers()) === 1);
   await openText('{"format":1,"cycle":{"type":"boss"}}');
   await until("cycle.type", "boss");

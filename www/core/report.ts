@@ -162,8 +162,11 @@ function seriesOf(values: (number | null)[], limits: [number, number] | null): S
   };
 }
 
+/** The line that Renishaw's macros print above what they measure of a part. */
+const COMPONENT = /^[\s*]*COMPONENT[\s*]+NO[\s*]+(\d+)/;
+
 /**
- * The runs of a log that a program wrote part after part: a new one begins where a result comes again, or the name of the program stands alone. A text of
+ * The runs of a log that a program wrote part after part: a new one begins where a result comes again, the name of the program stands alone, or Renishaw's macros print the next component. A text of
  * points, or of one run, is given as it is.
  */
 export function runsOf(text: string, plan: Plan): string[] {
@@ -183,8 +186,17 @@ export function runsOf(text: string, plan: Plan): string[] {
   };
   const runs: string[][] = [];
   let said = new Set<string>();
+  let component: string | undefined;
   for (const line of text.split(/\r?\n/)) {
     const code = coded(line);
+    const next = COMPONENT.exec(line)?.[1];
+    if (next !== undefined && next !== component) {
+      if (component !== undefined) {
+        runs.push([]);
+        said = new Set();
+      }
+      component = next;
+    }
     if (runs.length === 0 || (code !== undefined && said.has(code))) {
       // The name of the program stands above its first result.
       const named = runs.at(-1)?.at(-1);

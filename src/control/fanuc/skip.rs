@@ -6,7 +6,7 @@ use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Writer, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
-use crate::control::{Program, Report, Request, does, number, orientation_line};
+use crate::control::{FROM_THE_TOP, Program, Report, Request, does, number, orientation_line};
 use crate::formula::{Asked, Coordinate, Datum, Formula, Node, NodeId, Op, Question};
 use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
@@ -389,7 +389,8 @@ impl Moves for Skip<'_> {
         let says = |code: &str| format!("{} {off_or_out}, SEE {}", code.to_ascii_uppercase(), variable(register));
         // The variable says of which cycle it is, where there is no room for both.
         let whole = says(&formula.code(result));
-        let alarm = if whole.len() <= LONGEST_ALARM { whole } else { says(result.code) };
+        let alarm = [whole, says(result.code)].into_iter().find(|says| says.len() <= LONGEST_ALARM);
+        let alarm = alarm.unwrap_or_else(|| says("result"));
         if question.stops(self.request.corrects()) {
             // An alarm would stop the ball on its way.
             if self.moves_on {
@@ -511,6 +512,9 @@ impl Skip<'_> {
                 _ => orientation_line(request),
             });
             w.comment("Run it from memory: GOTO does not work in DNC operation. No shift by G52 or G92 may be active");
+            if self.request.corrects() {
+                w.comment(FROM_THE_TOP);
+            }
         }
     }
 

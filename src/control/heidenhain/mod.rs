@@ -121,6 +121,16 @@ impl Moves for Klartext<'_> {
         w.comment(
             "Reset every coordinate transformation first, such as cycles 8, 11, 26 and TRANS MIRROR; FUNCTION MODE MILL only",
         );
+        if let Some(circles) = request.path.feature.two_circles() {
+            w.comment(
+                "In a tilted plane that fits the rotary axes a basic rotation is one of the input system, else of the workpiece system",
+            );
+            if does::code(circles, 1126) != 0 {
+                w.comment(
+                    "Only a rotary TABLE axis can be aligned: the first one from the part, if it can make up for the rotation",
+                );
+            }
+        }
         w.comment("Not verified on a control: run it with a hand on the feed override");
         w.says_job();
         if let Some(tool) = request.tool {

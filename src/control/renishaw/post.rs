@@ -256,6 +256,12 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     if numbered && number::chosen(request).is_none() {
         w.comment("No number was chosen: this may replace a program O1000 of the control");
     }
+    if request.post.dialect.units == ("", "") {
+        let unit = if request.scale == 1.0 { "mm" } else { "inch" };
+        w.comment(&format!(
+            "SET THE CONTROL TO {unit} FIRST: the program does not state its units, a place in others is far off"
+        ));
+    }
     let length = calls.name(LENGTH);
     w.comment(&format!(
         "Calls the macros {} of Renishaw: they must be installed, and the probe calibrated, its length by {length}",
@@ -263,9 +269,11 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     ));
     w.comment(&format!("Heights are of the stylus TIP, as {length} sets the length: the ball centre is one radius above"));
     w.comment(if calls.numbered_alarms {
-        "Alarms: 86 path obstructed, 92 unexpected surface, 93 surface not found, 89 no tool length, 101 probe does not start"
+        "Alarms: 86 path obstructed, 92 unexpected surface, 93 surface not found, 89 no tool length, 101 probe does not start, 106 and 107 \
+         calibrate again, 80 a rotation, mirror or scale is active, 91 letters that contradict each other"
     } else {
-        "Alarms: path obstructed, unexpected surface, surface not found, no tool length, probe does not start"
+        "Alarms: path obstructed, unexpected surface, surface not found, no tool length, probe does not start, calibrate again, a rotation, \
+         mirror or scale is active"
     });
     if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
         let [one, two, three] = BY_DIRECTIONS.map(|number| calls.name(number));

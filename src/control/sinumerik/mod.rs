@@ -26,8 +26,8 @@ use crate::control::iso::registers::Registers;
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{
-    BASE, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write, does,
-    feed_rate, orientation_line,
+    BASE, FROM_THE_TOP, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write,
+    does, feed_rate, orientation_line,
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
@@ -378,9 +378,12 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
         w.comment(note);
     }
     w.comment(&orientation_line(request));
+    if request.form == Form::Moves && request.corrects() {
+        w.comment(FROM_THE_TOP);
+    }
     w.says_job();
     w.line("DEF INT TP_MOVE");
-    if request.report == Report::Log && request.form == Form::Moves {
+    if request.report == Report::Log {
         w.line("DEF INT TP_ERROR");
     }
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");

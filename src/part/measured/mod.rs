@@ -6,6 +6,7 @@ mod log;
 mod offset;
 mod points;
 mod reach;
+mod renishaw;
 mod results;
 mod stand;
 
@@ -84,6 +85,7 @@ pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>
 
 fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Measured {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let text = &*renishaw::as_results(checker, text, expected);
     // A line with # in front is a comment, unless that is a variable: `#138 = 25.013`.
     let is_variable = |line: &str| {
         let mut kept = expected.kept.iter().filter_map(|(variable, _)| line.strip_prefix(variable.as_str()));

@@ -364,3 +364,15 @@ fn a_set_up_of_one_cycle_names_its_results() {
     let Err(JobError { findings, .. }) = touchpath::job::plan(&twice) else { panic!("refused") };
     assert!(findings.iter().any(|finding| finding.code == "tolerance-unknown"), "{findings:?}");
 }
+
+/// One of four holes 1 mm off the circle of the others: a circle fits all four by a quarter of that, more than 0.1. A tenth of it does.
+#[test]
+fn a_pitch_circle_of_places_that_lie_on_none_is_refused() {
+    let moved = |y: &str| job(&PLATE.replace("\"origin\": [10, -45, -5]", &format!("\"origin\": [10, {y}, -5]")));
+    let refused = plan(&moved("-46")).unwrap_err().findings;
+    let found: Vec<_> =
+        refused.iter().filter(|f| f.level == Level::Error).map(|f| (f.code.as_str(), f.path.as_str())).collect();
+    assert_eq!(found, [("relation-of", "relations[1].of")]);
+    assert!(plan(&moved("-45.1")).is_ok());
+    assert!(plan(&with(&moved("-46"), "limits.residual", Value::Null)).is_ok());
+}

@@ -55,6 +55,30 @@ fn what_the_programs_show_is_read() {
     }
 }
 
+/// The lines that Renishaw's macros print with `W`, blanks as they are or as `*`: kind and nominal value say which result it is. A line of another part is refused.
+#[test]
+fn the_lines_of_renishaws_macros_are_read() {
+    let print = "COMPONENT NO 1   FEATURE NO 1\n\
+        SIZE X 80.0000   ACTUAL 80.0400   TOL 0.5000   DEV 0.0400\n\
+        POSN X 0.0000   ACTUAL 0.1000   DEV 0.1000\n\
+        COMPONENT NO 1   FEATURE NO 2\n\
+        SIZE Y50.0000   ACTUAL 50.0000   DEV 0.0000\n\
+        +++++OUT OF POS+++++ ERROR TP 0.4000 RADIAL 0.2000\n\
+        POSN Y 0.0000   ACTUAL 0.2000   TOL TP 0.1000   DEV 0.2000\n";
+    for text in [print.to_owned(), print.replace(' ', "*"), print.replace('\n', "\r\n")] {
+        let found = measured(&pocket(), &text);
+        assert_eq!(codes(&found), [""; 0], "{text}");
+        for (code, wanted) in RESULTS {
+            near(value(&found, code).unwrap(), wanted);
+        }
+    }
+    let inch = touchpath::job::convert_units(&pocket(), "inch").unwrap();
+    // 80 mm are 3.1496 inch.
+    let found = measured(&inch, "SIZE X 3.1496   ACTUAL 3.1512   DEV 0.0016\n");
+    near(value(&found, "width1").unwrap(), 3.1512);
+    assert_eq!(errors(&pocket(), &print.replace("SIZE X 80.0000", "SIZE X 81.0000")), ["unclear-line"]);
+}
+
 /// DPRNT puts the sign in front of the blanks, and no digit in front of the point.
 #[test]
 fn a_sign_stands_before_blanks() {
