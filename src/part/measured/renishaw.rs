@@ -7,6 +7,7 @@ use std::borrow::Cow;
 
 use crate::form::Checker;
 use crate::formula::{ResultDef, Role};
+use crate::num::decimal;
 use crate::part::measured::{Expected, line};
 use crate::text::text;
 
@@ -79,7 +80,7 @@ pub fn as_results<'t>(checker: &mut Checker, text: &'t str, expected: &Expected<
         match found {
             Some(i) => {
                 taken[i] = true;
-                lines.push(Cow::Owned(format!("{}={actual}", formula.code(&formula.results[i]))));
+                lines.push(Cow::Owned(format!("{}={}", formula.code(&formula.results[i]), decimal(actual, 6))));
             }
             None => {
                 let message = text!(
