@@ -16,6 +16,7 @@ import {
   type Said,
   type Words,
 } from "./core/browser.js";
+import { LEVELS } from "./core/layout.js";
 import { programStem, stem } from "./core/names.js";
 import { codeOf } from "./core/results.js";
 import { Entries, type Form, type Units } from "./entries.js";
@@ -921,9 +922,10 @@ export class Store extends Entries {
       : `${stem(this.draft.name)}-${this.cycle.type}${what}`;
   }
 
-  /** Findings at a path. */
+  /** Findings at a path, the gravest first. */
   at(path: string): Finding[] {
-    return this.findings.filter((f) => f.path === path);
+    const own = this.findings.filter((f) => f.path === path);
+    return own.sort((a, b) => LEVELS.indexOf(a.level) - LEVELS.indexOf(b.level));
   }
 
   /** What is asked of the job has changed, and not the job. */
