@@ -41,6 +41,9 @@ pub fn sane(job: &Value, plan: &Plan, tool_axis: usize) -> Result<(), String> {
             _ => calls_are_sane(plan),
         };
     }
+    if plan.program.does.starts_with("dry run") {
+        return dry_is_sane(plan);
+    }
     let mut touched = Vec::new();
     for (i, step) in plan.moves.iter().enumerate() {
         if step.kind == "touch" {
@@ -135,6 +138,17 @@ fn klartext_is_sane(plan: &Plan) -> Result<(), String> {
         owe_eq!("each touch is made once", touched, (0..plan.touches.len()).collect::<Vec<_>>());
         owe!("what touches is called", plan.program.text.contains("TCH PROBE 4"));
     }
+    Ok(())
+}
+
+/// A dry run touches, computes and writes nothing.
+fn dry_is_sane(plan: &Plan) -> Result<(), String> {
+    let text = &plan.program.text;
+    owe!("a dry run says so in its first comment", text.lines().take(3).any(|line| line.to_uppercase().contains("DRY RUN")));
+    owe!("a dry run touches nothing", !text.contains("G38.2") && !text.contains("M79") && !text.contains("GOTOF TP_MISSED"));
+    owe!("a dry run writes nothing", plan.program.writes.is_empty() && !text.contains("G10 L") && !text.contains("#52"));
+    owe!("a dry run has no results", plan.results.iter().all(|row| row.value.is_none()));
+    owe!("a dry run is proven without a touch", plan.program.proof.as_ref().is_none_or(|proof| proof.touches == 0));
     Ok(())
 }
 

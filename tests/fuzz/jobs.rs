@@ -353,6 +353,7 @@ fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
                 let kind = if own_cycle && (!moves || draw.once_in(3)) || draw.once_in(12) { "cycle" } else { "moves" };
                 put(&mut values, "post", text(post.id));
                 put(&mut values, "form", text(kind));
+                put(&mut values, "run", text(if kind == "moves" && draw.once_in(12) { "dry" } else { "normal" }));
                 if post.work_offsets == 0 {
                     put(&mut values, "workOffset", Value::Null);
                 }
@@ -588,6 +589,10 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         _ => 2,
     };
     owed::sane(job, &plan, tool_axis)?;
+    if plan.program.does.starts_with("dry run") {
+        asked("planned as a dry run");
+        return Ok(());
+    }
     match plan.cycles.is_empty() {
         true => asked(&format!("planned {}", word(job, &["cycle", "type"]))),
         false => asked("planned as a set-up"),
