@@ -329,7 +329,7 @@ fn digits(rest: &mut &[u8]) -> String {
 }
 
 /// Whether a place is on the way from one to another, but for the last digits.
-fn on_the_way(from: [f64; 3], to: [f64; 3], place: [f64; 3]) -> bool {
+pub fn on_the_way(from: [f64; 3], to: [f64; 3], place: [f64; 3]) -> bool {
     let way = [0, 1, 2].map(|i| to[i] - from[i]);
     let off = [0, 1, 2].map(|i| place[i] - from[i]);
     let square: f64 = way.iter().map(|x| x * x).sum();
