@@ -50,9 +50,12 @@ impl Request<'_> {
         if self.dry.is_some() {
             return match self.work_offset {
                 Some(number) => {
-                    text!("dry run: selects {offset}, measures nothing, writes nothing", (self.post.work_offset_word)(number))
+                    text!(
+                        "makes a dry run: selects {offset}, measures nothing, writes nothing",
+                        (self.post.work_offset_word)(number)
+                    )
                 }
-                None => text!("dry run: measures nothing, writes nothing"),
+                None => text!("makes a dry run: measures nothing, writes nothing"),
             };
         }
         if let Some(preset) = self.preset() {

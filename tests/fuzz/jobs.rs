@@ -589,7 +589,7 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         _ => 2,
     };
     owed::sane(job, &plan, tool_axis)?;
-    if plan.program.does.starts_with("dry run") {
+    if plan.program.does.starts_with("makes a dry run") {
         asked("planned as a dry run");
         return Ok(());
     }

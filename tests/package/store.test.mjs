@@ -331,7 +331,7 @@ test("a dry run says so in its first line, its file name and what the program do
   store.set("control.run", "dry");
   assert.match(store.plan.program.text, /^\(DRY RUN: the moves alone/);
   assert.match(store.fileName("ngc"), /^[A-Z0-9_-]+-DRY\.ngc$/);
-  assert.match(store.does, /^dry run: measures nothing, writes nothing/i);
+  assert.match(store.does, /^makes a dry run: measures nothing, writes nothing/i);
   assert.ok(store.plan.results.every((/** @type {any} */ row) => row.value === null));
   store.set("control.run", "normal");
   assert.equal(store.plan.program.text, text);

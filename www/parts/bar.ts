@@ -20,7 +20,7 @@ const SETS: [confirmRotation: number, transferPosition: number, words: string][]
 /** What always holds for a control, in so few words that they stand at its name; the gravest first. */
 const ALWAYS: Record<string, string> = {
   "positioning-not-watched": w("positioning not watched"),
-  "approach-not-watched": w("way to the first place not watched"),
+  "approach-not-watched": w("first way not watched"),
   "units-not-stated": w("units not stated"),
   "not-verified": w("not run on a control"),
   "no-results-in-program": w("computes nothing"),
