@@ -159,7 +159,7 @@ pub struct PostDef {
     pub no_work_offset: &'static str,
     /// The fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
-    /// Paths of the job's fields that programs of its own cycles do not use.
+    /// Fields that a program of the control's own cycles ignores, as paths of the job.
     pub unused_by_cycles: &'static [&'static str],
     /// Whether the plane and the tool decide which of its lengths acts along the tool axis, so that it has to be the first.
     pub first_length: bool,
@@ -174,7 +174,7 @@ pub struct PostDef {
     pub orients: Result<(), &'static str>,
     /// Whether its program watches positioning moves with the probe, where the job asks for it.
     pub watches: bool,
-    /// Whether that holds for the way to the first place, too, from wherever the stylus stands.
+    /// Whether the way to the first position is watched as well.
     pub watches_first: bool,
     /// The shortest probing move, mm: shorter positioning moves are plain.
     pub shortest_probe: f64,
@@ -467,7 +467,7 @@ fn orientation_line(request: &Request<'_>) -> String {
     }
 }
 
-/// What a reset leaves in variables that keep their values: the touches of one run must not be completed by those of another part.
+/// A reset keeps the variables. Touches of one part must not be combined with those of the next.
 const FROM_THE_TOP: &str = "After RESET start at the top, NEVER in the middle: the touches made before it would still count";
 
 /// A work offset that is chosen, and gets nothing.

@@ -15,7 +15,10 @@ pub const CODES: &[(&str, &str)] = &[
     ("align-needs-confirm", "1411: aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121)."),
     ("angle-rounded", "An angle has more decimals than the control's parameter takes; the program has it rounded."),
     ("approach-beyond-wall", "A clearance is so large that the place in front of a touch is behind the opposite wall."),
-    ("approach-not-watched", "The way to the first place is not watched: the program does not know where the stylus stands."),
+    (
+        "approach-not-watched",
+        "The probe is not watched on the way to the first position, because the program does not know where the stylus starts.",
+    ),
     (
         "arc-unsolved",
         "A spline, or an arc of a program whose centre or start is not known or whose end is not on its circle: it is drawn straight.",
@@ -76,7 +79,7 @@ pub const CODES: &[(&str, &str)] = &[
         "The tool length that the control uses does not act along the tool axis: the touches would be wrong by the stylus' length.",
     ),
     ("length-to-centre", "The tool axis of a work offset is written: the length of the probe must end at the ball centre."),
-    ("lift-unused", "A height is given for a dry run, and the run is none."),
+    ("lift-unused", "A lift is given, but the job is not a dry run."),
     ("limit-stops", "A result that is off by more than its limit stops the control's own cycle with a message."),
     ("limits-not-asked", "The control's own cycle writes what it measures without asking the limits."),
     ("lines-differ", "The blocks of a program are those of its job, and lines between them were changed."),

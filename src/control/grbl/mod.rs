@@ -4,8 +4,8 @@
 //! reports `[PRB:x,y,z:1]` in machine coordinates, and the sender has to do the rest.
 //!
 //! Positioning that is watched is a chain of `G38.3`: each ends at a contact, and the next probing move finds the probe triggered and raises alarm 4,
-//! whichever of the four it is. A program needs no condition for that. A probing move that ends where it begins is error 33: the way to the first
-//! place, of which the program does not know where it begins, is not watched, and the proof refuses the rare job with a move whose numbers are those of where it begins.
+//! whichever of the four it is. A program needs no condition for that. A probing move with no travel is error 33. The program does not know where the
+//! stylus starts, so the way to the first position is not watched. The proof refuses the rare job with a move that rounds to no travel.
 
 mod read;
 mod write;
@@ -142,7 +142,7 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_watched(request, checker);
     if request.protected && !request.path.moves.is_empty() && request.path.start.is_none() {
         let message = text!(
-            "The way to the first place is not watched: {control} refuses a probing move that ends where it begins, and the program does not know where the stylus stands",
+            "The probe is not watched on the way to the first position: {control} rejects a probing move with no travel, and the program does not know where the stylus starts",
             request.post.title.to_owned()
         );
         checker.info("approach-not-watched", "control.protection", message);

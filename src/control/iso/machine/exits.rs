@@ -56,7 +56,7 @@ impl Machine<'_, '_> {
         ending
     }
 
-    /// Whether the ball stands in a contact, from which no probing move may begin.
+    /// Whether the probe is triggered here. A probing move that starts triggered is an alarm.
     fn in_contact(&self) -> bool {
         self.script.begins_free && self.state.contact
     }
@@ -80,7 +80,7 @@ impl Machine<'_, '_> {
             match flow {
                 Flow::Next | Flow::Output(..) => {}
                 Flow::Wrote(..) => writes = true,
-                // What the contact was to keep from being made is not made.
+                // The program ends before another move is made.
                 Flow::End if self.in_contact() && moves == 0 => return Ok(Ending::ControlStops),
                 Flow::Native | Flow::End => return Ok(Ending::GoesOn),
                 Flow::Alarm if !self.run.strict && computed >= COMPUTES => return Ok(Ending::GoesOn),
