@@ -340,6 +340,7 @@ impl Path {
             from = to;
         }
         whole.blocks.extend(own.blocks.iter().cloned());
+        whole.guards.extend(own.guards.iter().cloned());
     }
 
     fn take_moves(&mut self, path: &Path) {

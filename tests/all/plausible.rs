@@ -328,6 +328,21 @@ fn what_a_macro_does_not_ask_before_it_writes_is_said() {
     };
     assert_eq!(unasked(r#"{ "type": "hole" }"#, ""), [""; 0]);
     assert_eq!(unasked(r#"{ "type": "double-wall-internal-corner" }"#, ""), ["Warning limits.angle"]);
+    // Of a set-up the last cycle writes.
+    let set_up = |cycles: &str| -> Vec<String> {
+        let text = format!(
+            r#"{{ "format": 2, "control": {{ "post": "haas", "form": "cycle", "workOffset": 1 }}, "cycles": [{cycles}] }}"#
+        );
+        planned(&job(&text)).findings.into_iter().filter(|f| f.code == "limits-not-asked").map(|f| f.path).collect()
+    };
+    let [hole, groove, corner] = [
+        r#"{ "type": "hole" }"#,
+        r#"{ "type": "groove", "origin": [200, 0, 0] }"#,
+        r#"{ "type": "double-wall-internal-corner", "origin": [200, 0, 0] }"#,
+    ];
+    assert_eq!(set_up(&format!("{hole}, {groove}")), [""; 0]);
+    assert_eq!(set_up(&format!("{corner}, {hole}")), [""; 0]);
+    assert_eq!(set_up(&format!("{hole}, {corner}")), ["limits.angle"]);
     let circles = r#"{ "type": "probing-two-circles", "transferPosition": 2 }"#;
     assert_eq!(unasked(circles, ""), ["Error limits.angle"]);
     assert_eq!(unasked(circles, r#", "limits": { "angle": null }"#), [""; 0]);

@@ -112,7 +112,8 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
         );
         checker.info("limit-stops", "limits", message);
     }
-    if request.work_offset.is_some() {
+    // Each cycle of a set-up says it for itself.
+    if request.path.members.is_empty() && own.blocks.iter().any(|(block, _)| block.writes()) {
         check_asked(request, own, checker);
     }
     check_plain_moves(request, checker);
