@@ -1,12 +1,12 @@
 //! What a machine really measured, in whatever form it was copied: points, results, or the log of a sender.
 
+mod compared;
 mod grbl;
 mod line;
 mod log;
 mod offset;
 mod points;
 mod reach;
-mod renishaw;
 mod results;
 mod stand;
 
@@ -52,7 +52,7 @@ type Numbered<'a> = (usize, &'a str);
 
 /// Reads what was measured: a list of `[X, Y, Z]` or `{x, y, z}`, or text. A text is one of
 /// - points, one a line: CSV, LinuxCNC's PROBEOPEN log, or `X1.2 Y3.4 Z5.6`, in the job's units;
-/// - results, `center.x=1.2345` a line, in the job's units and degrees;
+/// - results, `center.x=1.2345` a line, in the job's units and degrees, or as Renishaw's and HEIDENHAIN's cycles print them;
 /// - a log with grbl's `[PRB:x,y,z:1]`, in machine coordinates, and with what says the work offset.
 ///
 /// Every problem is reported at `measured` or `measured[i]`; a text of two forms is refused, since what counts would be a guess.
@@ -85,7 +85,7 @@ pub fn check(checker: &mut Checker, measured: &Measured, expected: &Expected<'_>
 
 fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Measured {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let text = &*renishaw::as_results(checker, text, expected);
+    let text = &*compared::as_results(checker, text, expected);
     // A line with # in front is a comment, unless that is a variable: `#138 = 25.013`.
     let is_variable = |line: &str| {
         let mut kept = expected.kept.iter().filter_map(|(variable, _)| line.strip_prefix(variable.as_str()));

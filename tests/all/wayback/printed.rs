@@ -1,7 +1,7 @@
 //! Results and points as programs and posts print them.
 
 use super::{codes, errors, measured, near, pocket, value};
-use crate::common::with;
+use crate::common::{job, with};
 use touchpath::form::Value;
 use touchpath::job::plan;
 
@@ -77,6 +77,35 @@ fn the_lines_of_renishaws_macros_are_read() {
     let found = measured(&inch, "SIZE X 3.1496   ACTUAL 3.1512   DEV 0.0016\n");
     near(value(&found, "width1").unwrap(), 3.1512);
     assert_eq!(errors(&pocket(), &print.replace("SIZE X 80.0000", "SIZE X 81.0000")), ["unclear-line"]);
+}
+
+/// A log as HEIDENHAIN's guide prints one: labels and values, on one line or on two. The job's own unit need not be that of the log.
+#[test]
+fn the_log_of_heidenhains_cycles_is_read() {
+    let bore = job(
+        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" },
+             "cycle": { "type": "hole-protected", "origin": [50, 65, 0], "diameter": 12 } }"#,
+    );
+    let log = "Measuring log for touch probe cycle 421 Hole measuring\n\nDate: 30-06-2005\nTime: 6:55:04\n\
+        Measuring program: TNC:\\GEH35712\\CHECK1.H\nType of dimension (0 = MM / 1 = INCH): 0\n\
+        Nominal values:\nCenter in reference axis: 50.0000\nCenter in minor axis: 65.0000\nDiameter: 12.0000\n\
+        Given limit values:\nMaximum limit for center in reference axis: 50.1000\nMinimum limit for center in reference axis: 49.9000\n\
+        Actual values:\nCenter in reference axis: 50.0810\nCenter in minor axis: 64.9530\nDiameter: 12.0259\n\
+        Deviations:\nCenter in reference axis: 0.0810\n";
+    let inch = touchpath::job::convert_units(&bore, "inch").unwrap();
+    let apart = log.replace("axis: ", "axis:\n\n").replace("Diameter: ", "Diameter:\n\n");
+    for (job, unit) in [(&bore, 1.0), (&inch, 25.4)] {
+        for text in [log.to_owned(), apart.clone(), log.replace('\n', "\r\n")] {
+            let found = measured(job, &text);
+            assert_eq!(codes(&found), [""; 0], "{text}");
+            for (code, wanted) in [("center.x", 50.081), ("center.y", 64.953), ("diameter", 12.0259)] {
+                assert!((value(&found, code).unwrap() - wanted / unit).abs() < 1e-6, "{code}");
+            }
+        }
+    }
+    assert_eq!(errors(&bore, &log.replace("Diameter: 12.0000", "Diameter: 14.0000")), ["unclear-line"]);
+    // The same log in inch is of a bore that is 25 times larger.
+    assert_eq!(errors(&bore, &log.replace("): 0", "): 1")), ["unclear-line"; 3]);
 }
 
 /// DPRNT puts the sign in front of the blanks, and no digit in front of the point.
