@@ -319,13 +319,17 @@ impl Triggered {
         if each.abs() < STILL {
             return None;
         }
+        // By secants: the corner of two walls at an acute angle is far from a straight function of where its touches lie.
         let mut left = off - before - each;
+        let mut far = left / each;
         for _ in 0..ROUNDS {
-            move_by(&mut own, left / each);
-            left = off - own.off(request, result);
-            if left.abs() < 1e-9 {
+            move_by(&mut own, far);
+            let after = off - own.off(request, result);
+            if after.abs() < 1e-9 || after == left {
                 break;
             }
+            far *= after / (left - after);
+            left = after;
         }
         for member in begin..until {
             if sources.contains(&member) {

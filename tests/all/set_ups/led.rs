@@ -392,3 +392,22 @@ fn own_cycles_do_nothing_by_a_relation() {
         assert_eq!(proposed[0].choices, ["LEFT.center.x", "RIGHT.center.x"], "{post}");
     }
 }
+
+/// A line of 330 mm from a hole to an acute corner, which what follows it may leave by 2 degrees: the corner moves by 11 mm then, and its walls turn. The proof
+/// finds where the touches lie for that, and the program stops.
+#[test]
+fn a_long_line_from_an_acute_corner_is_followed() {
+    for (post, corner) in [("linuxcnc", "internal"), ("fanuc", "external"), ("haas", "internal"), ("sinumerik", "external")] {
+        for rotation in [-179, -178, -90, 0] {
+            let job = job(&format!(
+                r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "limits": {{ "position": 2, "angle": 2 }}, "cycles": [
+                     {{ "name": "A", "type": "hole", "diameter": 20, "origin": [-164, -83, 0] }},
+                     {{ "name": "B", "type": "double-wall-{corner}-corner", "angle": 64, "origin": [164, -78, 0], "rotation": {rotation} }},
+                     {{ "name": "W", "type": "web", "width": 30, "rotation": "=ROW.rotation+90" }} ],
+                   "relations": [ {{ "name": "ROW", "type": "line", "of": ["A", "B"] }} ] }}"#
+            ));
+            let plan = planned(&job);
+            assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)), "{post} {rotation}");
+        }
+    }
+}
