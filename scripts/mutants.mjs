@@ -1,4 +1,4 @@
-// Puts faults into a copy of the tree and looks whether the tests that are named for them fail: `npm run mutants`, or with a part of a name only those.
+// Puts faults into a copy of the tree and looks whether the tests that are named for them fail: `npm run mutants`, or with parts of names only those.
 // The faults are in tests/mutants/. One whose text is gone fails the run, so the list stays alive.
 import { spawnSync } from "node:child_process";
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -13,7 +13,7 @@ import { at, ensureInterpreter, ensurePackages, run } from "./lib.mjs";
 /** How many faults are put in at once, each in a file of its own. A test that fails for another one's fault would be seen as theirs: rooms take turns. */
 const AT_ONCE = 8;
 
-const [part = ""] = process.argv.slice(2);
+const parts = process.argv.slice(2);
 /** By their rooms. */
 const rooms = readdirSync(at("tests", "mutants"))
   .filter((name) => name.endsWith(".json"))
@@ -21,7 +21,7 @@ const rooms = readdirSync(at("tests", "mutants"))
 const most = Math.max(...rooms.map((room) => room.length));
 const mutants = Array.from({ length: most }, (_, turn) => rooms.flatMap((room) => room[turn] ?? []))
   .flat()
-  .filter(({ name }) => name.includes(part));
+  .filter(({ name }) => parts.length === 0 || parts.some((part) => name.includes(part)));
 
 /** What is wrong with the list itself. */
 function faults() {

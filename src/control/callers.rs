@@ -31,7 +31,7 @@ pub(super) static BROTHER: PostDef = PostDef {
     key: "brother",
     title: "Brother Speedio",
     about: "calls of Renishaw's macros, which have the numbers P88xx there. Its programs do not state units: the control must be set to those of the job. Not verified on a control.",
-    unused: &["tool", "number", "setUp"],
+    unused: &["tool", "number", "setUp", "probeInput"],
     dialect: &Dialect { units: ("", ""), ..DIALECT },
     check: |request, checker| {
         post::check(request, &BROTHER_CALLS, checker);
@@ -81,7 +81,7 @@ pub(super) static OKUMA: PostDef = PostDef {
 /// What they have in common.
 const CALLER: PostDef = PostDef {
     extension: "NC",
-    unused: &["tool", "setUp"],
+    unused: &["tool", "setUp", "probeInput"],
     work_offsets: offsets::STANDARD + offsets::MORE,
     work_offset_word: offsets::word,
     computes: false,

@@ -299,6 +299,8 @@ pub struct Request<'a> {
     pub limits: Limits,
     /// The angle that the spindle is turned to first, degrees; none is not turned.
     pub orient: Option<f64>,
+    /// The probe input of the control, from 1.
+    pub probe_input: usize,
     pub report: Report,
     /// The number of the program, on controls whose programs have one; none takes that of the name.
     pub number: Option<i32>,

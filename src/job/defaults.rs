@@ -139,16 +139,16 @@ pub fn resolved(job: &Value) -> Option<Value> {
     if let Value::Map(entries) = &mut whole {
         entries.retain(|(key, _)| key != TOLERANCES);
         entries.extend(plain_tolerances(job));
-        entries.iter_mut().filter(|(key, _)| key == "control").for_each(|(_, control)| leave_normal_run(control));
+        entries.iter_mut().filter(|(key, _)| key == "control").for_each(|(_, control)| leave_usual(control));
     }
     Some(whole)
 }
 
-/// That a run is no dry one goes without saying: programs stay as they were before there were dry runs.
-fn leave_normal_run(control: &mut Value) {
-    if let Value::Map(entries) = control
-        && entries.iter().any(|(key, value)| key == "run" && *value == Value::Text(NORMAL_RUN.to_owned()))
-    {
+/// A normal run and the first probe input go without saying: programs stay as they were before there was a choice.
+fn leave_usual(control: &mut Value) {
+    let Value::Map(entries) = control else { return };
+    entries.retain(|(key, value)| !(key == "probeInput" && *value == Value::Number(1.0)));
+    if entries.iter().any(|(key, value)| key == "run" && *value == Value::Text(NORMAL_RUN.to_owned())) {
         entries.retain(|(key, value)| key != "run" && !(key == "lift" && *value == Value::Number(0.0)));
     }
 }

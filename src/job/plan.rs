@@ -533,6 +533,7 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
         work_offset: job.work_offset,
         limits: job.limits,
         orient: job.orient,
+        probe_input: job.probe_input,
         report: job.report,
         path: dry.as_ref().unwrap_or(path),
         protected: job.protected || !measures,

@@ -216,6 +216,8 @@ form! {
         tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Program and machine"),
         /// Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it.
         orient: Option<f64> = Field::angle("orient", "Spindle orientation", 0.0).range(0.0, 360.0).null_by_default().null_means("not oriented").group("Program and machine"),
+        /// Probe input of the control: the one that the probe in the spindle is connected to.
+        probe_input: i32 = Field::count("probeInput", "Probe input", 1, 1, 2).group("Program and machine"),
         /// Where the program shows its results before it ends.
         report: String = Field::choice("report", "Results in the program", REPORTS).group("Program and machine"),
         /// SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance.
@@ -302,6 +304,8 @@ pub struct Job {
     pub work_offset: Option<i32>,
     /// The angle that the spindle is turned to, degrees; none is not turned.
     pub orient: Option<f64>,
+    /// The probe input of the control, from 1.
+    pub probe_input: usize,
     pub report: Report,
     /// The number of the program, where its control has them; none takes that of the name.
     pub number: Option<i32>,
@@ -448,6 +452,7 @@ impl Job {
             dry: (control.run == DRY_RUN).then_some(control.lift),
             work_offset: control.work_offset,
             orient: control.orient,
+            probe_input: control.probe_input as usize,
             report: Report::named(&control.report),
             number: control.number,
             set_up: control.set_up,

@@ -1004,6 +1004,8 @@ pub struct Control {
     pub tool: Option<Option<i32>>,
     /// Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it. `Some(None)`: not oriented.
     pub orient: Option<Option<f64>>,
+    /// Probe input of the control: the one that the probe in the spindle is connected to.
+    pub probe_input: Option<i32>,
     /// Where the program shows its results before it ends.
     pub report: Option<Report>,
     /// SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance.
@@ -1013,7 +1015,7 @@ pub struct Control {
 }
 
 impl Given for Control {
-    fn given(&self) -> Value { map([("post", of(&self.post)), ("form", of(&self.form)), ("workOffset", of(&self.work_offset)), ("protection", of(&self.protection)), ("run", of(&self.run)), ("lift", of(&self.lift)), ("header", of(&self.header)), ("tool", of(&self.tool)), ("orient", of(&self.orient)), ("report", of(&self.report)), ("setUp", of(&self.set_up)), ("number", of(&self.number))]) }
+    fn given(&self) -> Value { map([("post", of(&self.post)), ("form", of(&self.form)), ("workOffset", of(&self.work_offset)), ("protection", of(&self.protection)), ("run", of(&self.run)), ("lift", of(&self.lift)), ("header", of(&self.header)), ("tool", of(&self.tool)), ("orient", of(&self.orient)), ("probeInput", of(&self.probe_input)), ("report", of(&self.report)), ("setUp", of(&self.set_up)), ("number", of(&self.number))]) }
 }
 
 /// The section `tool` of a job.

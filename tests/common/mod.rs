@@ -315,8 +315,12 @@ fn read(text: &str) -> Interpreted {
         };
         let numbers: Vec<f64> = rest.trim_end_matches(')').split(',').filter_map(|n| n.trim().parse().ok()).collect();
         // What is shown on the screen.
-        if let Some((name, value)) = rest.trim_matches(['"', ')']).split_once('=').filter(|_| word == "MESSAGE") {
-            found.prints.push((name.to_owned(), value.parse().unwrap_or(f64::NAN)));
+        // One result, or several with their names.
+        let message = rest.trim_matches(['"', ')']);
+        if word == "MESSAGE" && message.contains('=') {
+            let pairs: Vec<(&str, &str)> = message.split(' ').filter_map(|pair| pair.split_once('=')).collect();
+            let number = |value: &str| value.parse().unwrap_or(f64::NAN);
+            found.prints.extend(pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))));
             continue;
         }
         if word == "MESSAGE" {

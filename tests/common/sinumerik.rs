@@ -19,6 +19,10 @@ pub struct Machine {
     /// The same of the frames that may stand behind it: programmed, tool, workpiece.
     pub behind: [[[f64; 3]; 5]; 3],
     pub metric: bool,
+    /// The probe input that the probe is connected to; the other one sees nothing.
+    pub input: u8,
+    /// The active tool offset, D.
+    pub tool_offset: u8,
     pub deflected: bool,
     /// The touch, counted from 1, from which on the probe stays deflected.
     pub stuck_from: Option<usize>,
@@ -47,6 +51,8 @@ impl Machine {
             triggers,
             contact_in: None,
             metric: true,
+            input: 1,
+            tool_offset: 1,
             deflected: false,
             stuck_from: None,
             message: String::new(),
@@ -108,7 +114,8 @@ impl Machine {
                         }
                     }
                     let deflected = self.is_deflected();
-                    if motion.measuring {
+                    let connected = motion.measuring == Some(self.input);
+                    if motion.measuring.is_some() {
                         // MEAS waits for the edge of the signal: of a probe that is deflected already it sees nothing.
                         self.state = 0.0;
                         // The check two blocks on says whether this is meant to touch.
@@ -117,11 +124,11 @@ impl Machine {
                             if motion.axes.contains(&None) {
                                 return Err(format!("line {line}: MEAS latches the axes that its block names"));
                             }
-                            if let Some(Some(trigger)) = self.triggers.get(self.touched).filter(|_| !deflected) {
+                            if let Some(Some(trigger)) = self.triggers.get(self.touched).filter(|_| connected && !deflected) {
                                 (to, self.state) = (*trigger, 1.0);
                             }
                             self.touched += 1;
-                        } else if !deflected && self.contact_in == self.names.get("TP_MOVE").copied() {
+                        } else if connected && !deflected && self.contact_in == self.names.get("TP_MOVE").copied() {
                             self.state = 1.0;
                             to = [0, 1, 2].map(|i| if at[i].is_nan() { to[i] } else { (at[i] + to[i]) / 2.0 });
                         }
@@ -197,7 +204,9 @@ impl Machine {
                 }
             }
             Term::System(name, parts) => match (name.as_str(), parts.as_slice()) {
+                ("$AC_MEA" | "$A_PROBE", [Term::Number(input)]) if *input != f64::from(self.input) => 0.0,
                 ("$AC_MEA", _) => self.state,
+                ("$P_TOOL", []) => f64::from(self.tool_offset),
                 // What the measuring cycles give is theirs.
                 ("_OVR", [_]) => 0.0,
                 ("$A_PROBE", _) => truth(self.is_deflected()),

@@ -719,6 +719,8 @@ export interface Job {
     tool?: number | null;
     /** Angle that the spindle is turned to before the first move: the one at which the probe was calibrated. Empty: the program does not turn it. `null`: not oriented. */
     orient?: number | null;
+    /** Probe input of the control: the one that the probe in the spindle is connected to. */
+    probeInput?: number;
     /** Where the program shows its results before it ends. */
     report?: "screen" | "log" | "none";
     /** SET_UP of the touch probe table: the control's own cycles add it to their set-up clearance. */

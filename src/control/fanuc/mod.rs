@@ -74,7 +74,7 @@ pub static HAAS: PostDef = PostDef {
 /// What Fanuc and Haas have in common.
 const KIN: PostDef = PostDef {
     extension: "nc",
-    unused: &["tool", "setUp"],
+    unused: &["tool", "setUp", "probeInput"],
     when: When::AtOnce,
     nearest_trigger: IN_POSITION,
     shortest_probe: SHORTEST_PROBE,

@@ -92,7 +92,7 @@ const KIN: PostDef = PostDef {
     orients: Err(words!("{control} cannot turn a spindle to an angle: turn it by hand")),
     watches_first: false,
     dialect: &DIALECT,
-    unused: &["tool", "orient", "report", "number", "setUp"],
+    unused: &["tool", "orient", "report", "number", "setUp", "probeInput"],
     cannot: &[
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
         (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs")),

@@ -34,7 +34,7 @@ pub static DEF: PostDef = PostDef {
     )),
     watches: false,
     dialect: &Dialect { comment: ("; ", ""), comment_width: 72, numbered: true, ..PLAIN },
-    unused: &["orient", "number"],
+    unused: &["orient", "number", "probeInput"],
     unused_by_cycles: &[
         "control.protection",
         "feeds.approach",

@@ -108,7 +108,7 @@ impl<'t> Cursor<'t> {
     }
 
     /// How many bytes have been read.
-    pub(super) fn at(&self) -> usize {
+    pub fn at(&self) -> usize {
         self.text.len() - self.rest.len()
     }
 

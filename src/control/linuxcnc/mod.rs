@@ -11,6 +11,8 @@
 
 mod read;
 
+use std::borrow::Cow;
+
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
@@ -35,7 +37,7 @@ pub static DEF: PostDef = PostDef {
     work_offset_word,
     shortest_probe: SHORTEST_PROBE,
     dialect: &DIALECT,
-    unused: &["tool", "number", "setUp"],
+    unused: &["tool", "number", "setUp", "probeInput"],
     cannot: &[(
         rules::MISS_LIFTS,
         words!("G38.2 itself stops the program with an error where the ball is: nothing after it runs"),
@@ -188,16 +190,28 @@ impl Moves for LinuxCnc<'_> {
             w.line(&format!("(LOGAPPEND,{name}.txt)"));
             w.line(&format!("(LOG,{name})"));
         }
-        for result in &formula.results {
-            if let Some(variable) = result.variable {
-                w.build(|text| {
-                    text.push_str(word);
-                    text.push_str(&formula.code(result));
+        let shown: Vec<(Cow<'_, str>, Variable)> =
+            formula.results.iter().filter_map(|result| Some((formula.code(result), result.variable?))).collect();
+        let crowded = self.request.report == Report::Screen && shown.len() > MOST_MESSAGES;
+        let most = if crowded { shown.len().div_ceil(MOST_MESSAGES) } else { 1 };
+        let mut rest = shown.as_slice();
+        while !rest.is_empty() {
+            w.build(|text| {
+                let begin = text.len();
+                text.push_str(word);
+                for n in 0..most.min(rest.len()) {
+                    let (code, variable) = &rest[0];
+                    if n > 0 && text.len() - begin + code.len() > LONGEST_MESSAGE {
+                        break;
+                    }
+                    text.push_str(if n > 0 { " " } else { "" });
+                    text.push_str(code);
                     text.push('=');
                     print::Rs274.variable(formula, variable.index(), text);
-                    text.push(')');
-                });
-            }
+                    rest = &rest[1..];
+                }
+                text.push(')');
+            });
         }
         if log {
             w.line("(LOGCLOSE)");
@@ -238,6 +252,12 @@ impl Moves for LinuxCnc<'_> {
         w.line("M2");
     }
 }
+
+/// As many messages AXIS shows, less two for a result that is marked: one more removes the first of them [read in axis.py: ten].
+const MOST_MESSAGES: usize = 8;
+
+/// A block may have 255 characters: so long a message may be before another result is added.
+const LONGEST_MESSAGE: usize = 160;
 
 /// The name of a log file: letters, digits, - and _.
 fn log_name(name: &str) -> String {

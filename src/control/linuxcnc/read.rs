@@ -215,15 +215,19 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         let value = cursor.operand(&GRAMMAR, script)?;
         cursor.end()?;
         script.push(line, BlockKind::Output(code.to_owned(), value));
-    } else if let Some((code, value)) =
-        ["DEBUG,", "LOG,"].iter().find_map(|word| after(text, word)).and_then(|rest| rest.split_once('='))
-    {
-        // A text with more than one value does not report a result.
-        let mut cursor = Cursor::new(value);
-        if let Ok(value) = cursor.operand(&GRAMMAR, script)
-            && cursor.is_done()
-        {
-            script.push(line, BlockKind::Output(code.to_owned(), value));
+    } else if let Some(mut rest) = ["DEBUG,", "LOG,"].iter().find_map(|word| after(text, word)) {
+        // A text with another value in it reports no result.
+        let mut shown = Vec::new();
+        while let Some((code, value)) = rest.split_once('=') {
+            let mut cursor = Cursor::new(value);
+            let Ok(operand) = cursor.operand(&GRAMMAR, script) else { return Ok(()) };
+            shown.push((code.trim_start().to_owned(), operand));
+            rest = &value[cursor.at()..];
+        }
+        if rest.is_empty() && (shown.len() == 1 || shown.iter().all(|(code, _)| !code.contains(' '))) {
+            for (code, operand) in shown {
+                script.push(line, BlockKind::Output(code, operand));
+            }
         }
     } else if after(text, "ABORT,").is_some() {
         script.push(line, BlockKind::Alarm);

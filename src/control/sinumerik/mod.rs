@@ -12,7 +12,8 @@
 //!
 //! Recalled and not verified on a control: that MEAS ends a move at the contact, the states of `$AC_MEA`, `$A_PROBE`, `$AA_MW` as the ball centre in the workpiece
 //! system, `$AA_IW` as the place in it, the values of `$MN_SCALING_SYSTEM_IS_METRIC`, R0 to R99 by default (MD28050), that `TRANS` switches
-//! programmable frames off, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, and `SETAL(65000)`.
+//! programmable frames off, components of `$P_UIFR`, `$P_PFRAME`, `$P_TOOLFRAME` and `$P_WPFRAME`, that `$P_TOOL` is the active D number, `DIAMOF`, and
+//! `SETAL(65000)`.
 
 pub mod cycles;
 mod read;
@@ -31,7 +32,7 @@ use crate::control::{
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
-use crate::geom::{AXIS_NAMES, Vec3};
+use crate::geom::{AXIS_NAMES, Plane, Vec3};
 use crate::num::{decimal, format_count, push_count};
 use crate::path::{Feed, Move, STATED_RAPID, Subject, Term, Touch};
 use crate::text::text;
@@ -176,7 +177,7 @@ impl Sinumerik<'_> {
     fn ask_probe(&mut self, w: &mut Writer<'_>) {
         if std::mem::take(&mut self.unwatched) {
             w.line("STOPRE");
-            w.line("IF $A_PROBE[1]<>0 GOTOF TP_STUCK");
+            w.line(&format!("IF $A_PROBE[{}]<>0 GOTOF TP_STUCK", self.request.probe_input));
         }
     }
 }
@@ -236,9 +237,11 @@ impl Moves for Sinumerik<'_> {
         }
         w.makes_move();
         // MEAS takes the positions of the axes that its block names.
-        w.straight_in_full("MEAS=1 G1", step.step.to - touch.vector * touch.search, self.request.feeds.work);
+        let input = self.request.probe_input;
+        let word = format!("MEAS={input} G1");
+        w.straight_in_full(&word, step.step.to - touch.vector * touch.search, self.request.feeds.work);
         w.line("STOPRE");
-        w.line("IF $AC_MEA[1]==0 GOTOF TP_MISSED");
+        w.line(&format!("IF $AC_MEA[{input}]==0 GOTOF TP_MISSED"));
     }
 
     fn stores(&self, sample: usize, axis: usize, stored: &mut StoredCoordinate) -> bool {
@@ -368,11 +371,12 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     w.header(&does::line(request, written));
     w.comment_approach();
     w.comment("Not verified on a control: run it with a hand on the feed override");
-    w.comment(match (request.protected, request.form) {
-        (true, Form::Moves) => "Watched moves are MEAS=1 G1 with a check; touches the same, the other way round",
-        (true, Form::Cycle) => "Watched moves are MEAS=1 G1 with a check; the cycle touches by itself",
-        (false, Form::Moves) => "Touches are MEAS=1 G1 with a check. Positioning is NOT watched",
-        (false, Form::Cycle) => "The cycle touches by itself. Positioning is NOT watched",
+    let input = request.probe_input;
+    w.comment(&match (request.protected, request.form) {
+        (true, Form::Moves) => format!("Watched moves are MEAS={input} G1 with a check; touches the same, the other way round"),
+        (true, Form::Cycle) => format!("Watched moves are MEAS={input} G1 with a check; the cycle touches by itself"),
+        (false, Form::Moves) => format!("Touches are MEAS={input} G1 with a check. Positioning is NOT watched"),
+        (false, Form::Cycle) => "The cycle touches by itself. Positioning is NOT watched".to_owned(),
     });
     for note in notes {
         w.comment(note);
@@ -388,8 +392,13 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     }
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
     w.line(&format!("IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS", if request.scale == 1.0 { 0 } else { 1 }));
-    w.line("IF $A_PROBE[1]<>0 GOTOF TP_DEFLECTED");
+    w.line(&format!("IF $A_PROBE[{}]<>0 GOTOF TP_DEFLECTED", request.probe_input));
+    w.line("IF $P_TOOL==0 GOTOF TP_TOOL");
     w.modes();
+    if request.plane == Plane::G18 {
+        // On a lathe X may be a diameter.
+        w.line("DIAMOF");
+    }
     w.line("M5 M9");
     if let Some(angle) = request.orient {
         w.line(&format!("SPOS={}", decimal(angle, 3)));
@@ -437,13 +446,19 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     if start_unknown(request, place.index, place.step) {
         return approach(w, request, place.step);
     }
+    let follows_cycle = || serve::ranges(request).iter().any(|cycle| cycle.end == place.index);
+    if request.work_offset.is_none() && upwards(request, place.from, place.step.to) > 0 && follows_cycle() {
+        // The cycle ends in the middle that it found: the way from there to the nominal one is no way out of a bore.
+        let up = w.goes_along_tool(place.step.to);
+        approach_block(w, request, place.step, &up, "TP_BLOCKED");
+    }
     w.makes_move();
     each_piece(request, place, |from, to| {
         if request.protected {
             // On the way up an exit that lifts would push on against what was met.
             let exit = if upwards(request, from, to) > 0 { "TP_BLOCKED" } else { "TP_CONTACT" };
-            w.straight("MEAS=1 G1", to, false, Some(rate_of(request, place.step)));
-            must_be_free(w, exit);
+            w.straight(&format!("MEAS={} G1", request.probe_input), to, false, Some(rate_of(request, place.step)));
+            must_be_free(w, request, exit);
         } else {
             let rate = feed_rate(request, from, place.step);
             w.straight(if rate.is_some() { "G1" } else { "G0" }, to, false, rate);
@@ -454,7 +469,9 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
 /// One block of the way to the first place.
 fn approach_block(w: &mut Writer<'_>, request: &Request<'_>, first: &Move, words: &str, exit: &str) {
     if request.protected {
-        watched(w, words, rate_of(request, first), exit);
+        let feed = w.number(rate_of(request, first));
+        w.parts(&["MEAS=", &format_count(request.probe_input), " G1", words, " F", &feed]);
+        must_be_free(w, request, exit);
     } else if let Some(rate) = feed_rate(request, None, first) {
         let feed = w.number(rate);
         w.parts(&["G1", words, " F", &feed]);
@@ -483,17 +500,10 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
     approach_block(w, request, step, &down, "TP_CONTACT");
 }
 
-/// One move in which nothing may be touched, and where a contact jumps to.
-fn watched(w: &mut Writer<'_>, words: &str, rate: f64, exit: &str) {
-    let feed = w.number(rate);
-    w.parts(&["MEAS=1 G1", words, " F", &feed]);
-    must_be_free(w, exit);
-}
-
-/// The check after it.
-fn must_be_free(w: &mut Writer<'_>, exit: &str) {
+/// The check after a move in which nothing may be touched, and where a contact jumps to.
+fn must_be_free(w: &mut Writer<'_>, request: &Request<'_>, exit: &str) {
     w.line("STOPRE");
-    w.parts(&["IF $AC_MEA[1]<>0 GOTOF ", exit]);
+    w.parts(&["IF $AC_MEA[", &format_count(request.probe_input), "]<>0 GOTOF ", exit]);
 }
 
 /// The write at the end: the frame's shift so that what was measured comes to its nominal place, and its turn. With the turn a
@@ -611,6 +621,7 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     for (label, message) in [
         ("TP_UNITS", "The basic system of the control has other units than this program. Nothing has moved"),
         ("TP_DEFLECTED", "The probe is deflected before the start. Nothing has moved"),
+        ("TP_TOOL", "No tool offset is active (D0): the length of the probe is unknown. Nothing has moved"),
     ] {
         w.line(&format!("{label}:"));
         w.line(&format!("MSG(\"{message}\")"));

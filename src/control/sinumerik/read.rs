@@ -41,8 +41,10 @@ fn system(name: &[u8]) -> Option<System> {
     Some(match (head, inner) {
         ("$AA_IW", axis) => System::Place(axis_of(axis)?),
         ("$AA_MW", axis) => System::Trigger(axis_of(axis)?),
-        ("$AC_MEA", "1") => System::Contact,
-        ("$A_PROBE", "1") => System::Deflected,
+        ("$AC_MEA", "1" | "2") => System::Contact,
+        ("$A_PROBE", "1" | "2") => System::Deflected,
+        // A tool offset is active.
+        ("$P_TOOL", "") => System::Fixed(1.0),
         ("$MN_SCALING_SYSTEM_IS_METRIC", "") => System::Metric,
         ("$P_UIFR", inner) => {
             let mut parts = inner.split(',');
@@ -81,6 +83,16 @@ fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
 #[derive(Default)]
 struct Program {
     declared: Vec<bool>,
+    /// The first line about the second probe input.
+    second_input: Option<usize>,
+}
+
+/// What a line says of a probe input, the number left out.
+const INPUTS: [&str; 3] = ["MEAS=", "$AC_MEA[", "$A_PROBE["];
+
+/// Whether a text names a probe input.
+fn names_input(text: &str, number: char) -> bool {
+    INPUTS.iter().any(|word| text.match_indices(word).any(|(at, _)| text[at + word.len()..].starts_with(number)))
 }
 
 impl<'t> Blocks<'t> for Program {
@@ -97,6 +109,11 @@ impl<'t> Blocks<'t> for Program {
             results(script, list);
         }
         let code = lex::without_number(code);
+        if (code.starts_with("MEAS") || code.contains("$A")) && names_input(code, '2') {
+            // A line that is remembered is not seen again.
+            targets.depends = true;
+            self.second_input.get_or_insert(line);
+        }
         // What stands before a program in an archive.
         if code.is_empty() || code.starts_with('%') {
             return Ok(());
@@ -122,7 +139,11 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     script.vacant = Some(0.0);
     script.ahead = Ahead::Reads;
     let mut targets = Targets::default();
-    lines::lines(text, (Hand::Sinumerik, b';'), &mut script, &mut targets, &mut Program::default())?;
+    let mut program = Program::default();
+    lines::lines(text, (Hand::Sinumerik, b';'), &mut script, &mut targets, &mut program)?;
+    if let (Some(line), true) = (program.second_input, names_input(text, '1')) {
+        return Err(vec![Trouble { line, message: text!("the program asks both probe inputs"), understood: true }]);
+    }
     targets.resolve(&mut script, true)?;
     script.give_results();
     Ok(script)
@@ -161,7 +182,7 @@ fn block<'t>(
     let mut cursor = Cursor::new(code);
     let what = if cursor.eat_name("STOPRE") {
         BlockKind::Halt
-    } else if cursor.eat_name("TRANS") {
+    } else if cursor.eat_name("TRANS") || cursor.eat_name("DIAMOF") {
         BlockKind::Nothing
     } else if cursor.eat("DEF INT ") {
         let name = cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
@@ -181,7 +202,7 @@ fn block<'t>(
         cursor.expect("GOTOF ")?;
         targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
         BlockKind::JumpIf(condition, 0)
-    } else if cursor.eat("MEAS=1 ") {
+    } else if cursor.eat("MEAS=1 ") || cursor.eat("MEAS=2 ") {
         measured(script, &mut cursor)?
     } else if let Some((name, arguments)) =
         code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name.as_bytes()))

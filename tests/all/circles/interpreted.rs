@@ -1,7 +1,7 @@
 //! LinuxCNC's interpreter runs 1411 as a program of moves.
 
 use super::{holes, on_linuxcnc, row, text, value};
-use crate::common::{compare_moves, interpret, interpret_from, number, number_at, planned, point, with};
+use crate::common::{compare_moves, interpret, interpret_from, number, number_at, on_virtual_part, planned, point, with};
 use touchpath::form::Value;
 use touchpath::job::{Plan, evaluate};
 
@@ -153,4 +153,24 @@ fn linuxcnc_and_the_page_agree_on_scattered_points() {
     let control = with(&with(&job, "control.post", text("heidenhain")), "control.form", text("cycle"));
     let geometric = evaluate(&control, &Value::List(points)).unwrap();
     assert!((row(&geometric, "Q950").value.unwrap() - row(&shown, "Q950").value.unwrap()).abs() > 1e-5);
+}
+
+/// AXIS shows ten messages, and another one removes the first of them: the 25 and more results of 1411 stand several in a message. The interpreter shows each.
+#[test]
+fn the_results_of_two_circles_fit_on_the_screen() {
+    let jobs = crate::common::unlimited_jobs();
+    let of = |wanted: &str| {
+        let (_, job) = jobs.iter().find(|(name, _)| name == wanted).unwrap();
+        planned(&with(&with(job, "control.report", text("screen")), "control.post", text("linuxcnc")))
+    };
+    let plan = of("circles-linuxcnc");
+    let messages = |plan: &Plan| plan.program.text.lines().filter(|line| line.starts_with("(DEBUG,")).count();
+    assert!((4..=8).contains(&messages(&plan)), "{}", plan.program.text);
+    let ran = interpret(&on_virtual_part(&plan)).unwrap();
+    assert!(ran.prints.len() > 18);
+    for (code, printed) in &ran.prints {
+        assert!((value(&plan, code) - printed).abs() < 2e-6, "{code}: {printed}");
+    }
+    // Few results have a line each.
+    assert_eq!(messages(&of("pocket")), 4);
 }

@@ -407,7 +407,10 @@ fn a_long_line_from_an_acute_corner_is_followed() {
                    "relations": [ {{ "name": "ROW", "type": "line", "of": ["A", "B"] }} ] }}"#
             ));
             let plan = planned(&job);
-            assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)), "{post} {rotation}");
+            assert!(
+                plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)),
+                "{post} {rotation}"
+            );
         }
     }
 }

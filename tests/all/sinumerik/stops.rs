@@ -227,3 +227,68 @@ fn a_broken_program_is_caught() {
         assert!(judge(program).is_err(), "{i} is not caught:\n{program}");
     }
 }
+
+/// With D0 the length of the probe does not count: the program says so before anything moves. Of the two probe inputs the program asks the one of the job.
+#[test]
+fn the_tool_offset_and_the_probe_input_are_asked() {
+    for input in [1, 2] {
+        for (name, job, _) in plans().into_iter().filter(|(.., plan)| !plan.touches.is_empty()) {
+            let job = with(&job, "control.probeInput", Value::Number(f64::from(input)));
+            let plan = touchpath::job::plan(&job).unwrap_or_else(|e| panic!("{name}: {:?}", e.findings));
+            let program = read(&plan.program.text).unwrap();
+            let mut machine = machine(&job, &plan);
+            machine.input = input;
+            machine.tool_offset = 0;
+            machine.run(&program).unwrap();
+            assert!(machine.message.starts_with("No tool offset is active"), "{name}: {}", machine.message);
+            assert_eq!((machine.path.len(), machine.writes, machine.alarm), (0, 0, Some(65000.0)), "{name}");
+            if !moves_form(&plan) || plan.triggers.contains(&None) {
+                continue;
+            }
+            for (connected, ends) in [(input, None), (3 - input, Some("No contact"))] {
+                let mut machine = super::machine(&job, &plan);
+                machine.input = connected;
+                machine.run(&program).unwrap();
+                assert_eq!(machine.alarm.is_some(), ends.is_some(), "{name}: {}", machine.message);
+                assert!(machine.message.starts_with(ends.unwrap_or_default()), "{name}: {}", machine.message);
+            }
+            let other = plan.program.text.replacen(&format!("$AC_MEA[{input}]"), &format!("$AC_MEA[{}]", 3 - input), 1);
+            let found = touchpath::import::import(&other).map_or_else(|e| e.findings, |imported| imported.findings().to_vec());
+            assert!(found.iter().any(|f| f.code == "program-differs"), "{name}: {found:?}");
+        }
+    }
+}
+
+/// On a lathe X may be a diameter in G18.
+#[test]
+fn g18_states_radii() {
+    for (name, job, plan) in plans() {
+        let lathe = job.get("plane") == Some(&Value::Text("G18".to_owned()));
+        assert_eq!(plan.program.text.lines().any(|line| line == "DIAMOF"), lathe, "{name}");
+    }
+}
+
+/// A cycle that only measures ends in the middle that it found: from there the ball goes straight up first.
+#[test]
+fn from_a_cycle_that_only_measures_the_way_out_is_straight_up() {
+    let mut counted = 0;
+    for (name, job) in crate::common::unlimited_jobs() {
+        let given = |key: &str, value: &str| (format!("control.{key}"), Value::Text(value.to_owned()));
+        let changes = [given("post", "sinumerik"), given("form", "cycle"), ("control.workOffset".to_owned(), Value::Null)];
+        let job = changes.iter().fold(job, |job, (path, value)| with(&job, path, value.clone()));
+        let Ok(plan) = touchpath::job::plan(&job) else { continue };
+        let lines: Vec<&str> = plan.program.text.lines().collect();
+        let call = lines.iter().rposition(|line| line.starts_with("CYCLE97"));
+        let Some(call) = call.filter(|call| lines[*call].starts_with("CYCLE977")) else { continue };
+        let tool = axes(&job)[2];
+        let [.., before, last] = plan.moves.as_slice() else { continue };
+        if last.to[tool] <= before.to[tool] {
+            continue;
+        }
+        let axis = ["X", "Y", "Z"][tool];
+        let first = lines[call..].iter().find_map(|line| line.strip_prefix("MEAS=1 G1 ")).unwrap();
+        assert!(first.starts_with(axis) && first.split(' ').count() == 2, "{name}: {first}");
+        counted += 1;
+    }
+    assert!(counted > 3);
+}

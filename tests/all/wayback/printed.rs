@@ -82,10 +82,8 @@ fn the_lines_of_renishaws_macros_are_read() {
 /// A log as HEIDENHAIN's guide prints one: labels and values, on one line or on two. The job's own unit need not be that of the log.
 #[test]
 fn the_log_of_heidenhains_cycles_is_read() {
-    let bore = job(
-        r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" },
-             "cycle": { "type": "hole-protected", "origin": [50, 65, 0], "diameter": 12 } }"#,
-    );
+    let bore = job(r#"{ "format": 1, "control": { "post": "heidenhain", "form": "cycle" },
+             "cycle": { "type": "hole-protected", "origin": [50, 65, 0], "diameter": 12 } }"#);
     let log = "Measuring log for touch probe cycle 421 Hole measuring\n\nDate: 30-06-2005\nTime: 6:55:04\n\
         Measuring program: TNC:\\GEH35712\\CHECK1.H\nType of dimension (0 = MM / 1 = INCH): 0\n\
         Nominal values:\nCenter in reference axis: 50.0000\nCenter in minor axis: 65.0000\nDiameter: 12.0000\n\

@@ -74,7 +74,8 @@ pub enum Statement {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Motion {
     /// `MEAS=1`.
-    pub measuring: bool,
+    /// The probe input that it waits for, of a measuring one.
+    pub measuring: Option<u8>,
     /// `G0`: as fast as the control can.
     pub rapid: bool,
     /// X, Y, Z; of a sum its number.
@@ -225,8 +226,9 @@ fn statement(code: &str) -> Result<Statement, String> {
         let arguments = arguments.strip_suffix(')').ok_or("a bracket is not closed")?;
         return call(name, arguments);
     }
-    let measuring = first.eq_ignore_ascii_case("MEAS=1");
-    if !measuring && let Some(at) = assignment(code) {
+    if input_of(first).is_none()
+        && let Some(at) = assignment(code)
+    {
         let place = term(&code[..at])?;
         if !matches!(place, Term::Register(_) | Term::Name(_) | Term::System(..)) {
             return Err("nothing can be assigned to this".into());
@@ -265,13 +267,19 @@ fn call(name: &str, arguments: &str) -> Result<Statement, String> {
     Ok(Statement::Call(name.to_owned(), arguments?))
 }
 
+/// The probe input of `MEAS=1` and `MEAS=2`.
+fn input_of(word: &str) -> Option<u8> {
+    let (name, input) = word.split_once('=')?;
+    input.parse().ok().filter(|input| name.eq_ignore_ascii_case("MEAS") && [1, 2].contains(input))
+}
+
 fn words(code: &str) -> Result<Statement, String> {
     let mut motion = Motion::default();
     let mut others = Vec::new();
     let mut moves = false;
     for word in code.split_whitespace() {
-        if word.eq_ignore_ascii_case("MEAS=1") {
-            motion.measuring = true;
+        if let Some(input) = input_of(word) {
+            motion.measuring = Some(input);
             continue;
         }
         let letter = &word[..word.chars().next().map_or(0, char::len_utf8)];
@@ -290,18 +298,18 @@ fn words(code: &str) -> Result<Statement, String> {
             }
             "F" => motion.feed = Some(number().ok_or_else(|| format!("{word} is no feed"))?),
             "G" | "M" if number().is_some() => others.push(word.to_owned()),
-            _ if matches!(word, "STOPRE" | "TRANS") => others.push(word.to_owned()),
+            _ if matches!(word, "STOPRE" | "TRANS" | "DIAMOF") => others.push(word.to_owned()),
             _ => return Err(format!("{} is not understood", word.chars().take(40).collect::<String>())),
         }
     }
     match (moves, others.as_slice()) {
-        (true, [one]) if one == "G1" || (one == "G0" && !motion.measuring && motion.feed.is_none()) => {
+        (true, [one]) if one == "G1" || (one == "G0" && motion.measuring.is_none() && motion.feed.is_none()) => {
             motion.rapid = one == "G0";
             Ok(Statement::Motion(motion))
         }
         (true, _) => Err("a block with axis words must be a G1, or a G0 without a feed".into()),
         (false, []) => Err("nothing is in this block".into()),
-        (false, _) if motion.measuring || motion.feed.is_some() => Err("a feed or MEAS without a motion".into()),
+        (false, _) if motion.measuring.is_some() || motion.feed.is_some() => Err("a feed or MEAS without a motion".into()),
         (false, _) => Ok(Statement::Words(others)),
     }
 }
@@ -364,7 +372,7 @@ impl Program {
                         say(line, "this moves without a feed of its own");
                     }
                     let to = motion.after(at);
-                    if motion.measuring {
+                    if motion.measuring.is_some() {
                         match self.check_after(i) {
                             Some(touches) => before_touch = touches.then_some(at),
                             None => say(line, "this MEAS move is not checked: a contact in it would go unnoticed"),
@@ -389,7 +397,8 @@ impl Program {
         let stop = Statement::Words(vec!["STOPRE".to_owned()]);
         let [stopped, check] = self.blocks.get(block + 1..block + 3)? else { return None };
         let Statement::If(Term::Binary(operator, left, right), _) = &check.statement else { return None };
-        let state = Term::System("$AC_MEA".to_owned(), vec![Term::Number(1.0)]);
+        let Statement::Motion(Motion { measuring: Some(input), .. }) = &self.blocks.get(block)?.statement else { return None };
+        let state = Term::System("$AC_MEA".to_owned(), vec![Term::Number(f64::from(*input))]);
         (stopped.statement == stop && **left == state && **right == Term::Number(0.0)).then_some(*operator == "==")
     }
 
@@ -410,7 +419,7 @@ impl Program {
                     if steps.is_empty() && at == stood && self.start.is_some() {
                         continue;
                     }
-                    let purpose = match (motion.measuring, self.check_after(i)) {
+                    let purpose = match (motion.measuring.is_some(), self.check_after(i)) {
                         (true, Some(true)) => Purpose::Touch,
                         (true, _) => Purpose::Position,
                         // After a touch it leads back; else it is a positioning move that is not watched.
