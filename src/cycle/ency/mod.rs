@@ -15,7 +15,6 @@ pub mod words;
 
 pub use custom::{HIGHEST as HIGHEST_CODE, MOST as MOST_CODES};
 pub use field::Properties;
-pub use forms::{PairProtected, RectangleProtected, RoundProtected};
 pub use picked_touches::{LONGEST_VECTOR, POINT, Pick, Placement};
 pub use shape::{Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, TwoTouches, Variant};
 use table::table;
