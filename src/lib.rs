@@ -8,7 +8,6 @@
 //! |---|---|
 //! | [`job`] | a job from JSON, its check, its plan, its picture, its results from measured points |
 //! | [`config`] | what a portal allows: rules that jobs are filled in and judged by |
-//! | [`typed`] | a job as Rust types, instead of JSON |
 //! | [`describe`] | what forms and readers need: the catalog, the JSON Schema, the parameter table as text |
 //! | [`import`](mod@import) | dumps and programs into jobs; the moves of any program |
 //! | [`tool_length`] | SINUMERIK's LENTOAX |
@@ -33,7 +32,6 @@ pub mod import;
 pub mod job;
 pub mod text;
 pub mod tool_length;
-pub mod typed;
 
 #[cfg(any(test, target_arch = "wasm32"))]
 mod border;

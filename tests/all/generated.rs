@@ -5,7 +5,6 @@ mod layout;
 mod macro_calls;
 mod structs;
 mod surface;
-mod typed;
 mod typescript;
 mod words;
 
@@ -282,11 +281,6 @@ fn the_layout_of_the_border_is_that_of_the_crate() {
 #[test]
 fn the_types_of_a_job_are_those_of_the_crate() {
     keep("www/core/job-types.ts", &typescript::job_types());
-}
-
-#[test]
-fn the_rust_types_of_a_job_are_those_of_the_crate() {
-    keep("src/typed/forms.rs", &typed::typed());
 }
 
 #[test]

@@ -13,7 +13,7 @@ const LAYERS: &[&[&str]] = &[
     &["path"],
     &["control", "cycle", "part", "view", "tool_length"],
     &["job"],
-    &["config", "describe", "import", "border", "typed"],
+    &["config", "describe", "import", "border"],
     &["wasm"],
 ];
 

@@ -42,6 +42,5 @@ mod stylus;
 mod table;
 mod tolerances;
 mod toolpath;
-mod typed;
 mod wayback;
 mod wear;
