@@ -1,8 +1,8 @@
 // Puts faults into a copy of the tree and looks whether the tests that are named for them fail: `npm run mutants`, or with parts of names only those.
 // The faults are in tests/mutants/. One whose text is gone fails the run, so the list stays alive.
 import { spawnSync } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
 import { at, ensureInterpreter, ensurePackages, run } from "./lib.mjs";
 
 /**
@@ -47,7 +47,15 @@ const env = {
 /** The tree as git sees it, copied where it changed: cargo and its caches take the rest as it was. Its packages are its own: npm would empty a folder that is linked. */
 function copy() {
   const listed = run("git", ["ls-files", "--cached", "--others", "--exclude-standard", "-z"], { quiet: true });
-  for (const file of listed.split("\0").filter((name) => name && existsSync(at(name)))) {
+  const files = listed.split("\0").filter((name) => name && existsSync(at(name)));
+  // What is gone here would be compiled there.
+  for (const folder of ["src", "tests"].filter((name) => existsSync(join(tree, name)))) {
+    for (const entry of readdirSync(join(tree, folder), { recursive: true, withFileTypes: true })) {
+      const file = join(entry.parentPath, entry.name);
+      if (entry.isFile() && !files.includes(relative(tree, file))) rmSync(file);
+    }
+  }
+  for (const file of files) {
     const to = join(tree, file);
     if (existsSync(to) && readFileSync(to).equals(readFileSync(at(file)))) continue;
     mkdirSync(dirname(to), { recursive: true });

@@ -72,6 +72,12 @@ fn the_lines_of_renishaws_macros_are_read() {
             near(value(&found, code).unwrap(), wanted);
         }
     }
+    // A centre and a width of one nominal value: the kind says which is meant.
+    let off = with(&pocket(), "cycle.origin", crate::common::point([50.0, 0.0, 0.0]));
+    let found = measured(&off, "SIZE Y 50.0000   ACTUAL 50.0300\nPOSN X 50.0000   ACTUAL 50.1000\n");
+    for (code, wanted) in [("center.x", 50.1), ("width2", 50.03)] {
+        near(value(&found, code).unwrap(), wanted);
+    }
     let inch = touchpath::job::convert_units(&pocket(), "inch").unwrap();
     // 80 mm are 3.1496 inch.
     let found = measured(&inch, "SIZE X 3.1496   ACTUAL 3.1512   DEV 0.0016\n");
