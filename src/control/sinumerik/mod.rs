@@ -446,9 +446,8 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     if start_unknown(request, place.index, place.step) {
         return approach(w, request, place.step);
     }
-    let follows_cycle = || serve::ranges(request).iter().any(|cycle| cycle.end == place.index);
-    if request.work_offset.is_none() && upwards(request, place.from, place.step.to) > 0 && follows_cycle() {
-        // The cycle ends in the middle that it found: the way from there to the nominal one is no way out of a bore.
+    if upwards(request, place.from, place.step.to) > 0 && serve::starts_off_centre(request, place.index) {
+        // Out of a bore the way is straight up.
         let up = w.goes_along_tool(place.step.to);
         approach_block(w, request, place.step, &up, "TP_BLOCKED");
     }

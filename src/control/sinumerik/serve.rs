@@ -481,19 +481,25 @@ pub fn notes(request: &Request<'_>) -> Vec<String> {
     notes
 }
 
-/// The moves that each cycle makes, in the order of the calls.
-pub fn ranges(request: &Request<'_>) -> Vec<Range<usize>> {
-    let Some(own) = &request.path.own else { return Vec::new() };
+/// The calls, each with the moves that it makes.
+fn calls<'a>(request: &Request<'a>) -> Vec<(&'a OwnBlock, Range<usize>)> {
     // The first move comes to where they count from.
     let mut at = 1;
-    let mut found = Vec::new();
-    for (block, moves) in &own.blocks {
-        if matches!(block, OwnBlock::Cycle(..)) {
-            found.push(at..at + moves);
-        }
+    let blocks = request.path.own.iter().flat_map(|own| &own.blocks).map(|(block, moves)| {
         at += moves;
-    }
-    found
+        (block, at - moves..at)
+    });
+    blocks.filter(|(block, _)| matches!(block, OwnBlock::Cycle(..))).collect()
+}
+
+/// The moves that each cycle makes, in the order of the calls.
+pub fn ranges(request: &Request<'_>) -> Vec<Range<usize>> {
+    calls(request).into_iter().map(|(_, moves)| moves).collect()
+}
+
+/// Whether a move starts where a cycle ends that corrects nothing: in the middle that it found, and not in the nominal one.
+pub fn starts_off_centre(request: &Request<'_>, index: usize) -> bool {
+    calls(request).iter().any(|(block, moves)| moves.end == index && !block.writes())
 }
 
 /// Writes the call that makes these moves, and what keeps the results of the one before it.

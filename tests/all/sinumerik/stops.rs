@@ -292,3 +292,17 @@ fn from_a_cycle_that_only_measures_the_way_out_is_straight_up() {
     }
     assert!(counted > 3);
 }
+
+/// Of several cycles the last one corrects, and those before it only measure: each of them is left straight up.
+#[test]
+fn of_several_cycles_those_that_only_measure_are_left_straight_up() {
+    let set_up = job(r#"{ "format": 2, "control": { "post": "sinumerik", "form": "cycle", "workOffset": 1 }, "cycles": [
+             { "name": "LEFT", "type": "hole", "diameter": 20, "origin": [-60, 0, 0] },
+             { "name": "RIGHT", "type": "hole", "diameter": 20, "origin": [60, 0, 0] } ] }"#);
+    let text = planned(&set_up).program.text;
+    let ways: Vec<Option<&str>> =
+        text.split("CYCLE977(").skip(1).map(|behind| behind.lines().find_map(|line| line.strip_prefix("MEAS=1 G1 "))).collect();
+    let [Some(left), Some(right)] = ways[..] else { panic!("{text}") };
+    assert!(left.starts_with('Z') && left.split(' ').count() == 2, "{left}");
+    assert!(right.starts_with('X'), "{right}");
+}
