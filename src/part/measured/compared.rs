@@ -1,4 +1,4 @@
-//! What measuring cycles print themselves: an actual value beside its nominal one. No line names a result: its kind and its nominal value say which one it is.
+//! What measuring cycles print themselves: an actual value with its nominal one. No line names a result: kind and nominal value tell which one it is.
 //!
 //! Sources. Renishaw's macro O9730 of the edition for Haas, a line a result: `SIZE D 40.0000 ACTUAL 40.0132 TOL 0.5000 DEV 0.0132`, `POSN X …`, `ANG …`;
 //! DPRNT prints blanks as `*`. HEIDENHAIN's TNC guide, "Recording the results of measurement": the log of cycle 421 (Q281), the same labels under
@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::form::Checker;
 use crate::formula::{ResultDef, Role};
 use crate::num::decimal;
-use crate::part::measured::{Expected, line};
+use crate::part::measured::{Expected, Form, line};
 use crate::text::text;
 
 /// Both print four decimals.
@@ -23,6 +23,8 @@ enum Kind {
     /// Of this axis: `X`, `Y` or `Z`, as in G17.
     Place(char),
     Angle,
+    /// Of a label that is not known.
+    Unknown,
 }
 
 impl Kind {
@@ -37,6 +39,7 @@ impl Kind {
                 _ => false,
             },
             Kind::Angle => def.role.is_angle(),
+            Kind::Unknown => false,
         }
     }
 }
@@ -51,17 +54,18 @@ struct Compared<'t> {
     actual: f64,
 }
 
-/// What a text prints, in mm where it says so itself; with the lines that say nothing else.
+/// A part of a text that one cycle printed.
 struct Print<'t> {
     found: Vec<Compared<'t>>,
-    lines: Range<usize>,
-    /// mm a unit of length.
+    /// Its lines, which hold nothing else.
+    lines: Vec<usize>,
+    /// mm in a unit of length.
     scale: f64,
 }
 
-/// Renishaw's lines.
-fn renishaw(text: &str, scale: f64) -> Vec<Print<'_>> {
-    let of = |(line, text): (usize, &'_ str)| {
+/// Lines of Renishaw's macros.
+fn renishaw(text: &str, scale: f64) -> impl Iterator<Item = Print<'_>> {
+    let compared = |(line, text): (usize, &'_ str)| {
         let plain = text.replace('*', " ");
         let (word, rest) = plain.trim_start().split_once(' ')?;
         let (before, after) = rest.split_once("ACTUAL")?;
@@ -73,86 +77,94 @@ fn renishaw(text: &str, scale: f64) -> Vec<Print<'_>> {
             ("ANG", _) => (Kind::Angle, before),
             _ => return None,
         };
-        Some((line, kind, first(nominal)?, first(after)?))
+        Some((line, kind, number(nominal)?, number(after)?))
     };
-    let lines = text.lines().enumerate().filter_map(|line| of(line).map(|found| (line.1, found)));
-    let print = |(text, (line, kind, nominal, actual))| Print {
-        found: vec![Compared { line, text, kind, nominal, actual }],
-        lines: line..line + 1,
-        scale,
-    };
-    lines.map(print).collect()
+    text.lines().enumerate().filter_map(move |numbered| {
+        let (line, kind, nominal, actual) = compared(numbered)?;
+        Some(Print { found: vec![Compared { line, text: numbered.1, kind, nominal, actual }], lines: vec![line], scale })
+    })
 }
 
-/// The logs of HEIDENHAIN's cycles: `TCHPR421.TXT`. A value stands behind its label or on the next line.
-fn heidenhain(text: &str, scale: f64) -> Vec<Print<'_>> {
-    const BEGINS: &str = "Measuring log";
-    const INCH: &str = "Type of dimension";
+/// Logs of HEIDENHAIN's cycles (`TCHPR421.TXT`).
+fn heidenhain<'t>(text: &'t str, scale: f64, expected: &Expected<'_>) -> Vec<Print<'t>> {
     let lines: Vec<&str> = text.lines().collect();
-    let begins: Vec<usize> = (0..lines.len()).filter(|i| lines[*i].trim_start().starts_with(BEGINS)).collect();
-    let log = |(n, begin): (usize, &usize)| {
-        let end = begins.get(n + 1).map_or(lines.len(), |next| *next);
-        let mut print = Print { found: Vec::new(), lines: *begin..end, scale };
-        let (mut section, mut label, mut nominals) = ("", "", Vec::new());
-        for (line, text) in lines.iter().enumerate().take(end).skip(begin + 1) {
-            let (name, value) = text.rsplit_once(':').map_or(("", *text), |(name, value)| (name.trim(), value));
-            if !name.is_empty() {
-                label = name;
-            }
-            let Some(value) = first(value) else {
-                if name.ends_with("values") || ["Deviations", "Further measuring results"].contains(&name) {
-                    section = name;
-                }
-                continue;
-            };
-            if label.starts_with(INCH) {
-                print.scale = if value == 1.0 { 25.4 } else { 1.0 };
-            }
-            let Some(kind) = labelled(label) else { continue };
-            match section {
-                "Nominal values" => nominals.push((label, value)),
-                "Actual values" => {
-                    let Some(at) = nominals.iter().position(|(of, _)| *of == label) else { continue };
-                    let (_, nominal) = nominals.remove(at);
-                    print.found.push(Compared { line, text, kind, nominal, actual: value });
-                }
-                _ => {}
-            }
-        }
-        print
+    let begins: Vec<usize> = (0..lines.len()).filter(|i| lines[*i].trim_start().starts_with("Measuring log")).collect();
+    let ends = begins.iter().skip(1).copied().chain([lines.len()]);
+    let plain = |line: &usize| Form::of(lines[*line], expected).is_none();
+    let log = |(begin, end): (&usize, usize)| {
+        let (found, unit) = log(&lines, *begin..end);
+        Print { found, lines: (*begin..end).filter(plain).collect(), scale: unit.unwrap_or(scale) }
     };
-    begins.iter().enumerate().map(log).collect()
+    begins.iter().zip(ends).map(log).collect()
 }
 
-/// What a HEIDENHAIN cycle calls a value. The first three are printed in the guide, the others are recalled.
-fn labelled(label: &str) -> Option<Kind> {
+/// The actual values of one log, and the unit that it states: mm in a unit of length. A value follows its label on the same line or the next.
+fn log<'t>(lines: &[&'t str], range: Range<usize>) -> (Vec<Compared<'t>>, Option<f64>) {
+    let (mut section, mut label) = ("", "");
+    let (mut nominals, mut found, mut unit) = (Vec::new(), Vec::new(), None);
+    for line in range {
+        let (name, value) = lines[line].rsplit_once(':').map_or(("", lines[line]), |(name, value)| (name.trim(), value));
+        if !name.is_empty() {
+            label = name;
+        }
+        let Some(value) = number(value) else {
+            if name.ends_with("values") || ["Deviations", "Further measuring results"].contains(&name) {
+                section = name;
+            }
+            continue;
+        };
+        if label.starts_with("Type of dimension") {
+            unit = Some(if value == 1.0 { 25.4 } else { 1.0 });
+        } else if section == "Nominal values" {
+            nominals.push((label, value));
+        } else if section == "Actual values" {
+            let at = nominals.iter().position(|(of, _)| *of == label);
+            // Without a nominal value it is no result's, and reported.
+            let nominal = at.map_or(f64::NAN, |at| nominals.remove(at).1);
+            found.push(Compared { line, text: label, kind: labelled(label), nominal, actual: value });
+        }
+    }
+    (found, unit)
+}
+
+/// What a HEIDENHAIN cycle calls a value. The first three labels are printed in the guide, the others are recalled.
+fn labelled(label: &str) -> Kind {
     let has = |word: &str| label.contains(word);
-    match () {
-        () if has("reference axis") => Some(Kind::Place('X')),
-        () if has("minor axis") => Some(Kind::Place('Y')),
-        () if has("Diameter") || has("ength") || has("idth") => Some(Kind::Size),
-        () if has("ngle") => Some(Kind::Angle),
-        () => None,
+    if has("reference axis") {
+        Kind::Place('X')
+    } else if has("minor axis") {
+        Kind::Place('Y')
+    } else if has("Diameter") || has("ength") || has("idth") {
+        Kind::Size
+    } else if has("ngle") {
+        Kind::Angle
+    } else {
+        Kind::Unknown
     }
 }
 
-/// The number that a text begins with, behind blanks.
-fn first(text: &str) -> Option<f64> {
+/// The number that a text starts with, after blanks.
+fn number(text: &str) -> Option<f64> {
     line::number(text.trim_start()).map(|(number, _)| number)
 }
 
-/// The text with such values as results of the job: `diameter=40.0132`. One of no result of the job is an error: it is of another part.
+/// The text with such values as results of the job: `diameter=40.0132`. A value that no result of the job has is an error: it is of another part.
 pub fn as_results<'t>(checker: &mut Checker, text: &'t str, expected: &Expected<'_>) -> Cow<'t, str> {
-    let prints = match () {
-        () if text.contains("ACTUAL") => renishaw(text, checker.scale),
-        () if text.contains("Actual values") => heidenhain(text, checker.scale),
-        () => return Cow::Borrowed(text),
-    };
+    let mut prints: Vec<Print<'_>> = Vec::new();
+    if text.contains("ACTUAL") {
+        prints.extend(renishaw(text, checker.scale));
+    }
+    if text.contains("Actual values") {
+        prints.extend(heidenhain(text, checker.scale, expected));
+    }
+    if prints.is_empty() {
+        return Cow::Borrowed(text);
+    }
     let formula = &expected.path.formula;
     let mut taken = vec![false; formula.results.len()];
     let mut lines: Vec<Cow<'_, str>> = text.lines().map(Cow::Borrowed).collect();
     for print in prints {
-        lines[print.lines].fill(Cow::Borrowed(""));
+        print.lines.iter().for_each(|line| lines[*line] = Cow::Borrowed(""));
         for Compared { line, text, kind, nominal, actual } in print.found {
             let unit = if kind == Kind::Angle { 1.0 } else { print.scale };
             let is = |def: &ResultDef| kind.fits(def) && (def.nominal / unit - nominal).abs() < LAST_DIGIT;

@@ -108,6 +108,12 @@ fn the_log_of_heidenhains_cycles_is_read() {
         }
     }
     assert_eq!(errors(&bore, &log.replace("Diameter: 12.0000", "Diameter: 14.0000")), ["unclear-line"]);
+    // An actual value with a label that is not known, or without its nominal value, is not left out.
+    assert_eq!(errors(&bore, &log.replace("Diameter: 12.0259", "Roundness: 12.0259")), ["unclear-line"]);
+    assert_eq!(errors(&bore, &log.replace("Diameter: 12.0000\n", "")), ["unclear-line"]);
+    // What is no part of the log is read as it would be without one.
+    assert_eq!(errors(&bore, &format!("{log}diameter=12.5\n")), ["result-twice"]);
+    assert_eq!(errors(&bore, &format!("{log}[PRB:1.000,2.000,3.000:1]\n")), ["mixed-forms"]);
     // The same log in inch is of a bore that is 25 times larger.
     assert_eq!(errors(&bore, &log.replace("): 0", "): 1")), ["unclear-line"; 3]);
 }
