@@ -253,10 +253,10 @@ impl Moves for LinuxCnc<'_> {
     }
 }
 
-/// As many messages AXIS shows, less two for a result that is marked: one more removes the first of them [read in axis.py: ten].
+/// How many messages show results. AXIS shows ten, and another one removes the first of them [read in axis.py]: two are left for results that are marked.
 const MOST_MESSAGES: usize = 8;
 
-/// A block may have 255 characters: so long a message may be before another result is added.
+/// Characters of a message to which no other result is added: a block has 255 at most.
 const LONGEST_MESSAGE: usize = 160;
 
 /// The name of a log file: letters, digits, - and _.

@@ -1,4 +1,4 @@
-//! The cycles of the family: a row each. What a row has for its form stands in [`forms`].
+//! The cycles of the family, one row each. Their fields are in [`forms`].
 
 use crate::cycle::ency::{self, Dimensions, forms, words};
 use crate::cycle::{CycleDef, REPEAT};
@@ -322,7 +322,8 @@ pub static GROOVE_PROTECTED: CycleDef = CycleDef {
     ..row!(12, "groove probing protected", |section| forms::PairProtected::read(section).dimensions(true))
 };
 
-/// Both walls of an inside corner, each touched once or more, from one start point inside. Everything stays at the level of the touches between the first and the last move.
+/// Both walls of an inside corner, each touched once or more, from one start point inside. Between the first and the last move everything stays at the
+/// level of the touches.
 pub static DOUBLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
     key: "double-wall-internal-corner",
     title: "Double wall internal corner",
