@@ -1,17 +1,15 @@
 //! What follows a result of an earlier cycle of a set-up: a place, `"=TOP.z-5"`, a rotation, `"=SIDE.rotation+90"`, a size, `"=BORE.diameter-2"`.
 
-use std::cell::OnceCell;
-
 use crate::control::Form;
 use crate::form::{Checker, Field, Level, Value, printable};
-use crate::formula::{Datum, Formula, Role, Variable};
+use crate::formula::{Formula, Role, Variable};
 use crate::geom::Vec3;
 use crate::job::Job;
 use crate::job::planned::{Planned, several};
-use crate::job::relations::{Ahead, AllAhead};
+use crate::job::relations::Relations;
 use crate::num::{decimal, tidy, wrap_degrees};
 use crate::part::Run;
-use crate::path::{Along, Follows, Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
+use crate::path::{Along, Follows, Measuring, Path, Purpose, Shifts, ZERO_LENGTH, far_apart};
 use crate::text::{Text, text};
 use crate::{formula, part};
 
@@ -50,32 +48,36 @@ pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
     Some(if added == 0.0 { format!("={name}") } else { format!("={name}{sign}{}", decimal(added.abs(), 6)) })
 }
 
-/// The cycles that were read before the one that follows: of each that has no error its job. The names are those of all cycles.
+/// What a cycle can follow.
 pub struct Earlier<'a> {
-    pub names: &'a [String],
-    pub jobs: &'a [Option<Job>],
-    /// The relations of the set-up, as they are given.
-    pub relations: Option<&'a Value>,
-    /// Those that can be computed of these cycles, once that is asked.
-    pub ahead: OnceCell<AllAhead<'a>>,
+    /// The path of the cycles before it, with the relations that a cycle follows.
+    pub path: &'a Path,
+    pub relations: &'a Relations<'a>,
+    /// The first cycle: control and limits are those of all.
+    pub first: Option<&'a Job>,
+    /// Whether a cycle before it has errors: they are reported there.
+    pub broken: bool,
 }
 
-impl Earlier<'_> {
-    /// The relations that can be computed of them.
-    fn ahead(&self) -> &AllAhead<'_> {
-        self.ahead.get_or_init(|| {
-            let formulas: Vec<Formula> = self.jobs.iter().flatten().map(|job| job.cycle.formula(&job.setup)).collect();
-            AllAhead::of(self.relations, self.names, &formulas)
-        })
-    }
+/// The names of the cycles and relations that these cycles follow.
+pub fn followed(cycles: &[Value]) -> Vec<&str> {
+    let values = cycles.iter().flat_map(|cycle| match cycle {
+        Value::Map(entries) => entries.as_slice(),
+        _ => &[],
+    });
+    let texts = values.flat_map(|(_, value)| match value {
+        Value::List(list) => list.as_slice(),
+        other => std::slice::from_ref(other),
+    });
+    texts.filter_map(|text| Sum::of(result_text(text)?)).filter_map(|sum| sum.name.split('.').next()).collect()
 }
 
 /// What a cycle is to follow, with its sizes not yet tried.
 #[derive(Debug, Default)]
 pub struct Wanted {
     pub follows: Follows,
-    /// The keys of its sizes, and what each follows.
-    sizes: Vec<(String, (usize, &'static str))>,
+    /// The keys of its sizes, and the result that each follows.
+    sizes: Vec<(String, usize)>,
 }
 
 /// Puts the nominal value of each result that cycle `index` follows in its place. Reports what is wrong with it; the cycle is read on with a zero there,
@@ -162,8 +164,8 @@ enum Kind {
 
 /// A result that is followed.
 struct Found {
-    /// The cycle, or behind the cycles the relation, and the code.
-    of: (usize, &'static str),
+    /// Its index in the whole.
+    of: usize,
     /// What is given to the cycle on the nominal part, in the job's units or degrees.
     nominal: f64,
     /// What the result is on the nominal part, mm or degrees.
@@ -195,43 +197,29 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         };
         return refuse(checker, message);
     };
-    // An error in an earlier cycle is reported there.
-    if earlier.jobs.iter().any(Option::is_none) {
+    if earlier.broken {
         return None;
     }
-    let jobs: Vec<&Job> = earlier.jobs.iter().flatten().collect();
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
     let short = ["x", "y", "z"].iter().position(|letter| code.eq_ignore_ascii_case(letter));
     let is = |known: &Known| known.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| Some(letter) == known.letter);
-    let cycle = earlier.names.iter().take(jobs.len()).position(|name| name.eq_ignore_ascii_case(of));
-    let results_of = |job: &Job| {
-        let formula = job.cycle.formula(&job.setup);
-        known(&formula.results, formula.datum, job.setup.plane.axes(), kind)
-    };
-    let relation = || earlier.ahead().all.iter().find(|own| own.name.eq_ignore_ascii_case(of));
-    let axes = jobs.first().map_or([0, 1, 2], |job| job.setup.plane.axes());
-    let related = |own: &Ahead| known(&own.results, own.datum, axes, kind);
-    let own: Vec<(usize, Known)> = match cycle {
-        Some(cycle) => results_of(jobs[cycle]).into_iter().map(|known| (cycle, known)).collect(),
-        None => {
-            let own = relation().into_iter().flat_map(|own| related(own).into_iter().map(|known| (own.index, known)));
-            own.map(|(index, known)| (earlier.names.len() + index, known)).collect()
-        }
-    };
-    let mut found = own.into_iter().filter(|(_, known)| is(known));
-    let (of, result) = match (found.next(), found.next()) {
+    let axes = earlier.first.map_or([0, 1, 2], |job| job.setup.plane.axes());
+    let source = earlier.path.measuring().find(|own| own.name.eq_ignore_ascii_case(of));
+    let own = source.as_ref().map_or_else(Vec::new, |own| known(&earlier.path.formula, own, axes, kind));
+    let mut found = own.into_iter().filter(is);
+    let result = match (found.next(), found.next()) {
         (Some(one), None) => one,
         (None, _) => {
-            let relations = earlier.ahead();
-            if let Some(error) = relations.lacks(of).filter(|_| cycle.is_none() && relation().is_none()) {
+            if let Some(error) = earlier.relations.lacks(earlier.path, of).filter(|_| source.is_none()) {
                 let message = text!("{name} cannot be computed before this cycle: {error}", printable(of), error);
                 return refuse(checker, message);
             }
-            let named =
-                |name: &str, all: Vec<Known>| all.into_iter().map(|known| format!("{name}.{}", known.code)).collect::<Vec<_>>();
-            let cycles = jobs.iter().zip(earlier.names).flat_map(|(job, name)| named(name, results_of(job)));
-            let names: Vec<String> =
-                cycles.chain(relations.all.iter().flat_map(|own| named(&own.name, related(own)))).collect();
+            let all = earlier.relations.with_all_ready(earlier.path);
+            let codes = |own: Measuring<'_>| {
+                let known = known(&all.formula, &own, axes, kind).into_iter();
+                known.map(|known| format!("{}.{}", own.name, known.code)).collect::<Vec<_>>()
+            };
+            let names: Vec<String> = all.measuring().flat_map(codes).collect();
             let name = printable(name);
             let message = match (kind, names.is_empty()) {
                 (Kind::Place(_), true) => text!("No cycle before this one measures a place \"{name}\"", name),
@@ -254,8 +242,7 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
             return refuse(checker, message);
         }
     };
-    // Control and limits are those of all.
-    let job = jobs[0];
+    let job = earlier.first?;
     if let (Kind::Place(axis), Some(own)) = (kind, result.axis)
         && own != axis
     {
@@ -296,11 +283,13 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         return refuse(checker, message);
     }
     let unit = if kind == Kind::Rotation { 1.0 } else { job.scale };
-    Some(Found { of: (of, result.code), nominal: tidy(result.nominal / unit + added), place: result.nominal })
+    Some(Found { of: result.index, nominal: tidy(result.nominal / unit + added), place: result.nominal })
 }
 
 /// A result that a cycle measures, or a relation gives.
 struct Known {
+    /// Its index in the whole.
+    index: usize,
     code: &'static str,
     /// 0, 1, 2: of a place abscissa, ordinate, tool axis.
     letter: Option<usize>,
@@ -310,15 +299,17 @@ struct Known {
     nominal: f64,
 }
 
-/// Those of these results that are of this kind and measured. `datum` is that of their cycle or relation, `axes` abscissa, ordinate and tool axis.
-fn known(results: &[formula::ResultDef], datum: Option<Datum>, axes: [usize; 3], kind: Kind) -> Vec<Known> {
-    let datum = datum.map(|datum| datum.place.map(|place| place.and_then(|place| place.measured)));
+/// Those results of a cycle or relation that are of this kind and measured. `axes` are abscissa, ordinate and tool axis.
+fn known(formula: &Formula, own: &Measuring<'_>, axes: [usize; 3], kind: Kind) -> Vec<Known> {
+    let datum = own.datum.map(|datum| datum.place.map(|place| place.and_then(|place| place.measured)));
     let in_datum =
         |variable: Option<Variable>| (0..3).find(|i| variable.is_some() && datum.is_some_and(|datum| datum[*i] == variable));
-    let of = |result: &formula::ResultDef| {
+    let of = |index: usize| {
+        let result = &formula.results[index];
         result.variable?;
         let own = |letter: Option<usize>| {
-            Some(Known { code: result.code, letter, axis: letter.map(|letter| axes[letter]), nominal: result.nominal })
+            let axis = letter.map(|letter| axes[letter]);
+            Some(Known { index, code: result.code, letter, axis, nominal: result.nominal })
         };
         match (kind, result.role) {
             (Kind::Place(_), Role::Abscissa) => own(Some(0)),
@@ -330,19 +321,29 @@ fn known(results: &[formula::ResultDef], datum: Option<Datum>, axes: [usize; 3],
             _ => None,
         }
     };
-    results.iter().filter_map(of).collect()
+    own.results.clone().filter_map(of).collect()
 }
 
 /// What a cycle follows, once its path is planned: about which place it is turned, and how its moves go along with its sizes. Reports what it cannot
-/// follow. `single` is the job of the cycle alone, with its nominal values.
-pub fn settle(checker: &mut Checker, wanted: Wanted, (index, single): (usize, &Value), planned: &Planned) -> Follows {
+/// follow. `single` is the job of the cycle alone, with its nominal values, `formula` that of the cycles before it.
+pub fn settle(
+    checker: &mut Checker,
+    wanted: Wanted,
+    (index, single): (usize, &Value),
+    planned: &Planned,
+    formula: &Formula,
+) -> Follows {
     let Wanted { mut follows, sizes } = wanted;
     let origin = planned.path.frame.origin;
     let [a, o, _] = planned.job.setup.plane.axes();
     // About the place that it is placed by, as it lies there on the part; else about its own.
     let one_place = match (follows.place[a], follows.place[o]) {
-        (Some((cycle, x)), Some((other, y))) => {
-            cycle == other && x.rsplit_once('.').map(|(of, _)| of) == y.rsplit_once('.').map(|(of, _)| of)
+        (Some(x), Some(y)) => {
+            let place = |result: usize| {
+                let result = &formula.results[result];
+                (result.cycle, result.code.rsplit_once('.').map(|(of, _)| of))
+            };
+            place(x) == place(y)
         }
         _ => false,
     };

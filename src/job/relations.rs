@@ -1,9 +1,7 @@
 //! The relations of a set-up: what is computed of the results of its cycles.
 
-use std::ops::Range;
-
 use crate::form::{Checker, Value, printable};
-use crate::formula::{self, Datum, Formula, Operand, Relation, ResultDef};
+use crate::formula::{self, Formula, Operand, Relation, ResultDef};
 use crate::job::cycles::{LONGEST_NAME, MOST_CYCLES, RELATIONS, is_name};
 use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
@@ -24,20 +22,20 @@ struct Known<'a> {
     alone: bool,
 }
 
-/// The relations of a job, each of which is added to the path once.
+/// The relations of a set-up while its cycles are read: each is added to the path once.
 #[derive(Debug)]
 pub struct Relations<'v> {
     list: &'v [Value],
-    /// The names of the cycles.
+    /// The names of all cycles.
     cycles: &'v [String],
     added: Vec<bool>,
-    /// Of those that a cycle follows, and of what these are of, the last cycle that each needs.
-    due: Vec<Option<usize>>,
+    /// Those that a cycle follows, and those that they are of: they are added as soon as they can be computed.
+    early: Vec<bool>,
 }
 
 impl<'v> Relations<'v> {
-    /// The list of a job; what is no list is reported.
-    pub fn of(checker: &mut Checker, value: &'v Value, cycles: &'v [String]) -> Self {
+    /// The list of a job, of which cycles follow those with these names. Reports what is no list.
+    pub fn of(checker: &mut Checker, value: &'v Value, cycles: &'v [String], followed: &[&str]) -> Self {
         let list = match value.get(RELATIONS) {
             None | Some(Value::Null) => &[],
             Some(Value::List(list)) => list.as_slice(),
@@ -52,43 +50,38 @@ impl<'v> Relations<'v> {
             checker.error("wrong-count", RELATIONS, message);
         }
         let list = if list.len() > MOST_CYCLES { &[] } else { list };
-        Relations { list, cycles, added: vec![false; list.len()], due: vec![None; list.len()] }
+        let mut early = vec![false; list.len()];
+        for name in followed {
+            named(list, name).into_iter().for_each(|index| early[index] = true);
+        }
+        // A relation is only of earlier ones: going backwards meets each before those that it is of.
+        for index in (0..list.len()).rev() {
+            if early[index] {
+                heads(&list[index]).filter_map(|head| named(&list[..index], head)).for_each(|earlier| early[earlier] = true);
+            }
+        }
+        Relations { list, cycles, added: vec![false; list.len()], early }
     }
 
-    /// These relations lead cycles: each is added early, and all that it is of.
-    pub fn lead(&mut self, followed: impl Iterator<Item = usize>) {
-        let mut needed = vec![false; self.list.len()];
-        followed.for_each(|index| needed.get_mut(index).into_iter().for_each(|needed| *needed = true));
-        for index in (0..self.list.len()).rev() {
-            let of = heads(&self.list[index]).filter(|_| needed[index]).collect::<Vec<_>>();
-            let earlier = of.into_iter().filter_map(|head| named(&self.list[..index], head));
-            earlier.for_each(|earlier| needed[earlier] = true);
-        }
-        for (index, needed) in needed.into_iter().enumerate() {
-            let last = |head: &str| match self.cycles.iter().position(|name| name.eq_ignore_ascii_case(head)) {
-                Some(cycle) => Some(cycle),
-                None => self.due[named(&self.list[..index], head)?],
-            };
-            let last = heads(&self.list[index]).map(last).try_fold(0, |last, own| Some(own?.max(last)));
-            self.due[index] = last.filter(|_| needed);
-        }
-    }
-
-    /// Adds the relations that lead cycles, and for which this cycle is the last that they need.
-    pub fn add_early(&mut self, path: &mut Path, cycle: usize) {
+    /// Adds the relations that cycles follow, where all that they are of is measured.
+    pub fn add_early(&mut self, path: &mut Path) {
         for index in 0..self.list.len() {
-            if self.due[index] == Some(cycle) {
+            if self.early[index] && self.is_ready(path, index) {
                 self.add(&mut Checker::default(), path, index);
             }
         }
     }
 
-    /// Adds all that were not added early. Reports what is wrong with them. `computes`: whether the program computes with the results.
-    pub fn add_all(mut self, checker: &mut Checker, path: &mut Path, computes: bool) {
+    /// Adds all that were not added early. Reports what is wrong with them.
+    pub fn add_all(&mut self, checker: &mut Checker, path: &mut Path) {
         for index in 0..self.list.len() {
             self.add(checker, path, index);
         }
-        if !computes && !self.list.is_empty() {
+    }
+
+    /// Says that a program does not compute them.
+    pub fn report_not_computed(&self, checker: &mut Checker) {
+        if !self.list.is_empty() {
             let message = text!(
                 "The program does not compute the relations. They are computed here once its results are entered as measured values"
             );
@@ -96,16 +89,44 @@ impl<'v> Relations<'v> {
         }
     }
 
+    /// The path with every relation that can be computed of its cycles, whether one follows it or not.
+    pub fn with_all_ready(&self, path: &Path) -> Path {
+        let mut path = path.clone();
+        let mut all = Relations { list: self.list, cycles: self.cycles, added: self.added.clone(), early: Vec::new() };
+        for index in 0..all.list.len() {
+            if all.is_ready(&path, index) {
+                all.add(&mut Checker::default(), &mut path, index);
+            }
+        }
+        path
+    }
+
+    /// Why the relation of this name cannot be computed of this path; none where there is no such relation.
+    pub fn lacks(&self, path: &Path, name: &str) -> Option<Text> {
+        let mut own = Checker::default();
+        self.read(&mut own, path, named(self.list, name)?);
+        own.findings().into_iter().next().map(|finding| finding.said)
+    }
+
+    /// Whether all that a relation is of is measured.
+    fn is_ready(&self, path: &Path, index: usize) -> bool {
+        heads(&self.list[index]).all(|head| path.measuring_before(index).any(|own| own.name.eq_ignore_ascii_case(head)))
+    }
+
     fn add(&mut self, checker: &mut Checker, path: &mut Path, index: usize) {
         if self.added[index] {
             return;
         }
-        let measuring = path.measuring_before(index).collect();
-        let known = Known { formula: &path.formula, measuring, alone: self.cycles.len() == 1 };
-        if let Some((name, related)) = read_one(checker, (self.list, index), self.cycles, &known) {
+        if let Some((name, related)) = self.read(checker, path, index) {
             path.relate(index, name, related);
             self.added[index] = true;
         }
+    }
+
+    fn read(&self, checker: &mut Checker, path: &Path, index: usize) -> Option<(String, formula::Relating)> {
+        let measuring = path.measuring_before(index).collect();
+        let known = Known { formula: &path.formula, measuring, alone: self.cycles.len() == 1 };
+        read_one(checker, (self.list, index), self.cycles, &known)
     }
 }
 
@@ -124,76 +145,6 @@ fn heads(relation: &Value) -> impl Iterator<Item = &str> {
 /// The relation of this name.
 fn named(list: &[Value], name: &str) -> Option<usize> {
     list.iter().position(|other| matches!(other.get("name"), Some(Value::Text(own)) if own.eq_ignore_ascii_case(name)))
-}
-
-/// A relation that can be computed of the first cycles of a set-up, and what it has on the nominal part.
-#[derive(Debug)]
-pub struct Ahead {
-    /// Its place in the list.
-    pub index: usize,
-    pub name: String,
-    pub results: Vec<ResultDef>,
-    pub datum: Option<Datum>,
-}
-
-/// The relations that can be computed of some cycles alone.
-#[derive(Debug, Default)]
-pub struct AllAhead<'v> {
-    list: &'v [Value],
-    names: &'v [String],
-    formula: Formula,
-    measured: Vec<(String, Range<usize>, Option<Datum>)>,
-    pub all: Vec<Ahead>,
-}
-
-impl<'v> AllAhead<'v> {
-    /// `names` are those of all cycles, `cycles` the formulas of the first of them.
-    pub fn of(list: Option<&'v Value>, names: &'v [String], cycles: &[Formula]) -> Self {
-        let Some(Value::List(list)) = list.filter(|list| matches!(list, Value::List(list) if list.len() <= MOST_CYCLES)) else {
-            return Self::default();
-        };
-        let mut own = AllAhead { list, names, ..Self::default() };
-        for (name, cycle) in names.iter().zip(cycles) {
-            let begin = own.formula.results.len();
-            let later = own.formula.join(name, cycle, 0);
-            let datum = cycle.datum.map(|datum| datum.later_by(later));
-            own.measured.push((name.clone(), begin..own.formula.results.len(), datum));
-        }
-        for (index, given) in list.iter().enumerate() {
-            let is = |head: &str| own.measured.iter().any(|(name, ..)| name.eq_ignore_ascii_case(head));
-            if !heads(given).all(is) {
-                continue;
-            }
-            let Some((name, related)) = own.read(&mut Checker::default(), index) else { continue };
-            let begin = own.formula.results.len();
-            let datum = own.formula.relate(&name, &related);
-            let results = begin..own.formula.results.len();
-            own.all.push(Ahead { index, name: name.clone(), results: own.formula.results[results.clone()].to_vec(), datum });
-            own.measured.push((name, results, datum));
-        }
-        own
-    }
-
-    fn read(&self, checker: &mut Checker, index: usize) -> Option<(String, formula::Relating)> {
-        let measured = self.measured.iter();
-        let measuring = measured.map(|(name, results, datum)| Measuring { name, results: results.clone(), datum: *datum });
-        let known = Known { formula: &self.formula, measuring: measuring.collect(), alone: self.names.len() == 1 };
-        read_one(checker, (self.list, index), self.names, &known)
-    }
-
-    /// Why the relation of this name is not among them; none where there is no such relation.
-    pub fn lacks(&self, name: &str) -> Option<Text> {
-        let mut own = Checker::default();
-        self.read(&mut own, named(self.list, name)?);
-        own.findings().into_iter().next().map(|finding| finding.said)
-    }
-
-    /// Reports what is wrong with relations, where `cycles` were all of them.
-    pub fn report(&self, checker: &mut Checker) {
-        for index in 0..self.list.len() {
-            self.read(checker, index);
-        }
-    }
 }
 
 /// A relation of a list: its name, what it computes, and of what. Reports what is wrong with it.

@@ -3,24 +3,19 @@
 //! A set-up is read cycle by cycle, each as the job that it would be alone, and its paths are joined: what holds for one cycle is checked by the very
 //! code that checks one.
 
-use std::cell::OnceCell;
-
 use crate::control::own::Several;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
-use crate::formula::Formula;
 use crate::geom::{AXIS_NAMES, Vec3};
-use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_name, names};
-use crate::job::follows::{self, Earlier, Wanted};
+use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names};
+use crate::job::follows::{self, Earlier};
 use crate::job::planned::{Planned, several};
-use crate::job::relations::{self, AllAhead, Relations};
+use crate::job::relations::{self, Relations};
 use crate::job::rows::ResultRow;
 use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
 use crate::part::{self, Run};
-use crate::path::{
-    Feature, Feed, Feeds, Follows, Of, OwnBlock, Path, Purpose, Reaches, Relate, STATED_RAPID, Single, WAY, WayBlock,
-};
+use crate::path::{Feature, Feed, Feeds, OwnBlock, Path, Purpose, Reaches, STATED_RAPID, WAY, WayBlock};
 use crate::text::text;
 
 /// How far below the height between cycles a cycle begins at least that follows a height, mm: longer than the shortest move that can be watched. Ours.
@@ -29,36 +24,34 @@ const SHORTEST_WAY: f64 = 1.0;
 /// What a set-up is called in a program.
 static WHOLE: CycleDef = CycleDef { title: "Set-up", source: "Touchpath", ..crate::cycle::NONE };
 
-/// Plans the paths of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; none where anything is an error.
+/// Plans the cycles of a set-up, each joined to those before it as soon as it is read. Reports what the cycles are refused for, each at its place in the
+/// list; none where anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let cycles = read_list(checker, value)?;
     let names = names(cycles);
     check_names(checker, cycles, &names);
+    let mut relations = Relations::of(checker, value, &names, &follows::followed(cycles));
     let mut merged = Merged::new(&names);
-    let mut jobs: Vec<Option<Job>> = Vec::new();
-    let mut follows: Vec<(Wanted, Value)> = Vec::new();
-    let (mut whole, mut sound) = (None, true);
+    let (mut path, mut members) = (Path::of_set_up(), Vec::<Planned>::new());
+    let (mut whole, mut sound, mut settled) = (None, true, Checker::default());
     for (i, name) in names.iter().enumerate() {
         let Some(mut single) = alone(value, i) else {
             let message = text!("cycles[{index}] must be an object, not {given}", i, cycles[i].noun());
             checker.error("wrong-type", format!("cycles[{i}]"), message);
-            jobs.push(None);
+            sound = false;
             continue;
         };
         if let Value::Map(entries) = &mut single {
             entries.push((TOLERANCES.to_owned(), wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1)));
         }
-        let wanted = follows::take(
-            checker,
-            &mut single,
-            i,
-            &Earlier { names: &names, jobs: &jobs, relations: value.get(RELATIONS), ahead: OnceCell::new() },
-        );
-        follows.push((wanted, single.clone()));
+        let first = members.first().map(|planned| &planned.job);
+        let wanted =
+            follows::take(checker, &mut single, i, &Earlier { path: &path, relations: &relations, first, broken: !sound });
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
         if i == 0 {
             (checker.scale, checker.unit) = (own.scale, own.unit);
+            settled = Checker::in_units(own.scale, own.unit);
             whole = Job::read(&mut Checker::default(), &single);
         }
         if let Some(job) = &job
@@ -69,31 +62,34 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         }
         sound &= job.is_some() && !own.failed();
         merged.take(i, own.findings());
-        jobs.push(job);
+        let Some(job) = job.filter(|_| sound) else { continue };
+        let title = format!("{}: {}", job.def.source, job.def.title);
+        let placed = (job.setup.plane.axes(), reaches(&job));
+        // One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
+        let work_offset = job.work_offset.filter(|_| several(&job).is_some() && i + 1 == names.len());
+        let planned = Planned::of(Job { work_offset, ..job });
+        let follows = follows::settle(&mut settled, wanted, (i, &single), &planned, &path.formula);
+        path.add_cycle((name.clone(), title), planned.path.clone(), follows, placed);
+        relations.add_early(&mut path);
+        members.push(planned);
     }
     merged.give(checker);
     check_sizes(checker, value, &names);
     let clear = read_clear(checker, value);
-    let jobs: Vec<Job> = jobs.into_iter().flatten().collect();
-    if checker.failed() || jobs.len() != names.len() {
-        if sound && jobs.len() == names.len() {
-            // What is wrong with relations is said at once, too.
-            let formulas: Vec<Formula> = jobs.into_iter().map(|job| Planned::of(job).path.formula).collect();
-            AllAhead::of(value.get(RELATIONS), &names, &formulas).report(checker);
-        }
+    settled.findings().into_iter().for_each(|finding| checker.adopt(finding));
+    if sound {
+        relations.add_all(checker, &mut path);
+    }
+    if checker.failed() {
         return None;
     }
-    let several = several(&jobs[0]);
+    let job = Job { def: &WHOLE, repeat: None, ..whole? };
+    let several = several(&job);
     if let Some(Err(why)) = several {
-        let message = text!("A set-up of the control's own cycles: {why}", jobs[0].post.says(why));
+        let message = text!("A set-up of the control's own cycles: {why}", job.post.says(why));
         checker.error("set-up-unsupported", "cycles", message);
         return None;
     }
-    let (offset, count) = (jobs[0].work_offset, jobs.len());
-    // One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
-    let work_offset = |i: usize| offset.filter(|_| several.is_some() && i + 1 == count);
-    let members = jobs.into_iter().enumerate().map(|(i, job)| Planned::of(Job { work_offset: work_offset(i), ..job }));
-    let mut members: Vec<Planned> = members.collect();
     if let Some(Ok(several)) = several {
         let own_program = members.iter().position(|planned| planned.path.own.is_none() && planned.refused.is_empty());
         if let Some(i) = own_program {
@@ -108,26 +104,15 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
             members = members.into_iter().map(|planned| Planned::at(planned.job, at)).collect();
         }
     }
-    let settled = |(i, (wanted, single)): (usize, (Wanted, Value))| follows::settle(checker, wanted, (i, &single), &members[i]);
-    let follows: Vec<Follows> = follows.into_iter().enumerate().map(settled).collect();
     if checker.failed() {
         return None;
     }
-    let wanted: Vec<Vec<Of>> = follows.iter().map(|follows| follows.all().collect()).collect();
-    let mut relations = Relations::of(checker, value, &names);
-    relations.lead(follows.iter().flat_map(Follows::all).filter_map(|(of, _)| of.checked_sub(count)));
-    let relate: Relate<'_> = &mut |path, cycle| relations.add_early(path, cycle);
-    let mut whole = join(Job { def: &WHOLE, repeat: None, ..whole? }, members, (&names, follows), (clear, relate));
-    // What is not found there would leave a cycle where it is drawn, without a limit.
-    for (i, (member, wanted)) in whole.path.members.iter().zip(&wanted).enumerate() {
-        if let Some((_, code)) = wanted.get(member.placing.follows.len()) {
-            let message = text!("No cycle before this one measures a place \"{name}\"", code.to_owned());
-            checker.error("place-of-result", format!("cycles[{i}]"), message);
-        }
+    if several.is_some() || !job.post.computes {
+        relations.report_not_computed(checker);
     }
-    relations.add_all(checker, &mut whole.path, several.is_none() && whole.job.post.computes);
+    let mut whole = connect(job, path, members, clear);
     relations::check_circles(checker, &whole);
-    let source = datum::read(checker, value, &whole, offset.is_some())?;
+    let source = datum::read(checker, value, &whole, whole.job.work_offset.is_some())?;
     whole.path.write_from(&source);
     if !whole.job.post.rotates {
         whole.path.formula.without_rotation();
@@ -148,6 +133,12 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         }
     }
     Some(whole)
+}
+
+/// How far the results that cycles follow may be off, by the limits of a job.
+fn reaches(job: &Job) -> Reaches {
+    let [position, size, angle] = [job.limits.position, job.limits.size, job.limits.angle].map(|limit| limit.unwrap_or(0.0));
+    Reaches { position, size, angle, unit: job.scale }
 }
 
 fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]> {
@@ -234,25 +225,8 @@ fn ends(path: &Path) -> impl Iterator<Item = f64> {
     ends.map(move |place| place.dot(w))
 }
 
-/// The whole of these cycles, not run yet.
-fn join(
-    job: Job,
-    mut members: Vec<Planned>,
-    (names, follows): (&[String], Vec<Follows>),
-    (clear, relate): (Option<f64>, Relate<'_>),
-) -> Planned {
-    // A way from one cycle to the next has the limit twice where both follow a height, each its own.
-    let limit = job.limits.position.unwrap_or(0.0);
-    let reaches = Reaches {
-        position: limit,
-        size: job.limits.size.unwrap_or(0.0),
-        angle: job.limits.angle.unwrap_or(0.0),
-        unit: job.scale,
-    };
-    let tool = job.setup.plane.axes()[2];
-    let higher = |follows: &Follows| if follows.place[tool].is_some() { 2.0 * limit + SHORTEST_WAY } else { 0.0 };
-    let ends = members.iter().zip(&follows).flat_map(|(planned, own)| ends(&planned.path).map(move |end| end + higher(own)));
-    let highest = ends.fold(f64::NEG_INFINITY, f64::max);
+/// The whole of these cycles with the ways between them, not run yet. `path` has what they measure.
+fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f64>) -> Planned {
     let several = several(&job).and_then(Result::ok).filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
     if let Some(Several { kept: (first, _), .. }) = several {
         let (mut kept, count) = (0, members.len());
@@ -262,11 +236,17 @@ fn join(
             }
         }
     }
-    let single = |((planned, name), follows): ((&Planned, &String), Follows)| {
-        let title = format!("{}: {}", planned.job.def.source, planned.job.def.title);
-        Single { name: name.clone(), title, path: planned.path.clone(), follows }
-    };
-    let cycles = members.iter().zip(names).zip(follows).map(single).collect();
+    // A way from one cycle to the next has the limit twice where both follow a height, each its own.
+    let margin = 2.0 * job.limits.position.unwrap_or(0.0) + SHORTEST_WAY;
+    let tool = job.setup.plane.axes()[2];
+    let mut highest = f64::NEG_INFINITY;
+    for (member, planned) in path.members.iter_mut().zip(&members) {
+        if planned.path.own.is_some() {
+            member.path.clone_from(&planned.path);
+        }
+        let higher = if member.placing.follows.iter().any(|follow| follow.axis == Some(tool)) { margin } else { 0.0 };
+        highest = ends(&planned.path).map(|end| end + higher).fold(highest, f64::max);
+    }
     let own = members.iter().find_map(|planned| planned.path.feeds);
     let feeds = match (several, own) {
         (Some(_), Some(own)) => own,
@@ -277,7 +257,7 @@ fn join(
     let radius = job.setup.radius;
     let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
-    let path = Path::join(cycles, clear.unwrap_or(highest), feeds, (way, relate), (job.setup.plane.axes(), reaches));
+    path.connect(clear.unwrap_or(highest), feeds, way);
     let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
     let dry = job.dry.map(|lift| path.dry(lift));
     Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members, dry }

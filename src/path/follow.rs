@@ -5,20 +5,17 @@ use crate::geom::Vec3;
 use crate::num::tidy;
 use crate::path::Path;
 
-/// A result of an earlier cycle, by the place of that in the list and its code. Behind the cycles the relations are counted.
-pub type Of = (usize, &'static str);
-
-/// What a cycle follows.
+/// What a cycle follows: results of earlier cycles and of relations, each by its index in the whole.
 #[derive(Clone, Debug, Default)]
 pub struct Follows {
     /// Along X, Y and Z, the result that its place follows.
-    pub place: [Option<Of>; 3],
+    pub place: [Option<usize>; 3],
     /// The direction that its rotation follows.
-    pub rotation: Option<Of>,
+    pub rotation: Option<usize>,
     /// The place that it is turned about, in the work coordinate system of the nominal part, mm.
     pub about: Vec3,
     /// Sizes, and how its moves go along with each.
-    pub sizes: Vec<(Of, Along)>,
+    pub sizes: Vec<(usize, Along)>,
 }
 
 /// How far the places of a path move for each mm that a size grows.
@@ -27,13 +24,6 @@ pub struct Along {
     /// The place where it begins.
     pub start: Vec3,
     pub moves: Vec<Vec3>,
-}
-
-impl Follows {
-    /// Every result that it follows.
-    pub fn all(&self) -> impl Iterator<Item = Of> {
-        self.place.iter().flatten().chain(&self.rotation).chain(self.sizes.iter().map(|(of, _)| of)).copied()
-    }
 }
 
 impl Along {
@@ -144,14 +134,8 @@ const SHIFTS: [&str; 3] = ["shift_x", "shift_y", "shift_z"];
 const GROWTHS: [&str; 2] = ["growth_1", "growth_2"];
 
 impl Placing {
-    /// States in the formula of the whole how far the results are off that a cycle follows, where no cycle in front of it does. `result` finds one.
-    pub fn of(
-        follows: Follows,
-        formula: &mut Formula,
-        (axes, reaches): ([usize; 3], Reaches),
-        before: &[&Placing],
-        result: impl Fn(&Formula, Of) -> Option<usize>,
-    ) -> Self {
+    /// States in the formula of the whole how far the results are off that a cycle follows, where no cycle in front of it does.
+    pub fn of(follows: Follows, formula: &mut Formula, (axes, reaches): ([usize; 3], Reaches), before: &[&Placing]) -> Self {
         let mut own = Placing::default();
         let known = |result: usize| {
             let mut all = before.iter().flat_map(|other| &other.follows);
@@ -159,13 +143,12 @@ impl Placing {
         };
         let turned = |angle: Variable| before.iter().filter_map(|other| other.turn()).find(|turn| turn.angle == angle);
         for (axis, (of, name)) in follows.place.into_iter().zip(SHIFTS).enumerate() {
-            let Some(result) = of.and_then(|of| result(formula, of)) else { continue };
+            let Some(result) = of else { continue };
             let Some(off) = known(result).or_else(|| formula.shift(result, name)) else { continue };
             own.follows.push(Follow { result, off, axis: Some(axis) });
             own.shift[axis] = Some(Term { by: off, factor: 1.0, length: false, most: reaches.position });
         }
-        let rotation = follows.rotation.and_then(|of| result(formula, of));
-        if let Some((result, direction)) = rotation.and_then(|of| Some((of, formula.results[of].variable?))) {
+        if let Some((result, direction)) = follows.rotation.and_then(|of| Some((of, formula.results[of].variable?))) {
             let [angle, sine, cosine] = match known(result).and_then(turned) {
                 Some(turn) => [turn.angle, turn.sine, turn.cosine],
                 None => formula.turns_next(direction, formula.results[result].nominal),
@@ -176,8 +159,7 @@ impl Placing {
             let about = [a, o].map(|axis| follows.about[axis]);
             own.turn = Some((Turn { axes: [a, o], about, angle, sine, cosine, shift }, reaches));
         }
-        for ((of, along), name) in follows.sizes.into_iter().zip(GROWTHS) {
-            let Some(result) = result(formula, of) else { continue };
+        for ((result, along), name) in follows.sizes.into_iter().zip(GROWTHS) {
             let Some(off) = known(result).or_else(|| formula.shift(result, name)) else { continue };
             own.follows.push(Follow { result, off, axis: None });
             own.sizes.push((Term { by: off, factor: 1.0, length: false, most: reaches.size }, along));

@@ -15,10 +15,10 @@ mod tracer;
 pub use feature::{
     Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top, Touched, TwoCircles,
 };
-pub use follow::{Along, Follow, Follows, Of, Reaches, Shifts, Term, far_apart, most};
+pub use follow::{Along, Follow, Follows, Reaches, Shifts, Term, far_apart, most};
 pub use own::{Guard, Off, Own, OwnBlock, Quantity, Reach, Stored};
 pub use parameter::{Accessor, Parameter, ParameterValue};
-pub use set_up::{DatumSource, Measuring, Member, Relate, Related, Single, WAY, WayBlock};
+pub use set_up::{DatumSource, Measuring, Member, Related, WAY, WayBlock};
 pub use surface::{Round, Surface, Wall};
 pub use tracer::Tracer;
 

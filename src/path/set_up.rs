@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::formula::{self, Coordinate, Datum, Formula, Limits, Operand, Question, ResultDef, Role};
-use crate::geom::Vec3;
+use crate::geom::{Frame, Plane, Vec3};
 use crate::path::follow::{Along, Placing, Reaches, STILL, Shifts, most};
 use crate::path::{Feature, Feed, Feeds, Follows, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
 
@@ -70,44 +70,20 @@ pub struct DatumSource {
     pub rotation: Option<usize>,
 }
 
-/// A cycle that becomes a member.
-#[derive(Debug)]
-pub struct Single {
-    pub name: String,
-    pub title: String,
-    pub path: Path,
-    pub follows: Follows,
-}
-
 /// Makes the block of a way to a place, along these axes.
 pub type WayBlock<'a> = &'a dyn Fn(Vec3, [bool; 3]) -> OwnBlock;
 
-/// Adds to the path so far the relations that lead a later cycle and need none behind this one, by its place in the list.
-pub type Relate<'a> = &'a mut dyn FnMut(&mut Path, usize);
-
 impl Path {
-    /// The cycles one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are those of all.
-    /// `way` makes the block of a way to a place along some axes, where all are cycles of the control's own. `relate` adds the relations that cycles follow,
-    /// each behind the last cycle that it needs. `axes` are abscissa, ordinate and tool axis.
-    pub fn join(
-        cycles: Vec<Single>,
-        clear: f64,
-        feeds: Feeds,
-        (way, relate): (Option<WayBlock<'_>>, Relate<'_>),
-        (axes, reaches): ([usize; 3], Reaches),
-    ) -> Path {
-        let count = cycles.len();
-        let first = &cycles.first().expect("a set-up has a cycle").path;
-        let (start, frame) = (first.start, first.frame);
-        let tops: Option<Vec<f64>> = cycles.iter().map(|single| single.path.top).collect();
-        let mut whole = Path {
+    /// The path of a set-up to which no cycle is added yet.
+    pub fn of_set_up() -> Path {
+        Path {
             touches: Vec::new(),
             moves: Vec::new(),
-            start,
-            top: tops.and_then(|tops| tops.into_iter().reduce(f64::max)),
+            start: None,
+            top: None,
             surfaces: Vec::new(),
-            feeds: Some(feeds),
-            frame,
+            feeds: None,
+            frame: Frame::new(Plane::G17, Vec3::ZERO, 0.0),
             formula: Formula::default(),
             feature: Feature::Several,
             picked: false,
@@ -117,54 +93,68 @@ impl Path {
             relations: Vec::new(),
             datum_source: DatumSource::default(),
             shifts: Vec::new(),
+        }
+    }
+
+    /// Adds what the next cycle measures, as `path` has it alone: a later cycle can follow it. [`Path::connect`] adds its moves.
+    /// `axes` are abscissa, ordinate and tool axis.
+    pub fn add_cycle(
+        &mut self,
+        (name, title): (String, String),
+        path: Path,
+        follows: Follows,
+        (axes, reaches): ([usize; 3], Reaches),
+    ) {
+        let before: Vec<&Placing> = self.members.iter().map(|member| &member.placing).collect();
+        let placing = Placing::of(follows, &mut self.formula, (axes, reaches), &before);
+        let (touches, surfaces, results) = (self.touches.len(), self.surfaces.len(), self.formula.results.len());
+        let sample = self.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
+        self.take_touches(&path, sample);
+        self.take_surfaces(&path);
+        let (later, datum) = match placing.turn() {
+            Some(turn) => self.formula.join_turned(&name, &path.formula, sample, turn),
+            None => {
+                let later = self.formula.join(&name, &path.formula, sample);
+                (later, path.formula.datum.map(|datum| datum.later_by(later)))
+            }
         };
-        let mut sample = 0;
-        for Single { name, title, path, follows } in cycles {
-            let before = whole.moves.len();
-            let Path { members, relations, formula, .. } = &mut whole;
-            let known: Vec<&Placing> = members.iter().map(|member| &member.placing).collect();
-            let placing = Placing::of(follows, formula, (axes, reaches), &known, |formula, (of, code)| {
-                let mut results = match of.checked_sub(count) {
-                    None => members.get(of)?.results.clone(),
-                    Some(index) => relations.iter().find(|relation| relation.index == index)?.results.clone(),
-                };
-                results.find(|result| formula.results[*result].code == code)
-            });
+        let touches = touches..self.touches.len();
+        let surfaces = surfaces..self.surfaces.len();
+        let results = results..self.formula.results.len();
+        self.members.push(Member { name, title, path, moves: 0..0, touches, surfaces, results, placing, datum, later });
+    }
+
+    /// Adds the moves of all cycles, one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are
+    /// those of all. `way` makes the block of a way to a place along some axes, where all are cycles of the control's own.
+    pub fn connect(&mut self, clear: f64, feeds: Feeds, way: Option<WayBlock<'_>>) {
+        let mut members = std::mem::take(&mut self.members);
+        let first = &members.first().expect("a set-up has a cycle").path;
+        (self.start, self.frame, self.feeds) = (first.start, first.frame, Some(feeds));
+        let tops: Option<Vec<f64>> = members.iter().map(|member| member.path.top).collect();
+        self.top = tops.and_then(|tops| tops.into_iter().reduce(f64::max));
+        for Member { path, moves, touches, placing, .. } in &mut members {
+            let before = self.moves.len();
             let start = path.start.or(path.moves.first().map(|step| step.to)).unwrap_or_default();
             let first = |along: &Along| if path.start.is_some() { along.start } else { along.moves[0] };
-            whole.leads_to(&path, clear, placing.shifts(start, first));
+            self.leads_to(path, clear, placing.shifts(start, first));
             if let Some(way) = way {
-                whole.take_calls(&path, before, way);
+                self.take_calls(path, before, way);
             }
-            let begin = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
-            whole.take_moves(&path);
-            whole.shifts.extend(path.moves.iter().enumerate().map(|(i, step)| {
+            let begin = self.moves.len();
+            self.take_moves(path, touches.start);
+            *moves = begin..self.moves.len();
+            self.shifts.extend(path.moves.iter().enumerate().map(|(i, step)| {
                 let end = match step.purpose {
                     Purpose::Touch(k) | Purpose::Search(k) => step.to - path.touches[k].vector * path.touches[k].search,
                     Purpose::Position | Purpose::Back(_) => step.to,
                 };
                 placing.shifts(end, |along| along.moves[i])
             }));
-            whole.take_touches(&path, sample);
-            whole.take_surfaces(&path);
-            let (later, datum) = match placing.turn() {
-                Some(turn) => whole.formula.join_turned(&name, &path.formula, sample, turn),
-                None => {
-                    let later = whole.formula.join(&name, &path.formula, sample);
-                    (later, path.formula.datum.map(|datum| datum.later_by(later)))
-                }
-            };
-            sample += path.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
-            let end = [whole.moves.len(), whole.touches.len(), whole.surfaces.len(), whole.formula.results.len()];
-            let [moves, touches, surfaces, results] = [0, 1, 2, 3].map(|i| begin[i]..end[i]);
-            whole.members.push(Member { name, title, path, moves, touches, surfaces, results, placing, datum, later });
-            let last = whole.members.len() - 1;
-            relate(&mut whole, last);
         }
-        if whole.members.iter().all(|member| member.placing.follows.is_empty()) {
-            whole.shifts.clear();
+        self.members = members;
+        if self.members.iter().all(|member| member.placing.follows.is_empty()) {
+            self.shifts.clear();
         }
-        whole
     }
 
     /// What is asked of results before a cycle that follows them: of each once, in the whole.
@@ -343,8 +333,7 @@ impl Path {
         whole.guards.extend(own.guards.iter().cloned());
     }
 
-    fn take_moves(&mut self, path: &Path) {
-        let touches = self.touches.len();
+    fn take_moves(&mut self, path: &Path, touches: usize) {
         self.moves.extend(path.moves.iter().map(|step| {
             let purpose = match step.purpose {
                 Purpose::Position => Purpose::Position,
