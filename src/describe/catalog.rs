@@ -6,6 +6,7 @@ use crate::control::safety::RULES;
 use crate::control::{Form, POSTS};
 use crate::cycle::{CODE_GROUPS, CYCLES, CycleDef};
 use crate::form::{Choice, Code, Default, Field, Kind, STANDING};
+use crate::formula::{RELATIONS, RelationDef};
 use crate::job::{self, FORMAT, LONGEST_PROGRAM, LONGEST_TEXT, SECTIONS};
 use crate::path::{MAX_TOUCHES, RAPID_RATE};
 
@@ -19,6 +20,8 @@ pub struct Catalog {
     pub cycles: Vec<CycleEntry>,
     /// The sections of a job around the cycle.
     pub sections: Vec<SectionEntry>,
+    /// Every kind of relation between results of a set-up.
+    pub relations: Vec<RelationEntry>,
     /// Every control, with what its programs can do.
     pub posts: Vec<PostEntry>,
     /// What programs are checked for.
@@ -79,6 +82,33 @@ pub struct CycleSectionEntry {
     pub optional: bool,
     /// The fields of that object, in order.
     pub fields: Vec<FieldEntry>,
+}
+
+/// A kind of relation.
+#[derive(Clone, Debug, Serialize)]
+pub struct RelationEntry {
+    /// The value of `relations[].type` in a job.
+    #[serde(rename = "type")]
+    pub key: &'static str,
+    /// Its name for people, in English.
+    pub label: &'static str,
+    /// What its results are, in English.
+    pub says: &'static str,
+    /// Whether it is of places, by the names of cycles and relations that have one; else of single results.
+    pub places: bool,
+    /// The fewest that it is of.
+    pub least: usize,
+    /// The most that it is of; null where it takes any number.
+    pub most: Option<usize>,
+    /// The codes of its results; of angles `angle` is added to the first.
+    pub results: &'static [&'static str],
+}
+
+impl RelationEntry {
+    fn of(def: &RelationDef) -> Self {
+        let RelationDef { key, label, says, places, least, most, results, .. } = *def;
+        RelationEntry { key, label, says, places, least, most, results }
+    }
 }
 
 /// One section of a job.
@@ -235,6 +265,7 @@ pub fn catalog() -> Catalog {
         format: FORMAT as u8,
         cycles: CYCLES.iter().map(|def| cycle_entry(def)).collect(),
         sections: SECTIONS.iter().map(|(path, fields)| SectionEntry { path, fields: entries(fields) }).collect(),
+        relations: RELATIONS.iter().map(RelationEntry::of).collect(),
         posts: POSTS
             .iter()
             .map(|post| PostEntry {

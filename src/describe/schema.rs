@@ -5,7 +5,7 @@
 
 use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT};
 use crate::form::{Field, Kind, Range, Value};
-use crate::formula::{Consequence, Relation};
+use crate::formula::{self, Consequence};
 use crate::job::{
     CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS,
     SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR, size_reach,
@@ -154,7 +154,7 @@ fn set_up() -> [(String, Value); 4] {
             "Which result is written into which axis of the work offset, as `BORE.center.x`; x is the abscissa, y the ordinate, z the tool axis. Left out: the first cycle that measures it. Null: not written. A rotation is written where one is named.",
         ),
     ));
-    let types = Relation::ALL.map(|(word, _)| text(word)).to_vec();
+    let types = formula::RELATIONS.iter().map(|def| text(def.key)).collect();
     let relation = object(
         [
             ("name".to_owned(), map([("type", text("string")), ("pattern", text(&pattern))])),

@@ -3,47 +3,132 @@
 use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;
 use crate::formula::plain;
-use crate::formula::{Coordinate, CycleSamples, Datum, Formula, Name, ResultDef, Role};
+use crate::formula::{CircleFit, Coordinate, CycleSamples, Datum, Formula, Name, ResultDef, Role, fit_circle};
+use crate::geom::Vec2;
 use crate::num::wrap_degrees;
-use crate::text::words;
+use crate::text::{Text, text, words};
 
-/// What a relation computes of results.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Relation {
-    /// Distance and direction from one place to another.
-    Line,
-    /// The first of two results less the second.
-    Difference,
-    /// The mean of results of one kind.
-    Mean,
-    /// The middle of places.
-    Center,
-    /// The circle through places, as of a pitch circle.
-    PitchCircle,
+/// A kind of relation: what it computes of results. The check, the types and the schema of a job, the manual's table and the page's menu follow from its row
+/// in [`RELATIONS`].
+#[derive(Debug)]
+pub struct RelationDef {
+    /// Its word in a job.
+    pub key: &'static str,
+    /// Its name for people.
+    pub label: &'static str,
+    /// What its results are, for the manual.
+    pub says: &'static str,
+    /// Whether it takes places; else single results, all lengths or all angles.
+    pub places: bool,
+    /// The fewest of them that it takes.
+    pub least: usize,
+    /// The most; none where it takes any number.
+    pub most: Option<usize>,
+    /// The codes of its results, in their order; of angles `angle` is added to the first.
+    pub results: &'static [&'static str],
+    write: Write,
+    values: Values,
+    problem: fn(&[[f64; 2]]) -> Option<Text>,
 }
 
-impl Relation {
-    /// Every one, with its word in a job.
-    pub const ALL: [(&'static str, Relation); 5] = [
-        ("line", Relation::Line),
-        ("difference", Relation::Difference),
-        ("mean", Relation::Mean),
-        ("center", Relation::Center),
-        ("pitch-circle", Relation::PitchCircle),
-    ];
+/// Adds what is computed of these operands to a formula; of a single result the first of the two counts. `heights`: whether all of them are measured
+/// heights. Gives what a work offset can be written from.
+type Write = for<'f> fn(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum>;
 
-    /// Whether it takes places; else single results.
-    pub fn takes_places(self) -> bool {
-        matches!(self, Relation::Line | Relation::Center | Relation::PitchCircle)
+/// What it comes to where its operands have these values; `directions`: whether single results are directions.
+type Values = fn(of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>>;
+
+/// Every kind of relation.
+pub static RELATIONS: [RelationDef; 5] = [
+    RelationDef {
+        key: "line",
+        label: words!("Distance and direction"),
+        says: "the distance, and the direction from the first to the second",
+        places: true,
+        least: 2,
+        most: Some(2),
+        results: &["distance", "rotation"],
+        write: line,
+        values: line_of,
+        problem: |of| {
+            (apart(of[0], of[1]) < APART)
+                .then(|| text!("Both places are the same on the nominal part: no direction leads from one to the other"))
+        },
+    },
+    RelationDef {
+        key: "center",
+        label: words!("Middle of places"),
+        says: "their mean, as the middle of a rectangle from its corners",
+        places: true,
+        least: 2,
+        most: None,
+        results: &["center.x", "center.y"],
+        write: middle,
+        values: |of, _| [0, 1].map(|axis| Some(of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64)).to_vec(),
+        problem: |_| None,
+    },
+    RelationDef {
+        key: "pitch-circle",
+        label: words!("Pitch circle"),
+        says: "the circle of least squares through them (Kåsa)",
+        places: true,
+        least: 3,
+        most: None,
+        results: &["center.x", "center.y", "diameter", "residual"],
+        write: pitch_circle,
+        values: |of, _| pitch_circle_of(of),
+        problem: |of| {
+            let flat = |radius: f64| radius.is_nan() || radius > 10_000.0;
+            fit(of).is_none_or(|fit| flat(fit.radius)).then(|| text!("These places lie on one line: they give no circle"))
+        },
+    },
+    RelationDef {
+        key: "difference",
+        label: words!("Difference"),
+        says: "the first less the second, as the step between two faces, or how far two walls are from parallel",
+        places: false,
+        least: 2,
+        most: Some(2),
+        results: &["difference"],
+        write: difference,
+        values: |of, _| vec![Some(of[0][0] - of[1][0])],
+        problem: |_| None,
+    },
+    RelationDef {
+        key: "mean",
+        label: words!("Mean"),
+        says: "their mean; that of probed heights, such as `TOP.point.z`, is itself a height: Z can be written from it, and a cycle can follow it, `\"=FACE.z\"`",
+        places: false,
+        least: 2,
+        most: None,
+        results: &["mean"],
+        write: mean,
+        values: |of, directions| vec![Some(mean_of(&of.iter().map(|value| value[0]).collect::<Vec<_>>(), directions))],
+        problem: |_| None,
+    },
+];
+
+/// Nominal places this near to each other have no direction, mm.
+const APART: f64 = 0.1;
+
+/// A kind of relation, by its row.
+pub type Relation = &'static RelationDef;
+
+impl RelationDef {
+    /// The kind that a job names so.
+    pub fn find(key: &str) -> Option<Relation> {
+        RELATIONS.iter().find(|def| def.key == key)
     }
 
-    /// How many of them it takes.
-    pub fn takes(self, most: usize) -> std::ops::RangeInclusive<usize> {
-        match self {
-            Relation::Line | Relation::Difference => 2..=2,
-            Relation::Mean | Relation::Center => 2..=most,
-            Relation::PitchCircle => 3..=most,
-        }
+    /// What keeps operands with these nominal values from giving it: abscissas and ordinates of places, or single results.
+    pub fn problem(&self, of: &[[f64; 2]]) -> Option<Text> {
+        (self.problem)(of)
+    }
+
+    /// What it comes to where its operands have these values. In the order of its results; none where places give no circle. `directions`: whether single
+    /// results are directions. It shares no expression with programs.
+    pub fn values(&self, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
+        (self.values)(of, directions)
     }
 }
 
@@ -104,47 +189,44 @@ fn write(f: &Draft, Relating { relation, of, heights }: &Relating) -> Option<Dat
         Operand::Place(axes) => axes.map(known),
         Operand::Result(result) => [known(result); 2],
     };
-    let single = |operand: &Operand| place(operand)[0];
-    match *relation {
-        Relation::Line => {
-            line(f, place(&of[0]), place(&of[1]));
-            None
-        }
-        Relation::Difference => {
-            difference(f, single(&of[0]), single(&of[1]));
-            None
-        }
-        Relation::Mean => {
-            let (value, nominal) = mean(f, &of.iter().map(single).collect::<Vec<_>>());
-            heights.then(|| Datum::of([None, None, Some(Coordinate::measured(value, nominal))]))
-        }
-        Relation::Center => {
-            let places: Vec<[Known<'_>; 2]> = of.iter().map(place).collect();
-            let count = places.len() as f64;
-            let axis = |axis: usize, name: &'static str| {
-                let sum = f.sum(places.iter().map(|place| place[axis].value));
-                (f.set(name, sum / f.number(count)), places.iter().map(|place| place[axis].nominal).sum::<f64>() / count)
-            };
-            let (x, y) = (axis(0, "center_x"), axis(1, "center_y"));
-            Some(center(f, x, y))
-        }
-        Relation::PitchCircle => {
-            let places: Vec<[Known<'_>; 2]> = of.iter().map(place).collect();
-            let nominal: Vec<_> =
-                places.iter().map(|place| crate::geom::Vec2::new(place[0].nominal, place[1].nominal)).collect();
-            let fit = crate::formula::fit_circle(&nominal);
-            let (middle, radius) = fit.map_or((crate::geom::Vec2::NAN, f64::NAN), |fit| (fit.center, fit.radius));
-            let at = |k: usize, axis: usize| Expr::from(places[k][axis].value);
-            let [x, y, r, residual] = plain::circle(f, 1, 0..places.len(), &at);
-            let (x, y) = (f.set("center_x", x), f.set("center_y", y));
-            let diameter = f.set("diameter", f.number(2.0) * r);
-            let datum = center(f, (x, middle.x), (y, middle.y));
-            f.result("diameter", Role::Size, words!("Diameter of the pitch circle"), 2.0 * radius, Some(diameter));
-            let meaning = words!("Root mean square distance of the places from the pitch circle");
-            f.result("residual", Role::Residual, meaning, 0.0, Some(residual));
-            Some(datum)
-        }
-    }
+    let of: Vec<[Known<'_>; 2]> = of.iter().map(place).collect();
+    (relation.write)(f, &of, *heights)
+}
+
+fn middle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+    let count = of.len() as f64;
+    let axis = |axis: usize, name: &'static str| {
+        let sum = f.sum(of.iter().map(|place| place[axis].value));
+        (f.set(name, sum / f.number(count)), of.iter().map(|place| place[axis].nominal).sum::<f64>() / count)
+    };
+    let (x, y) = (axis(0, "center_x"), axis(1, "center_y"));
+    Some(center(f, x, y))
+}
+
+fn pitch_circle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+    let nominal: Vec<[f64; 2]> = of.iter().map(|place| place.map(|known| known.nominal)).collect();
+    let (middle, radius) = fit(&nominal).map_or((Vec2::NAN, f64::NAN), |fit| (fit.center, fit.radius));
+    let at = |k: usize, axis: usize| Expr::from(of[k][axis].value);
+    let [x, y, r, residual] = plain::circle(f, 1, 0..of.len(), &at);
+    let (x, y) = (f.set("center_x", x), f.set("center_y", y));
+    let diameter = f.set("diameter", f.number(2.0) * r);
+    let datum = center(f, (x, middle.x), (y, middle.y));
+    f.result("diameter", Role::Size, words!("Diameter of the pitch circle"), 2.0 * radius, Some(diameter));
+    let meaning = words!("Root mean square distance of the places from the pitch circle");
+    f.result("residual", Role::Residual, meaning, 0.0, Some(residual));
+    Some(datum)
+}
+
+/// The circle through places.
+fn fit(of: &[[f64; 2]]) -> Option<CircleFit> {
+    fit_circle(&of.iter().map(|[x, y]| Vec2::new(*x, *y)).collect::<Vec<_>>())
+}
+
+fn pitch_circle_of(of: &[[f64; 2]]) -> Vec<Option<f64>> {
+    let Some(fit) = fit(of) else { return vec![None; 4] };
+    let off = of.iter().map(|[x, y]| (Vec2::new(*x, *y).distance(fit.center) - fit.radius).powi(2));
+    let residual = (off.sum::<f64>() / of.len() as f64).sqrt();
+    [fit.center.x, fit.center.y, 2.0 * fit.radius, residual].map(Some).to_vec()
 }
 
 /// A place as results, and as what a work offset can be written from.
@@ -155,7 +237,8 @@ fn center<'f>(f: &'f Draft, x: (Value<'f>, f64), y: (Value<'f>, f64)) -> Datum {
 }
 
 /// Distance, and the direction as nominal plus how far it is turned from that: near half a turn an angle may be said a whole turn away.
-fn line<'f>(f: &'f Draft, from: [Known<'f>; 2], to: [Known<'f>; 2]) {
+fn line<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+    let [from, to] = [of[0], of[1]];
     let [dx, dy] = [("dx", 0), ("dy", 1)].map(|(name, axis)| f.set(name, to[axis].value - from[axis].value));
     let [nx, ny] = [0, 1].map(|axis| to[axis].nominal - from[axis].nominal);
     let length = nx.hypot(ny);
@@ -167,6 +250,16 @@ fn line<'f>(f: &'f Draft, from: [Known<'f>; 2], to: [Known<'f>; 2]) {
     let rotation = f.set("rotation", turned + f.number(nominal));
     f.result("distance", Role::Size, words!("Distance from the first place to the second"), length, Some(distance));
     f.result("rotation", Role::Direction, words!("Direction from the first place to the second"), nominal, Some(rotation));
+    None
+}
+
+fn apart(from: [f64; 2], to: [f64; 2]) -> f64 {
+    (to[0] - from[0]).hypot(to[1] - from[1])
+}
+
+fn line_of(of: &[[f64; 2]], _directions: bool) -> Vec<Option<f64>> {
+    let [from, to] = [of[0], of[1]];
+    vec![Some(apart(from, to)), Some((to[1] - from[1]).atan2(to[0] - from[0]).to_degrees())]
 }
 
 /// How far a value is from its nominal one: of a direction within half a turn. `number` tells the names apart.
@@ -190,7 +283,8 @@ fn role_of(known: &[Known<'_>]) -> Role {
     }
 }
 
-fn difference<'f>(f: &'f Draft, first: Known<'f>, second: Known<'f>) {
+fn difference<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
+    let [first, second] = [of[0][0], of[1][0]];
     let nominal = first.nominal - second.nominal;
     if first.role.is_angle() {
         // Between directions the smaller turn counts.
@@ -203,24 +297,27 @@ fn difference<'f>(f: &'f Draft, first: Known<'f>, second: Known<'f>) {
         let value = f.set("difference", first.value - second.value);
         f.result("difference", Role::Size, words!("First result less the second"), nominal, Some(value));
     }
+    None
 }
 
-fn mean<'f>(f: &'f Draft, known: &[Known<'f>]) -> (Value<'f>, f64) {
+fn mean<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum> {
+    let known: Vec<Known<'f>> = of.iter().map(|operand| operand[0]).collect();
     let count = known.len() as f64;
     let nominal = mean_of(&known.iter().map(|known| known.nominal).collect::<Vec<_>>(), known[0].role == Role::Direction);
-    let all = |role: Role| known.iter().all(|known| known.role == role);
-    if known[0].role.is_angle() {
+    let value = if known[0].role.is_angle() {
         let sum = f.sum(known.iter().enumerate().map(|(i, known)| off(f, i + 1, *known)));
         let value = f.set("mean", sum / f.number(count) + f.number(nominal));
-        let role = if all(Role::Direction) { Role::Direction } else { Role::Angle };
+        let directions = known.iter().all(|known| known.role == Role::Direction);
+        let role = if directions { Role::Direction } else { Role::Angle };
         f.result("mean.angle", role, words!("Mean of the angles"), nominal, Some(value));
-        (value, nominal)
+        value
     } else {
         let sum = f.sum(known.iter().map(|known| known.value));
         let value = f.set("mean", sum / f.number(count));
-        f.result("mean", role_of(known), words!("Mean of the results"), nominal, Some(value));
-        (value, nominal)
-    }
+        f.result("mean", role_of(&known), words!("Mean of the results"), nominal, Some(value));
+        value
+    };
+    heights.then(|| Datum::of([None, None, Some(Coordinate::measured(value, nominal))]))
 }
 
 /// The mean of values; of directions about the first, from which none is farther than half a turn.
@@ -229,31 +326,4 @@ fn mean_of(values: &[f64], directions: bool) -> f64 {
     let near = |value: f64| if directions { first + wrap_degrees(value - first) } else { value };
     let mean = values.iter().map(|value| near(*value)).sum::<f64>() / values.len() as f64;
     if directions { wrap_degrees(mean) } else { mean }
-}
-
-/// What a relation comes to where its operands have these values: abscissas and ordinates of places, or single results. In the order of its results; none
-/// where places give no circle. `directions`: whether single results are directions. It shares no expression with programs.
-pub fn related_values(relation: Relation, of: &[[f64; 2]], directions: bool) -> Vec<Option<f64>> {
-    let mean = |axis: usize| of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64;
-    match (relation, of) {
-        (Relation::Line, [from, to]) => {
-            let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
-            vec![Some(dx.hypot(dy)), Some(dy.atan2(dx).to_degrees())]
-        }
-        (Relation::Difference, [first, second]) => vec![Some(first[0] - second[0])],
-        (Relation::Mean, _) => vec![Some(mean_of(&of.iter().map(|value| value[0]).collect::<Vec<_>>(), directions))],
-        (Relation::Center, _) => vec![Some(mean(0)), Some(mean(1))],
-        (Relation::PitchCircle, _) => {
-            let places: Vec<_> = of.iter().map(|[x, y]| crate::geom::Vec2::new(*x, *y)).collect();
-            match crate::formula::fit_circle(&places) {
-                Some(fit) => {
-                    let off = places.iter().map(|place| (place.distance(fit.center) - fit.radius).powi(2));
-                    let residual = (off.sum::<f64>() / places.len() as f64).sqrt();
-                    vec![Some(fit.center.x), Some(fit.center.y), Some(2.0 * fit.radius), Some(residual)]
-                }
-                None => vec![None; 4],
-            }
-        }
-        (Relation::Line | Relation::Difference, _) => vec![None; 2],
-    }
 }

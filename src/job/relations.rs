@@ -1,7 +1,7 @@
 //! The relations of a set-up: what is computed of the results of its cycles.
 
 use crate::form::{Checker, Value, printable};
-use crate::formula::{self, Formula, Operand, Relation, ResultDef};
+use crate::formula::{self, Formula, Operand, Relation, RelationDef, ResultDef};
 use crate::job::cycles::{LONGEST_NAME, MOST_CYCLES, RELATIONS, is_name};
 use crate::job::judge::{judge, report_judged};
 use crate::job::planned::Planned;
@@ -9,9 +9,6 @@ use crate::job::rows::{ResultRow, result_row};
 use crate::num::tidy;
 use crate::path::{Measuring, Path};
 use crate::text::{Text, text};
-
-/// Nominal places this near to each other have no direction, mm.
-const APART: f64 = 0.1;
 
 /// What can be related: the cycles and relations that are known so far, in the formula of all.
 #[derive(Debug)]
@@ -210,10 +207,10 @@ fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) 
 
 fn read_type(checker: &mut Checker, given: &Value, i: usize) -> Option<Relation> {
     let at = format!("{RELATIONS}[{i}].type");
-    let known = || Relation::ALL.map(|(word, _)| format!("\"{word}\"")).join(", ");
+    let known = || formula::RELATIONS.each_ref().map(|def| format!("\"{}\"", def.key)).join(", ");
     match given.get("type") {
         Some(Value::Text(word)) => {
-            let found = Relation::ALL.into_iter().find(|(known, _)| known == word).map(|(_, relation)| relation);
+            let found = RelationDef::find(word);
             if found.is_none() {
                 checker.error("unknown-value", at, text!("The type of a relation must be one of {known}", known()));
             }
@@ -241,11 +238,11 @@ fn read_of(checker: &mut Checker, given: &Value, known: &Known<'_>, (i, relation
             return None;
         }
     };
-    let takes = relation.takes(MOST_CYCLES);
-    if !takes.contains(&list.len()) {
-        let message = match relation {
-            Relation::Line | Relation::Difference => text!("This relation is of exactly two, not of {count}", list.len()),
-            _ => text!("This relation is of at least {least}, not of {count}", *takes.start(), list.len()),
+    let RelationDef { least, most, places, .. } = *relation;
+    if !(least..=most.unwrap_or(MOST_CYCLES)).contains(&list.len()) {
+        let message = match most {
+            Some(most) if most == least => text!("This relation is of exactly {wanted}, not of {count}", most, list.len()),
+            _ => text!("This relation is of at least {least}, not of {count}", least, list.len()),
         };
         checker.error("wrong-count", at, message);
         return None;
@@ -257,14 +254,14 @@ fn read_of(checker: &mut Checker, given: &Value, known: &Known<'_>, (i, relation
             checker.error("wrong-type", at.clone(), text!("{path} must be text, not {given}", at, given.noun()));
             continue;
         };
-        match if relation.takes_places() { known.place(name) } else { known.single(name) } {
+        match if places { known.place(name) } else { known.single(name) } {
             Some(operand) if of.contains(&operand) => {
                 checker.error("relation-of", at, text!("{name} is named twice", name.clone()));
             }
             Some(operand) => of.push(operand),
             None => {
-                let known = if relation.takes_places() { known.places() } else { known.results() };
-                let message = match relation.takes_places() {
+                let known = if places { known.places() } else { known.results() };
+                let message = match places {
                     true => {
                         text!("\"{name}\" measures no place in the plane. These do: {known}", printable(name), known.join(", "))
                     }
@@ -285,27 +282,14 @@ fn read_of(checker: &mut Checker, given: &Value, known: &Known<'_>, (i, relation
 /// Whether the operands give what the relation says.
 fn check_kinds(checker: &mut Checker, formula: &Formula, of: &[Operand], relation: Relation, at: String) -> bool {
     let result = |index: usize| &formula.results[index];
-    let point = |operand: &Operand| match *operand {
+    let nominal = |operand: &Operand| match *operand {
         Operand::Place(axes) => axes.map(|index| result(index).nominal),
         Operand::Result(index) => [result(index).nominal, 0.0],
     };
     let angle = |operand: &Operand| matches!(*operand, Operand::Result(index) if result(index).role.is_angle());
-    let problem = match relation {
-        Relation::Difference | Relation::Mean if of.iter().any(|one| angle(one) != angle(&of[0])) => {
-            Some(text!("A length and an angle have neither a difference nor a mean"))
-        }
-        Relation::Line => {
-            let (from, to) = (point(&of[0]), point(&of[1]));
-            ((to[0] - from[0]).hypot(to[1] - from[1]) < APART)
-                .then(|| text!("Both places are the same on the nominal part: no direction leads from one to the other"))
-        }
-        Relation::PitchCircle => {
-            let places: Vec<_> = of.iter().map(point).map(|[x, y]| crate::geom::Vec2::new(x, y)).collect();
-            let flat = |radius: f64| radius.is_nan() || radius > 10_000.0;
-            let fit = formula::fit_circle(&places);
-            fit.is_none_or(|fit| flat(fit.radius)).then(|| text!("These places lie on one line: they give no circle"))
-        }
-        _ => None,
+    let problem = match of.iter().any(|one| angle(one) != angle(&of[0])) {
+        true => Some(text!("A length and an angle have neither a difference nor a mean")),
+        false => relation.problem(&of.iter().map(nominal).collect::<Vec<_>>()),
     };
     let good = problem.is_none();
     if let Some(problem) = problem {
@@ -357,12 +341,14 @@ impl Known<'_> {
     }
 }
 
-/// Pitch circles whose places are on none on the nominal part: their diameter is of another circle than the drawing's, and the program always stops there.
+/// Relations that have a residual on the nominal part, as a pitch circle whose places are on none: its diameter is of another circle than the drawing's, and
+/// the program always stops there.
 pub fn check_circles(checker: &mut Checker, whole: &Planned) {
     let (path, Some(limit)) = (&whole.path, whole.job.limits.residual) else { return };
-    for relation in path.relations.iter().filter(|relation| relation.own.relation == Relation::PitchCircle) {
+    for relation in &path.relations {
         let nominal = |index: usize| Some(path.formula.results[index].nominal);
-        let Some(off) = path.related(relation, nominal).pop().flatten().filter(|off| *off > limit) else { continue };
+        let Some(residual) = relation.own.relation.results.iter().position(|code| *code == "residual") else { continue };
+        let Some(off) = path.related(relation, nominal)[residual].filter(|off| *off > limit) else { continue };
         let message = text!(
             "The nominal places are {off} off one circle, more than limits.residual, {limit}",
             checker.length(off),

@@ -220,7 +220,7 @@ impl Path {
             return vec![None; relation.results.len()];
         };
         let is = |operand: &Operand| matches!(*operand, Operand::Result(index) if results[index].role == Role::Direction);
-        let values = formula::related_values(relation.own.relation, &of, relation.own.of.iter().any(is));
+        let values = relation.own.relation.values(&of, relation.own.of.iter().any(is));
         let near = |(index, value): (usize, Option<f64>)| {
             value.map(|value| if results[index].role.is_angle() { turn(index, value) } else { value })
         };

@@ -17,6 +17,7 @@ use touchpath::control::safety::RULES;
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::describe::catalog;
 use touchpath::form::{CODES, Default, Field, Kind, Value};
+use touchpath::formula::RELATIONS;
 use touchpath::job::{ParameterRow, ResultRow, default_job, plan, planned};
 use touchpath::num::decimal;
 use touchpath::view::scene::Projection;
@@ -271,6 +272,16 @@ fn the_pictures_of_the_set_ups_are_those_of_the_crate() {
     for (name, picture) in set_up_pictures() {
         keep(&format!("docs/set-ups/{name}.svg"), &picture);
     }
+}
+
+#[test]
+fn the_manual_has_every_kind_of_relation() {
+    const HEAD: &str = "| `type` | `of` | results |\n|---|---|---|\n";
+    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/set-ups.md")).unwrap();
+    let (before, rest) = page.split_once(HEAD).expect("a table of relations");
+    let (_, after) = rest.split_once("\n\n").expect("text after the table");
+    let rows: Vec<String> = RELATIONS.iter().map(typescript::relation_row).collect();
+    keep("docs/set-ups.md", &format!("{before}{HEAD}{}\n\n{after}", rows.join("\n")));
 }
 
 #[test]

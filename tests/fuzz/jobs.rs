@@ -1,7 +1,7 @@
 //! Whole jobs, and the laws that each must hold.
 
 use crate::common::{import, values};
-use touchpath::describe::{Catalog, CycleEntry, DefaultEntry, FieldEntry, PostEntry, export_table};
+use touchpath::describe::{Catalog, CycleEntry, DefaultEntry, FieldEntry, PostEntry, RelationEntry, export_table};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
@@ -102,13 +102,13 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     if draw.once_in(60) {
         let job = led(catalog, draw);
-        return if draw.once_in(4) { tolerated(draw, job) } else { job };
+        return if draw.once_in(4) { tolerated(draw, job, &catalog.relations) } else { job };
     }
     let job = without_tolerances(catalog, draw, index);
     // Of cycles of the control's own few are planned.
     let own = word(&job, &["control", "form"]) == "cycle";
     let often = if own { 1 } else { 4 - 2 * usize::from(job.get("cycles").is_some()) };
-    if draw.once_in(often) { tolerated(draw, job) } else { job }
+    if draw.once_in(often) { tolerated(draw, job, &catalog.relations) } else { job }
 }
 
 /// A part that lies a little elsewhere, and cycles that go where the first two lead them: as random as leaves most of them possible.
@@ -233,9 +233,9 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
 }
 
 /// The same job with relations between its cycles and tolerances of its results, some of them of what is not there.
-fn tolerated(draw: &mut Draw, job: Value) -> Value {
+fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
     let related = match plan(&job) {
-        Ok(plan) if !plan.cycles.is_empty() => related(draw, job, &plan),
+        Ok(plan) if !plan.cycles.is_empty() => related(draw, job, &plan, kinds),
         Ok(_) => job,
         Err(_) => return job,
     };
@@ -292,7 +292,7 @@ fn wear(draw: &mut Draw) -> Value {
 }
 
 /// Relations of places and results that the cycles measure.
-fn related(draw: &mut Draw, job: Value, plan: &Plan) -> Value {
+fn related(draw: &mut Draw, job: Value, plan: &Plan, kinds: &[RelationEntry]) -> Value {
     let axis = |key: &str| plan.datum.iter().find(|row| row.axis == key).map_or(Vec::new(), |row| row.choices.clone());
     let place = |choice: &String| choice.split_once('.').map(|(name, _)| name.to_owned());
     let y: Vec<String> = axis("y").iter().filter_map(place).collect();
@@ -307,19 +307,16 @@ fn related(draw: &mut Draw, job: Value, plan: &Plan) -> Value {
         _ => Vec::new(),
     };
     for i in 0..1 + draw.index(3) {
-        let kind = match places.len() {
-            0 | 1 => draw.word(&["difference", "mean"]),
-            2 => draw.word(&["line", "center", "difference", "mean"]),
-            _ => draw.word(&["line", "center", "pitch-circle", "difference", "mean"]),
-        };
-        let from = if matches!(kind, "difference" | "mean") { &results } else { &places };
-        let count = if kind == "pitch-circle" { 3 } else { 2 };
-        if from.len() < count {
+        let from = |def: &RelationEntry| if def.places { &places } else { &results };
+        let possible: Vec<&RelationEntry> = kinds.iter().filter(|def| from(def).len() >= def.least).collect();
+        if possible.is_empty() {
             continue;
         }
+        let def = possible[draw.index(possible.len())];
+        let from = from(def);
         let first = draw.index(from.len());
-        let of = (0..count).map(|k| text(&from[(first + k) % from.len()])).collect();
-        let entries = [("name", text(&format!("R{i}"))), ("type", text(kind)), ("of", Value::List(of))];
+        let of = (0..def.least).map(|k| text(&from[(first + k) % from.len()])).collect();
+        let entries = [("name", text(&format!("R{i}"))), ("type", text(def.key)), ("of", Value::List(of))];
         relations.push(Value::Map(entries.map(|(key, value)| (key.to_owned(), value)).to_vec()));
     }
     crate::common::with(&job, "relations", Value::List(relations))

@@ -796,11 +796,14 @@ export interface Relation {
   /** Stands in front of its results, as the name of a cycle. */
   name: string;
   /**
-   * `line`: `distance` and `rotation` from one place to another. `difference`: the first result less the second. `mean` of results. `center`: the middle of places.
-   * `pitch-circle`: the circle through three places or more.
+   * `line`, of two places: `distance`, `rotation`.
+   * `center`, of two places or more: `center.x`, `center.y`.
+   * `pitch-circle`, of three places or more: `center.x`, `center.y`, `diameter`, `residual`.
+   * `difference`, of two results: `difference`, of angles `difference.angle`.
+   * `mean`, of two results or more: `mean`, of angles `mean.angle`.
    */
-  type: "line" | "difference" | "mean" | "center" | "pitch-circle";
-  /** Names of cycles that measure a place in the plane; of a difference or mean, results as `BORE.diameter`. */
+  type: "line" | "center" | "pitch-circle" | "difference" | "mean";
+  /** Names of cycles and relations that measure a place in the plane, or results as `BORE.diameter`. */
   of: string[];
 }
 

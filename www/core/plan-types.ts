@@ -1,6 +1,6 @@
 // Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
 
-import type { Cycle, PostId, Vec3 } from "./job-types.js";
+import type { Cycle, PostId, Relation, Vec3 } from "./job-types.js";
 import type { Said } from "./said.js";
 
 /** Every code of a finding; docs/findings.md says what each means. */
@@ -693,6 +693,24 @@ export interface SectionEntry {
   fields: FieldEntry[];
 }
 
+/** A kind of relation. */
+export interface RelationEntry {
+  /** The value of `relations[].type` in a job. */
+  type: Relation["type"];
+  /** Its name for people, in English. */
+  label: string;
+  /** What its results are, in English. */
+  says: string;
+  /** Whether it is of places, by the names of cycles and relations that have one; else of single results. */
+  places: boolean;
+  /** The fewest that it is of. */
+  least: number;
+  /** The most that it is of; null where it takes any number. */
+  most: number | null;
+  /** The codes of its results; of angles `angle` is added to the first. */
+  results: ResultCode[];
+}
+
 /** Whether a control takes a cycle in a form. */
 export interface SupportEntry {
   /** The value of `cycle.type`. */
@@ -761,6 +779,8 @@ export interface Catalog {
   cycles: CycleEntry[];
   /** The sections of a job around the cycle. */
   sections: SectionEntry[];
+  /** Every kind of relation between results of a set-up. */
+  relations: RelationEntry[];
   /** Every control, with what its programs can do. */
   posts: PostEntry[];
   /** What programs are checked for. */

@@ -15,15 +15,6 @@ interface Operands {
   results: string[];
 }
 
-/** The relations: what they are called, whether they are of places, and of how many at most. */
-const TYPES: { type: Related["type"]; label: string; places: boolean; most?: number }[] = [
-  { type: "line", label: w("Distance and direction"), places: true, most: 2 },
-  { type: "center", label: w("Middle of places"), places: true },
-  { type: "pitch-circle", label: w("Pitch circle"), places: true },
-  { type: "difference", label: w("Difference"), places: false, most: 2 },
-  { type: "mean", label: w("Mean"), places: false },
-];
-
 /** The list of the cycles of one program, above the form of the one in hand; of a single cycle no more than the way to another one. */
 class FeaturesPart extends Part {
   protected override follows = ["change"];
@@ -171,12 +162,14 @@ class FeaturesPart extends Part {
     const { store } = this;
     const { relations } = store.features;
     const choices = this.operands();
-    const possible = TYPES.filter(({ places }) => choices[places ? "places" : "results"].length > 1);
+    const possible = store.catalog.relations.filter(
+      ({ places, least }) => choices[places ? "places" : "results"].length >= least,
+    );
     if (relations.length === 0 && (possible.length === 0 || store.readonly)) return nothing;
     const found = store.findings.filter(({ path }) => path.startsWith("relations"));
     const add = (e: Event) => {
       const list = e.target as HTMLSelectElement;
-      const kind = TYPES.find(({ type }) => type === list.value);
+      const kind = possible.find(({ type }) => type === list.value);
       list.value = "";
       if (!kind) return;
       const all = choices[kind.places ? "places" : "results"];
@@ -191,7 +184,7 @@ class FeaturesPart extends Part {
 
   private relation({ name, type, of }: Related, i: number, choices: Operands): TemplateResult {
     const { store } = this;
-    const kind = TYPES.find((one) => one.type === type);
+    const kind = store.catalog.relations.find((one) => one.type === type);
     const known = choices[kind?.places ? "places" : "results"].filter((one) => one.split(".")[0] !== name);
     const change = (of: string[]) => store.relate((features) => features.changeRelation(i, { of }));
     const select = (
@@ -200,8 +193,8 @@ class FeaturesPart extends Part {
     ) => html`<select aria-label=${this.t("{relation}, item {number}", name, k + 1)} ?disabled=${store.readonly}
       @change=${(e: Event) => change(of.map((other, at) => (at === k ? (e.target as HTMLSelectElement).value : other)))}>${[...new Set([one, ...known])].map((value) => html`<option value=${value} ?selected=${value === one}>${value}</option>`)}</select>`;
     const rest = known.filter((one) => !of.includes(one));
-    const least = type === "pitch-circle" ? 3 : 2;
-    const several = kind?.most === undefined && !store.readonly;
+    const least = kind?.least ?? 2;
+    const several = kind?.most === null && !store.readonly;
     return html`<li><b>${this.t(kind?.label ?? type)}</b>
       <input type="text" maxlength="12" spellcheck="false" aria-label=${this.t("Name of this relation")} .value=${name} ?disabled=${store.readonly} @change=${(e: Event) => this.renameRelation(e.target as HTMLInputElement, i)} />
       <button type="button" class="icon" aria-label=${this.t("Remove {cycle}", name)} title=${this.t("Remove {cycle}", name)} ?disabled=${store.readonly} @click=${() => store.relate((features) => features.unrelate(i))}>✕</button>

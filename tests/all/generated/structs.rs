@@ -42,6 +42,7 @@ const SOURCES: &[(&str, &[&str])] = &[
             "CycleSectionEntry",
             "CycleEntry",
             "SectionEntry",
+            "RelationEntry",
             "SupportEntry",
             "PostEntry",
             "RuleEntry",
@@ -70,6 +71,8 @@ const EXACT: &[(&str, &str)] = &[
     ("FieldEntry.kind", r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint""#),
     ("FieldEntry.unit", r#""length" | "feed" | "acceleration" | "time" | "angle" | "none""#),
     ("CycleEntry.type", r#"Cycle["type"]"#),
+    ("RelationEntry.type", r#"Relation["type"]"#),
+    ("RelationEntry.results", "ResultCode[]"),
     ("SupportEntry.type", r#"Cycle["type"]"#),
     ("SupportEntry.form", r#""moves" | "cycle""#),
     ("PostEntry.id", "PostId"),
@@ -78,7 +81,7 @@ const EXACT: &[(&str, &str)] = &[
 
 const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
 
-import type { Cycle, PostId, Vec3 } from \"./job-types.js\";
+import type { Cycle, PostId, Relation, Vec3 } from \"./job-types.js\";
 import type { Said } from \"./said.js\";
 ";
 

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::form::{Field, Kind, SubForm};
+use touchpath::formula::{RELATIONS, RelationDef};
 use touchpath::job::SECTIONS;
 
 const HEAD: &str = r#"// Generated from the crate's one list of fields: `UPDATE=1 cargo test --lib generated` writes it.
@@ -89,11 +90,9 @@ export interface Relation {
   /** Stands in front of its results, as the name of a cycle. */
   name: string;
   /**
-   * `line`: `distance` and `rotation` from one place to another. `difference`: the first result less the second. `mean` of results. `center`: the middle of places.
-   * `pitch-circle`: the circle through three places or more.
-   */
-  type: "line" | "difference" | "mean" | "center" | "pitch-circle";
-  /** Names of cycles that measure a place in the plane; of a difference or mean, results as `BORE.diameter`. */
+RELATION_SAYS   */
+  type: RELATION_TYPES;
+  /** Names of cycles and relations that measure a place in the plane, or results as `BORE.diameter`. */
   of: string[];
 }
 
@@ -115,6 +114,24 @@ export interface SetUp extends Omit<Job, "format" | "cycle"> {
   relations?: Relation[] | null;
 }
 "#;
+
+/// What a relation is of: `two places`, `three results or more`.
+fn relation_of(def: &RelationDef) -> String {
+    let count = ["no", "one", "two", "three", "four"][def.least];
+    let what = if def.places { "places" } else { "results" };
+    format!("{count} {what}{}", if def.most.is_none() { " or more" } else { "" })
+}
+
+fn relation_results(def: &RelationDef) -> String {
+    let codes: Vec<String> = def.results.iter().map(|code| format!("`{code}`")).collect();
+    let of_angles = if def.places { String::new() } else { format!(", of angles `{}.angle`", def.results[0]) };
+    codes.join(", ") + &of_angles
+}
+
+/// A relation in the manual's table.
+pub fn relation_row(def: &RelationDef) -> String {
+    format!("| `{}` | {} | {}: {} |", def.key, relation_of(def), relation_results(def), def.says)
+}
 
 /// `internal-rectangle` as the name of a type.
 fn type_name(key: &str) -> String {
@@ -222,7 +239,12 @@ pub fn job_types() -> String {
     text.push_str(TOLERANCES);
     text.push_str("  cycle: Cycle;\n}\n");
     text.push_str(RESULT_TOLERANCE);
-    text.push_str(SET_UP);
+    let types: Vec<String> = RELATIONS.iter().map(|def| format!("\"{}\"", def.key)).collect();
+    let says: String = RELATIONS
+        .iter()
+        .map(|def| format!("   * `{}`, of {}: {}.\n", def.key, relation_of(def), relation_results(def)))
+        .collect();
+    text.push_str(&SET_UP.replace("RELATION_SAYS", &says).replace("RELATION_TYPES", &types.join(" | ")));
     let posts: Vec<String> = touchpath::control::POSTS.iter().map(|post| format!("  | \"{}\"", post.key)).collect();
     writeln!(text, "\n/** The id of a control. */\nexport type PostId =\n{};", posts.join("\n")).unwrap();
     text

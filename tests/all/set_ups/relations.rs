@@ -6,8 +6,9 @@ use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
 use crate::common::{import, interpret, job, on_virtual_part, planned, with};
 use crate::tests::controls::{computing, of_moves, skipping, without};
+use touchpath::describe::catalog;
 use touchpath::form::{Level, Value};
-use touchpath::job::{JobError, Plan, ResultRow, evaluate, plan};
+use touchpath::job::{JobError, Plan, RESULT_CODES, ResultRow, evaluate, plan};
 
 /// Four holes on a pitch circle of 100 mm about (10, 5), a step of 3 mm, and two walls, on a part that is turned by 30° and shifted.
 const PLATE: &str = r#"{ "format": 2, "name": "PLATE", "control": { "post": "linuxcnc" }, "clear": 40,
@@ -104,6 +105,55 @@ fn relations_move_with_the_part_and_agree_with_its_truth() {
             near(row.value.unwrap(), row.truth.or(row.value).unwrap(), 3e-3, &format!("{post}: {}", row.code));
         }
     }
+}
+
+/// Every kind of the list, with the fewest operands and with more: it has the results that its row says, LinuxCNC's interpreter computes them, what follows
+/// from true operands agrees on a displaced part, and its program is read back as the job. A kind that is added is asked all of this.
+#[test]
+fn each_kind_of_relation_is_computed_listed_and_read_back() {
+    let kinds = catalog().relations;
+    let lengths = ["A.diameter", "B.diameter", "C.diameter", "TOP.point.z"];
+    let angles = ["SIDE.rotation", "FRONT.rotation", "AC.rotation"];
+    let mut asked = 0;
+    for def in &kinds {
+        let operands: &[&[&str]] = if def.places { &[&["A", "B", "C", "D"]] } else { &[&lengths, &angles] };
+        for all in operands {
+            for count in [def.least, def.most.unwrap_or(all.len()).min(all.len())] {
+                let of: Vec<String> = all[..count].iter().map(|name| format!("{name:?}")).collect();
+                let one = format!(r#"{{ "name": "ONE", "type": "{}", "of": [{}] }}"#, def.key, of.join(","));
+                let line = r#"{ "name": "AC", "type": "line", "of": ["A", "C"] }"#;
+                let said = format!("{} of {}", def.key, of.join(" "));
+                let walls = ["SIDE", "FRONT"].map(|name| {
+                    let (x, turn) = if name == "SIDE" { (150, 20) } else { (-150, 35) };
+                    format!(r#"{{ "name": "{name}", "type": "wall-angle", "origin": [{x}, 0, 0], "rotation": {turn} }}"#)
+                });
+                let mut whole = displaced("linuxcnc");
+                if let Some(Value::List(cycles)) = whole.get_mut("cycles") {
+                    cycles.extend(walls.iter().map(|wall| job(wall)));
+                }
+                let whole = with(&whole, "relations", job(&format!("[{line}, {one}]")));
+                let whole =
+                    with(&with(&whole, "control.report", Value::Text("screen".to_owned())), "clear", Value::Number(60.0));
+                let plan = planned(&whole);
+                let rows: Vec<&ResultRow> = plan.results.iter().filter(|row| row.cycle == plan.cycles.len() + 1).collect();
+                let angle = if all[0] == angles[0] { ".angle" } else { "" };
+                let codes: Vec<&str> = rows.iter().map(|row| row.code.as_str()).collect();
+                assert_eq!(codes, def.results.iter().map(|code| format!("{code}{angle}")).collect::<Vec<_>>(), "{said}");
+                let ran = interpret(&on_virtual_part(&plan)).unwrap();
+                for row in rows {
+                    assert!(RESULT_CODES.contains(&row.code.as_str()), "{said}: {}", row.code);
+                    let code = format!("ONE.{}", row.code);
+                    let (_, shown) =
+                        ran.prints.iter().find(|(shown, _)| *shown == code).unwrap_or_else(|| panic!("{said}: {code}"));
+                    near(*shown, row.value.unwrap(), 2e-4, &said);
+                    near(row.value.unwrap(), row.truth.or(row.value).unwrap(), 3e-3, &said);
+                    asked += 1;
+                }
+                assert_eq!(import(&plan.program.text).unwrap().job.get("relations"), whole.get("relations"), "{said}");
+            }
+        }
+    }
+    assert!(asked >= 2 * kinds.len(), "{asked}");
 }
 
 /// Every control computes them: LinuxCNC's own interpreter, and the tests' machines.
