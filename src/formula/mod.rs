@@ -36,7 +36,7 @@ use crate::text::Text;
 pub const MOST_SAMPLES: usize = 16;
 
 /// How far a result may be off its nominal value before a program stops without writing; none is no limit.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
     /// Of a position, along each axis, mm.
     pub position: Option<f64>,

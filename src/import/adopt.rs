@@ -4,7 +4,10 @@
 //! and the ball's radius, and R from the ball's surface, follows from the macros [I].
 
 use crate::control::Form;
+use crate::control::native::heidenhain::row;
+use crate::control::native::rows::{Probed, Shape};
 use crate::form::{Level, Value};
+use crate::geom::Vec3;
 use crate::import::set;
 use crate::job::{Units, check, default_job_in, job_name};
 
@@ -73,39 +76,27 @@ impl Called<'_> {
         check(&job).iter().all(|finding| finding.level != Level::Error).then_some(job)
     }
 
+    /// Renishaw's macros. That a feature is touched at Z, and from beside it, shows that it is outside, or entered from above where R is negative.
     fn renishaw(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         let [x, y, z] = self.place;
         // A program of calls has the heights of the stylus tip: a job has those of the ball's centre.
         let tip = if self.post.is_some() { radius } else { 0.0 };
-        let z = z + tip;
+        let beside = self.get("Z");
         let protected = self.get("R").is_some_and(|r| r < 0.0);
-        let outside = self.get("Z").is_some() && !protected;
+        let (inside, lifts) = (beside.is_none() || protected, protected);
+        let mut clearance = self.get("R").map_or(5.0 * radius / 3.0, f64::abs) + radius;
         // The touches are where the stylus stands, or at Z.
-        let top = self.get("Z").map_or(z, |z| z + tip) + depth;
-        let mut fields = vec![("depth", depth)];
+        let center = Vec3::new(x, y, beside.unwrap_or(z) + tip);
+        let high = beside.map(|_| z + tip);
         // Of a surface across Z it is counted from the contact.
         let mut counted = radius;
-        if self.get("Z").is_some() {
-            fields.push(("sideClearance", self.get("R").map_or(5.0 * radius / 3.0, f64::abs) + radius));
-            if z > top {
-                fields.push(("topClearance", z - top));
-            }
-        }
-        let kind = |inside: &'static str, over: &'static str, out: &'static str| match (outside, protected) {
-            (true, _) => out,
-            (false, true) => over,
-            (false, false) => inside,
-        };
-        let (cycle, origin) = match number {
-            "9814" => {
-                fields.push(("diameter", self.get("D")?));
-                (kind("hole", "hole-protected", "boss"), [x, y, top])
-            }
+        let unknown = |shape| Probed { center, lifts, high, ..Probed::unknown(shape, inside) };
+        let probed = match number {
+            "9814" => Probed { sizes: [self.get("D")?, f64::NAN], ..unknown(Shape::Bore) },
             "9812" => {
-                let along_x = self.get("X");
-                fields.push(("width", along_x.xor(self.get("Y"))?));
-                fields.push(("rotation", if along_x.is_some() { 0.0 } else { 90.0 }));
-                (kind("groove", "groove-protected", "web"), [x, y, top])
+                let (along_x, along_y) = (self.get("X"), self.get("Y"));
+                let axis = usize::from(along_x.is_none());
+                Probed { sizes: [along_x.xor(along_y)?, f64::NAN], axis, ..unknown(Shape::Width) }
             }
             "9811" => {
                 let axes = [self.get("X"), self.get("Y"), self.get("Z")];
@@ -113,19 +104,16 @@ impl Called<'_> {
                 let surface = axes[axis]?;
                 let away = self.place[axis] - surface + if axis == 2 { tip } else { 0.0 };
                 counted = if axis == 2 { radius - tip } else { radius };
-                let turn = [0.0, 90.0][usize::from(axis == 1)] + if away < 0.0 { 180.0 } else { 0.0 };
-                fields = vec![("clearance", away.abs()), ("elevation", if axis == 2 { 90.0 } else { 0.0 })];
-                if axis < 2 {
-                    fields.push(("rotation", if turn > 180.0 { turn - 360.0 } else { turn }));
-                }
-                let mut origin = self.place;
-                origin[axis] = surface;
-                ("surface", origin)
+                clearance = away.abs();
+                let mut center = Vec3::from_array(self.place);
+                center[axis] = surface;
+                Probed { center, axis, towards: -away.signum(), ..Probed::unknown(Shape::Surface, false) }
             }
             _ => return None,
         };
         let offset = self.get("S").filter(|s| s.fract() == 0.0 && (1.0..=6.0).contains(s));
-        Some(Said { cycle, fields, origin, overtravel: self.get("Q").map(|q| q + counted), post: Some("fanuc"), offset })
+        let overtravel = self.get("Q").map(|q| q + counted);
+        Some(Said { overtravel, post: Some("fanuc"), offset, ..Said::of(&probed, clearance, depth, 0.0)? })
     }
 
     /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
@@ -137,29 +125,23 @@ impl Called<'_> {
         let offset = corrects.map(|n| n - 10_000.0).filter(|n| (1.0..=99.0).contains(n));
         if number == "978" {
             let (surface, axis) = (self.get("5")?, self.get("8").filter(|axis| (1.0..=3.0).contains(axis))? as usize - 1);
-            let sign = if self.get("9")? == 1.0 { 1.0 } else { -1.0 };
-            let away = (surface - self.place[axis]) * sign;
-            let mut fields = vec![("clearance", away), ("elevation", if axis == 2 { 90.0 } else { 0.0 })];
-            if axis < 2 {
-                let turn = if sign > 0.0 { [180.0, -90.0] } else { [0.0, 90.0] };
-                fields.push(("rotation", turn[axis]));
-            }
-            let mut origin = self.place;
-            origin[axis] = surface;
-            (axis < 2 || sign < 0.0).then_some(())?;
-            return Some(Said { cycle: "surface", fields, origin, overtravel: self.get("6"), post: Some("sinumerik"), offset });
+            let towards = if self.get("9")? == 1.0 { 1.0 } else { -1.0 };
+            let mut center = Vec3::from_array(self.place);
+            center[axis] = surface;
+            let away = (surface - self.place[axis]) * towards;
+            let probed = Probed { center, axis, towards, ..Probed::unknown(Shape::Surface, false) };
+            return Some(Said {
+                overtravel: self.get("6"),
+                post: Some("sinumerik"),
+                offset,
+                ..Said::of(&probed, away, depth, 0.0)?
+            });
         }
         (number == "977").then_some(())?;
         let (kind, protected) = (variant % 10.0, variant >= 1000.0);
-        let outside = [2.0, 4.0, 6.0].contains(&kind);
-        let down = if protected || outside { self.get("11")? } else { 0.0 };
-        let (touched, path) = (z - down, self.get("8")?);
-        let (top, clearance) = (touched + depth, path + radius);
-        let mut fields = vec![("depth", depth)];
-        if z > top {
-            fields.push(("topClearance", z - top));
-        }
-        let turn = self.get("10").unwrap_or(0.0);
+        let inside = ![2.0, 4.0, 6.0].contains(&kind);
+        let down = if protected || !inside { self.get("11")? } else { 0.0 };
+        let path = self.get("8")?;
         // The centre that the offset is corrected to; of a groove or web its coordinate along the measuring axis.
         let across = self.get("14") == Some(2.0);
         let said = self.get("27") == Some(11.0);
@@ -170,155 +152,88 @@ impl Called<'_> {
         };
         // Without one it is taken to be at 0, 0: a job has no other place than where the feature is.
         let offset = offset.filter(|_| said || [x, y] == [0.0; 2]);
-        let aside = protected || outside;
-        let kinds = |inside: &'static str, over: &'static str, out: &'static str| match (outside, protected) {
-            (true, _) => out,
-            (false, true) => over,
-            (false, false) => inside,
-        };
-        let cycle = match kind {
-            1.0 | 2.0 => {
-                fields.extend([("diameter", self.get("5")?), ("rotation", turn)]);
-                kinds("hole", "hole-protected", "boss")
-            }
+        let (shape, sizes, axis) = match kind {
+            1.0 | 2.0 => (Shape::Bore, [self.get("5")?, f64::NAN], 0),
             3.0 | 4.0 => {
                 self.get("14")?;
-                fields.extend([("width", self.get("5")?), ("rotation", if across { 90.0 } else { 0.0 } + turn)]);
-                kinds("groove", "groove-protected", "web")
+                (Shape::Width, [self.get("5")?, f64::NAN], usize::from(across))
             }
-            5.0 | 6.0 => {
-                fields.extend([("width1", self.get("6")?), ("width2", self.get("7")?), ("rotation", turn)]);
-                kinds("internal-rectangle", "internal-rectangle-protected", "external-rectangle")
-            }
+            5.0 | 6.0 => (Shape::Rectangle, [self.get("6")?, self.get("7")?], 0),
             _ => return None,
         };
-        match (aside, kind >= 5.0) {
-            (true, true) => fields.extend([("sideClearance1", clearance), ("sideClearance2", clearance)]),
-            (true, false) => fields.push(("sideClearance", clearance)),
-            (false, _) => {}
-        }
-        let origin = [centre[0], centre[1], top];
-        Some(Said { cycle, fields, origin, overtravel: Some(path), post: Some("sinumerik"), offset })
+        let center = Vec3::new(centre[0], centre[1], z - down);
+        let probed = Probed { center, sizes, axis, lifts: protected, high: Some(z), ..Probed::unknown(shape, inside) };
+        let feature = Said::of(&probed, path + radius, depth, self.get("10").unwrap_or(0.0))?;
+        Some(Said { overtravel: Some(path), post: Some("sinumerik"), offset, ..feature })
     }
 
-    /// From where a touch begins up to the clearance height.
-    fn feed_distance(&self, start: f64) -> Option<(&'static str, f64)> {
-        self.get("Q260").map(|high| high - start).filter(|far| *far >= 0.0).map(|far| ("feedDistance", far))
-    }
-
+    /// The cycles whose words are rows.
     fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
-        let centre = || Some([self.get("Q321").or(self.get("Q273"))?, self.get("Q322").or(self.get("Q274"))?]);
-        let top = || Some(self.get("Q261")? + depth);
-        let protected = self.get("Q301").is_some_and(|q| q == 1.0);
-        let clearance = self.get("Q320").map_or(5.0 * radius / 3.0, |q| q + radius);
+        let probed = row(number.parse().ok()?)?.probed(|q| self.get(&format!("Q{q}")))?;
+        let clearance = probed.set_up.map_or(5.0 * radius / 3.0, |set_up| set_up + radius);
+        let offset = probed.row.filter(|row| (1.0..=99.0).contains(row) && row.fract() == 0.0);
+        Some(Said { post: Some("heidenhain"), offset, ..Said::of(&probed, clearance, depth, 0.0)? })
+    }
+}
+
+impl Said {
+    /// What is probed, as a documented cycle whose touches begin so far from their contacts and lie so deep below the top side, turned by so many degrees.
+    fn of(probed: &Probed, clearance: f64, depth: f64, turn: f64) -> Option<Said> {
+        let Probed { shape, inside, center, sizes, axis, towards, high, lifts, .. } = *probed;
         let mut fields = vec![("depth", depth)];
-        if let (Some(height), Some(top)) = (self.get("Q260"), top())
-            && height > top
-        {
-            fields.push(("topClearance", height - top));
-        }
-        let (cycle, origin) = match number {
-            "412" | "421" | "413" | "422" => {
-                fields.push(("diameter", self.get("Q262")?));
-                let (start, step) = (self.get("Q325").unwrap_or(0.0), self.get("Q247").unwrap_or(90.0));
-                if start != 0.0 || step != 90.0 {
-                    let count = self.get("Q423").unwrap_or(4.0);
+        let top = center.z + depth;
+        let kinds = |inner: &'static str, over: &'static str, out: &'static str| match (inside, lifts) {
+            (true, false) => inner,
+            (true, true) => over,
+            (false, _) => out,
+        };
+        let cycle = match shape {
+            Shape::Surface => {
+                // The surface faces the touch.
+                let facing = match axis {
+                    1 => Some(-90.0 * towards),
+                    0 => Some(if towards > 0.0 { 180.0 } else { 0.0 }),
+                    _ if towards < 0.0 => None,
+                    _ => return None,
+                };
+                fields = vec![("elevation", if axis == 2 { 90.0 } else { 0.0 }), ("clearance", clearance)];
+                fields.extend(facing.map(|facing| ("rotation", facing)));
+                // From where the touch begins up to the clearance height.
+                let begins = if axis == 2 { center.z + clearance } else { center.z };
+                fields.extend(high.map(|high| ("feedDistance", high - begins)).filter(|(_, far)| *far >= 0.0));
+                let origin = center.to_array();
+                return Some(Said { cycle: "surface", fields, origin, overtravel: None, post: None, offset: None });
+            }
+            Shape::Bore => {
+                fields.extend([("diameter", sizes[0]), ("rotation", turn)]);
+                if probed.start != 0.0 || probed.step != 90.0 {
+                    let (start, step, count) = (probed.start, probed.step, probed.count);
                     fields.extend([("variant", 1.0), ("startAngle", start), ("angularStep", step), ("stepCount", count)]);
                 }
-                let inside = matches!(number, "412" | "421");
-                if !inside || protected {
-                    fields.push(("sideClearance", clearance));
-                }
-                let cycle = match (inside, protected) {
-                    (true, false) => "hole",
-                    (true, true) => "hole-protected",
-                    (false, _) => "boss",
-                };
-                let [x, y] = centre()?;
-                (cycle, [x, y, top()?])
+                kinds("hole", "hole-protected", "boss")
             }
-            "410" | "423" | "411" | "424" => {
-                fields.push(("width1", self.get("Q323").or(self.get("Q282"))?));
-                fields.push(("width2", self.get("Q324").or(self.get("Q283"))?));
-                let inside = matches!(number, "410" | "423");
-                if !inside || protected {
-                    fields.extend([("sideClearance1", clearance), ("sideClearance2", clearance)]);
-                }
-                let cycle = match (inside, protected) {
-                    (true, false) => "internal-rectangle",
-                    (true, true) => "internal-rectangle-protected",
-                    (false, _) => "external-rectangle",
-                };
-                let [x, y] = centre()?;
-                (cycle, [x, y, top()?])
+            Shape::Width => {
+                fields.extend([("width", sizes[0]), ("rotation", if axis == 1 { 90.0 } else { 0.0 } + turn)]);
+                kinds("groove", "groove-protected", "web")
             }
-            "408" | "425" | "409" | "426" => {
-                let along = self.get("Q272").filter(|axis| [1.0, 2.0].contains(axis))?;
-                fields.extend([("width", self.get("Q311")?), ("rotation", if along == 2.0 { 90.0 } else { 0.0 })]);
-                let inside = matches!(number, "408" | "425");
-                if !inside || protected {
-                    fields.push(("sideClearance", clearance));
-                }
-                let cycle = match (inside, protected) {
-                    (true, false) => "groove",
-                    (true, true) => "groove-protected",
-                    (false, _) => "web",
-                };
-                let middle = |a: &str, b: &str| Some((self.get(a)? + self.get(b)?) / 2.0);
-                let [x, y] = match number {
-                    "425" => [self.get("Q328")?, self.get("Q329")?],
-                    "426" => [middle("Q263", "Q265")?, middle("Q264", "Q266")?],
-                    _ => centre()?,
-                };
-                (cycle, [x, y, top()?])
+            Shape::Rectangle => {
+                fields.extend([("width1", sizes[0]), ("width2", sizes[1]), ("rotation", turn)]);
+                kinds("internal-rectangle", "internal-rectangle-protected", "external-rectangle")
             }
-            "417" => {
-                let z = self.get("Q294")?;
-                fields = vec![("elevation", 90.0), ("clearance", clearance)];
-                fields.extend(self.feed_distance(z + clearance));
-                ("surface", [self.get("Q263")?, self.get("Q264")?, z])
-            }
-            "419" | "427" => {
-                let axis = self.get("Q272").filter(|axis| [1.0, 2.0, 3.0].contains(axis))?;
-                let towards = self.get("Q267").filter(|sign| sign.abs() == 1.0)?;
-                // The surface faces the touch.
-                let turn = if axis == 2.0 {
-                    -90.0 * towards
-                } else if towards > 0.0 {
-                    180.0
-                } else {
-                    0.0
-                };
-                (axis < 3.0 || towards < 0.0).then_some(())?;
-                fields = vec![("elevation", if axis == 3.0 { 90.0 } else { 0.0 }), ("clearance", clearance)];
-                if axis < 3.0 {
-                    fields.push(("rotation", turn));
-                }
-                let z = self.get("Q261")?;
-                fields.extend(self.feed_distance(if axis == 3.0 { z + clearance } else { z }));
-                ("surface", [self.get("Q263")?, self.get("Q264")?, z])
-            }
-            _ => return None,
         };
-        // A row whose values are the nominal place: a job writes no other.
-        let same = |q: &str, place: Option<f64>| self.get(q).is_none_or(|value| place == Some(value));
-        let along = self.get("Q272").filter(|axis| (1.0..=3.0).contains(axis)).map(|axis| origin[axis as usize - 1]);
-        let nominal = match number {
-            "408" | "409" => same("Q405", along),
-            "417" => same("Q333", self.get("Q294")),
-            "419" => same("Q333", along),
-            _ => same("Q331", Some(origin[0])) && same("Q332", Some(origin[1])),
-        };
-        let nominal = nominal && self.get("Q381").is_none_or(|more| more == 0.0);
-        let row = self.get("Q305").filter(|row| nominal && self.get("Q303") == Some(1.0) && (1.0..=99.0).contains(row));
-        Some(Said {
-            cycle,
-            fields,
-            origin,
-            overtravel: None,
-            post: Some("heidenhain"),
-            offset: row.filter(|row| row.fract() == 0.0),
-        })
+        if let Some(high) = high.filter(|high| *high > top) {
+            fields.push(("topClearance", high - top));
+            // Where it does not cross between touches it comes down from there at once.
+            if inside && !lifts {
+                fields.push(("feedDistance", 0.0));
+            }
+        }
+        if !inside || lifts {
+            let sides: &[&str] =
+                if shape == Shape::Rectangle { &["sideClearance1", "sideClearance2"] } else { &["sideClearance"] };
+            fields.extend(sides.iter().map(|side| (*side, clearance)));
+        }
+        Some(Said { cycle, fields, origin: [center.x, center.y, top], overtravel: None, post: None, offset: None })
     }
 }
 

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use super::own_cycles::{BALL, Face, own, stopped};
-use crate::common::{number, point as list};
+use crate::common::{Draws, number, point as list, with};
 use crate::tests::controls::{calling_macros, calling_macros_as_a_fanuc, without};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, plan};
@@ -472,6 +472,77 @@ fn a_program_comes_back_as_its_job() {
             );
         }
     }
+}
+
+/// The words of a call, read back as a job, are those of its program: whatever the feature is, wherever it lies. What the words say of limits and of the log is
+/// no feature's.
+#[test]
+fn the_words_of_random_calls_are_read_as_they_were_written() {
+    use touchpath::import::toolpath::{Known, run_program};
+    let kinds = [
+        "hole",
+        "hole-protected",
+        "boss",
+        "groove",
+        "groove-protected",
+        "web",
+        "internal-rectangle",
+        "internal-rectangle-protected",
+        "external-rectangle",
+        "surface",
+    ];
+    let mut draws = Draws(1129);
+    let mut called: BTreeMap<u32, usize> = BTreeMap::new();
+    for round in 0..400 {
+        let cycle = kinds[round % kinds.len()];
+        let mut length = |low: f64, high: f64| number((draws.of(low, high) * 1000.0).round() / 1000.0);
+        let mut changes =
+            vec![("cycle.origin", Value::List(vec![length(-90.0, 90.0), length(-90.0, 90.0), length(-20.0, 20.0)]))];
+        match cycle {
+            "surface" => changes.push(("cycle.clearance", length(6.0, 15.0))),
+            "hole" | "hole-protected" | "boss" => changes.push(("cycle.diameter", length(30.0, 90.0))),
+            "web" | "groove" | "groove-protected" => changes.push(("cycle.width", length(30.0, 90.0))),
+            _ => changes.extend([("cycle.width1", length(60.0, 90.0)), ("cycle.width2", length(30.0, 50.0))]),
+        }
+        changes.push(("cycle.depth", length(4.0, 12.0)));
+        let [quarter, level, row] = [4, 3, 3].map(|of| draws.below(of) as f64);
+        match cycle {
+            "surface" if level == 0.0 => changes.push(("cycle.elevation", number(90.0))),
+            "surface" => changes.extend([
+                ("cycle.elevation", number(0.0)),
+                ("cycle.rotation", number([0.0, 90.0, 180.0, -90.0][quarter as usize])),
+            ]),
+            "web" | "groove" | "groove-protected" => changes.push(("cycle.rotation", number(90.0 * (quarter % 2.0)))),
+            _ => {}
+        }
+        changes.push(("control.workOffset", if row == 0.0 { Value::Null } else { number(row) }));
+        let changes: Vec<(&str, Value)> =
+            changes.into_iter().filter(|(key, _)| cycle != "surface" || *key != "cycle.depth").collect();
+        let Ok(first) = plan(&job(cycle, &changes)) else { continue };
+        let bare: String =
+            first.program.text.lines().filter(|line| !line.contains(" ; ")).map(|line| format!("{line}\n")).collect();
+        let run = run_program(&bare, &Known { start: Some([0.0, 0.0, 200.0]), ..Known::default() });
+        let again = run
+            .calls
+            .iter()
+            .find_map(|call| call.job.clone())
+            .unwrap_or_else(|| panic!("{cycle} {changes:?}: {:?}", run.calls));
+        let again =
+            plan(&with(&again, "overtravel", number(5.0))).unwrap_or_else(|error| panic!("{cycle}: {error:?}\n{again:?}"));
+        let of_feature = |text: &str| -> Vec<(u32, Vec<(u32, i64)>)> {
+            let asked = [275, 276, 277, 278, 279, 280, 281, 284, 285, 286, 287, 288, 289, 309];
+            let words = |given: Vec<(u32, f64)>| {
+                let kept = given.into_iter().filter(|(q, _)| !asked.contains(q));
+                kept.map(|(q, value)| (q, (value * 1000.0).round() as i64)).collect()
+            };
+            blocks(text).into_iter().map(|(number, given)| (number, words(given))).collect()
+        };
+        let (wanted, read) = (of_feature(&first.program.text), of_feature(&again.program.text));
+        assert_eq!(read[0], wanted[0], "{cycle} {changes:?}");
+        *called.entry(wanted[0].0).or_default() += 1;
+    }
+    // Every cycle of the table, many times.
+    assert!(called.len() == 15 && called.values().all(|count| *count >= 5), "{called:?}");
 }
 
 /// HEIDENHAIN, touch probe cycles: Q281 = 0 makes no log, 1 a log as a file, 2 stops the program and shows it.

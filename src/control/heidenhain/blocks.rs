@@ -2,29 +2,9 @@
 
 use crate::control::Request;
 use crate::control::iso::writer::Writer;
+use crate::control::native::heidenhain::row;
 use crate::num::decimal;
 use crate::path::Quantity;
-
-/// What stands behind the number in the head of a block.
-fn head(number: u16) -> &'static str {
-    match number {
-        408 => "SLOT CENTER REF PT",
-        409 => "RIDGE CENTER REF PT",
-        410 => "DATUM INSIDE RECTAN.",
-        411 => "DATUM OUTS. RECTAN.",
-        412 => "DATUM INSIDE CIRCLE",
-        413 => "DATUM OUTSIDE CIRCLE",
-        417 => "DATUM IN TS AXIS",
-        419 => "DATUM IN ONE AXIS",
-        421 => "MEASURE HOLE",
-        422 => "MEAS. CIRCLE OUTSIDE",
-        423 => "MEAS. RECTAN. INSIDE",
-        424 => "MEAS. RECTAN. OUTS.",
-        425 => "MEASURE INSIDE WIDTH",
-        426 => "MEASURE RIDGE WIDTH",
-        _ => "MEASURE COORDINATE",
-    }
-}
 
 /// The text beside a parameter.
 fn dialog(number: u16, q: u16) -> &'static str {
@@ -82,7 +62,10 @@ fn dialog(number: u16, q: u16) -> &'static str {
 pub(super) fn write(w: &mut Writer<'_>, request: &Request<'_>, number: u16, parameters: &[(u16, Quantity)]) {
     match number {
         247 => w.line("CYCL DEF 247 DATUM SETTING ~"),
-        _ => w.parts(&["TCH PROBE ", &number.to_string(), " ", head(number), " ~"]),
+        _ => {
+            let head = row(number).map_or("", |row| row.head);
+            w.parts(&["TCH PROBE ", &number.to_string(), " ", head, " ~"]);
+        }
     }
     for (i, (q, quantity)) in parameters.iter().enumerate() {
         let continues = if i + 1 < parameters.len() { " ~" } else { "" };

@@ -5,6 +5,8 @@
 //! 411, 412, 417 and 419 follow a simulator that was written from the manual [S]. Ours [I]: 408, 409, 410 and 426 like the related cycles, the sides of a
 //! rectangle counter-clockwise from the first axis' plus side, a ridge from its plus side.
 
+use crate::control::native::heidenhain::row;
+use crate::control::native::rows::{Probed, Shape};
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
@@ -12,29 +14,25 @@ use crate::path::{Arc, Reach};
 
 /// Runs a cycle by its Q parameters, lengths in mm and angles in degrees: `None` if the cycle or one of its parameters is not known here.
 pub fn run(number: u16, parameters: &[(u16, f64)], reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let mut cycle = Cycle { parameters, reach, high: f64::NAN, machine };
-    let known = match number {
-        412 | 421 => cycle.circle(true),
-        413 | 422 => cycle.circle(false),
-        410 | 423 => cycle.rectangle(true),
-        411 | 424 => cycle.rectangle(false),
-        408 => cycle.slot(),
-        425 => cycle.width(),
-        409 => cycle.ridge(),
-        426 => cycle.ridge_by_points(),
-        417 => cycle.down(294),
-        427 if cycle.get(272) == Some(3.0) => cycle.down(261),
-        419 | 427 => cycle.coordinate(),
-        _ => None,
-    }?;
-    Some(known)
+    let of = row(number)?.probed(|q| value(parameters, q))?;
+    let mut cycle = Cycle { of, reach, high: of.high?, machine };
+    if !of.center.z.is_finite() {
+        return None;
+    }
+    let done = match (of.shape, of.inside) {
+        (Shape::Bore, _) => cycle.circle(),
+        (Shape::Rectangle, _) => cycle.rectangle(),
+        // The cycle that writes lifts where it is told to; the one that measures goes from where it stands to both sides.
+        (Shape::Width, true) if number == 408 => cycle.slot(),
+        (Shape::Width, true) => cycle.width(),
+        (Shape::Width, false) => cycle.ridge(),
+        (Shape::Surface, _) => cycle.surface(),
+    };
+    Some(done.and_then(|()| cycle.ends()))
 }
 
-/// What became of a cycle whose parameters are known.
-type Run = Option<Result<(), Alarm>>;
-
 struct Cycle<'c, 'w> {
-    parameters: &'c [(u16, f64)],
+    of: Probed,
     reach: Reach,
     /// The clearance height.
     high: f64,
@@ -42,13 +40,9 @@ struct Cycle<'c, 'w> {
 }
 
 impl Cycle<'_, '_> {
-    fn get(&self, number: u16) -> Option<f64> {
-        value(self.parameters, number)
-    }
-
     /// From a surface to the ball's centre where its touch begins.
     fn aside(&self) -> f64 {
-        self.machine.radius + self.reach.set_up + self.get(320).unwrap_or(0.0)
+        self.machine.radius + self.reach.set_up + self.of.set_up.unwrap_or(0.0)
     }
 
     /// The positioning logic: below the clearance height up to it first, then in the plane, then down.
@@ -71,25 +65,20 @@ impl Cycle<'_, '_> {
         self.machine.goes(up)
     }
 
-    /// The centre of a feature, at the measuring height; takes the clearance height, too.
-    fn center(&mut self) -> Option<Vec3> {
-        let [x, y] = [self.get(321).or(self.get(273))?, self.get(322).or(self.get(274))?];
-        self.high = self.get(260)?;
-        Some(Vec3::new(x, y, self.get(261)?))
+    /// Outwards from a feature, or into it.
+    fn sign(&self) -> f64 {
+        if self.of.inside { -1.0 } else { 1.0 }
     }
 
     /// Touch by touch from the angle of the first on.
-    fn circle(&mut self, inside: bool) -> Run {
-        let center = self.center()?;
-        let half = self.get(262)? / 2.0;
-        let (start, step) = (self.get(325).unwrap_or(0.0), self.get(247).unwrap_or(90.0));
-        let count = self.get(423).unwrap_or(4.0);
-        let sign = if inside { -1.0 } else { 1.0 };
+    fn circle(&mut self) -> Result<(), Alarm> {
+        let Probed { center, sizes: [diameter, _], start, step, count, .. } = self.of;
+        let (half, sign) = (diameter / 2.0, self.sign());
         let off = (half + sign * self.aside()).max(0.0);
         // From the middle nothing lies between the touches.
-        let lifts = self.get(301) == Some(1.0) && off > 0.0;
-        let arc = self.get(365).unwrap_or(1.0) == 1.0 && off > 0.0;
-        Some((0..(count as usize).clamp(1, 8)).try_for_each(|k| {
+        let lifts = self.of.lifts && off > 0.0;
+        let arc = self.of.arcs && off > 0.0;
+        (0..(count as usize).clamp(1, 8)).try_for_each(|k| {
             let towards = direction_at(start + step * k as f64);
             let place = center + towards * off;
             match k {
@@ -99,20 +88,18 @@ impl Cycle<'_, '_> {
                 _ => self.machine.goes(place)?,
             }
             self.touches(center + towards * (half + sign * self.machine.radius))
-        }))
-        .map(|run| run.and_then(|()| self.ends()))
+        })
     }
 
     /// Four sides, one touch each.
-    fn rectangle(&mut self, inside: bool) -> Run {
-        let center = self.center()?;
-        let halves = [self.get(323).or(self.get(282))? / 2.0, self.get(324).or(self.get(283))? / 2.0];
-        let sign = if inside { -1.0 } else { 1.0 };
+    fn rectangle(&mut self) -> Result<(), Alarm> {
+        let center = self.of.center;
+        let (halves, sign) = (self.of.sizes.map(|size| size / 2.0), self.sign());
         let room = halves.iter().all(|half| half + sign * self.aside() >= 0.0);
         let off = halves.map(|half| if room { half + sign * self.aside() } else { 0.0 });
-        let lifts = self.get(301) == Some(1.0) && room;
+        let lifts = self.of.lifts && room;
         let sides = [(Vec3::X, 0), (Vec3::Y, 1), (-Vec3::X, 0), (-Vec3::Y, 1)];
-        Some(sides.iter().enumerate().try_for_each(|(k, (towards, axis))| {
+        sides.iter().enumerate().try_for_each(|(k, (towards, axis))| {
             let place = center + *towards * off[*axis];
             if k == 0 || lifts {
                 self.comes(place)?;
@@ -123,24 +110,14 @@ impl Cycle<'_, '_> {
                 self.machine.goes(place)?;
             }
             self.touches(center + *towards * (halves[*axis] + sign * self.machine.radius))
-        }))
-        .map(|run| run.and_then(|()| self.ends()))
+        })
     }
 
-    /// The axis that is measured along.
-    fn axis(&self) -> Option<Vec3> {
-        match self.get(272)? {
-            1.0 => Some(Vec3::X),
-            2.0 => Some(Vec3::Y),
-            _ => None,
-        }
-    }
-
-    fn slot(&mut self) -> Run {
-        let (center, axis, half) = (self.center()?, self.axis()?, self.get(311)? / 2.0);
+    fn slot(&mut self) -> Result<(), Alarm> {
+        let (center, axis, half) = (self.of.center, self.of.along(), self.of.sizes[0] / 2.0);
         let off = (half - self.aside()).max(0.0);
-        let lifts = self.get(301) == Some(1.0) && off > 0.0;
-        Some([1.0, -1.0].into_iter().try_for_each(|side| {
+        let lifts = self.of.lifts && off > 0.0;
+        [1.0, -1.0].into_iter().try_for_each(|side| {
             let place = center + axis * side * off;
             if lifts || side > 0.0 {
                 self.comes(place)?
@@ -148,69 +125,38 @@ impl Cycle<'_, '_> {
                 self.machine.goes(place)?
             }
             self.touches(center + axis * side * (half - self.machine.radius))
-        }))
-        .map(|run| run.and_then(|()| self.ends()))
+        })
     }
 
     /// From where it stands to both sides.
-    fn width(&mut self) -> Run {
-        let start = Vec3::new(self.get(328)?, self.get(329)?, self.get(261)?);
-        let (axis, half) = (self.axis()?, self.get(311)? / 2.0);
-        self.high = self.get(260)?;
+    fn width(&mut self) -> Result<(), Alarm> {
+        let (start, axis) = (self.of.center, self.of.along());
         let across = if axis == Vec3::X { Vec3::Y } else { Vec3::X };
-        let second = start + across * self.get(310).unwrap_or(0.0);
-        let contact = half - self.machine.radius;
-        Some(
-            self.comes(start)
-                .and_then(|()| self.touches(start + axis * contact))
-                .and_then(|()| self.machine.goes(second))
-                .and_then(|()| self.touches(second - axis * contact))
-                .and_then(|()| self.ends()),
-        )
-    }
-
-    fn ridge(&mut self) -> Run {
-        let (center, axis, half) = (self.center()?, self.axis()?, self.get(311)? / 2.0);
-        Some(self.over_a_ridge(axis, [center + axis * half, center - axis * half]))
-    }
-
-    fn ridge_by_points(&mut self) -> Run {
-        let height = self.get(261)?;
-        self.high = self.get(260)?;
-        let points = [Vec3::new(self.get(263)?, self.get(264)?, height), Vec3::new(self.get(265)?, self.get(266)?, height)];
-        Some(self.over_a_ridge(self.axis()?, points))
+        let second = start + across * self.of.beside;
+        let contact = self.of.sizes[0] / 2.0 - self.machine.radius;
+        self.comes(start)?;
+        self.touches(start + axis * contact)?;
+        self.machine.goes(second)?;
+        self.touches(second - axis * contact)
     }
 
     /// One side, over the clearance height, the other side.
-    fn over_a_ridge(&mut self, axis: Vec3, points: [Vec3; 2]) -> Result<(), Alarm> {
+    fn ridge(&mut self) -> Result<(), Alarm> {
+        let (points, axis) = (self.of.walls(), self.of.along());
         // Towards the other side.
         let along = axis * (points[0] - points[1]).dot(axis).signum();
         for (point, out) in points.into_iter().zip([along, -along]) {
             self.comes(point + out * self.aside())?;
             self.touches(point + out * self.machine.radius)?;
         }
-        self.ends()
+        Ok(())
     }
 
-    /// Down onto a surface, whose height stands in a parameter.
-    fn down(&mut self, height: u16) -> Run {
-        let surface = Vec3::new(self.get(263)?, self.get(264)?, self.get(height)?);
-        self.high = self.get(260)?;
-        Some(
-            self.comes(surface + Vec3::Z * self.aside())
-                .and_then(|()| self.touches(surface + Vec3::Z * self.machine.radius))
-                .and_then(|()| self.ends()),
-        )
-    }
-
-    fn coordinate(&mut self) -> Run {
-        let place = Vec3::new(self.get(263)?, self.get(264)?, self.get(261)?);
-        self.high = self.get(260)?;
-        let towards = self.axis()? * self.get(267)?.signum();
-        Some(
-            self.comes(place - towards * self.aside())
-                .and_then(|()| self.touches(place - towards * self.machine.radius))
-                .and_then(|()| self.ends()),
-        )
+    /// One touch along an axis; along that of the tool down.
+    fn surface(&mut self) -> Result<(), Alarm> {
+        let Probed { center, axis, towards, .. } = self.of;
+        let towards = self.of.along() * if axis == 2 { -1.0 } else { towards };
+        self.comes(center - towards * self.aside())?;
+        self.touches(center - towards * self.machine.radius)
     }
 }

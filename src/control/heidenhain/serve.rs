@@ -2,6 +2,8 @@
 
 use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
+use crate::control::native::heidenhain::ROWS;
+use crate::control::native::rows::{Asked, Is, Probed, Row, Shape};
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
 use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of};
@@ -9,7 +11,7 @@ use crate::control::{Program, Report, Request, check_write, does, own};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
-use crate::path::{Bore, Entry, Feature, Guard, Off, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
+use crate::path::{Bore, Entry, Feature, Guard, Off, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored, Touch};
 use crate::text::{Text, text};
 
 /// How nearly directions and places must agree.
@@ -73,7 +75,8 @@ struct Plan<'a> {
     first: Vec3,
 }
 
-use Quantity::{Angle, Length, Plain};
+/// The codes of a centre.
+const CENTER: [&str; 2] = ["center.x", "center.y"];
 
 impl Plan<'_> {
     /// The row that is written; none measures only.
@@ -119,61 +122,58 @@ impl Plan<'_> {
         (self.request.setup.overtravel - self.request.set_up).max(0.0)
     }
 
-    /// The limits of a size; both 0 where it has none, which asks nothing.
-    fn sizes(&self, largest: u16, smallest: u16, size: f64) -> [(u16, Quantity); 2] {
-        let [high, low] = self.request.limits.size.map_or([0.0; 2], |off| [size + off, (size - off).max(0.0)]);
-        [(largest, Length(high)), (smallest, Length(low))]
-    }
-
-    /// How far the centre may be off; 0 asks nothing.
-    fn places(&self) -> [(u16, Quantity); 2] {
-        let off = self.request.limits.position.unwrap_or(0.0);
-        [(279, Length(off)), (280, Length(off))]
-    }
-
-    /// The log: none, a file, or the screen.
-    fn log(&self) -> (u16, Quantity) {
+    /// Calls the cycle for what is to be probed. `codes` are those of its results: of its centre, and of its sizes.
+    fn calls(&mut self, probed: &Probed, [places, sizes]: [&[&'static str]; 2]) {
+        let writes = probed.row.is_some();
+        let fits = |row: &&Row| (row.shape, row.inside, row.writes) == (probed.shape, probed.inside, writes);
+        // Of a surface the tool axis has a cycle of its own to write it.
+        let number =
+            if probed.shape == Shape::Surface && writes { Some(if probed.axis == 2 { 417 } else { 419 }) } else { None };
+        let row = ROWS.iter().filter(fits).find(|row| number.is_none_or(|number| row.number == number));
+        let Some(row) = row else { return };
         let log = match self.request.report {
             Report::None => 0.0,
             Report::Log => 1.0,
             Report::Screen => 2.0,
         };
-        (281, Plain(log))
-    }
-
-    /// Whether it stops out of one of these limits; no tool is monitored.
-    fn stops(&self, limits: &[Option<f64>]) -> [(u16, Quantity); 2] {
-        [(309, flag(limits.iter().any(Option::is_some))), (330, Plain(0.0))]
-    }
-
-    /// The same behind the limits, as most cycles have it.
-    fn verdict(&self, limits: &[Option<f64>]) -> [(u16, Quantity); 3] {
-        let [stop, tool] = self.stops(limits);
-        [self.log(), stop, tool]
-    }
-
-    /// What a cycle that writes ends with; the values are those that the measured place shall get.
-    fn writes(&self, row: f64, values: &[(u16, f64)], parameters: &mut Vec<(u16, Quantity)>, tail: bool) {
-        parameters.push((305, Plain(row)));
-        parameters.extend(values.iter().map(|(q, value)| (*q, Length(*value))));
-        parameters.push((303, Plain(1.0)));
-        if tail {
-            parameters.push((381, Plain(0.0)));
-            parameters.extend([382, 383, 384, 333].map(|q| (q, Length(0.0))));
+        let limits = self.request.limits;
+        self.blocks.push(OwnBlock::Cycle(row.number, row.call(probed, &Asked { limits, log })));
+        let code = |is: Is| match is {
+            Is::Center(axis) => places.get(axis).copied(),
+            Is::Along => places.get(probed.axis).copied(),
+            Is::Size(n) => sizes.get(n).copied(),
+            _ => None,
+        };
+        self.stored.extend(row.results.iter().filter_map(|(q, is)| Some((code(*is)?, Stored::Output(usize::from(*q))))));
+        let [stops_for_sizes, stops_for_places] = row.stops();
+        let measured =
+            |wanted: fn(Is) -> bool| row.results.iter().filter(move |(_, is)| wanted(*is)).filter_map(|(_, is)| code(*is));
+        if let Some(limit) = limits.size.filter(|_| stops_for_sizes) {
+            let codes = measured(|is| matches!(is, Is::Size(_))).collect();
+            self.guards.push(Guard { codes, off: Off::Each, limit });
+        }
+        if let Some(limit) = limits.position.filter(|_| stops_for_places) {
+            let codes = measured(|is| !matches!(is, Is::Size(_))).collect();
+            self.guards.push(Guard { codes, off: Off::Each, limit });
         }
     }
 
-    fn calls(&mut self, number: u16, parameters: Vec<(u16, Quantity)>) {
-        self.blocks.push(OwnBlock::Cycle(number, parameters));
+    /// A feature about the frame's origin, touched at this height.
+    fn probed(&self, shape: Shape, inside: bool, set_up: f64) -> Probed {
+        let path = self.request.path;
+        let height = path.touches.first().map_or(0.0, |touch| touch.point.z);
+        Probed {
+            center: path.frame.origin.with_z(height),
+            set_up: Some(set_up),
+            high: Some(self.high()),
+            row: self.row(),
+            ..Probed::unknown(shape, inside)
+        }
     }
 
-    fn stores(&mut self, results: &[(&'static str, usize)]) {
-        self.stored.extend(results.iter().map(|(code, q)| (*code, Stored::Output(*q))));
-    }
-
-    /// It stops where one of these results is off by more than a limit: with tolerances and Q309.
-    fn stops_for(&mut self, codes: &[&'static str], limit: Option<f64>) {
-        self.guards.extend(limit.map(|limit| Guard { codes: codes.to_vec(), off: Off::Each, limit }));
+    /// From a contact to where its touch begins.
+    fn aside(&self, set_up: f64) -> f64 {
+        set_up + self.request.set_up + self.request.setup.radius
     }
 
     fn surface(&mut self, point: &Point) -> Result<(), Refused> {
@@ -183,54 +183,24 @@ impl Plan<'_> {
         let entry = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
         let set_up = self.set_up(entry)?;
         let high = self.clearance_height(path.moves.first().map_or(start.z, |step| step.to.z));
-        self.touches_surface(touch.point, touch.vector, set_up, high, point.elevation)
+        self.touches_surface(touch, (set_up, high), (point.elevation, ["point.x", "point.y", "point.z"]))
     }
 
-    /// One touch of a surface across an axis.
+    /// One touch of a surface across an axis. `codes` are those of its coordinates.
     fn touches_surface(
         &mut self,
-        point: Vec3,
-        vector: Vec3,
-        set_up: f64,
-        high: f64,
-        field: &'static str,
+        touch: &Touch,
+        (set_up, high): (f64, f64),
+        (field, codes): (&'static str, [&'static str; 3]),
     ) -> Result<(), Refused> {
-        let Some(axis) = (0..3).find(|axis| made::is_along(vector, *axis)) else {
+        let Some(axis) = (0..3).find(|axis| made::is_along(touch.vector, *axis)) else {
             let message = text!("The control's own cycles touch surfaces across X, Y or Z: this one is turned or sloped");
             return Err(own::refused("cycle-not-parallel", field, message));
         };
-        let place = [(263, Length(point.x)), (264, Length(point.y))];
-        let direction = [(272, Plain((axis + 1) as f64)), (267, Plain(-vector[axis].signum()))];
-        let aside = vector * (set_up + self.request.set_up + self.request.setup.radius);
-        self.begins_at(point + aside, high);
-        let mut parameters = place.to_vec();
-        let (set_up, high) = ((320, Length(set_up)), (260, Length(high)));
-        match (self.row(), axis) {
-            (Some(row), 2) => {
-                parameters.extend([(294, Length(point.z)), set_up, high]);
-                self.writes(row, &[(333, point.z)], &mut parameters, false);
-                self.calls(417, parameters);
-            }
-            (Some(row), _) => {
-                parameters.extend([(261, Length(point.z)), set_up, high]);
-                parameters.extend(direction);
-                self.writes(row, &[(333, point[axis])], &mut parameters, false);
-                self.calls(419, parameters);
-            }
-            (None, _) => {
-                parameters.extend([(261, Length(point.z)), set_up]);
-                parameters.extend(direction);
-                parameters.extend([high, self.log()]);
-                let limit = self.request.limits.position;
-                let [high, low] = limit.map_or([0.0; 2], |off| [point[axis] + off, point[axis] - off]);
-                parameters.extend([(288, Length(high)), (289, Length(low))]);
-                parameters.extend(self.stops(&[limit]));
-                self.calls(427, parameters);
-                let code = ["point.x", "point.y", "point.z"][axis];
-                self.stores(&[(code, 160)]);
-                self.stops_for(&[code], limit);
-            }
-        }
+        self.begins_at(touch.point + touch.vector * self.aside(set_up), high);
+        let towards = -touch.vector[axis].signum();
+        let probed = self.probed(Shape::Surface, false, set_up);
+        self.calls(&Probed { center: touch.point, axis, towards, high: Some(high), ..probed }, [&codes, &[]]);
         Ok(())
     }
 
@@ -239,14 +209,14 @@ impl Plan<'_> {
         let (center, touches) = (path.frame.origin, &path.touches);
         let inside = touches.first().is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
         let mut angles: Vec<f64> = touches.iter().map(|touch| degrees_of(touch.point - center)).collect();
-        let first = angles[0];
+        let start = angles[0];
         // By the angle of the first, counter-clockwise, or clockwise where they are documented so.
         let square = made::are_quarters(&angles);
-        let step = if square { 90.0 } else { wrap_degrees(angles.get(1).map_or(0.0, |second| second - first)) };
+        let step = if square { 90.0 } else { wrap_degrees(angles.get(1).map_or(0.0, |second| second - start)) };
         if square {
-            angles = (0..4).map(|k| first + 90.0 * f64::from(k)).collect();
+            angles = (0..4).map(|k| start + 90.0 * f64::from(k)).collect();
         }
-        let even = angles.iter().enumerate().all(|(k, angle)| wrap_degrees(angle - first - step * k as f64).abs() < 1e-4);
+        let even = angles.iter().enumerate().all(|(k, angle)| wrap_degrees(angle - start - step * k as f64).abs() < 1e-4);
         // As far as our sources go, those that measure only touch four times.
         let fewest = if self.row().is_some() { 3 } else { 4 };
         if !(fewest..=4).contains(&angles.len()) || !even || !(5.0 - NEAR..=120.0 + NEAR).contains(&step.abs()) {
@@ -257,42 +227,19 @@ impl Plan<'_> {
             return Err(own::refused("cycle-chooses-points", "cycle.stepCount", message));
         }
         let set_up = bore.clearance.map_or(Ok(self.free_set_up()), |clearance| self.set_up(clearance))?;
-        let (height, high) = (touches[0].point.z, self.high());
-        let lifts = bore.clearance.is_some() || !inside;
-        let row = self.row();
-        let (sign, off) = (if inside { -1.0 } else { 1.0 }, self.request.setup.radius + self.request.set_up + set_up);
+        let sign = if inside { -1.0 } else { 1.0 };
         let towards = (touches[0].point - center).with_z(0.0).normalize_or_zero();
-        self.begins_at(center + towards * (bore.diameter.value / 2.0 + sign * off).max(0.0), high);
-        let [x, y] = if row.is_some() { [321, 322] } else { [273, 274] };
-        let mut parameters = vec![
-            (x, Length(center.x)),
-            (y, Length(center.y)),
-            (262, Length(bore.diameter.value)),
-            (325, Angle(first)),
-            (247, Angle(step)),
-            (261, Length(height)),
-            (320, Length(set_up)),
-            (260, Length(high)),
-            (301, flag(lifts)),
-        ];
-        match row {
-            Some(row) => {
-                self.writes(row, &[(331, center.x), (332, center.y)], &mut parameters, true);
-                parameters.extend([(423, Plain(angles.len() as f64)), (365, Plain(1.0))]);
-            }
-            None => {
-                let [largest, smallest] = if inside { [275, 276] } else { [277, 278] };
-                parameters.extend(self.sizes(largest, smallest, bore.diameter.value));
-                parameters.extend(self.places());
-                parameters.extend(self.verdict(&[self.request.limits.size, self.request.limits.position]));
-            }
-        }
-        self.calls([[421, 412], [422, 413]][usize::from(!inside)][usize::from(row.is_some())], parameters);
-        self.stores(&[("center.x", 151), ("center.y", 152), ("diameter", 153)]);
-        if row.is_none() {
-            self.stops_for(&["diameter"], self.request.limits.size);
-            self.stops_for(&["center.x", "center.y"], self.request.limits.position);
-        }
+        let off = (bore.diameter.value / 2.0 + sign * self.aside(set_up)).max(0.0);
+        self.begins_at(center + towards * off, self.high());
+        let probed = Probed {
+            sizes: [bore.diameter.value, f64::NAN],
+            lifts: bore.clearance.is_some() || !inside,
+            start,
+            step,
+            count: angles.len() as f64,
+            ..self.probed(Shape::Bore, inside, set_up)
+        };
+        self.calls(&probed, [&CENTER, &["diameter"]]);
         Ok(())
     }
 
@@ -311,129 +258,56 @@ impl Plan<'_> {
             return Err(own::refused("cycle-one-path", two.field, message));
         }
         let set_up = clearances.first().map_or(Ok(self.free_set_up()), |clearance| self.set_up(*clearance))?;
-        if pairs.sides.len() == 2 { self.rectangle(pairs, axis, set_up) } else { self.width(pairs, axis, set_up) }
-    }
-
-    fn rectangle(&mut self, pairs: &Pairs, axis: usize, set_up: f64) -> Result<(), Refused> {
-        let path = self.request.path;
-        let (center, height, high) = (path.frame.origin, path.touches[0].point.z, self.high());
-        // Sides along X and Y; the first of the job may lie along Y.
-        let mut sides = [pairs.sides[0].width.value, pairs.sides[1].width.value];
-        let mut codes = [("width1", 154), ("width2", 155)];
-        if axis == 1 {
-            sides.swap(0, 1);
-            codes = [("width1", 155), ("width2", 154)];
-        }
-        let lifts = !pairs.internal || pairs.sides[0].clearance.is_some();
-        let sign = if pairs.internal { -1.0 } else { 1.0 };
-        let off = sign * (self.request.setup.radius + self.request.set_up + set_up);
-        let room = sides.iter().all(|side| side / 2.0 + off >= 0.0);
-        self.begins_at(center + Vec3::X * if room { sides[0] / 2.0 + off } else { 0.0 }, high);
-        let row = self.row();
-        let [x, y, one, two] = if row.is_some() { [321, 322, 323, 324] } else { [273, 274, 282, 283] };
-        let mut parameters = vec![
-            (x, Length(center.x)),
-            (y, Length(center.y)),
-            (one, Length(sides[0])),
-            (two, Length(sides[1])),
-            (261, Length(height)),
-            (320, Length(set_up)),
-            (260, Length(high)),
-            (301, flag(lifts)),
-        ];
-        match row {
-            Some(row) => self.writes(row, &[(331, center.x), (332, center.y)], &mut parameters, true),
-            None => {
-                parameters.extend(self.sizes(284, 285, sides[0]));
-                parameters.extend(self.sizes(286, 287, sides[1]));
-                parameters.extend(self.places());
-                parameters.extend(self.verdict(&[self.request.limits.size, self.request.limits.position]));
-            }
-        }
-        self.calls([[423, 410], [424, 411]][usize::from(!pairs.internal)][usize::from(row.is_some())], parameters);
-        self.stores(&[("center.x", 151), ("center.y", 152), codes[0], codes[1]]);
-        if row.is_none() {
-            self.stops_for(&codes.map(|(code, _)| code), self.request.limits.size);
-            self.stops_for(&["center.x", "center.y"], self.request.limits.position);
+        match pairs.sides.as_slice() {
+            [one, two] => self.rectangle(pairs, [one, two].map(|side| side.width.value), axis, set_up),
+            _ => return self.width(pairs, axis, set_up),
         }
         Ok(())
     }
 
+    /// Sides along X and Y; the first of the job may lie along Y.
+    fn rectangle(&mut self, pairs: &Pairs, mut sizes: [f64; 2], axis: usize, set_up: f64) {
+        let mut codes = ["width1", "width2"];
+        if axis == 1 {
+            sizes.swap(0, 1);
+            codes.swap(0, 1);
+        }
+        let off = if pairs.internal { -self.aside(set_up) } else { self.aside(set_up) };
+        let room = sizes.iter().all(|side| side / 2.0 + off >= 0.0);
+        let start = Vec3::X * if room { sizes[0] / 2.0 + off } else { 0.0 };
+        self.begins_at(self.request.path.frame.origin + start, self.high());
+        let lifts = !pairs.internal || pairs.sides[0].clearance.is_some();
+        let probed = Probed { sizes, lifts, ..self.probed(Shape::Rectangle, pairs.internal, set_up) };
+        self.calls(&probed, [&CENTER, &codes]);
+    }
+
     fn width(&mut self, pairs: &Pairs, axis: usize, set_up: f64) -> Result<(), Refused> {
         let path = self.request.path;
-        let (center, height, side) = (path.frame.origin, path.touches[0].point.z, &pairs.sides[0]);
-        let (high, width, row) = (self.high(), side.width.value, self.row());
-        let along = [Vec3::X, Vec3::Y][axis];
+        let (side, writes) = (&pairs.sides[0], self.row().is_some());
         let lifts = side.clearance.is_some();
-        if pairs.internal && lifts && row.is_none() {
+        if pairs.internal && lifts && !writes {
             let message = text!(
                 "Only cycle 408 lifts between the walls of a groove, and it writes a preset; 425, which measures only, goes straight across. Choose a work offset; in a set-up the last cycle alone writes one"
             );
             return Err(own::refused("cycle-no-lift", "control.workOffset", message));
         }
-        let measuring = (272, Plain((axis + 1) as f64));
-        let aside = self.request.setup.radius + self.request.set_up + set_up;
-        let datum = [(321, Length(center.x)), (322, Length(center.y)), (311, Length(width)), measuring];
-        let place = [(261, Length(height)), (320, Length(set_up)), (260, Length(high))];
-        match (pairs.internal, row) {
-            (true, Some(row)) => {
-                self.begins_at(center + along * (width / 2.0 - aside).max(0.0), high);
-                let mut parameters = [datum.as_slice(), &place, &[(301, flag(lifts))]].concat();
-                self.writes(row, &[(405, center[axis])], &mut parameters, true);
-                self.calls(408, parameters);
-            }
-            (true, None) => {
-                self.begins_at(center, high);
-                let mut parameters = vec![
-                    (328, Length(center.x)),
-                    (329, Length(center.y)),
-                    (310, Length(0.0)),
-                    measuring,
-                    (261, Length(height)),
-                    (260, Length(high)),
-                    (311, Length(width)),
-                ];
-                parameters.extend(self.sizes(288, 289, width));
-                parameters.extend(self.verdict(&[self.request.limits.size]));
-                self.calls(425, parameters);
-                self.stores(&[(["center.x", "center.y"][axis], 157), ("width", 156)]);
-                self.stops_for(&["width"], self.request.limits.size);
-            }
-            (false, Some(row)) => {
-                self.begins_at(center + along * (width / 2.0 + aside), high);
-                let mut parameters = [datum.as_slice(), &place].concat();
-                self.writes(row, &[(405, center[axis])], &mut parameters, true);
-                self.calls(409, parameters);
-            }
-            (false, None) => {
-                self.begins_at(center + along * (width / 2.0 + aside), high);
-                let [one, two] = [center + along * (width / 2.0), center - along * (width / 2.0)];
-                let mut parameters = vec![
-                    (263, Length(one.x)),
-                    (264, Length(one.y)),
-                    (265, Length(two.x)),
-                    (266, Length(two.y)),
-                    measuring,
-                    (261, Length(height)),
-                    (320, Length(set_up)),
-                    (260, Length(high)),
-                    (311, Length(width)),
-                ];
-                parameters.extend(self.sizes(288, 289, width));
-                parameters.extend(self.verdict(&[self.request.limits.size]));
-                self.calls(426, parameters);
-                self.stores(&[(["center.x", "center.y"][axis], 157), ("width", 156)]);
-                self.stops_for(&["width"], self.request.limits.size);
-            }
-        }
+        let sizes = [side.width.value, f64::NAN];
+        let probed = Probed { sizes, axis, towards: 1.0, lifts, ..self.probed(Shape::Width, pairs.internal, set_up) };
+        let half = sizes[0] / 2.0;
+        let off = match (pairs.internal, writes) {
+            (true, true) => (half - self.aside(set_up)).max(0.0),
+            // From where it stands to both sides.
+            (true, false) => 0.0,
+            (false, _) => half + self.aside(set_up),
+        };
+        self.begins_at(path.frame.origin + probed.along() * off, self.high());
+        self.calls(&probed, [&CENTER, &["width"]]);
         let top = path.searches().find(|(k, ..)| *k == 2);
         if let Some((k, Some(from), _)) = top {
             let touch = &path.touches[k];
             let entry = Entry { field: "cycle.middleClearance", value: (from - touch.point).dot(touch.vector) };
             let set_up = self.set_up(entry)?;
-            self.touches_surface(touch.point, touch.vector, set_up, high, "cycle")?;
-            // The code of the top is the height.
-            self.stored.iter_mut().filter(|(code, _)| *code == "point.z").for_each(|(code, _)| *code = "height");
+            self.touches_surface(touch, (set_up, self.high()), ("cycle", ["point.x", "point.y", "height"]))?;
         }
         Ok(())
     }
@@ -441,7 +315,7 @@ impl Plan<'_> {
     /// The path that the cycles make on the nominal part.
     fn finish(mut self, meets: Meets<'_>) -> Result<Path, Refused> {
         if let Some(row) = self.row() {
-            self.blocks.push(OwnBlock::Cycle(247, vec![(339, Plain(row))]));
+            self.blocks.push(OwnBlock::Cycle(247, vec![(339, Quantity::Plain(row))]));
         }
         let Plan { request, blocks, stored, guards, first } = self;
         let reach = Reach { set_up: request.set_up, behind: request.setup.overtravel };
@@ -453,10 +327,6 @@ impl Plan<'_> {
             own::refused("cycle-stops", "cycle", message)
         })
     }
-}
-
-fn flag(on: bool) -> Quantity {
-    Plain(f64::from(u8::from(on)))
 }
 
 /// What stops a cycle.

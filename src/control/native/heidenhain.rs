@@ -1,5 +1,6 @@
 //! HEIDENHAIN's touch probe cycles 4xx and 14xx, by their Q parameters. Texts are ours, after the control's dialog.
 
+use super::rows::{Is, Row, Shape, Words};
 use super::{Argument, Call, Mark, angle, length, plain};
 
 /// Every Q parameter of the cycles; what a cycle does not have it does not name.
@@ -113,3 +114,89 @@ pub static CALLS: [Call; 30] = [
         ..cycle("TCH PROBE 1493", "touches of the next cycle along a line (extrusion)")
     },
 ];
+
+/// The row of a cycle that is read both ways.
+pub fn row(number: u16) -> Option<&'static Row> {
+    ROWS.iter().find(|row| row.number == number)
+}
+
+/// Where the touches lie: their height, the set-up clearance, and the clearance height.
+const TOUCHES: Words = &[(261, Is::Center(2)), (320, Is::SetUp), (260, Is::High)];
+const LIFTS: Words = &[(301, Is::Lifts)];
+/// The centre of a feature whose cycle writes, and of one whose cycle measures only.
+const WRITTEN: Words = &[(321, Is::Center(0)), (322, Is::Center(1))];
+const MEASURED: Words = &[(273, Is::Center(0)), (274, Is::Center(1))];
+/// A circle.
+const CIRCLE: Words = &[(262, Is::Size(0)), (325, Is::Start), (247, Is::Step)];
+/// A width and its axis.
+const WIDTH: Words = &[(311, Is::Size(0)), (272, Is::Axis)];
+/// A contact, and how a coordinate of it is measured.
+const CONTACT: Words = &[(263, Is::Center(0)), (264, Is::Center(1))];
+const DIRECTION: Words = &[(272, Is::Axis), (267, Is::Towards)];
+/// What is written where, and the touch along the tool axis that is not made.
+const TO_ROW: Words = &[(305, Is::Row)];
+const CENTER: Words = &[(331, Is::Gets(0)), (332, Is::Gets(1))];
+const COORDINATE: Words = &[(405, Is::GetsAlong)];
+const PRESET: Words = &[(303, Is::Preset)];
+const NO_TOP: Words = &[(381, Is::No), (382, Is::Idle), (383, Is::Idle), (384, Is::Idle), (333, Is::Idle)];
+const SPREAD: Words = &[(423, Is::Count), (365, Is::Arcs)];
+/// What a cycle that measures only asks of its results; no tool is monitored.
+const PLACE: Words = &[(279, Is::Off), (280, Is::Off)];
+const LOG: Words = &[(281, Is::Log)];
+const ASKS_BOTH: Words = &[(309, Is::Stops { sizes: true, places: true }), (330, Is::No)];
+const ASKS_SIZE: Words = &[(309, Is::Stops { sizes: true, places: false }), (330, Is::No)];
+const ASKS_PLACE: Words = &[(309, Is::Stops { sizes: false, places: true }), (330, Is::No)];
+const OF_WIDTH: Words = &[(288, Is::Largest(0)), (289, Is::Smallest(0))];
+
+const ROUND: Words = &[(151, Is::Center(0)), (152, Is::Center(1)), (153, Is::Size(0))];
+const SIDES: Words = &[(151, Is::Center(0)), (152, Is::Center(1)), (154, Is::Size(0)), (155, Is::Size(1))];
+const ACROSS: Words = &[(157, Is::Along), (156, Is::Size(0))];
+
+const fn of(
+    number: u16,
+    head: &'static str,
+    (shape, inside, writes): (Shape, bool, bool),
+    words: &'static [Words],
+    results: Words,
+) -> Row {
+    Row { number, head, shape, inside, writes, words, results }
+}
+
+/// The cycles that programs call and that are read as jobs. [S: posted programs for the order of the words and the heads, the control's pages for meaning]
+#[rustfmt::skip]
+pub static ROWS: [Row; 15] = [
+    of(412, "DATUM INSIDE CIRCLE", (Shape::Bore, true, true),
+        &[WRITTEN, CIRCLE, TOUCHES, LIFTS, TO_ROW, CENTER, PRESET, NO_TOP, SPREAD], ROUND),
+    of(413, "DATUM OUTSIDE CIRCLE", (Shape::Bore, false, true),
+        &[WRITTEN, CIRCLE, TOUCHES, LIFTS, TO_ROW, CENTER, PRESET, NO_TOP, SPREAD], ROUND),
+    of(421, "MEASURE HOLE", (Shape::Bore, true, false),
+        &[MEASURED, CIRCLE, TOUCHES, LIFTS, &[(275, Is::Largest(0)), (276, Is::Smallest(0))], PLACE, LOG, ASKS_BOTH], ROUND),
+    of(422, "MEAS. CIRCLE OUTSIDE", (Shape::Bore, false, false),
+        &[MEASURED, CIRCLE, TOUCHES, LIFTS, &[(277, Is::Largest(0)), (278, Is::Smallest(0))], PLACE, LOG, ASKS_BOTH], ROUND),
+    of(410, "DATUM INSIDE RECTAN.", (Shape::Rectangle, true, true),
+        &[WRITTEN, &[(323, Is::Size(0)), (324, Is::Size(1))], TOUCHES, LIFTS, TO_ROW, CENTER, PRESET, NO_TOP], SIDES),
+    of(411, "DATUM OUTS. RECTAN.", (Shape::Rectangle, false, true),
+        &[WRITTEN, &[(323, Is::Size(0)), (324, Is::Size(1))], TOUCHES, LIFTS, TO_ROW, CENTER, PRESET, NO_TOP], SIDES),
+    of(423, "MEAS. RECTAN. INSIDE", (Shape::Rectangle, true, false), &[MEASURED, SIDES_OF, TOUCHES, LIFTS, OF_SIDES, PLACE, LOG, ASKS_BOTH], SIDES),
+    of(424, "MEAS. RECTAN. OUTS.", (Shape::Rectangle, false, false), &[MEASURED, SIDES_OF, TOUCHES, LIFTS, OF_SIDES, PLACE, LOG, ASKS_BOTH], SIDES),
+    of(408, "SLOT CENTER REF PT", (Shape::Width, true, true),
+        &[WRITTEN, WIDTH, TOUCHES, LIFTS, TO_ROW, COORDINATE, PRESET, NO_TOP], &[]),
+    of(409, "RIDGE CENTER REF PT", (Shape::Width, false, true),
+        &[WRITTEN, WIDTH, TOUCHES, TO_ROW, COORDINATE, PRESET, NO_TOP], &[]),
+    of(425, "MEASURE INSIDE WIDTH", (Shape::Width, true, false),
+        &[&[(328, Is::Center(0)), (329, Is::Center(1)), (310, Is::Beside), (272, Is::Axis), (261, Is::Center(2)), (260, Is::High), (311, Is::Size(0))],
+            OF_WIDTH, LOG, ASKS_SIZE], ACROSS),
+    of(426, "MEASURE RIDGE WIDTH", (Shape::Width, false, false),
+        &[&[(263, Is::Edge(0, 0)), (264, Is::Edge(0, 1)), (265, Is::Edge(1, 0)), (266, Is::Edge(1, 1)), (272, Is::Axis)], TOUCHES, &[(311, Is::Size(0))],
+            OF_WIDTH, LOG, ASKS_SIZE], ACROSS),
+    of(417, "DATUM IN TS AXIS", (Shape::Surface, false, true),
+        &[CONTACT, &[(294, Is::Center(2)), (320, Is::SetUp), (260, Is::High)], TO_ROW, &[(333, Is::GetsAlong)], PRESET], &[]),
+    of(419, "DATUM IN ONE AXIS", (Shape::Surface, false, true),
+        &[CONTACT, TOUCHES, DIRECTION, TO_ROW, &[(333, Is::GetsAlong)], PRESET], &[]),
+    of(427, "MEASURE COORDINATE", (Shape::Surface, false, false),
+        &[CONTACT, &[(261, Is::Center(2)), (320, Is::SetUp)], DIRECTION, &[(260, Is::High)], LOG, &[(288, Is::Highest), (289, Is::Lowest)], ASKS_PLACE],
+        &[(160, Is::Along)]),
+];
+
+const SIDES_OF: Words = &[(282, Is::Size(0)), (283, Is::Size(1))];
+const OF_SIDES: Words = &[(284, Is::Largest(0)), (285, Is::Smallest(0)), (286, Is::Largest(1)), (287, Is::Smallest(1))];

@@ -3,8 +3,9 @@
 //! Facts are marked: sourced (read in a maker's manual, a maker's macro or a post that a maker publishes), recalled (not verified
 //! on a control). Lengths are in the program's units, angles in degrees.
 
-mod heidenhain;
+pub mod heidenhain;
 mod renishaw;
+pub mod rows;
 mod siemens;
 mod small;
 
@@ -156,7 +157,31 @@ fn find_in(name: &str, is_searched: fn(&str) -> bool) -> Option<&'static Call> {
 
 #[cfg(test)]
 mod tests {
+    use super::rows::{Asked, Probed};
     use super::*;
+    use crate::path::Quantity;
+
+    /// The table of words says of each what its row takes it for.
+    #[test]
+    fn words_of_rows_count_in_the_units_of_the_table() {
+        for row in &heidenhain::ROWS {
+            let call = find(&format!("TCH PROBE {}", row.number)).expect("a call of the table");
+            let mut numbers: Vec<u16> = row.words().map(|(number, _)| number).collect();
+            for (number, is) in row.words() {
+                let argument = call.argument(&format!("Q{number}")).expect("a word of the table");
+                let unit = match is.value(&Probed::unknown(row.shape, row.inside), &Asked::default()) {
+                    Quantity::Length(_) => Unit::Length,
+                    Quantity::Angle(_) => Unit::Angle,
+                    Quantity::Feed(_) => Unit::Feed,
+                    Quantity::Plain(_) => Unit::None,
+                };
+                assert_eq!(unit, argument.unit, "{} Q{number}", row.number);
+            }
+            numbers.sort_unstable();
+            numbers.dedup();
+            assert_eq!(numbers.len(), row.words().count(), "{}", row.number);
+        }
+    }
 
     #[test]
     fn every_call_is_found_by_its_name_and_says_each_letter_once() {
