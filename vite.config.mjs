@@ -3,7 +3,9 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
-const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
+const { version } = JSON.parse(
+  readFileSync(new URL("package.json", import.meta.url), "utf8"),
+);
 
 /** What the page will need is asked for with the page itself, not when the script that needs it has come. @returns {import("vite").Plugin} */
 const preload = () => ({
@@ -12,16 +14,33 @@ const preload = () => ({
     order: "post",
     handler(html, { bundle }) {
       const files = Object.values(bundle ?? {});
-      const module = files.find(({ fileName }) => /\bfirst-[^/]*\.wasm$/.test(fileName));
-      const app = files.find((file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/parts/app.ts"));
-      const scripts = app?.type === "chunk" ? [app.fileName, ...app.imports] : [];
+      const module = files.find(({ fileName }) =>
+        /\bfirst-[^/]*\.wasm$/.test(fileName),
+      );
+      const app = files.find(
+        (file) =>
+          file.type === "chunk" &&
+          file.facadeModuleId?.endsWith("/parts/app.ts"),
+      );
+      const scripts =
+        app?.type === "chunk" ? [app.fileName, ...app.imports] : [];
       const links = scripts
         .filter((name) => !html.includes(name))
         .map((name) => ({ rel: "modulepreload", href: `./${name}` }));
       // A server that sends one after the other sends scripts first: with them the page can be read.
-      const as = { rel: "preload", as: "fetch", type: "application/wasm", crossorigin: true, fetchpriority: "low" };
+      const as = {
+        rel: "preload",
+        as: "fetch",
+        type: "application/wasm",
+        crossorigin: true,
+        fetchpriority: "low",
+      };
       const wasm = module ? [{ ...as, href: `./${module.fileName}` }] : [];
-      return [...wasm, ...links].map((attrs) => ({ tag: "link", attrs, injectTo: "head" }));
+      return [...wasm, ...links].map((attrs) => ({
+        tag: "link",
+        attrs,
+        injectTo: "head",
+      }));
     },
   },
 });
@@ -33,24 +52,29 @@ const smaller = () => {
     name: "smaller-module",
     enforce: "pre",
     resolveId(id, from) {
-      if (id !== "./load.js" || !from?.endsWith("/core/browser.ts")) return null;
+      if (id !== "./load.js" || !from?.endsWith("/core/browser.ts"))
+        return null;
       replaced = true;
       return fileURLToPath(new URL("www/load-first.ts", import.meta.url));
     },
     buildEnd(error) {
       if (!error && !replaced)
-        throw new Error("www/core/load.ts was not replaced: the page would begin with the whole module");
+        throw new Error(
+          "www/core/load.ts was not replaced: the page would begin with the whole module",
+        );
     },
   };
 };
 
 /** A value as a script that makes it: JSON knows neither NaN nor -0. @returns {string} */
 function written(/** @type {unknown} */ value) {
-  if (typeof value === "number") return Object.is(value, -0) ? "-0" : String(value);
+  if (typeof value === "number")
+    return Object.is(value, -0) ? "-0" : String(value);
   if (ArrayBuffer.isView(value))
     return `new ${value.constructor.name}([${Array.from(/** @type {Float64Array} */ (value), written).join(",")}])`;
   if (Array.isArray(value)) return `[${value.map(written).join(",")}]`;
-  if (value === null || typeof value !== "object") return JSON.stringify(value) ?? "void 0";
+  if (value === null || typeof value !== "object")
+    return JSON.stringify(value) ?? "void 0";
   return `{${Object.entries(value)
     .map(([key, inner]) => `${JSON.stringify(key)}:${written(inner)}`)
     .join(",")}}`;
@@ -64,7 +88,8 @@ const answers = () => ({
   resolveId: (id) => (id === "virtual:first-answers" ? id : null),
   async load(id) {
     if (id !== "virtual:first-answers") return null;
-    const dist = (/** @type {string} */ name) => new URL(`dist/${name}`, import.meta.url);
+    const dist = (/** @type {string} */ name) =>
+      new URL(`dist/${name}`, import.meta.url);
     const raw = await import(dist("wasm/touchpath.js").href);
     const { coded } = await import(dist("coded.js").href);
     const { Sink } = await import(dist("instance.js").href);
@@ -102,42 +127,73 @@ const first = () => ({
   transformIndexHtml: {
     order: "post",
     async handler(html, { bundle }) {
-      const { catalog, defaultJob, svg } = await import(new URL("dist/node.js", import.meta.url).href);
+      const { catalog, defaultJob, svg } = await import(
+        new URL("dist/node.js", import.meta.url).href
+      );
       const { type } = catalog().cycles[0];
       const picture = (/** @type {"mm" | "inch"} */ units) =>
         svg(defaultJob(type, units), "top")
           .replace(/<title>.*?<\/title>\n/, "")
           // The page has its own ground and size, and names dimensions in the user's language.
           .replace(/<rect x="0" y="0"[^>]*fill="#fff"\/>\n/, "")
-          .replace(/<path [^>]*stroke="#2563eb" fill="none"\/>[\s\S]*(?=<\/svg>)/, "")
+          .replace(
+            /<path [^>]*stroke="#2563eb" fill="none"\/>[\s\S]*(?=<\/svg>)/,
+            "",
+          )
           .replace(
             / viewBox="0 0 480 \d+" width="480" height="\d+"/,
             ` class="${units}" viewBox="39 50 402 263" aria-hidden="true"`,
           )
           .replaceAll("touchpath-hatch", `first-hatch-${units}`);
       const cell = "<i></i><i></i><i></i>";
-      if (!html.includes(cell)) throw new Error("the page has no place for its first picture");
+      if (!html.includes(cell))
+        throw new Error("the page has no place for its first picture");
       // In the page itself: fetched beside the module it would hold up the first paint. The policy allows this script alone.
       const answers = Object.values(bundle ?? {}).find(
-        (file) => file.type === "chunk" && file.facadeModuleId?.endsWith("/first-answers.ts"),
+        (file) =>
+          file.type === "chunk" &&
+          file.facadeModuleId?.endsWith("/first-answers.ts"),
       );
-      if (!answers) throw new Error("the answers of the first job have no file");
-      const script = readFileSync(new URL("www/first.js", import.meta.url), "utf8")
+      if (!answers)
+        throw new Error("the answers of the first job have no file");
+      const script = readFileSync(
+        new URL("www/first.js", import.meta.url),
+        "utf8",
+      )
         .replace(/^\s*\/\/.*\n/gm, "")
         .replace("first-answers.js", answers.fileName);
       // So is its style, for which the first paint waits.
-      const [link, address = ""] = /<link rel="stylesheet"[^>]* href="\.\/([^"]+)">\s*/.exec(html) ?? [];
+      const [link, address = ""] =
+        /<link rel="stylesheet"[^>]* href="\.\/([^"]+)">\s*/.exec(html) ?? [];
       const sheet = bundle?.[address];
-      if (link === undefined || sheet?.type !== "asset") throw new Error("the page has no style");
+      if (link === undefined || sheet?.type !== "asset")
+        throw new Error("the page has no style");
       const style = String(sheet.source).trim();
       delete bundle?.[address];
-      const allow = (/** @type {string} */ page, /** @type {string} */ rule, /** @type {string} */ content) => {
-        if (!page.includes(rule)) throw new Error("the policy of the page is not as it was");
-        return page.replace(rule, `${rule} 'sha256-${createHash("sha256").update(content).digest("base64")}'`);
+      const allow = (
+        /** @type {string} */ page,
+        /** @type {string} */ rule,
+        /** @type {string} */ content,
+      ) => {
+        if (!page.includes(rule))
+          throw new Error("the policy of the page is not as it was");
+        return page.replace(
+          rule,
+          `${rule} 'sha256-${createHash("sha256").update(content).digest("base64")}'`,
+        );
       };
-      const whole = html.replace(link, "").replace(cell, `<i></i><i>${picture("mm")}${picture("inch")}</i><i></i>`);
+      const whole = html
+        .replace(link, "")
+        .replace(
+          cell,
+          `<i></i><i>${picture("mm")}${picture("inch")}</i><i></i>`,
+        );
       return {
-        html: allow(allow(whole, "script-src 'self'", script), "style-src 'self'", style),
+        html: allow(
+          allow(whole, "script-src 'self'", script),
+          "style-src 'self'",
+          style,
+        ),
         tags: [
           { tag: "style", children: style, injectTo: "head" },
           { tag: "script", children: script, injectTo: "head" },

@@ -2,7 +2,9 @@
 import { readFileSync } from "node:fs";
 import { defineConfig } from "vite";
 
-const { version } = JSON.parse(readFileSync(new URL("package.json", import.meta.url), "utf8"));
+const { version } = JSON.parse(
+  readFileSync(new URL("package.json", import.meta.url), "utf8"),
+);
 
 /** A page may hold two versions: the elements inside have the version in their names, for a name can be taken once only. @returns {import("vite").Plugin} */
 const named = () => ({
@@ -10,7 +12,10 @@ const named = () => ({
   enforce: "pre",
   transform: (code, id) =>
     /\/www\/.*\.(?:ts|css)(?:\?|$)/.test(id)
-      ? code.replaceAll(/\btp-(?=[a-z])/g, `tp-${version.replaceAll(".", "-")}-`)
+      ? code.replaceAll(
+          /\btp-(?=[a-z])/g,
+          `tp-${version.replaceAll(".", "-")}-`,
+        )
       : null,
 });
 
@@ -23,7 +28,10 @@ export default defineConfig({
     {
       name: "core",
       enforce: "pre",
-      resolveId: (id) => (id.endsWith("core/browser.js") ? { id: "../browser.js", external: true } : null),
+      resolveId: (id) =>
+        id.endsWith("core/browser.js")
+          ? { id: "../browser.js", external: true }
+          : null,
     },
   ],
   build: {

@@ -10,8 +10,13 @@ fn main() {}
 
 #[cfg(not(target_arch = "wasm32"))]
 fn main() {
-    let (options, jobs): (Vec<String>, Vec<String>) = std::env::args().skip(1).partition(|a| a.starts_with("--"));
-    let option = |name: &str| options.iter().find_map(|option| option.strip_prefix(name)?.strip_prefix('='));
+    let (options, jobs): (Vec<String>, Vec<String>) =
+        std::env::args().skip(1).partition(|a| a.starts_with("--"));
+    let option = |name: &str| {
+        options
+            .iter()
+            .find_map(|option| option.strip_prefix(name)?.strip_prefix('='))
+    };
     let number = |name: &str| option(name).and_then(|text| text.parse().ok()).unwrap_or(0);
     match option("--count") {
         Some(stage) => count(&jobs, stage, number("--warm"), number("--skip")),
@@ -48,14 +53,20 @@ fn time(jobs: &[String]) {
                 work();
                 start.elapsed().as_nanos() / 100
             });
-            println!("  {stage}: {name} {touches} {}", least.min().expect("there are rounds"));
+            println!(
+                "  {stage}: {name} {touches} {}",
+                least.min().expect("there are rounds")
+            );
         });
     }
 }
 
 #[cfg(not(target_arch = "wasm32"))]
 fn count(jobs: &[String], wanted: &str, warm: usize, skip: usize) {
-    let jobs: Vec<_> = jobs.iter().map(|text| touchpath::job::from_json(text).expect("a job")).collect();
+    let jobs: Vec<_> = jobs
+        .iter()
+        .map(|text| touchpath::job::from_json(text).expect("a job"))
+        .collect();
     for (at, job) in jobs.iter().enumerate() {
         touchpath::job::stages(job, 1, |stage, work| {
             if stage == wanted {
@@ -65,7 +76,13 @@ fn count(jobs: &[String], wanted: &str, warm: usize, skip: usize) {
         });
     }
     // Only now: a plan reads its program, too.
-    let bytes = |job| touchpath::job::plan(job).expect("a plan").program.text.len();
+    let bytes = |job| {
+        touchpath::job::plan(job)
+            .expect("a plan")
+            .program
+            .text
+            .len()
+    };
     println!("{}", jobs[skip..].iter().map(bytes).sum::<usize>());
 }
 

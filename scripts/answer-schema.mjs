@@ -29,17 +29,35 @@ const INPUTS = ["Job", "SetUp"];
 function inWords(part) {
   if (Array.isArray(part)) return part.map(inWords);
   if (typeof part !== "object" || part === null) return part;
-  const { items, additionalItems, additionalProperties, properties, $ref, title: _, ...rest } = part;
+  const {
+    items,
+    additionalItems,
+    additionalProperties,
+    properties,
+    $ref,
+    title: _,
+    ...rest
+  } = part;
   const each = (/** @type {Schema} */ parts) =>
-    Object.fromEntries(Object.entries(parts).map(([key, value]) => [key, inWords(value)]));
+    Object.fromEntries(
+      Object.entries(parts).map(([key, value]) => [key, inWords(value)]),
+    );
   const inner = each(rest);
   if (properties) inner.properties = each(properties);
   const own = $ref?.replace("#/definitions/", "");
-  if (own) Object.assign(inner, INPUTS.includes(own) ? JOB : { $ref: `#/$defs/${own}` });
+  if (own)
+    Object.assign(
+      inner,
+      INPUTS.includes(own) ? JOB : { $ref: `#/$defs/${own}` },
+    );
   if (Array.isArray(items))
-    Object.assign(inner, { prefixItems: inWords(items), items: inWords(additionalItems ?? false) });
+    Object.assign(inner, {
+      prefixItems: inWords(items),
+      items: inWords(additionalItems ?? false),
+    });
   else if (items !== undefined) inner.items = inWords(items);
-  if (typeof additionalProperties === "object") inner.additionalProperties = inWords(additionalProperties);
+  if (typeof additionalProperties === "object")
+    inner.additionalProperties = inWords(additionalProperties);
   return inner;
 }
 
@@ -50,48 +68,69 @@ function reached(all, names) {
   const visit = (/** @type {string} */ name) => {
     if (found[name] || !all[name]) return;
     found[name] = all[name];
-    for (const [, other] of JSON.stringify(all[name]).matchAll(/"#\/\$defs\/(\w+)"/g)) visit(String(other));
+    for (const [, other] of JSON.stringify(all[name]).matchAll(
+      /"#\/\$defs\/(\w+)"/g,
+    ))
+      visit(String(other));
   };
   names.forEach(visit);
-  return Object.fromEntries(Object.entries(found).sort(([a], [b]) => (a < b ? -1 : 1)));
+  return Object.fromEntries(
+    Object.entries(found).sort(([a], [b]) => (a < b ? -1 : 1)),
+  );
 }
 
 /** @returns {Schema} */
 export function answerSchema() {
-  const generator = createGenerator({ path: at("dist", "{types,report}.d.ts"), skipTypeCheck: true, expose: "export" });
+  const generator = createGenerator({
+    path: at("dist", "{types,report}.d.ts"),
+    skipTypeCheck: true,
+    expose: "export",
+  });
   /** @type {Schema} */
   const all = {};
   for (const type of ANSWERS)
-    for (const [name, part] of Object.entries(generator.createSchema(type).definitions ?? {}))
+    for (const [name, part] of Object.entries(
+      generator.createSchema(type).definitions ?? {},
+    ))
       all[name] = inWords(part);
   const text = { type: "string" };
   const orNull = { type: ["string", "null"] };
   const findings = { type: "array", items: { $ref: "#/$defs/Finding" } };
   const place = { type: "integer", minimum: 1 };
   const placed = {
-    description: "A finding with its place in the file of the job, where it is about a place in it.",
+    description:
+      "A finding with its place in the file of the job, where it is about a place in it.",
     $ref: "#/$defs/Finding",
     properties: { line: place, column: place },
   };
-  const object = (/** @type {string} */ description, /** @type {Schema} */ properties) => ({
+  const object = (
+    /** @type {string} */ description,
+    /** @type {Schema} */ properties,
+  ) => ({
     description,
     type: "object",
     properties,
     required: Object.keys(properties),
   });
   Object.assign(all, {
-    PlanLine: object("A line of `touchpath plan --ndjson`: what became of a job.", {
-      source: text,
-      program: orNull,
-      findings,
-    }),
-    FileLine: object("A line of `touchpath plan -o FOLDER --json`: the file of a job.", {
-      source: text,
-      file: orNull,
-      hash: orNull,
-      control: orNull,
-      findings: { type: "array", items: placed },
-    }),
+    PlanLine: object(
+      "A line of `touchpath plan --ndjson`: what became of a job.",
+      {
+        source: text,
+        program: orNull,
+        findings,
+      },
+    ),
+    FileLine: object(
+      "A line of `touchpath plan -o FOLDER --json`: the file of a job.",
+      {
+        source: text,
+        file: orNull,
+        hash: orNull,
+        control: orNull,
+        findings: { type: "array", items: placed },
+      },
+    ),
     CheckLine: object("A line of `touchpath check --json`.", {
       source: text,
       findings: { type: "array", items: placed },

@@ -1,7 +1,13 @@
 // This build beside versions 0.1.0 and 0.2.0, in one process and one browser: the ratios of what a user waits for. Exits with 1 where one is above its limit.
 // The earlier versions are built once, outside the repository: in TOUCHPATH_CACHE, or the user's cache folder.
 import { spawnSync } from "node:child_process";
-import { existsSync, readdirSync, readFileSync, renameSync, rmSync } from "node:fs";
+import {
+  existsSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+} from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -11,14 +17,18 @@ import { build } from "./build.mjs";
 import { at, root, run } from "./lib.mjs";
 
 /** The commits of the versions. */
-const VERSIONS = /** @type {const} */ ({ "0.1.0": "528981a", "0.2.0": "2140042" });
+const VERSIONS = /** @type {const} */ ({
+  "0.1.0": "528981a",
+  "0.2.0": "2140042",
+});
 /** @typedef {keyof typeof VERSIONS} Version */
 
 /** The folder of a version's build; builds it where there is none. */
 function built(/** @type {Version} */ version) {
   const commit = VERSIONS[version];
   const cache =
-    process.env.TOUCHPATH_CACHE ?? join(process.env.XDG_CACHE_HOME ?? join(homedir(), ".cache"), "touchpath");
+    process.env.TOUCHPATH_CACHE ??
+    join(process.env.XDG_CACHE_HOME ?? join(homedir(), ".cache"), "touchpath");
   const folder = join(cache, commit);
   if (existsSync(folder)) return folder;
   const work = `${folder}.building`;
@@ -26,7 +36,11 @@ function built(/** @type {Version} */ version) {
   console.log(`Building ${version} once, into ${folder}`);
   run("git", ["clone", "--quiet", root, work]);
   run("git", ["checkout", "--quiet", commit], { cwd: work });
-  run("node", ["scripts/build.mjs"], { cwd: work, env: { CARGO_TARGET_DIR: undefined }, quiet: true });
+  run("node", ["scripts/build.mjs"], {
+    cwd: work,
+    env: { CARGO_TARGET_DIR: undefined },
+    quiet: true,
+  });
   rmSync(join(work, "target"), { recursive: true });
   renameSync(work, folder);
   return folder;
@@ -34,8 +48,12 @@ function built(/** @type {Version} */ version) {
 
 await build();
 const folders = { "0.1.0": built("0.1.0"), "0.2.0": built("0.2.0"), now: root };
-const load = (/** @type {string} */ folder) => import(pathToFileURL(join(folder, "dist", "node.js")).href);
-const packages = { "0.2.0": await load(folders["0.2.0"]), now: await load(root) };
+const load = (/** @type {string} */ folder) =>
+  import(pathToFileURL(join(folder, "dist", "node.js")).href);
+const packages = {
+  "0.2.0": await load(folders["0.2.0"]),
+  now: await load(root),
+};
 
 /** What is measured: its ratio to a version, and the most that it may be. @type {{ what: string, to: Version | "", ratio: number, limit: number, unit: string }[]} */
 const rows = [];
@@ -51,7 +69,11 @@ const add = (
 const cpu = () => process.cpuUsage().user + process.cpuUsage().system;
 
 /** How many times the time of another one a work takes: both by turns, the lower quartile of the turns. */
-function ratio(/** @type {() => unknown} */ work, /** @type {() => unknown} */ other, calls = 40) {
+function ratio(
+  /** @type {() => unknown} */ work,
+  /** @type {() => unknown} */ other,
+  calls = 40,
+) {
   const once = (/** @type {() => unknown} */ work) => {
     const start = cpu();
     for (let i = 0; i < calls; i++) work();
@@ -59,20 +81,28 @@ function ratio(/** @type {() => unknown} */ work, /** @type {() => unknown} */ o
   };
   for (const each of [work, other, work, other]) once(each);
   const times = Array.from({ length: 21 }, () => [once(work), once(other)]);
-  const quartile = (/** @type {number} */ k) => times.map((pair) => pair[k] ?? 0).sort((a, b) => a - b)[5] ?? 0;
+  const quartile = (/** @type {number} */ k) =>
+    times.map((pair) => pair[k] ?? 0).sort((a, b) => a - b)[5] ?? 0;
   return quartile(0) / quartile(1);
 }
 
 /** A job that both versions know. */
-const job = (/** @type {string} */ type, /** @type {object} */ control = {}) => ({
+const job = (
+  /** @type {string} */ type,
+  /** @type {object} */ control = {},
+) => ({
   format: 1,
   cycle: { type },
   control: { post: "linuxcnc", ...control },
   part: { offset: [0.3, -0.2, 0], rotation: 0.2 },
 });
-const [pocket, circles] = [job("internal-rectangle-protected"), { format: 1, cycle: { type: "probing-two-circles" } }];
+const [pocket, circles] = [
+  job("internal-rectangle-protected"),
+  { format: 1, cycle: { type: "probing-two-circles" } },
+];
 const { now, "0.2.0": before } = packages;
-const both = (/** @type {(api: any) => () => unknown} */ work, calls = 40) => ratio(work(now), work(before), calls);
+const both = (/** @type {(api: any) => () => unknown} */ work, calls = 40) =>
+  ratio(work(now), work(before), calls);
 
 add(
   "plan, pocket",
@@ -86,11 +116,18 @@ add(
   both((api) => () => api.plan(circles)),
   1,
 );
-const types = before.catalog().cycles.filter((/** @type {any} */ cycle) => (cycle.number ?? 0) > 1);
-const full = types.map((/** @type {any} */ { type }, /** @type {number} */ k) => {
-  const whole = before.defaultJob(type);
-  return { ...whole, control: { ...whole.control, post: k % 2 ? "sinumerik" : "linuxcnc" } };
-});
+const types = before
+  .catalog()
+  .cycles.filter((/** @type {any} */ cycle) => (cycle.number ?? 0) > 1);
+const full = types.map(
+  (/** @type {any} */ { type }, /** @type {number} */ k) => {
+    const whole = before.defaultJob(type);
+    return {
+      ...whole,
+      control: { ...whole.control, post: k % 2 ? "sinumerik" : "linuxcnc" },
+    };
+  },
+);
 // Each version with every value that it knows.
 const own = full.map((/** @type {any} */ one) => {
   const whole = now.defaultJob(one.cycle.type);
@@ -135,36 +172,68 @@ add(
 
 /** Milliseconds until a new process has the first plan. */
 function cold(/** @type {string} */ folder) {
-  const url = JSON.stringify(pathToFileURL(join(folder, "dist", "node.js")).href);
+  const url = JSON.stringify(
+    pathToFileURL(join(folder, "dist", "node.js")).href,
+  );
   const script = `const { plan } = await import(${url}); plan(${JSON.stringify(pocket)}); const { user, system } = process.cpuUsage(); console.log(user + system);`;
-  return Number(spawnSync("node", ["--input-type=module", "-e", script], { encoding: "utf8" }).stdout);
+  return Number(
+    spawnSync("node", ["--input-type=module", "-e", script], {
+      encoding: "utf8",
+    }).stdout,
+  );
 }
-const starts = Array.from({ length: 9 }, () => [cold(root), cold(folders["0.2.0"])]);
-const least = (/** @type {number} */ k) => Math.min(...starts.map((pair) => pair[k] ?? Number.NaN));
+const starts = Array.from({ length: 9 }, () => [
+  cold(root),
+  cold(folders["0.2.0"]),
+]);
+const least = (/** @type {number} */ k) =>
+  Math.min(...starts.map((pair) => pair[k] ?? Number.NaN));
 add("import of the package and first plan", "0.2.0", least(0) / least(1), 0.9);
 
 /** kB in brotli that a first visit loads before its first answer: the page, what it asks for with itself, and the module. */
 function firstVisit() {
   const page = at("dist", "page");
   const html = readFileSync(join(page, "index.html"), "utf8");
-  const asked = [...html.matchAll(/(?:href|src)="\.\/(assets\/[^"]+)"/g)].map(([, name = ""]) => name);
-  const answers = readdirSync(join(page, "assets")).filter((name) => name.startsWith("first-answers-"));
-  const files = new Set(["index.html", ...asked, ...answers.map((name) => `assets/${name}`)]);
-  return [...files].reduce((sum, name) => sum + brotliCompressSync(readFileSync(join(page, name))).length, 0) / 1000;
+  const asked = [...html.matchAll(/(?:href|src)="\.\/(assets\/[^"]+)"/g)].map(
+    ([, name = ""]) => name,
+  );
+  const answers = readdirSync(join(page, "assets")).filter((name) =>
+    name.startsWith("first-answers-"),
+  );
+  const files = new Set([
+    "index.html",
+    ...asked,
+    ...answers.map((name) => `assets/${name}`),
+  ]);
+  return (
+    [...files].reduce(
+      (sum, name) =>
+        sum + brotliCompressSync(readFileSync(join(page, name))).length,
+      0,
+    ) / 1000
+  );
 }
 add("first visit until its answer, kB", "", firstVisit(), 370, "kB");
 
-for (const [type, { key, hover }] of Object.entries(await comparePages(join(folders["0.1.0"], "dist", "page")))) {
+for (const [type, { key, hover }] of Object.entries(
+  await comparePages(join(folders["0.1.0"], "dist", "page")),
+)) {
   add(`key, ${type}`, "0.1.0", key, 0.7);
   add(`hover, ${type}`, "0.1.0", hover, 1);
 }
 
-console.log("\nThis build / an earlier version                            limit");
+console.log(
+  "\nThis build / an earlier version                            limit",
+);
 for (const { what, to, ratio, limit, unit } of rows) {
   const name = to ? `${what} / ${to}` : what;
   const digits = unit ? 0 : 2;
   const over = ratio > limit ? "  above" : "";
-  console.log(name.padEnd(50), ratio.toFixed(digits).padStart(7), limit.toFixed(digits).padStart(7) + over);
+  console.log(
+    name.padEnd(50),
+    ratio.toFixed(digits).padStart(7),
+    limit.toFixed(digits).padStart(7) + over,
+  );
 }
 const above = rows.filter(({ ratio, limit }) => !(ratio <= limit));
 console.log(`\n${above.length} of ${rows.length} are above their limit`);

@@ -1,5 +1,7 @@
 // The benchmarks, one after the other; `--against` compares this build with earlier versions instead, and fails where it is slower than it should be.
 import { at, run } from "./lib.mjs";
 
-const names = process.argv.includes("--against") ? ["against"] : ["plan", "many", "page", "first"];
+const names = process.argv.includes("--against")
+  ? ["against"]
+  : ["plan", "many", "page", "first"];
 for (const name of names) run("node", [at("scripts", `bench-${name}.mjs`)]);

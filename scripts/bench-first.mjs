@@ -19,15 +19,24 @@ const ROUNDS = 5;
 const server = await serve(0, at("dist", "page"), "127.0.0.1", true);
 // As little as a page can be.
 const nothing = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
-writeFileSync(join(nothing, "index.html"), "<!doctype html><title>x</title><p>x</p>");
+writeFileSync(
+  join(nothing, "index.html"),
+  "<!doctype html><title>x</title><p>x</p>",
+);
 const blankServer = await serve(0, nothing, "127.0.0.1", true);
 const peer = await peerPage();
 const peerServer = await serve(0, join(peer, "dist"), "127.0.0.1", true);
 const launch = (/** @type {string[]} */ ...more) =>
-  chromium.launch({ executablePath: ensureChromium().browser, args: ["--no-sandbox", ...more] });
+  chromium.launch({
+    executablePath: ensureChromium().browser,
+    args: ["--no-sandbox", ...more],
+  });
 const browser = await launch("--disable-gpu");
 // The peer draws by WebGL, without a GPU by its software, which holds up every other page.
-const drawing = await launch("--use-angle=swiftshader", "--enable-unsafe-swiftshader");
+const drawing = await launch(
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+);
 
 /** The smallest page by which gcode-preview draws the moves of the first job; gives its folder. */
 async function peerPage() {
@@ -49,16 +58,29 @@ preview.processGCode(${JSON.stringify(["G21 G90", ...blocks].join("\n"))});
 requestAnimationFrame(() => requestAnimationFrame(() => { globalThis.drawn = performance.now(); }));
 `,
   );
-  await build({ root: folder, configFile: false, logLevel: "error", build: { target: "es2022" } });
+  await build({
+    root: folder,
+    configFile: false,
+    logLevel: "error",
+    build: { target: "es2022" },
+  });
   return folder;
 }
 
 /** How long the peer's page takes until its moves are drawn. @param {string} url */
 async function drawn(url) {
-  const page = await drawing.newPage({ viewport: { width: 1440, height: 900 } });
+  const page = await drawing.newPage({
+    viewport: { width: 1440, height: 900 },
+  });
   await page.goto(url, { waitUntil: "commit" });
-  await page.waitForFunction(() => /** @type {any} */ (globalThis).drawn, undefined, { polling: 20 });
-  const time = await page.evaluate(() => /** @type {number} */ (/** @type {any} */ (globalThis).drawn));
+  await page.waitForFunction(
+    () => /** @type {any} */ (globalThis).drawn,
+    undefined,
+    { polling: 20 },
+  );
+  const time = await page.evaluate(
+    () => /** @type {number} */ (/** @type {any} */ (globalThis).drawn),
+  );
   await page.close();
   return time;
 }
@@ -68,13 +90,15 @@ async function lineOf(to, mbit, trip) {
   const home = new URL(addressOf(to));
   const perMs = (mbit * 1e6) / 8 / 1000;
   const line = { bytes: 0, free: 0, url: "", close: () => {} };
-  const wait = (/** @type {number} */ ms) => new Promise((done) => setTimeout(done, ms));
+  const wait = (/** @type {number} */ ms) =>
+    new Promise((done) => setTimeout(done, ms));
   const slow = () =>
     new Transform({
       async transform(chunk, _, done) {
         for (let i = 0; i < chunk.length; i += 8192) {
           const piece = chunk.subarray(i, i + 8192);
-          line.free = Math.max(line.free, performance.now()) + piece.length / perMs;
+          line.free =
+            Math.max(line.free, performance.now()) + piece.length / perMs;
           line.bytes += piece.length;
           await wait(line.free - performance.now());
           this.push(piece);
@@ -92,9 +116,12 @@ async function lineOf(to, mbit, trip) {
     const far = connect(Number(home.port), "127.0.0.1");
     near.pipe(late()).pipe(far);
     far.pipe(slow()).pipe(near);
-    for (const end of [near, far]) end.on("error", () => [near, far].map((other) => other.destroy()));
+    for (const end of [near, far])
+      end.on("error", () => [near, far].map((other) => other.destroy()));
   });
-  await new Promise((done) => proxy.listen(0, "127.0.0.1", () => done(undefined)));
+  await new Promise((done) =>
+    proxy.listen(0, "127.0.0.1", () => done(undefined)),
+  );
   line.url = `http://localhost:${/** @type {import("node:net").AddressInfo} */ (proxy.address()).port}/`;
   line.close = () => proxy.close();
   return line;
@@ -102,19 +129,29 @@ async function lineOf(to, mbit, trip) {
 
 /** The page of a first visit; gives the milliseconds from its beginning, and what had come by the answer. @param {string} url @param {{ bytes: number }} line */
 async function visit(url, line) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale: "en-GB" });
+  const context = await browser.newContext({
+    viewport: { width: 1440, height: 900 },
+    locale: "en-GB",
+  });
   const page = await context.newPage();
   await page.addInitScript(() => {
     const own = /** @type {any} */ (globalThis);
     const look = () => {
       const root = document.querySelector("touch-path")?.shadowRoot;
-      const width = /** @type {HTMLInputElement | null} */ (root?.getElementById("f-cycle.width1") ?? null);
+      const width = /** @type {HTMLInputElement | null} */ (
+        root?.getElementById("f-cycle.width1") ?? null
+      );
       if (width && !own.read && root?.querySelector(".line")) {
         own.read = performance.now();
         width.value = "91";
-        width.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+        width.dispatchEvent(
+          new Event("input", { bubbles: true, composed: true }),
+        );
       }
-      if (root?.querySelector("tp-program")?.textContent?.includes("X47.5") && !own.answered)
+      if (
+        root?.querySelector("tp-program")?.textContent?.includes("X47.5") &&
+        !own.answered
+      )
         own.answered = performance.now();
       if (!own.answered) requestAnimationFrame(look);
     };
@@ -122,10 +159,16 @@ async function visit(url, line) {
   });
   line.bytes = 0;
   await page.goto(url, { waitUntil: "commit" });
-  await page.waitForFunction(() => /** @type {any} */ (globalThis).answered, undefined, { polling: 20 });
+  await page.waitForFunction(
+    () => /** @type {any} */ (globalThis).answered,
+    undefined,
+    { polling: 20 },
+  );
   const { bytes } = line;
   const times = await page.evaluate(() => ({
-    picture: performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? Number.NaN,
+    picture:
+      performance.getEntriesByName("first-contentful-paint")[0]?.startTime ??
+      Number.NaN,
     read: /** @type {number} */ (/** @type {any} */ (globalThis).read),
     answered: /** @type {number} */ (/** @type {any} */ (globalThis).answered),
   }));
@@ -137,13 +180,19 @@ async function visit(url, line) {
 async function empty(url) {
   const page = await browser.newPage();
   await page.goto(url, { waitUntil: "commit" });
-  await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);
-  const time = await page.evaluate(() => performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? 0);
+  await page.waitForFunction(
+    () => performance.getEntriesByName("first-contentful-paint").length > 0,
+  );
+  const time = await page.evaluate(
+    () =>
+      performance.getEntriesByName("first-contentful-paint")[0]?.startTime ?? 0,
+  );
   await page.close();
   return time;
 }
 
-const middle = (/** @type {number[]} */ list) => list.sort((a, b) => a - b)[list.length >> 1] ?? Number.NaN;
+const middle = (/** @type {number[]} */ list) =>
+  list.sort((a, b) => a - b)[list.length >> 1] ?? Number.NaN;
 
 console.log(
   "\nA first visit, ms: an empty page painted, picture seen, form and program read, first key answered; kB until then; gcode-preview's smallest page draws the moves",
@@ -152,7 +201,10 @@ console.log(
   "picture / empty (goal: 1.6), answer / (bytes at the line's speed + 2 round trips) (goals: 1.25 and 1.8), picture / gcode-preview's (goal: 1)",
 );
 for (const [mbit, trip] of LINES) {
-  const [line, blankLine] = [await lineOf(server, mbit, trip), await lineOf(blankServer, mbit, trip)];
+  const [line, blankLine] = [
+    await lineOf(server, mbit, trip),
+    await lineOf(blankServer, mbit, trip),
+  ];
   const peerLine = await lineOf(peerServer, mbit, trip);
   // A browser's first pages start its processes.
   for (let i = 0; i < 2; i++) {
@@ -171,9 +223,17 @@ for (const [mbit, trip] of LINES) {
     visits.push(await visit(line.url, line));
     others.push(await drawn(peerLine.url));
   }
-  const of = (/** @type {"picture" | "read" | "answered" | "bytes"} */ key) => middle(visits.map((one) => one[key]));
+  const of = (/** @type {"picture" | "read" | "answered" | "bytes"} */ key) =>
+    middle(visits.map((one) => one[key]));
   const least = of("bytes") / ((mbit * 1e6) / 8000) + 2 * trip;
-  const cells = [middle(blank), of("picture"), of("read"), of("answered"), of("bytes") / 1000, middle(others)];
+  const cells = [
+    middle(blank),
+    of("picture"),
+    of("read"),
+    of("answered"),
+    of("bytes") / 1000,
+    middle(others),
+  ];
   console.log(
     `${mbit} Mbit/s, ${trip} ms`.padEnd(20),
     ...cells.map((x) => x.toFixed(0).padStart(7)),

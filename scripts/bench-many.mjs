@@ -2,27 +2,53 @@
 // Everything stays on this machine. Times are of the clock: the ratio counts.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { Agent, request } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { at } from "./lib.mjs";
 
 const { defaultJob } = await import("touchpath");
-const types = /** @type {const} */ (["hole", "groove", "internal-rectangle-protected", "double-wall-internal-corner"]);
+const types = /** @type {const} */ ([
+  "hole",
+  "groove",
+  "internal-rectangle-protected",
+  "double-wall-internal-corner",
+]);
 const jobs = types.map((type) => JSON.stringify(defaultJob(type)));
 
 /** What a process holds of the memory, MB. */
 const resident = (/** @type {number | undefined} */ pid) =>
-  Number(/VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, "utf8"))?.[1]) / 1000;
+  Number(
+    /VmRSS:\s+(\d+)/.exec(readFileSync(`/proc/${pid}/status`, "utf8"))?.[1],
+  ) / 1000;
 
 /** How many jobs the command gets: 100 at a time. */
-const COUNT = Math.max(1, Math.round(Number(process.argv[2] ?? 100_000) / 100)) * 100;
+const COUNT =
+  Math.max(1, Math.round(Number(process.argv[2] ?? 100_000) / 100)) * 100;
 
 async function command(/** @type {number} */ threads, count = COUNT) {
-  const child = spawn("node", [at("dist", "cli", "touchpath.js"), "plan", "-", "--ndjson", "--jobs", String(threads)], {
-    stdio: ["pipe", "pipe", "inherit"],
-  });
+  const child = spawn(
+    "node",
+    [
+      at("dist", "cli", "touchpath.js"),
+      "plan",
+      "-",
+      "--ndjson",
+      "--jobs",
+      String(threads),
+    ],
+    {
+      stdio: ["pipe", "pipe", "inherit"],
+    },
+  );
   const start = performance.now();
   const ended = once(child, "close");
   let lines = 0;
@@ -51,7 +77,12 @@ console.log(
 for (const threads of [1, 2]) await command(threads);
 
 /** Requests a second, the time that 99 of 100 need at most, and the server's memory after it. */
-async function load(/** @type {string[]} */ args, path = "/plan", count = 4000, atOnce = 16) {
+async function load(
+  /** @type {string[]} */ args,
+  path = "/plan",
+  count = 4000,
+  atOnce = 16,
+) {
   const child = spawn("node", args, { stdio: ["ignore", "pipe", "inherit"] });
   const [said] = await once(child.stdout, "data");
   const { hostname, port } = new URL(/http:\S+/.exec(String(said))?.[0] ?? "");
@@ -60,7 +91,14 @@ async function load(/** @type {string[]} */ args, path = "/plan", count = 4000, 
     new Promise((done, fail) => {
       const asked = performance.now();
       const sent = request(
-        { hostname, port, path, method: "POST", agent, headers: { "content-type": "application/json" } },
+        {
+          hostname,
+          port,
+          path,
+          method: "POST",
+          agent,
+          headers: { "content-type": "application/json" },
+        },
         (answer) => {
           answer.resume();
           answer.on("end", () =>
@@ -80,10 +118,14 @@ async function load(/** @type {string[]} */ args, path = "/plan", count = 4000, 
     const start = performance.now();
     await Promise.all(
       Array.from({ length: atOnce }, async () => {
-        while (next < many) times.push(Number(await one(jobs[next++ % jobs.length])));
+        while (next < many)
+          times.push(Number(await one(jobs[next++ % jobs.length])));
       }),
     );
-    return { rate: many / ((performance.now() - start) / 1000), times: times.sort((a, b) => a - b) };
+    return {
+      rate: many / ((performance.now() - start) / 1000),
+      times: times.sort((a, b) => a - b),
+    };
   };
   await run(500);
   const { rate, times } = await run(count);
@@ -91,13 +133,21 @@ async function load(/** @type {string[]} */ args, path = "/plan", count = 4000, 
   agent.destroy();
   child.kill("SIGTERM");
   await once(child, "exit");
-  return { rate, p99: times[Math.floor(times.length * 0.99)] ?? Number.NaN, memory };
+  return {
+    rate,
+    p99: times[Math.floor(times.length * 0.99)] ?? Number.NaN,
+    memory,
+  };
 }
 
 const folder = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
 mkdirSync(join(folder, "node_modules", "@hono"), { recursive: true });
 for (const name of ["hono", join("@hono", "node-server")])
-  symlinkSync(at("node_modules", name), join(folder, "node_modules", name), "junction");
+  symlinkSync(
+    at("node_modules", name),
+    join(folder, "node_modules", name),
+    "junction",
+  );
 writeFileSync(
   join(folder, "echo.mjs"),
   `import { serve } from "@hono/node-server";
@@ -111,7 +161,9 @@ process.once("SIGTERM", () => server.close());
 `,
 );
 const served = [at("dist", "cli", "touchpath.js"), "serve", "--port", "0"];
-console.log("\nThe service, 16 at once: requests a second, 99 of 100 within so many ms, memory MB");
+console.log(
+  "\nThe service, 16 at once: requests a second, 99 of 100 within so many ms, memory MB",
+);
 const echo = await load([join(folder, "echo.mjs")]);
 const plans = await load(served);
 const checks = await load(served, "/check");

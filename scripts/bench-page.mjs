@@ -15,10 +15,16 @@ const KEYS = /** @type {const} */ ([
 const [TURNS, KEYS_A_TURN, HOVERS_A_TURN] = [6, 30, 40];
 
 /** A page of a folder, and what it costs. */
-async function opened(/** @type {import("playwright-core").Browser} */ browser, /** @type {string} */ folder) {
+async function opened(
+  /** @type {import("playwright-core").Browser} */ browser,
+  /** @type {string} */ folder,
+) {
   const server = await serve(0, folder);
   // In millimetres, as the values are.
-  const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, locale: "en-GB" });
+  const page = await browser.newPage({
+    viewport: { width: 1440, height: 900 },
+    locale: "en-GB",
+  });
   // What the page does in its frames, milliseconds.
   await page.addInitScript(() => {
     const own = /** @type {any} */ (globalThis);
@@ -34,12 +40,15 @@ async function opened(/** @type {import("playwright-core").Browser} */ browser, 
   });
   await page.goto(addressOf(server));
   await page.locator(".line").first().waitFor({ state: "attached" });
-  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path"))?.ready);
+  await page.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path"))?.ready,
+  );
   const session = await page.context().newCDPSession(page);
   await session.send("Performance.enable");
   const counts = async () => {
     const { metrics } = await session.send("Performance.getMetrics");
-    const of = (/** @type {string} */ name) => metrics.find((one) => one.name === name)?.value ?? Number.NaN;
+    const of = (/** @type {string} */ name) =>
+      metrics.find((one) => one.name === name)?.value ?? Number.NaN;
     return { layouts: of("LayoutCount"), styles: of("RecalcStyleCount") };
   };
   return { folder, page, counts, close: () => server.close() };
@@ -50,23 +59,37 @@ async function turn(
   /** @type {Awaited<ReturnType<typeof opened>>} */ { page, counts },
   /** @type {(typeof KEYS)[number]} */ [type, field, values],
 ) {
-  const act = (/** @type {"choose" | "key" | "hover"} */ what, /** @type {number} */ count) =>
+  const act = (
+    /** @type {"choose" | "key" | "hover"} */ what,
+    /** @type {number} */ count,
+  ) =>
     page.evaluate(
       async ([what, count, type, field, values]) => {
         const own = /** @type {any} */ (globalThis);
-        const root = document.querySelector("touch-path, touchpath-app")?.shadowRoot ?? document;
-        const id = (/** @type {string} */ name) => /** @type {HTMLInputElement} */ (root.getElementById(`f-${name}`));
-        const send = (/** @type {HTMLElement} */ to, /** @type {string} */ event) =>
+        const root =
+          document.querySelector("touch-path, touchpath-app")?.shadowRoot ??
+          document;
+        const id = (/** @type {string} */ name) =>
+          /** @type {HTMLInputElement} */ (root.getElementById(`f-${name}`));
+        const send = (
+          /** @type {HTMLElement} */ to,
+          /** @type {string} */ event,
+        ) =>
           to.dispatchEvent(new Event(event, { bubbles: true, composed: true }));
-        const parts = [...root.querySelectorAll("*")].filter((part) => "updateComplete" in part);
+        const parts = [...root.querySelectorAll("*")].filter(
+          (part) => "updateComplete" in part,
+        );
         const settled = async () => {
-          for (const part of parts) await /** @type {any} */ (part).updateComplete;
+          for (const part of parts)
+            await /** @type {any} */ (part).updateComplete;
         };
         if (what === "choose" && id("cycle.type").value !== type) {
           id("cycle.type").value = type;
           send(id("cycle.type"), "change");
         }
-        const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("tp-picture canvas"));
+        const canvas = /** @type {HTMLCanvasElement} */ (
+          root.querySelector("tp-picture canvas")
+        );
         const box = canvas.getBoundingClientRect();
         const times = [];
         for (let i = 0; i < count; i++) {
@@ -81,7 +104,12 @@ async function turn(
               clientX: box.left + box.width * (0.2 + 0.6 * ((i * 0.37) % 1)),
               clientY: box.top + box.height * (0.2 + 0.6 * ((i * 0.61) % 1)),
             };
-            const event = { ...place, pointerId: 1, pointerType: "mouse", bubbles: true };
+            const event = {
+              ...place,
+              pointerId: 1,
+              pointerType: "mouse",
+              bubbles: true,
+            };
             canvas.dispatchEvent(new PointerEvent("pointermove", event));
           }
           await settled();
@@ -110,7 +138,8 @@ async function turn(
 }
 
 const quantile = (/** @type {number[]} */ list, /** @type {number} */ share) =>
-  [...list].sort((a, b) => a - b)[Math.floor(list.length * share)] ?? Number.NaN;
+  [...list].sort((a, b) => a - b)[Math.floor(list.length * share)] ??
+  Number.NaN;
 
 /**
  * This page and others, given as folders, by turns. Prints what they cost; gives, by the type of the cycle, the ratios of a key and of a hover to the first
@@ -118,11 +147,18 @@ const quantile = (/** @type {number[]} */ list, /** @type {number} */ share) =>
  */
 export async function comparePages(/** @type {string[]} */ ...others) {
   const args = ["--no-sandbox", "--disable-gpu"];
-  const browser = await chromium.launch({ executablePath: ensureChromium().browser, args });
+  const browser = await chromium.launch({
+    executablePath: ensureChromium().browser,
+    args,
+  });
   const pages = [];
-  for (const folder of [at("dist", "page"), ...others]) pages.push(await opened(browser, folder));
-  console.log("\nThe page, ms: a keystroke p50 p95, layouts and style passes of it, a hover over the picture p50 p95");
-  if (pages.length > 1) console.log("ratios of p50 to the first other page: keystroke, hover");
+  for (const folder of [at("dist", "page"), ...others])
+    pages.push(await opened(browser, folder));
+  console.log(
+    "\nThe page, ms: a keystroke p50 p95, layouts and style passes of it, a hover over the picture p50 p95",
+  );
+  if (pages.length > 1)
+    console.log("ratios of p50 to the first other page: keystroke, hover");
   /** @type {Record<string, { key: number, hover: number }>} */
   const ratios = {};
   for (const kind of KEYS) {
@@ -134,22 +170,43 @@ export async function comparePages(/** @type {string[]} */ ...others) {
         if (i > 0) turns[k]?.push(one);
       }
     const costs = turns.map((own) => {
-      const [keys, hovers] = [own.flatMap((one) => one.keys), own.flatMap((one) => one.hovers)];
-      const mean = (/** @type {"layouts" | "styles"} */ of) => own.reduce((sum, one) => sum + one[of], 0) / own.length;
+      const [keys, hovers] = [
+        own.flatMap((one) => one.keys),
+        own.flatMap((one) => one.hovers),
+      ];
+      const mean = (/** @type {"layouts" | "styles"} */ of) =>
+        own.reduce((sum, one) => sum + one[of], 0) / own.length;
       return {
         key: quantile(keys, 0.5),
         hover: quantile(hovers, 0.5),
-        rest: [quantile(keys, 0.95), mean("layouts"), mean("styles"), quantile(hovers, 0.95)],
+        rest: [
+          quantile(keys, 0.95),
+          mean("layouts"),
+          mean("styles"),
+          quantile(hovers, 0.95),
+        ],
       };
     });
     const [mine, other] = costs;
-    const ratio = mine && other ? { key: mine.key / other.key, hover: mine.hover / other.hover } : null;
+    const ratio =
+      mine && other
+        ? { key: mine.key / other.key, hover: mine.hover / other.hover }
+        : null;
     if (ratio) ratios[kind[0]] = ratio;
     for (const [k, { key, hover, rest }] of costs.entries()) {
       const [slow = 0, layouts = 0, styles = 0, slowHover = 0] = rest;
-      const cells = [key, slow, layouts, styles, hover, slowHover].map((x) => x.toFixed(1).padStart(6));
-      const last = k === 0 && ratio ? [ratio.key, ratio.hover].map((x) => x.toFixed(2).padStart(7)) : [];
-      console.log((k === 0 ? kind[0] : `  ${pages[k]?.folder}`).padEnd(30), ...cells, ...last);
+      const cells = [key, slow, layouts, styles, hover, slowHover].map((x) =>
+        x.toFixed(1).padStart(6),
+      );
+      const last =
+        k === 0 && ratio
+          ? [ratio.key, ratio.hover].map((x) => x.toFixed(2).padStart(7))
+          : [];
+      console.log(
+        (k === 0 ? kind[0] : `  ${pages[k]?.folder}`).padEnd(30),
+        ...cells,
+        ...last,
+      );
     }
   }
   await browser.close();
@@ -157,4 +214,5 @@ export async function comparePages(/** @type {string[]} */ ...others) {
   return ratios;
 }
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) await comparePages(...process.argv.slice(2));
+if (process.argv[1] === fileURLToPath(import.meta.url))
+  await comparePages(...process.argv.slice(2));

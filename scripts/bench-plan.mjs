@@ -1,7 +1,13 @@
 // Form edit to whole plan: natively and in WebAssembly, few touches and many, nominal part and another; and the wasm's size.
 // In WebAssembly times are of the
 // process itself, lower quartiles; natively of the clock. What counts are the ratios, all of one run on one machine.
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -11,14 +17,34 @@ import { rooms } from "./functions.mjs";
 import { at, run, works } from "./lib.mjs";
 
 await build();
-const { catalog, check, defaultJob, importJob, lentoax, plan, program, programs, readProgram } = await import(
-  "touchpath"
-);
+const {
+  catalog,
+  check,
+  defaultJob,
+  importJob,
+  lentoax,
+  plan,
+  program,
+  programs,
+  readProgram,
+} = await import("touchpath");
 
-const corner = (/** @type {number} */ count1, /** @type {number} */ count2, part = false) => ({
+const corner = (
+  /** @type {number} */ count1,
+  /** @type {number} */ count2,
+  part = false,
+) => ({
   format: 1,
-  cycle: { type: "double-wall-internal-corner", count1, count2, step1: 7, step2: 6 },
-  ...(part ? { part: { offset: [0.3, -0.2, 0], rotation: 0.2, sizes: { angle: 0.1 } } } : {}),
+  cycle: {
+    type: "double-wall-internal-corner",
+    count1,
+    count2,
+    step1: 7,
+    step2: 6,
+  },
+  ...(part
+    ? { part: { offset: [0.3, -0.2, 0], rotation: 0.2, sizes: { angle: 0.1 } } }
+    : {}),
 });
 /** As many bores in one program, in rows of ten. */
 const bores = (/** @type {number} */ count) => ({
@@ -33,7 +59,10 @@ const bores = (/** @type {number} */ count) => ({
 });
 /** @type {Record<string, any>} */
 const jobs = {
-  "type 7, 4 touches": { format: 1, cycle: { type: "internal-rectangle-protected" } },
+  "type 7, 4 touches": {
+    format: 1,
+    cycle: { type: "internal-rectangle-protected" },
+  },
   "type 7, 4 touches, part": {
     format: 1,
     cycle: { type: "internal-rectangle-protected" },
@@ -77,16 +106,25 @@ function times(/** @type {(() => unknown)[]} */ works, calls = 100) {
   return rounds.map((own) => own.sort((a, b) => a - b)[5] ?? Number.NaN);
 }
 
-const time = (/** @type {() => unknown} */ work, calls = 100) => times([work], calls)[0] ?? Number.NaN;
+const time = (/** @type {() => unknown} */ work, calls = 100) =>
+  times([work], calls)[0] ?? Number.NaN;
 
-const args = Object.entries(jobs).map(([name, job]) => `${name}=${JSON.stringify(job)}`);
+const args = Object.entries(jobs).map(
+  ([name, job]) => `${name}=${JSON.stringify(job)}`,
+);
 const native = new Map(
-  run("cargo", ["bench", "--quiet", "--locked", "--bench", "plan", "--", ...args], { quiet: true })
+  run(
+    "cargo",
+    ["bench", "--quiet", "--locked", "--bench", "plan", "--", ...args],
+    { quiet: true },
+  )
     .trim()
     .split("\n")
     .flatMap((line) => {
       const [, name, , ns] = line.match(/^(.*) (\d+) (\d+)$/) ?? [];
-      return name ? [/** @type {[string, number]} */ ([name, Number(ns) / 1000])] : [];
+      return name
+        ? [/** @type {[string, number]} */ ([name, Number(ns) / 1000])]
+        : [];
     }),
 );
 
@@ -104,14 +142,29 @@ function countInstructions() {
   }
   const messages = run(
     "cargo",
-    ["bench", "--quiet", "--locked", "--bench", "plan", "--no-run", "--message-format=json"],
+    [
+      "bench",
+      "--quiet",
+      "--locked",
+      "--bench",
+      "plan",
+      "--no-run",
+      "--message-format=json",
+    ],
     {
       quiet: true,
     },
   );
-  const built = messages.split("\n").filter((line) => line.includes('"executable":"'));
+  const built = messages
+    .split("\n")
+    .filter((line) => line.includes('"executable":"'));
   const bench = JSON.parse(built.at(-1) ?? "{}").executable;
-  const count = (/** @type {string} */ stage, /** @type {any[]} */ counted, warm = 0, skip = 0) => {
+  const count = (
+    /** @type {string} */ stage,
+    /** @type {any[]} */ counted,
+    warm = 0,
+    skip = 0,
+  ) => {
     const tool = [
       "--tool=callgrind",
       "--toggle-collect=*counted*",
@@ -120,7 +173,11 @@ function countInstructions() {
       bench,
     ];
     const options = [`--count=${stage}`, `--warm=${warm}`, `--skip=${skip}`];
-    const said = run("valgrind", [...tool, ...options, ...counted.map((job) => JSON.stringify(job))], { quiet: true });
+    const said = run(
+      "valgrind",
+      [...tool, ...options, ...counted.map((job) => JSON.stringify(job))],
+      { quiet: true },
+    );
     const [, instructions] = said.match(/Collected : (\d+)/) ?? [];
     const [, length] = said.match(/^(\d+)$/m) ?? [];
     return { instructions: Number(instructions), length: Number(length) };
@@ -130,7 +187,11 @@ function countInstructions() {
       format: 1,
       cycle: {
         type: "internal-rectangle-protected",
-        ...(vary && { width1: 60 + 7.313 * vary, width2: 90 - 1.171 * vary, origin: [3.137 * vary, -1.093 * vary, 0] }),
+        ...(vary && {
+          width1: 60 + 7.313 * vary,
+          width2: 90 - 1.171 * vary,
+          origin: [3.137 * vary, -1.093 * vary, 0],
+        }),
       },
       control: { post, workOffset: 1 },
     }),
@@ -138,18 +199,29 @@ function countInstructions() {
       ...corner(8, 8),
       cycle: {
         ...corner(8, 8).cycle,
-        ...(vary && { step1: 7 - 0.137 * vary, origin: [3.137 * vary, -1.093 * vary, 0] }),
+        ...(vary && {
+          step1: 7 - 0.137 * vary,
+          origin: [3.137 * vary, -1.093 * vary, 0],
+        }),
       },
       control: { post },
     }),
     "type 1411": (/** @type {string} */ post, vary = 0) => ({
       format: 1,
-      cycle: { type: "probing-two-circles", probePoints: 8, ...(vary && { startingAngle: 1.37 * vary }) },
+      cycle: {
+        type: "probing-two-circles",
+        probePoints: 8,
+        ...(vary && { startingAngle: 1.37 * vary }),
+      },
       control: { post },
     }),
   };
-  console.log("0.2.0 had 74 a byte, and 2.3 to 3.9 by printing (goals: 35 and 1.6)");
-  console.log("control, job                  warm   series     cold   proof and rules / printing: warm   series");
+  console.log(
+    "0.2.0 had 74 a byte, and 2.3 to 3.9 by printing (goals: 35 and 1.6)",
+  );
+  console.log(
+    "control, job                  warm   series     cold   proof and rules / printing: warm   series",
+  );
   for (const post of ["linuxcnc", "sinumerik", "fanuc", "haas"])
     for (const [name, job] of Object.entries(kinds)) {
       const series = Array.from({ length: 16 }, (_, i) => job(post, i + 1));
@@ -157,16 +229,19 @@ function countInstructions() {
         [[job(post)], 3, 0],
         [series, 0, 8],
       ]);
-      const perByte = [...runs, /** @type {[any[], number, number]} */ ([[job(post)], 0, 0])].map(
-        ([counted, warm, skip]) => {
-          const { instructions, length } = count("read", counted, warm, skip);
-          return instructions / length;
-        },
-      );
+      const perByte = [
+        ...runs,
+        /** @type {[any[], number, number]} */ ([[job(post)], 0, 0]),
+      ].map(([counted, warm, skip]) => {
+        const { instructions, length } = count("read", counted, warm, skip);
+        return instructions / length;
+      });
       const ratios = runs.map(([counted, warm, skip]) => {
-        const [print = 1, prove = 0, rules = 0] = ["print", "prove", "rules"].map(
-          (stage) => count(stage, counted, warm, skip).instructions,
-        );
+        const [print = 1, prove = 0, rules = 0] = [
+          "print",
+          "prove",
+          "rules",
+        ].map((stage) => count(stage, counted, warm, skip).instructions);
         return (prove + rules) / print;
       });
       console.log(
@@ -177,13 +252,17 @@ function countInstructions() {
     }
 }
 
-console.log("\nReading a program back and proving it, natively: by the time of printing it; rules by the same");
+console.log(
+  "\nReading a program back and proving it, natively: by the time of printing it; rules by the same",
+);
 for (const name of Object.keys(jobs)) {
   const [print, prove, rules] = ["print", "prove", "rules"].map(
     (stage) => native.get(`  ${stage}: ${name}`) ?? Number.NaN,
   );
   if (print && prove && rules)
-    console.log(`${name.padEnd(26)} ${(prove / print).toFixed(2)}   ${(rules / print).toFixed(2)}`);
+    console.log(
+      `${name.padEnd(26)} ${(prove / print).toFixed(2)}   ${(rules / print).toFixed(2)}`,
+    );
 }
 
 countInstructions();
@@ -191,7 +270,11 @@ countInstructions();
 console.log("\nPrinting a program, natively, MB/s (goal: 250)");
 for (const [name, job] of Object.entries(jobs)) {
   const print = native.get(`  print: ${name}`);
-  if (print) console.log(name.padEnd(26), (plan(job).program.text.length / print).toFixed(0).padStart(6));
+  if (print)
+    console.log(
+      name.padEnd(26),
+      (plan(job).program.text.length / print).toFixed(0).padStart(6),
+    );
 }
 
 console.log(
@@ -202,9 +285,18 @@ console.log(
 );
 /** @type {Map<string, number>} */
 const wasm = new Map();
-const timeOf = (/** @type {Map<string, number>} */ times, /** @type {string} */ name) => times.get(name) ?? Number.NaN;
+const timeOf = (
+  /** @type {Map<string, number>} */ times,
+  /** @type {string} */ name,
+) => times.get(name) ?? Number.NaN;
 for (const [name, job] of Object.entries(jobs)) {
-  const read = (/** @type {import("touchpath").Plan} */ p) => [p.touches, p.moves, p.program, p.results, p.safety];
+  const read = (/** @type {import("touchpath").Plan} */ p) => [
+    p.touches,
+    p.moves,
+    p.program,
+    p.results,
+    p.safety,
+  ];
   const [whole = Number.NaN, ...others] = times([
     () => plan(job),
     () => read(plan(job)),
@@ -216,7 +308,9 @@ for (const [name, job] of Object.entries(jobs)) {
   const cells = [
     timeOf(native, `  plan: ${name}`).toFixed(1).padStart(8),
     timeOf(wasm, name).toFixed(1).padStart(8),
-    (timeOf(wasm, name) / timeOf(native, `  plan: ${name}`)).toFixed(2).padStart(12),
+    (timeOf(wasm, name) / timeOf(native, `  plan: ${name}`))
+      .toFixed(2)
+      .padStart(12),
     ...others.map((micros) => micros.toFixed(1).padStart(12)),
   ];
   console.log(name.padEnd(26), ...cells);
@@ -225,37 +319,87 @@ for (const [name, job] of Object.entries(jobs)) {
 // What a command or a server pays once: everything is new.
 const first = `const start = performance.now(); const { plan } = await import(${JSON.stringify(pathToFileURL(at("dist", "node.js")).href)});
   const loaded = performance.now(); plan(JSON.parse(process.argv[1])); console.log(loaded - start, performance.now() - loaded);`;
-console.log("\nThe first plan of a process, ms: the module loaded, the plan; the same plan when warm");
+console.log(
+  "\nThe first plan of a process, ms: the module loaded, the plan; the same plan when warm",
+);
 for (const name of ["type 7, 4 touches", "type 13, 16 touches"]) {
   const runs = Array.from({ length: 5 }, () =>
-    run("node", ["--input-type=module", "-e", first, JSON.stringify(jobs[name])], { quiet: true })
+    run(
+      "node",
+      ["--input-type=module", "-e", first, JSON.stringify(jobs[name])],
+      { quiet: true },
+    )
       .trim()
       .split(" ")
       .map(Number),
   );
-  const cells = [0, 1].map((k) => Math.min(...runs.map((one) => one[k] ?? Number.NaN)).toFixed(1));
-  console.log(name.padEnd(26), ...[...cells, (timeOf(wasm, name) / 1000).toFixed(2)].map((cell) => cell.padStart(8)));
+  const cells = [0, 1].map((k) =>
+    Math.min(...runs.map((one) => one[k] ?? Number.NaN)).toFixed(1),
+  );
+  console.log(
+    name.padEnd(26),
+    ...[...cells, (timeOf(wasm, name) / 1000).toFixed(2)].map((cell) =>
+      cell.padStart(8),
+    ),
+  );
 }
 
-console.log("\nRatios                                          native     wasm");
-const ratio = (/** @type {string} */ label, /** @type {string} */ a, /** @type {string} */ b) => {
-  const of = (/** @type {Map<string, number>} */ times) => (timeOf(times, a) / timeOf(times, b)).toFixed(2).padStart(8);
+console.log(
+  "\nRatios                                          native     wasm",
+);
+const ratio = (
+  /** @type {string} */ label,
+  /** @type {string} */ a,
+  /** @type {string} */ b,
+) => {
+  const of = (/** @type {Map<string, number>} */ times) =>
+    (timeOf(times, a) / timeOf(times, b)).toFixed(2).padStart(8);
   console.log(label.padEnd(45), of(native), of(wasm));
 };
-ratio("16 touches / 4 touches (type 13)", "type 13, 16 touches", "type 13, 4 touches");
-ratio("with part / without, 16 touches (goal: < 2)", "type 13, 16 touches, part", "type 13, 16 touches");
-ratio("10 bores / 1 bore (goal: at most 10)", "a set-up of 10 bores", "a set-up of 1 bore");
+ratio(
+  "16 touches / 4 touches (type 13)",
+  "type 13, 16 touches",
+  "type 13, 4 touches",
+);
+ratio(
+  "with part / without, 16 touches (goal: < 2)",
+  "type 13, 16 touches, part",
+  "type 13, 16 touches",
+);
+ratio(
+  "10 bores / 1 bore (goal: at most 10)",
+  "a set-up of 10 bores",
+  "a set-up of 1 bore",
+);
 ratio("50 bores / 1 bore", "a set-up of 50 bores", "a set-up of 1 bore");
-ratio("with part / without, 4 touches (type 7)", "type 7, 4 touches, part", "type 7, 4 touches");
+ratio(
+  "with part / without, 4 touches (type 7)",
+  "type 7, 4 touches, part",
+  "type 7, 4 touches",
+);
 
 // Calls of a control's own cycles: calls and their path, a run on the displaced part, the program. The same job as LinuxCNC's moves is 1.
-console.log("\nOwn cycles, plan / plan of LinuxCNC's moves, wasm   type 7   hole   web");
+console.log(
+  "\nOwn cycles, plan / plan of LinuxCNC's moves, wasm   type 7   hole   web",
+);
 const called = ["internal-rectangle-protected", "hole", "web"];
-const placed = (/** @type {string} */ type, /** @type {string} */ post, /** @type {"moves" | "cycle"} */ form) =>
-  /** @type {any} */ ({ format: 1, cycle: { type }, part: { offset: [0.3, -0.2, 0] }, control: { post, form } });
+const placed = (
+  /** @type {string} */ type,
+  /** @type {string} */ post,
+  /** @type {"moves" | "cycle"} */ form,
+) =>
+  /** @type {any} */ ({
+    format: 1,
+    cycle: { type },
+    part: { offset: [0.3, -0.2, 0] },
+    control: { post, form },
+  });
 for (const { id, cycles } of catalog().posts) {
   const served = (/** @type {string} */ type) =>
-    cycles.some((entry) => entry.type === type && entry.form === "cycle" && entry.supported);
+    cycles.some(
+      (entry) =>
+        entry.type === type && entry.form === "cycle" && entry.supported,
+    );
   if (!called.every(served)) continue;
   const cells = called.map((type) => {
     const [own = Number.NaN, moves = Number.NaN] = times([
@@ -268,16 +412,33 @@ for (const { id, cycles } of catalog().posts) {
 }
 
 // Every type of the family against its number of touches, in WebAssembly. A corner needs two, one a wall.
-const counted = (/** @type {import("touchpath").CycleEntry} */ cycle, /** @type {number} */ n) => {
+const counted = (
+  /** @type {import("touchpath").CycleEntry} */ cycle,
+  /** @type {number} */ n,
+) => {
   const keys = cycle.fields.map((field) => field.key);
-  if (keys.includes("stepCount")) return { variant: 1, stepCount: n, angularStep: 360 / Math.max(n, 3) };
+  if (keys.includes("stepCount"))
+    return { variant: 1, stepCount: n, angularStep: 360 / Math.max(n, 3) };
   if (keys.includes("count1"))
-    return n < 2 ? null : { count1: Math.ceil(n / 2), count2: Math.floor(n / 2), step1: 3, step2: 3 };
+    return n < 2
+      ? null
+      : {
+          count1: Math.ceil(n / 2),
+          count2: Math.floor(n / 2),
+          step1: 3,
+          step2: 3,
+        };
   return undefined;
 };
 const steps = [1, 2, 3, 4, 6, 8, 10, 12, 14, 16];
-console.log("\nPlan time against touches in WebAssembly, µs (16 / 4 touches where a type has both)");
-console.log("type".padEnd(36), ...steps.map((n) => String(n).padStart(7)), "  16 / 4");
+console.log(
+  "\nPlan time against touches in WebAssembly, µs (16 / 4 touches where a type has both)",
+);
+console.log(
+  "type".padEnd(36),
+  ...steps.map((n) => String(n).padStart(7)),
+  "  16 / 4",
+);
 for (const cycle of catalog()
   .cycles.filter((c) => c.number !== null)
   .sort((a, b) => (a.number ?? 0) - (b.number ?? 0))) {
@@ -311,7 +472,8 @@ const others = {
   "dump of type 7 to job": () => importJob(dump),
   "SINUMERIK program to job": () => importJob(sinumerik),
 };
-for (const [name, work] of Object.entries(others)) console.log(name.padEnd(36), time(work).toFixed(1).padStart(8));
+for (const [name, work] of Object.entries(others))
+  console.log(name.padEnd(36), time(work).toFixed(1).padStart(8));
 
 // Many jobs, each with every value, for LinuxCNC and SINUMERIK by turns: what a server does.
 const kinds = catalog().cycles.filter((c) => (c.number ?? 0) > 1);
@@ -319,14 +481,21 @@ const full = kinds.map(({ type }, i) => ({
   ...defaultJob(type),
   control: {
     ...defaultJob(type).control,
-    post: i % 2 ? /** @type {const} */ ("sinumerik") : /** @type {const} */ ("linuxcnc"),
+    post:
+      i % 2
+        ? /** @type {const} */ ("sinumerik")
+        : /** @type {const} */ ("linuxcnc"),
   },
 }));
 function* many(/** @type {number} */ count) {
-  for (let i = 0; i < count; i++) yield/** @type {any} */ (full[i % full.length]);
+  for (let i = 0; i < count; i++)
+    yield/** @type {any} */ (full[i % full.length]);
 }
-console.log("\nJobs to programs, one core: jobs a second (goal: 15,000), MB/s of program, memory in MB");
-for (const made of programs(many(2000))) if (!made.program) throw new Error(JSON.stringify(made.findings));
+console.log(
+  "\nJobs to programs, one core: jobs a second (goal: 15,000), MB/s of program, memory in MB",
+);
+for (const made of programs(many(2000)))
+  if (!made.program) throw new Error(JSON.stringify(made.findings));
 let [done, text, start] = [0, 0, cpu()];
 for (const made of programs(many(200_000))) {
   text += made.program?.text.length ?? 0;
@@ -357,7 +526,9 @@ const foreign = (/** @type {number} */ lines) => {
   );
   return `G21 G90\nG0 X0 Y0 Z5\n${body.join("\n")}\nM2\n`;
 };
-console.log("\nA program of so many lines to its moves, µs, and by how much this is faster (goal: 40)");
+console.log(
+  "\nA program of so many lines to its moves, µs, and by how much this is faster (goal: 40)",
+);
 console.log(
   "lines        touchpath   gcode-toolpath   gcode-parser   faster than the first   probe moves: here, there",
 );
@@ -371,10 +542,15 @@ for (const lines of [50, 1000, 10_000, 100_000]) {
   };
   const few = lines > 20_000;
   const [own = Number.NaN, ...slow] = times(
-    [() => readProgram(text), ...(few ? [] : [theirs, () => parseStringSync(text)])],
+    [
+      () => readProgram(text),
+      ...(few ? [] : [theirs, () => parseStringSync(text)]),
+    ],
     calls,
   );
-  const [toolpath = Number.NaN, parser = Number.NaN] = few ? [once(theirs), once(() => parseStringSync(text))] : slow;
+  const [toolpath = Number.NaN, parser = Number.NaN] = few
+    ? [once(theirs), once(() => parseStringSync(text))]
+    : slow;
   const { kind, kinds } = readProgram(text);
   const probes = kind.filter((k) => kinds[k] === "probe").length;
   console.log(
@@ -383,7 +559,9 @@ for (const lines of [50, 1000, 10_000, 100_000]) {
     toolpath.toFixed(0).padStart(16),
     parser.toFixed(0).padStart(14),
     (toolpath / own).toFixed(0).padStart(23),
-    `${probes}, ${straight - (kind.length - probes) > 0 ? straight - (kind.length - probes) : 0}`.padStart(26),
+    `${probes}, ${straight - (kind.length - probes) > 0 ? straight - (kind.length - probes) : 0}`.padStart(
+      26,
+    ),
   );
 }
 
@@ -395,8 +573,17 @@ const folder = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
 for (const lines of [50, 1000, 10_000, 100_000]) {
   const file = join(folder, "program.ngc");
   writeFileSync(file, foreign(lines));
-  const readers = ["--manifest-path", at("tools", "readers", "Cargo.toml"), "--target-dir", at("target")];
-  const said = run("cargo", ["run", "--quiet", "--locked", "--release", ...readers, "--", file], { quiet: true });
+  const readers = [
+    "--manifest-path",
+    at("tools", "readers", "Cargo.toml"),
+    "--target-dir",
+    at("target"),
+  ];
+  const said = run(
+    "cargo",
+    ["run", "--quiet", "--locked", "--release", ...readers, "--", file],
+    { quiet: true },
+  );
   const [own = Number.NaN, ...crates] = said
     .trim()
     .split("\n")
@@ -420,9 +607,16 @@ function once(/** @type {() => unknown} */ work) {
 }
 
 /** What version 0.2.0 had before jobs and plans crossed in one piece; its page had the whole module. */
-const BEFORE = { raw: 988_298, gzip: 411_649, brotli: 319_000, "first, brotli": 319_000, "page, gzip": 443_000 };
+const BEFORE = {
+  raw: 988_298,
+  gzip: 411_649,
+  brotli: 319_000,
+  "first, brotli": 319_000,
+  "page, gzip": 443_000,
+};
 const bytes = readFileSync(at("dist", "wasm", "touchpath_bg.wasm"));
-const gzip = (/** @type {Buffer} */ file) => gzipSync(file, { level: 9 }).length;
+const gzip = (/** @type {Buffer} */ file) =>
+  gzipSync(file, { level: 9 }).length;
 // Loaded only where they are wanted: a language's words, the editor of opened programs and the worker that reads long texts.
 const rare = [
   ...readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-")),
@@ -437,8 +631,13 @@ const sizes = {
   raw: bytes.length,
   gzip: gzip(bytes),
   brotli: brotliCompressSync(bytes).length,
-  "first, brotli": brotliCompressSync(readFileSync(at("www", "core", "wasm", "first.wasm"))).length,
-  "page, gzip": [...page, readFileSync(at("dist", "page", "index.html"))].reduce((sum, file) => sum + gzip(file), 0),
+  "first, brotli": brotliCompressSync(
+    readFileSync(at("www", "core", "wasm", "first.wasm")),
+  ).length,
+  "page, gzip": [
+    ...page,
+    readFileSync(at("dist", "page", "index.html")),
+  ].reduce((sum, file) => sum + gzip(file), 0),
 };
 console.log("\nBytes of the wasm, and of a first visit of the page; before");
 for (const [name, size] of Object.entries(sizes)) {
@@ -454,8 +653,27 @@ for (const [name, size] of Object.entries(sizes)) {
 // By the names of the functions: what is shared, such as collections and formatting, is the rest. Mazak, Brother, Hurco and Okuma are entries of `renishaw`.
 const target = process.env.CARGO_TARGET_DIR ?? at("target");
 const built = (/** @type {string} */ folder) =>
-  new Map(rooms(readFileSync(join(target, folder, "wasm32-unknown-unknown", "release", "touchpath.wasm"))));
+  new Map(
+    rooms(
+      readFileSync(
+        join(
+          target,
+          folder,
+          "wasm32-unknown-unknown",
+          "release",
+          "touchpath.wasm",
+        ),
+      ),
+    ),
+  );
 const [all, begins] = [built("wasm"), built("first")];
-console.log("\nCode by room and control, kB before wasm-opt: in the whole module, in the first one");
+console.log(
+  "\nCode by room and control, kB before wasm-opt: in the whole module, in the first one",
+);
 for (const [name, size] of all)
-  console.log(name.padEnd(22), ...[size, begins.get(name) ?? 0].map((b) => (b / 1000).toFixed(1).padStart(8)));
+  console.log(
+    name.padEnd(22),
+    ...[size, begins.get(name) ?? 0].map((b) =>
+      (b / 1000).toFixed(1).padStart(8),
+    ),
+  );

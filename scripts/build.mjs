@@ -17,7 +17,16 @@ import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { configSchema } from "./config-schema.mjs";
-import { at, beside, ensureBindings, ensurePackages, ensureTarget, npx, stage, summary } from "./lib.mjs";
+import {
+  at,
+  beside,
+  ensureBindings,
+  ensurePackages,
+  ensureTarget,
+  npx,
+  stage,
+  summary,
+} from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
 import { webTypes } from "./web-types.mjs";
@@ -25,25 +34,42 @@ import { webTypes } from "./web-types.mjs";
 /** How a module is built: by a profile of Cargo.toml, in a folder of its own, for cargo builds one thing at a time in a folder. */
 const MODULES = {
   whole: { profile: "release", folder: "wasm", flags: [] },
-  first: { profile: "release", folder: "first", flags: ["--no-default-features"] },
+  first: {
+    profile: "release",
+    folder: "first",
+    flags: ["--no-default-features"],
+  },
   quick: { profile: "quick", folder: "wasm", flags: [] },
 };
 /** @typedef {{ profile: string, folder: string, flags: string[] }} Module */
 
 /** Where cargo builds a module: `wasm-pack build` takes the whole one from there. */
-export const targetOf = (/** @type {string} */ folder) => join(process.env.CARGO_TARGET_DIR ?? at("target"), folder);
+export const targetOf = (/** @type {string} */ folder) =>
+  join(process.env.CARGO_TARGET_DIR ?? at("target"), folder);
 
 /** Compiles the crate to a module; gives its path. */
 async function compile(/** @type {Module} */ { profile, folder, flags }) {
   const target = targetOf(folder);
-  const cargo = ["build", "--quiet", "--locked", "--profile", profile, "--target", "wasm32-unknown-unknown", "--lib"];
+  const cargo = [
+    "build",
+    "--quiet",
+    "--locked",
+    "--profile",
+    profile,
+    "--target",
+    "wasm32-unknown-unknown",
+    "--lib",
+  ];
   await beside("cargo", [...cargo, ...flags, "--target-dir", target]);
   return `${target}/wasm32-unknown-unknown/${profile}/touchpath.wasm`;
 }
 
 /** A module and its bindings; gives the folder they are in. */
 async function buildModule(/** @type {Module} */ kind) {
-  const [bindings, module] = await Promise.all([ensureBindings(), compile(kind)]);
+  const [bindings, module] = await Promise.all([
+    ensureBindings(),
+    compile(kind),
+  ]);
   const out = join(targetOf(kind.folder), `bindings-${kind.profile}`);
   rmSync(out, { recursive: true, force: true });
   await beside(bindings, [module, out]);
@@ -55,15 +81,46 @@ async function optimize(/** @type {string} */ wasm) {
   await trapPanics(wasm);
   // Judged by what is sent, not by the module: inlining, packed memory and shared expressions make it smaller and its compressed bytes more. Jumps are
   // laid out anew from flat code, which compresses better. Functions of one name's beginning are alike and compress best side by side.
-  const passes = ["--flatten", "--rereloop", "-O3", "-O3", "--reorder-functions-by-name"];
+  const passes = [
+    "--flatten",
+    "--rereloop",
+    "-O3",
+    "-O3",
+    "--reorder-functions-by-name",
+  ];
   // First, what became small or unused with the messages of panics is put where it is called.
-  const inline = ["--dae-optimizing", "--inlining", "-aimfs", "4", "-fimfs", "2", "-ocimfs", "2", "--dce", "--vacuum"];
-  const skipped = ["inlining-optimizing", "memory-packing", "local-cse", "simplify-locals"];
+  const inline = [
+    "--dae-optimizing",
+    "--inlining",
+    "-aimfs",
+    "4",
+    "-fimfs",
+    "2",
+    "-ocimfs",
+    "2",
+    "--dce",
+    "--vacuum",
+  ];
+  const skipped = [
+    "inlining-optimizing",
+    "memory-packing",
+    "local-cse",
+    "simplify-locals",
+  ];
   const skip = skipped.map((pass) => `--skip-pass=${pass}`);
   // The first kilobyte is the far end of the stack, which the linker puts first: no address is computed from below it.
   const assume = ["--low-memory-unused"];
   const optimizer = at("node_modules", "binaryen", "bin", "wasm-opt");
-  await beside("node", [optimizer, ...inline, ...passes, ...skip, ...assume, wasm, "-o", wasm]);
+  await beside("node", [
+    optimizer,
+    ...inline,
+    ...passes,
+    ...skip,
+    ...assume,
+    wasm,
+    "-o",
+    wasm,
+  ]);
 }
 
 /**
@@ -72,22 +129,40 @@ async function optimize(/** @type {string} */ wasm) {
  */
 export async function compileModules(/** @type {boolean} */ quick) {
   ensureTarget();
-  if (!quick) return Promise.all([buildModule(MODULES.whole), buildModule(MODULES.first)]);
+  if (!quick)
+    return Promise.all([
+      buildModule(MODULES.whole),
+      buildModule(MODULES.first),
+    ]);
   const out = await buildModule(MODULES.quick);
   return [out, out];
 }
 
 /** Both modules, optimized unless they are for this machine, into www/core/wasm/. */
-export async function writeModules(/** @type {string[]} */ [whole = "", first = ""], /** @type {boolean} */ quick) {
-  if (!quick) await Promise.all([whole, first].map((folder) => optimize(join(folder, "touchpath_bg.wasm"))));
+export async function writeModules(
+  /** @type {string[]} */ [whole = "", first = ""],
+  /** @type {boolean} */ quick,
+) {
+  if (!quick)
+    await Promise.all(
+      [whole, first].map((folder) =>
+        optimize(join(folder, "touchpath_bg.wasm")),
+      ),
+    );
   const out = at("www", "core", "wasm");
   rmSync(out, { recursive: true, force: true });
   cpSync(whole, out, { recursive: true });
   cpSync(join(first, "touchpath_bg.wasm"), join(out, "first.wasm"));
   // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
   const types = `${out}/touchpath.d.ts`;
-  const plain = readFileSync(types, "utf8").replaceAll(/^ *\[Symbol\.dispose\]\(\): void;\n/gm, "");
-  writeFileSync(types, `${plain}\nexport function use(module: WebAssembly.Module): void;\n`);
+  const plain = readFileSync(types, "utf8").replaceAll(
+    /^ *\[Symbol\.dispose\]\(\): void;\n/gm,
+    "",
+  );
+  writeFileSync(
+    types,
+    `${plain}\nexport function use(module: WebAssembly.Module): void;\n`,
+  );
   appendFileSync(
     `${out}/touchpath.js`,
     "\n/** Puts another build of the module in the place of this one. */\nexport function use(module) {\n    wasmModule = module;\n    __wbg_reset_state();\n}\n",
@@ -110,11 +185,19 @@ async function buildCore() {
     recursive: true,
     filter: (path) => !path.endsWith("first.wasm"),
   });
-  for (const name of ["embed.html", "frame.schema.json", "react.d.ts", "react.js", ...TYPES])
+  for (const name of [
+    "embed.html",
+    "frame.schema.json",
+    "react.d.ts",
+    "react.js",
+    ...TYPES,
+  ])
     cpSync(at("www", name), at("dist", name));
   cpSync(at("www", "page.css"), at("dist", "embed.css"));
   mkdirSync(at("dist", "words"));
-  for (const name of readdirSync(at("www", "words")).filter((name) => name !== "core.json"))
+  for (const name of readdirSync(at("www", "words")).filter(
+    (name) => name !== "core.json",
+  ))
     cpSync(at("www", "words", name), at("dist", "words", name));
 }
 
@@ -122,33 +205,53 @@ async function buildCore() {
 async function writeElementTypes() {
   const types = mkdtempSync(join(tmpdir(), "touchpath-"));
   await npx("tsc", "-p", "tsconfig.element.json", "--outDir", types);
-  const own = readFileSync(join(types, "element.d.ts"), "utf8").replaceAll("./core/types.js", "../types.js");
+  const own = readFileSync(join(types, "element.d.ts"), "utf8").replaceAll(
+    "./core/types.js",
+    "../types.js",
+  );
   rmSync(types, { recursive: true });
   return own;
 }
 
 /** What is bundled: the element, with its types and its manifest, and the command; and the licences of all that is in them. */
 async function buildBundles() {
-  const vite = (/** @type {string} */ config) => npx("vite", "build", "--config", config, "--logLevel", "warn");
+  const vite = (/** @type {string} */ config) =>
+    npx("vite", "build", "--config", config, "--logLevel", "warn");
   const [types] = await Promise.all([
     writeElementTypes(),
     vite("vite.element.config.mjs"),
     vite("vite.cli.config.mjs"),
-    npx("cem", "analyze", "--config", "custom-elements-manifest.config.mjs", "--quiet"),
+    npx(
+      "cem",
+      "analyze",
+      "--config",
+      "custom-elements-manifest.config.mjs",
+      "--quiet",
+    ),
   ]);
   writeFileSync(at("dist", "element", "element.d.ts"), types);
-  const bundled = ["element", "cli"].map((folder) => at("dist", folder, "licences.txt"));
+  const bundled = ["element", "cli"].map((folder) =>
+    at("dist", folder, "licences.txt"),
+  );
   writeFileSync(
     at("dist", "licences.txt"),
-    [crateLicences(), ...bundled.map((file) => readFileSync(file, "utf8"))].join("\n"),
+    [
+      crateLicences(),
+      ...bundled.map((file) => readFileSync(file, "utf8")),
+    ].join("\n"),
   );
   for (const file of bundled) rmSync(file);
-  writeFileSync(at("dist", "web-types.json"), `${JSON.stringify(webTypes(), null, 2)}\n`);
+  writeFileSync(
+    at("dist", "web-types.json"),
+    `${JSON.stringify(webTypes(), null, 2)}\n`,
+  );
 }
 
 /** The JSON Schemas of a job, of a config and of what is answered, as files. */
 async function writeSchema() {
-  const { catalog, jobSchema } = await import(pathToFileURL(at("dist", "node.js")).href);
+  const { catalog, jobSchema } = await import(
+    pathToFileURL(at("dist", "node.js")).href
+  );
   // Its package is installed by the build itself.
   const { answerSchema } = await import("./answer-schema.mjs");
   const write = (/** @type {string} */ name, /** @type {unknown} */ schema) =>
@@ -166,15 +269,28 @@ function writeWorker() {
     .map((name) => name.replaceAll("\\", "/"))
     .sort();
   const hash = createHash("sha256");
-  for (const file of files) hash.update(file).update(readFileSync(join(page, file)));
-  const words = readdirSync(at("www", "words")).map((name) => name.replace(".json", ""));
-  const rare = new RegExp(`^assets/(${["program-editor", "touchpath_bg", ...words].join("|")})-[\\w-]{8}\\.\\w+$`);
-  const wanted = files.filter((file) => file === "licences.txt" || rare.test(file));
-  const all = ["./", ...files.filter((file) => file !== "index.html" && !wanted.includes(file))];
+  for (const file of files)
+    hash.update(file).update(readFileSync(join(page, file)));
+  const words = readdirSync(at("www", "words")).map((name) =>
+    name.replace(".json", ""),
+  );
+  const rare = new RegExp(
+    `^assets/(${["program-editor", "touchpath_bg", ...words].join("|")})-[\\w-]{8}\\.\\w+$`,
+  );
+  const wanted = files.filter(
+    (file) => file === "licences.txt" || rare.test(file),
+  );
+  const all = [
+    "./",
+    ...files.filter((file) => file !== "index.html" && !wanted.includes(file)),
+  ];
   const worker = readFileSync(at("www", "sw.js"), "utf8")
     .replace("const FILES = [];", `const FILES = ${JSON.stringify(all)};`)
     .replace("const WANTED = [];", `const WANTED = ${JSON.stringify(wanted)};`)
-    .replace('const VERSION = "";', `const VERSION = "${hash.digest("hex").slice(0, 16)}";`);
+    .replace(
+      'const VERSION = "";',
+      `const VERSION = "${hash.digest("hex").slice(0, 16)}";`,
+    );
   writeFileSync(join(page, "sw.js"), worker);
 }
 

@@ -4,8 +4,15 @@ import { at } from "./lib.mjs";
 
 /** @typedef {Record<string, any>} Schema */
 
-const VALUES = /** @type {Record<string, string>} */ ({ number: "double", integer: "int", boolean: "bool" });
-const PLAIN = /** @type {Record<string, string>} */ ({ ...VALUES, string: "string" });
+const VALUES = /** @type {Record<string, string>} */ ({
+  number: "double",
+  integer: "int",
+  boolean: "bool",
+});
+const PLAIN = /** @type {Record<string, string>} */ ({
+  ...VALUES,
+  string: "string",
+});
 
 /**
  * The class, or the type, of a part of the schema; what can be several types, or is made of itself, is an object.
@@ -19,10 +26,14 @@ function typeOf(part, all, inside = []) {
     const name = part.$ref.slice("#/$defs/".length);
     const own = all[name];
     if (own?.properties) return name;
-    return own && !inside.includes(name) ? typeOf(own, all, [...inside, name]) : "object";
+    return own && !inside.includes(name)
+      ? typeOf(own, all, [...inside, name])
+      : "object";
   }
   const types = Array.isArray(part.type) ? part.type : [part.type];
-  const unions = /** @type {Schema[]} */ (part.anyOf ?? types.map((type) => ({ ...part, type })));
+  const unions = /** @type {Schema[]} */ (
+    part.anyOf ?? types.map((type) => ({ ...part, type }))
+  );
   const some = unions.filter(({ type }) => type !== "null");
   const [one] = some;
   if (!one) return "object";
@@ -30,7 +41,9 @@ function typeOf(part, all, inside = []) {
     const own = [...new Set(some.map((member) => typeOf(member, all, inside)))];
     const [only = "object", ...more] = own;
     if (more.length > 0) return "object";
-    return some.length < unions.length && Object.values(VALUES).includes(only) ? `${only}?` : only;
+    return some.length < unions.length && Object.values(VALUES).includes(only)
+      ? `${only}?`
+      : only;
   }
   if (one.enum || one.const !== undefined) {
     const [first] = one.enum ?? [one.const];
@@ -42,10 +55,15 @@ function typeOf(part, all, inside = []) {
   return kinds.length === 1 ? `${kinds[0]}[]` : "object[]";
 }
 
-const escaped = (/** @type {string} */ text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+const escaped = (/** @type {string} */ text) =>
+  text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 /** A text as the summary of what follows. @param {string | undefined} text @param {string} indent */
 const summary = (text, indent) =>
-  text ? [`${indent}/// <summary>${escaped(text.replaceAll(/\s*\n\s*/g, " "))}</summary>`] : [];
+  text
+    ? [
+        `${indent}/// <summary>${escaped(text.replaceAll(/\s*\n\s*/g, " "))}</summary>`,
+      ]
+    : [];
 
 /** All of it. */
 export function csharpTypes() {
@@ -56,7 +74,10 @@ export function csharpTypes() {
   const fields = (/** @type {Schema} */ part) =>
     Object.entries(part.properties).flatMap(([key, own]) => {
       const type = typeOf(own, $defs);
-      const missing = !part.required?.includes(key) && Object.values(VALUES).includes(type) ? "?" : "";
+      const missing =
+        !part.required?.includes(key) && Object.values(VALUES).includes(type)
+          ? "?"
+          : "";
       const name = `${key[0]?.toUpperCase()}${key.slice(1)}`;
       return [
         ...summary(/** @type {Schema} */ (own).description, "        "),
@@ -71,9 +92,13 @@ export function csharpTypes() {
     "{",
     classes
       .map(([name, part]) =>
-        [...summary(part.description, "    "), `    public class ${name}`, "    {", ...fields(part), "    }"].join(
-          "\n",
-        ),
+        [
+          ...summary(part.description, "    "),
+          `    public class ${name}`,
+          "    {",
+          ...fields(part),
+          "    }",
+        ].join("\n"),
       )
       .join("\n\n"),
     "}",

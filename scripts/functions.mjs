@@ -35,7 +35,8 @@ export function functions(/** @type {Buffer} */ wasm) {
         // A global has its type and whether it changes; a table a type in front of its limits.
         if (kind === 1 || kind === 3) number();
         const limits = number();
-        if (kind === 1 || kind === 2) for (let n = limits & 1 ? 2 : 1; n > 0; n--) number();
+        if (kind === 1 || kind === 2)
+          for (let n = limits & 1 ? 2 : 1; n > 0; n--) number();
       }
     } else if (section === 10) {
       for (let count = number(); count > 0; count--) {
@@ -47,7 +48,9 @@ export function functions(/** @type {Buffer} */ wasm) {
       while (i < end) {
         const part = number();
         const stop = number() + i;
-        if (part === 1) for (let count = number(); count > 0; count--) names.set(number(), text());
+        if (part === 1)
+          for (let count = number(); count > 0; count--)
+            names.set(number(), text());
         i = stop;
       }
     }
@@ -55,12 +58,23 @@ export function functions(/** @type {Buffer} */ wasm) {
   }
   const named = sizes.map((size, n) => ({
     size,
-    name: (names.get(n + imported) ?? "?").replace(/^_ZN\d+|17h[0-9a-f]{16}E$/g, "").replace(/\d+(?=[a-z_$])/gi, "::"),
+    name: (names.get(n + imported) ?? "?")
+      .replace(/^_ZN\d+|17h[0-9a-f]{16}E$/g, "")
+      .replace(/\d+(?=[a-z_$])/gi, "::"),
   }));
   return named.sort((a, b) => b.size - a.size);
 }
 
-const FOLDERS = new Set(["fanuc", "grbl", "heidenhain", "iso", "linuxcnc", "own", "renishaw", "sinumerik"]);
+const FOLDERS = new Set([
+  "fanuc",
+  "grbl",
+  "heidenhain",
+  "iso",
+  "linuxcnc",
+  "own",
+  "renishaw",
+  "sinumerik",
+]);
 
 /** The bytes of code of each room of the crate, and of each control, largest first: of a module as the compiler left it. */
 export function rooms(/** @type {Buffer} */ wasm) {
@@ -68,9 +82,12 @@ export function rooms(/** @type {Buffer} */ wasm) {
   const sums = new Map();
   for (const { name, size } of functions(wasm)) {
     const [, room = "the rest", inner = ""] =
-      /touchpath\W+([a-z_]+)\W+([a-z_0-9]+)/.exec(name.replaceAll("..", "::")) ?? [];
+      /touchpath\W+([a-z_]+)\W+([a-z_0-9]+)/.exec(
+        name.replaceAll("..", "::"),
+      ) ?? [];
     // A control is a folder; what stands beside the folders is of all of them.
-    const named = room === "control" && FOLDERS.has(inner) ? `control::${inner}` : room;
+    const named =
+      room === "control" && FOLDERS.has(inner) ? `control::${inner}` : room;
     sums.set(named, (sums.get(named) ?? 0) + size);
   }
   return [...sums].sort(([, a], [, b]) => b - a);

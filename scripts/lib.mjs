@@ -1,11 +1,22 @@
 // What the scripts share: running commands, timing stages, and setting up what a machine lacks. Node built-ins only.
 import { spawn, spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-export const root = fileURLToPath(new URL("..", import.meta.url)).replace(/[\\/]$/, "");
+export const root = fileURLToPath(new URL("..", import.meta.url)).replace(
+  /[\\/]$/,
+  "",
+);
 export const at = (/** @type {string[]} */ ...parts) => join(root, ...parts);
 
 const target = process.env.CARGO_TARGET_DIR ?? at("target");
@@ -19,7 +30,11 @@ const stages = [];
  * @param {string[]} args
  * @param {{ env?: Record<string, string | undefined>, cwd?: string, quiet?: boolean }} [options]
  */
-export function run(command, args, { env = {}, cwd = root, quiet = false } = {}) {
+export function run(
+  command,
+  args,
+  { env = {}, cwd = root, quiet = false } = {},
+) {
   const done = spawnSync(command, args, {
     cwd,
     stdio: quiet ? "pipe" : "inherit",
@@ -28,31 +43,48 @@ export function run(command, args, { env = {}, cwd = root, quiet = false } = {})
   });
   if (done.status !== 0) {
     if (quiet) process.stderr.write(`${done.stdout ?? ""}${done.stderr ?? ""}`);
-    failed(command, args, done.error ? done.error.message : `exit ${done.status ?? done.signal}`);
+    failed(
+      command,
+      args,
+      done.error ? done.error.message : `exit ${done.status ?? done.signal}`,
+    );
   }
   return done.stdout ?? "";
 }
 
 /** Runs a command beside others: as `run`, but what it prints may be mixed with what they print. */
-export async function beside(/** @type {string} */ command, /** @type {string[]} */ args) {
+export async function beside(
+  /** @type {string} */ command,
+  /** @type {string[]} */ args,
+) {
   const code = await new Promise((done) => {
-    spawn(command, args, { cwd: root, stdio: "inherit" }).on("close", done).on("error", done);
+    spawn(command, args, { cwd: root, stdio: "inherit" })
+      .on("close", done)
+      .on("error", done);
   });
   if (code !== 0) failed(command, args, `exit ${code}`);
 }
 
 /** A command of npm's packages, as `beside`. */
-export const npx = (/** @type {string[]} */ ...args) => beside("npx", ["--no-install", ...args]);
+export const npx = (/** @type {string[]} */ ...args) =>
+  beside("npx", ["--no-install", ...args]);
 
 /** Ends the script with the command that failed. @returns {never} */
-function failed(/** @type {string} */ command, /** @type {string[]} */ args, /** @type {string} */ why) {
+function failed(
+  /** @type {string} */ command,
+  /** @type {string[]} */ args,
+  /** @type {string} */ why,
+) {
   console.error(`\nFailed: ${command} ${args.join(" ")} (${why})`);
   summary();
   process.exit(1);
 }
 
 /** The laws asked of random jobs: a quarter of them the same every time, the rest fresh. Ends the script where one breaks a law. */
-export function fuzz(/** @type {number} */ jobs, /** @type {Record<string, string>} */ seed = {}) {
+export function fuzz(
+  /** @type {number} */ jobs,
+  /** @type {Record<string, string>} */ seed = {},
+) {
   const own = ["--profile", "fuzz", "--target-dir", join(target, "fuzzer")];
   run("cargo", ["test", "--locked", "--quiet", "--test", "fuzz", ...own], {
     env: { ...seed, FUZZ_JOBS: String(jobs) },
@@ -60,8 +92,17 @@ export function fuzz(/** @type {number} */ jobs, /** @type {Record<string, strin
 }
 
 /** Whether a command is there and works. */
-export function works(/** @type {string} */ command, args = ["--version"], env = {}) {
-  return spawnSync(command, args, { stdio: "ignore", env: { ...process.env, ...env } }).status === 0;
+export function works(
+  /** @type {string} */ command,
+  args = ["--version"],
+  env = {},
+) {
+  return (
+    spawnSync(command, args, {
+      stdio: "ignore",
+      env: { ...process.env, ...env },
+    }).status === 0
+  );
 }
 
 /**
@@ -84,7 +125,8 @@ export async function stage(name, work) {
 export function summary() {
   if (stages.length === 0) return;
   console.log("\nStages:");
-  for (const [name, seconds] of stages) console.log(`  ${seconds.toFixed(1).padStart(7)} s  ${name}`);
+  for (const [name, seconds] of stages)
+    console.log(`  ${seconds.toFixed(1).padStart(7)} s  ${name}`);
   const whole = stages.reduce((sum, [, seconds]) => sum + seconds, 0);
   console.log(`  ${whole.toFixed(1).padStart(7)} s  in all`);
 }
@@ -92,35 +134,65 @@ export function summary() {
 /** npm's packages, as package-lock.json says. */
 export async function ensurePackages() {
   const marker = at("node_modules", ".package-lock.json");
-  const fresh = existsSync(marker) && statSync(marker).mtimeMs >= statSync(at("package-lock.json")).mtimeMs;
-  if (!fresh) await beside("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"]);
+  const fresh =
+    existsSync(marker) &&
+    statSync(marker).mtimeMs >= statSync(at("package-lock.json")).mtimeMs;
+  if (!fresh)
+    await beside("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"]);
 }
 
 /** Rust's WebAssembly target. */
 export function ensureTarget() {
   const name = "wasm32-unknown-unknown";
   const sysroot = run("rustc", ["--print", "sysroot"], { quiet: true }).trim();
-  if (!existsSync(join(sysroot, "lib", "rustlib", name))) run("rustup", ["target", "add", name]);
+  if (!existsSync(join(sysroot, "lib", "rustlib", name)))
+    run("rustup", ["target", "add", name]);
 }
 
 /** The oldest Rust that the crate says it takes, by `rust-version` in Cargo.toml; gives its version. */
 export function ensureOldestRust() {
-  const version = /^rust-version = "(.+)"$/m.exec(readFileSync(at("Cargo.toml"), "utf8"))?.[1] ?? "";
+  const version =
+    /^rust-version = "(.+)"$/m.exec(
+      readFileSync(at("Cargo.toml"), "utf8"),
+    )?.[1] ?? "";
   const known = run("rustup", ["toolchain", "list"], { quiet: true });
-  if (!known.split("\n").some((line) => line.startsWith(`${version}-`) || line.startsWith(`${version}.`)))
-    run("rustup", ["toolchain", "install", version, "--profile", "minimal", "--no-self-update"]);
+  if (
+    !known
+      .split("\n")
+      .some(
+        (line) =>
+          line.startsWith(`${version}-`) || line.startsWith(`${version}.`),
+      )
+  )
+    run("rustup", [
+      "toolchain",
+      "install",
+      version,
+      "--profile",
+      "minimal",
+      "--no-self-update",
+    ]);
   return version;
 }
 
 /** A workspace member that works on WebAssembly modules, built beside the crate; gives the folder of its commands. */
 async function ensureTool(/** @type {string} */ name) {
   const folder = join(tools, "build");
-  await beside("cargo", ["build", "--quiet", "--locked", "--package", name, "--target-dir", folder]);
+  await beside("cargo", [
+    "build",
+    "--quiet",
+    "--locked",
+    "--package",
+    name,
+    "--target-dir",
+    folder,
+  ]);
   return join(folder, "debug");
 }
 
 /** The command that writes the bindings of a module. */
-export const ensureBindings = async () => join(await ensureTool("touchpath-tools"), "bindings");
+export const ensureBindings = async () =>
+  join(await ensureTool("touchpath-tools"), "bindings");
 
 /** wasm-bindgen and its test runner, for wasm-pack; gives the folder they are in. */
 export const ensureBindgen = () => ensureTool("touchpath-wasm-pack-tools");
@@ -131,7 +203,17 @@ export function ensureWasmPack() {
   const folder = join(tools, "bin");
   if (!works(join(folder, "wasm-pack"))) {
     // It runs for a second: built for speed it would take longer than it saves.
-    run("cargo", ["install", "wasm-pack", "--debug", "--version", "0.15.1", "--locked", "--root", tools, "--quiet"]);
+    run("cargo", [
+      "install",
+      "wasm-pack",
+      "--debug",
+      "--version",
+      "0.15.1",
+      "--locked",
+      "--root",
+      tools,
+      "--quiet",
+    ]);
   }
   return folder;
 }
@@ -140,7 +222,10 @@ export function ensureWasmPack() {
 function apt(/** @type {string[]} */ ...args) {
   const sudo = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
   const [command, ...rest] = [...sudo, "apt-get", ...args];
-  run(command ?? "apt-get", rest, { quiet: true, env: { DEBIAN_FRONTEND: "noninteractive" } });
+  run(command ?? "apt-get", rest, {
+    quiet: true,
+    env: { DEBIAN_FRONTEND: "noninteractive" },
+  });
 }
 
 let updated = false;
@@ -160,19 +245,22 @@ function aptInstall(/** @type {string[]} */ ...packages) {
 /** The first of these commands that works; one that is named by this variable goes first. */
 const find = (/** @type {string} */ variable, /** @type {string[]} */ names) =>
   [process.env[variable], ...names].find((name) => name && works(name));
-const findChromium = () => find("CHROMIUM", ["chromium", "chromium-browser", "google-chrome"]);
+const findChromium = () =>
+  find("CHROMIUM", ["chromium", "chromium-browser", "google-chrome"]);
 const findChromedriver = () => find("CHROMEDRIVER", ["chromedriver"]);
 const findFirefox = () => find("FIREFOX", ["firefox-esr", "firefox"]);
 const webKit = () => ({
   driver: process.env.WEBKITDRIVER ?? "WebKitWebDriver",
   screen: process.env.XVFB_RUN ?? "xvfb-run",
 });
-const hasWebKit = () => works(webKit().screen, ["--help"]) && works(webKit().driver, ["--help"]);
+const hasWebKit = () =>
+  works(webKit().screen, ["--help"]) && works(webKit().driver, ["--help"]);
 
 /** What tests need of Debian's packages, installed at once: browsers, their drivers, LinuxCNC's interpreter. */
 export function ensureDebianPackages() {
   const missing = [];
-  if (!findChromium() || !findChromedriver()) missing.push("chromium", "chromium-driver");
+  if (!findChromium() || !findChromedriver())
+    missing.push("chromium", "chromium-driver");
   if (!findFirefox()) missing.push("firefox-esr");
   if (!hasWebKit()) missing.push("webkit2gtk-driver", "xvfb", "xauth");
   aptInstall(...missing);
@@ -186,43 +274,80 @@ function ensureShell(/** @type {string} */ browser) {
   if (process.env.CHROMIUM) return browser;
   if (!works(name)) {
     const sudo = process.getuid?.() === 0 ? [] : ["sudo", "-n"];
-    const [command = "apt-get", ...rest] = [...sudo, "apt-get", "install", "-y", "--no-install-recommends", name];
-    spawnSync(command, rest, { stdio: "ignore", env: { ...process.env, DEBIAN_FRONTEND: "noninteractive" } });
+    const [command = "apt-get", ...rest] = [
+      ...sudo,
+      "apt-get",
+      "install",
+      "-y",
+      "--no-install-recommends",
+      name,
+    ];
+    spawnSync(command, rest, {
+      stdio: "ignore",
+      env: { ...process.env, DEBIAN_FRONTEND: "noninteractive" },
+    });
   }
   return works(name) ? absolute(name) : browser;
 }
 
 /** Chromium, its driver, and what the page's tests run in; gives the paths. */
 export function ensureChromium() {
-  if (!findChromium() || !findChromedriver()) aptInstall("chromium", "chromium-driver");
+  if (!findChromium() || !findChromedriver())
+    aptInstall("chromium", "chromium-driver");
   const [browser, driver] = [findChromium(), findChromedriver()];
-  if (!browser || !driver) throw new Error("Chromium and chromedriver are needed: set CHROMIUM and CHROMEDRIVER");
-  return { browser: absolute(browser), driver: absolute(driver), shell: ensureShell(absolute(browser)) };
+  if (!browser || !driver)
+    throw new Error(
+      "Chromium and chromedriver are needed: set CHROMIUM and CHROMEDRIVER",
+    );
+  return {
+    browser: absolute(browser),
+    driver: absolute(driver),
+    shell: ensureShell(absolute(browser)),
+  };
 }
 
 /** Firefox and its driver, which no Debian package has. */
 export function ensureFirefox() {
   if (!findFirefox()) aptInstall("firefox-esr");
   const own = join(tools, "gecko");
-  const findDriver = () => find("GECKODRIVER", ["geckodriver", join(own, "bin", "geckodriver")]);
-  const install = ["install", "geckodriver", "--version", "0.37.1", "--locked", "--debug", "--quiet", "--root", own];
+  const findDriver = () =>
+    find("GECKODRIVER", ["geckodriver", join(own, "bin", "geckodriver")]);
+  const install = [
+    "install",
+    "geckodriver",
+    "--version",
+    "0.37.1",
+    "--locked",
+    "--debug",
+    "--quiet",
+    "--root",
+    own,
+  ];
   if (!findDriver()) run("cargo", install);
   const [browser, driver] = [findFirefox(), findDriver()];
-  if (!browser || !driver) throw new Error("Firefox and geckodriver are needed: set FIREFOX and GECKODRIVER");
+  if (!browser || !driver)
+    throw new Error(
+      "Firefox and geckodriver are needed: set FIREFOX and GECKODRIVER",
+    );
   return { browser: absolute(browser), driver: absolute(driver) };
 }
 
 /** The driver of WebKit, and a screen that nobody sees for it. */
 export function ensureWebKit() {
   if (!hasWebKit()) aptInstall("webkit2gtk-driver", "xvfb", "xauth");
-  if (!hasWebKit()) throw new Error("WebKitWebDriver and xvfb-run are needed: set WEBKITDRIVER and XVFB_RUN");
+  if (!hasWebKit())
+    throw new Error(
+      "WebKitWebDriver and xvfb-run are needed: set WEBKITDRIVER and XVFB_RUN",
+    );
   const { driver, screen } = webKit();
   return { driver: absolute(driver), screen: absolute(screen) };
 }
 
 function absolute(/** @type {string} */ command) {
   if (command.includes("/")) return command;
-  const places = (process.env.PATH ?? "").split(delimiter).map((folder) => join(folder, command));
+  const places = (process.env.PATH ?? "")
+    .split(delimiter)
+    .map((folder) => join(folder, command));
   return places.find((path) => existsSync(path)) ?? command;
 }
 
@@ -233,20 +358,34 @@ export function ensureInterpreter() {
   const command = join(folder, "rs274");
   if (!existsSync(command)) {
     mkdirSync(folder, { recursive: true });
-    const packages = ["linuxcnc-uspace", "libboost-python1.74.0", "libpython3.11"];
+    const packages = [
+      "linuxcnc-uspace",
+      "libboost-python1.74.0",
+      "libpython3.11",
+    ];
     const download = mkdtempSync(join(tmpdir(), "touchpath-"));
     const args = ["-o", "APT::Sandbox::User=root", "download", ...packages];
-    const first = spawnSync("apt-get", args, { cwd: download, stdio: "ignore" });
+    const first = spawnSync("apt-get", args, {
+      cwd: download,
+      stdio: "ignore",
+    });
     if (first.status !== 0) {
       aptUpdate();
       run("apt-get", args, { cwd: download, quiet: true });
     }
-    run("sh", ["-c", `for deb in *.deb; do dpkg -x "$deb" "${folder}"; done`], { cwd: download, quiet: true });
+    run("sh", ["-c", `for deb in *.deb; do dpkg -x "$deb" "${folder}"; done`], {
+      cwd: download,
+      quiet: true,
+    });
     rmSync(download, { recursive: true });
     const lib = `${folder}/usr/lib:${folder}/usr/lib/x86_64-linux-gnu`;
-    writeFileSync(command, `#!/bin/sh\nLD_LIBRARY_PATH="${lib}" exec "${folder}/usr/bin/rs274" "$@"\n`, {
-      mode: 0o755,
-    });
+    writeFileSync(
+      command,
+      `#!/bin/sh\nLD_LIBRARY_PATH="${lib}" exec "${folder}/usr/bin/rs274" "$@"\n`,
+      {
+        mode: 0o755,
+      },
+    );
   }
   return command;
 }

@@ -7,7 +7,14 @@ import { run } from "./lib.mjs";
 
 /** The crates that touchpath is made of, and what they are made of in turn; not what only builds them. */
 function crates() {
-  const args = ["metadata", "--format-version", "1", "--locked", "--filter-platform", "wasm32-unknown-unknown"];
+  const args = [
+    "metadata",
+    "--format-version",
+    "1",
+    "--locked",
+    "--filter-platform",
+    "wasm32-unknown-unknown",
+  ];
   /** @type {{ packages: Crate[], resolve: { root: string, nodes: { id: string, deps: { pkg: string, dep_kinds: { kind: string | null }[] }[] }[] } }} */
   const { packages, resolve } = JSON.parse(run("cargo", args, { quiet: true }));
   const found = new Set([resolve.root]);
@@ -17,11 +24,14 @@ function crates() {
       found.delete(id);
       continue;
     }
-    for (const { pkg, dep_kinds } of resolve.nodes.find((n) => n.id === id)?.deps ?? []) {
+    for (const { pkg, dep_kinds } of resolve.nodes.find((n) => n.id === id)
+      ?.deps ?? []) {
       if (dep_kinds.some(({ kind }) => kind === null)) found.add(pkg);
     }
   }
-  return packages.filter((p) => found.has(p.id)).sort((a, b) => (a.name < b.name ? -1 : 1));
+  return packages
+    .filter((p) => found.has(p.id))
+    .sort((a, b) => (a.name < b.name ? -1 : 1));
 }
 
 /** Every crate with its licence files, as text. */
@@ -31,8 +41,13 @@ export function crateLicences() {
     const files = readdirSync(folder)
       .filter((file) => /^(licen[cs]e|copying|notice)/i.test(file))
       .sort();
-    const texts = files.map((file) => readFileSync(join(folder, file), "utf8").trim());
-    return [`## ${name} - ${version} (${license ?? "see below"})`, ...texts].join("\n\n");
+    const texts = files.map((file) =>
+      readFileSync(join(folder, file), "utf8").trim(),
+    );
+    return [
+      `## ${name} - ${version} (${license ?? "see below"})`,
+      ...texts,
+    ].join("\n\n");
   });
   return `# Licences of the crates in the WebAssembly module\n\n${parts.join("\n\n")}\n`;
 }

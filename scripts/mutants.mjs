@@ -1,7 +1,15 @@
 // Puts faults into a copy of the tree and looks whether the tests that are named for them fail: `npm run mutants`, or with parts of names only those.
 // The faults are in tests/mutants/. One whose text is gone fails the run, so the list stays alive.
 import { spawnSync } from "node:child_process";
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync,
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { dirname, join, relative } from "node:path";
 import { at, ensureInterpreter, ensurePackages, run } from "./lib.mjs";
 
@@ -17,20 +25,38 @@ const parts = process.argv.slice(2);
 /** By their rooms. */
 const rooms = readdirSync(at("tests", "mutants"))
   .filter((name) => name.endsWith(".json"))
-  .map((name) => /** @type {Mutant[]} */ (JSON.parse(readFileSync(at("tests", "mutants", name), "utf8"))));
+  .map(
+    (name) =>
+      /** @type {Mutant[]} */ (
+        JSON.parse(readFileSync(at("tests", "mutants", name), "utf8"))
+      ),
+  );
 const most = Math.max(...rooms.map((room) => room.length));
-const mutants = Array.from({ length: most }, (_, turn) => rooms.flatMap((room) => room[turn] ?? []))
+const mutants = Array.from({ length: most }, (_, turn) =>
+  rooms.flatMap((room) => room[turn] ?? []),
+)
   .flat()
-  .filter(({ name }) => parts.length === 0 || parts.some((part) => name.includes(part)));
+  .filter(
+    ({ name }) =>
+      parts.length === 0 || parts.some((part) => name.includes(part)),
+  );
 
 /** What is wrong with the list itself. */
 function faults() {
   const gone = mutants.filter(
-    ({ file, old }) => !existsSync(at(file)) || readFileSync(at(file), "utf8").split(old).length !== 2,
+    ({ file, old }) =>
+      !existsSync(at(file)) ||
+      readFileSync(at(file), "utf8").split(old).length !== 2,
   );
-  const twice = mutants.filter(({ name }, index) => mutants.findIndex((other) => other.name === name) !== index);
+  const twice = mutants.filter(
+    ({ name }, index) =>
+      mutants.findIndex((other) => other.name === name) !== index,
+  );
   return [
-    ...gone.map(({ name, file }) => `${name}: its text is not there exactly once in ${file}`),
+    ...gone.map(
+      ({ name, file }) =>
+        `${name}: its text is not there exactly once in ${file}`,
+    ),
     ...twice.map(({ name }) => `${name}: there are two of this name`),
   ];
 }
@@ -46,25 +72,42 @@ const env = {
 
 /** The tree as git sees it, copied where it changed: cargo and its caches take the rest as it was. Its packages are its own: npm would empty a folder that is linked. */
 function copy() {
-  const listed = run("git", ["ls-files", "--cached", "--others", "--exclude-standard", "-z"], { quiet: true });
-  const files = listed.split("\0").filter((name) => name && existsSync(at(name)));
+  const listed = run(
+    "git",
+    ["ls-files", "--cached", "--others", "--exclude-standard", "-z"],
+    { quiet: true },
+  );
+  const files = listed
+    .split("\0")
+    .filter((name) => name && existsSync(at(name)));
   // What is gone here would be compiled there.
-  for (const folder of ["src", "tests"].filter((name) => existsSync(join(tree, name)))) {
-    for (const entry of readdirSync(join(tree, folder), { recursive: true, withFileTypes: true })) {
+  for (const folder of ["src", "tests"].filter((name) =>
+    existsSync(join(tree, name)),
+  )) {
+    for (const entry of readdirSync(join(tree, folder), {
+      recursive: true,
+      withFileTypes: true,
+    })) {
       const file = join(entry.parentPath, entry.name);
       if (entry.isFile() && !files.includes(relative(tree, file))) rmSync(file);
     }
   }
   for (const file of files) {
     const to = join(tree, file);
-    if (existsSync(to) && readFileSync(to).equals(readFileSync(at(file)))) continue;
+    if (existsSync(to) && readFileSync(to).equals(readFileSync(at(file))))
+      continue;
     mkdirSync(dirname(to), { recursive: true });
     copyFileSync(at(file), to);
   }
 }
 
 const command = (/** @type {string} */ name, /** @type {string[]} */ args) =>
-  spawnSync(name, args, { cwd: tree, env, encoding: "utf8", maxBuffer: 2 ** 28 });
+  spawnSync(name, args, {
+    cwd: tree,
+    env,
+    encoding: "utf8",
+    maxBuffer: 2 ** 28,
+  });
 
 const isNode = (/** @type {Mutant} */ { test }) => test.includes(".mjs");
 
@@ -72,8 +115,11 @@ const isNode = (/** @type {Mutant} */ { test }) => test.includes(".mjs");
 function build(/** @type {Mutant[]} */ batch) {
   const steps = [];
   if (batch.some((mutant) => !isNode(mutant)))
-    steps.push(command("cargo", ["test", "--quiet", "--locked", "--lib", "--no-run"]));
-  if (batch.some(isNode)) steps.push(command("node", ["scripts/build.mjs", "--quick"]));
+    steps.push(
+      command("cargo", ["test", "--quiet", "--locked", "--lib", "--no-run"]),
+    );
+  if (batch.some(isNode))
+    steps.push(command("node", ["scripts/build.mjs", "--quick"]));
   return steps.find(({ status }) => status !== 0)?.stderr ?? "";
 }
 
@@ -100,7 +146,9 @@ function passes(/** @type {string} */ test) {
     `^${literal}$`,
     `tests/${file}.mjs`,
   ]);
-  return /^# tests 0$/m.test(stdout) || !/^# (pass|fail) [1-9]/m.test(stdout) ? null : status === 0;
+  return /^# tests 0$/m.test(stdout) || !/^# (pass|fail) [1-9]/m.test(stdout)
+    ? null
+    : status === 0;
 }
 
 const wrong = faults();
@@ -112,7 +160,11 @@ if (wrong.length === 0) {
   for (const test of new Set(mutants.map(({ test }) => test))) {
     const result = passes(test);
     if (result !== true)
-      wrong.push(result === null ? `${test}: there is no such test` : `${test}: it fails without a fault`);
+      wrong.push(
+        result === null
+          ? `${test}: there is no such test`
+          : `${test}: it fails without a fault`,
+      );
   }
 }
 let caught = 0;
@@ -133,7 +185,10 @@ while (rest.length > 0) {
       readFileSync(at(file), "utf8").replace(old, () => fault),
     );
   const broken = build(batch);
-  if (broken) wrong.push(`${batch.map(({ name }) => name).join(", ")}: not built\n${broken}`);
+  if (broken)
+    wrong.push(
+      `${batch.map(({ name }) => name).join(", ")}: not built\n${broken}`,
+    );
   else
     for (const { name, test } of batch) {
       const missed = passes(test);

@@ -30,8 +30,16 @@ function blankPlaces(/** @type {Buffer} */ data, /** @type {number} */ offset) {
     const length = data.readUInt32LE(i + 4);
     const line = data.readUInt32LE(i + 8);
     const column = data.readUInt32LE(i + 12);
-    if (start < 0 || start + length > data.length || length > 300 || line > 30_000 || column > 300) continue;
-    if (!/^[!-~]+\.rs$/.test(data.toString("latin1", start, start + length))) continue;
+    if (
+      start < 0 ||
+      start + length > data.length ||
+      length > 300 ||
+      line > 30_000 ||
+      column > 300
+    )
+      continue;
+    if (!/^[!-~]+\.rs$/.test(data.toString("latin1", start, start + length)))
+      continue;
     names.set(start, length);
     data.fill(0, i, i + 16);
     places++;
@@ -49,22 +57,28 @@ export async function trapPanics(/** @type {string} */ path) {
   const { default: binaryen } = await import("binaryen");
   const module = binaryen.readBinary(readFileSync(path));
   binaryen.setDebugInfo(true);
-  const bodies = /** @type {Bodies} */ (/** @type {unknown} */ (binaryen)).Function;
+  const bodies = /** @type {Bodies} */ (/** @type {unknown} */ (binaryen))
+    .Function;
   let functions = 0;
   for (let i = 0; i < module.getNumFunctions(); i++) {
     const fn = module.getFunctionByIndex(i);
     const { name, base } = binaryen.getFunctionInfo(fn);
-    const plain = name.replaceAll(/\\([0-9a-f]{2})/g, (_, code) => String.fromCharCode(Number.parseInt(code, 16)));
+    const plain = name.replaceAll(/\\([0-9a-f]{2})/g, (_, code) =>
+      String.fromCharCode(Number.parseInt(code, 16)),
+    );
     if (base || !PANICS.some((panic) => panic.test(plain))) continue;
     bodies.setBody(fn, module.unreachable());
     functions++;
   }
-  if (!module.validate()) throw new Error("The module without messages of panics is not valid");
+  if (!module.validate())
+    throw new Error("The module without messages of panics is not valid");
   const binary = Buffer.from(module.emitBinary());
   const segments = /** @type {Segments} */ (/** @type {unknown} */ (module));
   let places = 0;
   for (let i = 0; i < segments.getNumDataSegments(); i++) {
-    const { offset, data } = segments.getDataSegmentInfo(module.getDataSegmentByIndex(i));
+    const { offset, data } = segments.getDataSegmentInfo(
+      module.getDataSegmentByIndex(i),
+    );
     const at = binary.indexOf(Buffer.from(data));
     if (at < 0) continue;
     places += blankPlaces(binary.subarray(at, at + data.byteLength), offset);

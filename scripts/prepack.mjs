@@ -2,9 +2,12 @@
 import { readFileSync } from "node:fs";
 import { at } from "./lib.mjs";
 
-const module = (/** @type {string} */ name) => readFileSync(at("www", "core", "wasm", name));
+const module = (/** @type {string} */ name) =>
+  readFileSync(at("www", "core", "wasm", name));
 
 if (module("first.wasm").equals(module("touchpath_bg.wasm"))) {
-  console.error("dist/ is a quick build, which is not published: run `npm run build` first");
+  console.error(
+    "dist/ is a quick build, which is not published: run `npm run build` first",
+  );
   process.exit(1);
 }

@@ -13,30 +13,55 @@ const PLAIN = /** @type {Record<string, string>} */ ({
   object: "dict[str, Any]",
 });
 /** Words that no attribute of a class can be called. */
-const WORDS = new Set(["from", "in", "is", "class", "def", "pass", "None", "global", "import", "lambda", "with"]);
+const WORDS = new Set([
+  "from",
+  "in",
+  "is",
+  "class",
+  "def",
+  "pass",
+  "None",
+  "global",
+  "import",
+  "lambda",
+  "with",
+]);
 
-const literal = (/** @type {unknown[]} */ values) => `Literal[${values.map((one) => JSON.stringify(one)).join(", ")}]`;
+const literal = (/** @type {unknown[]} */ values) =>
+  `Literal[${values.map((one) => JSON.stringify(one)).join(", ")}]`;
 
 /** What a part may be, a union one by one. @param {Schema} part @returns {string[]} */
-const members = (part) => (part.anyOf ? part.anyOf.flatMap(members) : [typeOf(part)]);
+const members = (part) =>
+  part.anyOf ? part.anyOf.flatMap(members) : [typeOf(part)];
 
 /** The type of a part of the schema. @param {Schema} part @returns {string} */
 function typeOf(part) {
-  const of = (/** @type {Schema[]} */ parts) => [...new Set(parts.flatMap(members))].join(" | ");
-  if (part.$ref) return part.$ref.startsWith("#/$defs/") ? part.$ref.slice("#/$defs/".length) : "Job";
+  const of = (/** @type {Schema[]} */ parts) =>
+    [...new Set(parts.flatMap(members))].join(" | ");
+  if (part.$ref)
+    return part.$ref.startsWith("#/$defs/")
+      ? part.$ref.slice("#/$defs/".length)
+      : "Job";
   if (part.enum) return literal(part.enum);
   if (part.const !== undefined) return literal([part.const]);
   if (part.anyOf) return of(part.anyOf);
-  if (Array.isArray(part.type)) return of(part.type.map((/** @type {string} */ type) => ({ ...part, type })));
+  if (Array.isArray(part.type))
+    return of(
+      part.type.map((/** @type {string} */ type) => ({ ...part, type })),
+    );
   if (part.type === "array") {
-    const inner = [...(part.prefixItems ?? []), ...(part.items ? [part.items] : [])];
+    const inner = [
+      ...(part.prefixItems ?? []),
+      ...(part.items ? [part.items] : []),
+    ];
     return `list[${inner.length > 0 ? of(inner) : "Any"}]`;
   }
   return PLAIN[part.type] ?? "Any";
 }
 
 /** A text as comments. @param {string | undefined} text @param {string} indent */
-const comments = (text, indent) => (text ? text.split("\n").map((line) => `${indent}# ${line}`.trimEnd()) : []);
+const comments = (text, indent) =>
+  text ? text.split("\n").map((line) => `${indent}# ${line}`.trimEnd()) : [];
 
 /** Whether a definition is another name of a type. @param {Schema} part */
 const isAlias = (part) => part.type !== "object" || !part.properties;
@@ -49,7 +74,10 @@ function inOrder(all) {
     const own = all.find(([known]) => known === name);
     if (!own || done.has(name)) return;
     done.add(name);
-    for (const [, other] of JSON.stringify(own[1]).matchAll(/"#\/\$defs\/(\w+)"/g)) visit(String(other));
+    for (const [, other] of JSON.stringify(own[1]).matchAll(
+      /"#\/\$defs\/(\w+)"/g,
+    ))
+      visit(String(other));
     ordered.push(own);
   };
   for (const [name] of all) visit(name);
@@ -60,7 +88,9 @@ function inOrder(all) {
 function definition(name, part) {
   // Of a name that is made of itself, the inner one is not followed.
   if (isAlias(part))
-    return [`${name}: TypeAlias = ${typeOf(part).replaceAll(new RegExp(`\\b${name}\\b`, "g"), "Any")}`];
+    return [
+      `${name}: TypeAlias = ${typeOf(part).replaceAll(new RegExp(`\\b${name}\\b`, "g"), "Any")}`,
+    ];
   const fields = Object.entries(part.properties);
   const typed = (/** @type {string} */ key, /** @type {Schema} */ own) =>
     part.required?.includes(key) ? typeOf(own) : `NotRequired[${typeOf(own)}]`;
@@ -69,19 +99,26 @@ function definition(name, part) {
       `${name} = TypedDict(`,
       `    "${name}",`,
       "    {",
-      ...fields.map(([key, own]) => `        "${key}": ${JSON.stringify(typed(key, own))},`),
+      ...fields.map(
+        ([key, own]) => `        "${key}": ${JSON.stringify(typed(key, own))},`,
+      ),
       "    },",
       ")",
     ];
   return [
     `class ${name}(TypedDict):`,
-    ...fields.flatMap(([key, own]) => [...comments(own.description, "    "), `    ${key}: ${typed(key, own)}`]),
+    ...fields.flatMap(([key, own]) => [
+      ...comments(own.description, "    "),
+      `    ${key}: ${typed(key, own)}`,
+    ]),
   ];
 }
 
 /** All of it. */
 export function pythonTypes() {
-  const { $defs } = JSON.parse(readFileSync(at("dist", "answers.schema.json"), "utf8"));
+  const { $defs } = JSON.parse(
+    readFileSync(at("dist", "answers.schema.json"), "utf8"),
+  );
   const defined = /** @type {[string, Schema][]} */ (Object.entries($defs));
   const aliases = inOrder(defined.filter(([, part]) => isAlias(part)));
   const head = `"""What Touchpath answers, as types: of Plan, Finding, Measurement and the rest of touchpath/answers.schema.json.
@@ -96,8 +133,14 @@ from typing import Any, Literal, NotRequired, TypeAlias, TypedDict
 # A job, as touchpath/schema.json has it.
 Job: TypeAlias = dict[str, Any]
 `;
-  const all = [...defined.filter(([, part]) => !isAlias(part)), ...aliases].map(([name, part]) =>
-    ["", "", ...comments(part.description, ""), ...definition(name, part)].join("\n"),
+  const all = [...defined.filter(([, part]) => !isAlias(part)), ...aliases].map(
+    ([name, part]) =>
+      [
+        "",
+        "",
+        ...comments(part.description, ""),
+        ...definition(name, part),
+      ].join("\n"),
   );
   return `${head}${all.join("\n")}\n`;
 }

@@ -5,7 +5,8 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { at } from "./lib.mjs";
 
-const read = (/** @type {string[]} */ ...path) => readFileSync(at("dist", ...path), "utf8");
+const read = (/** @type {string[]} */ ...path) =>
+  readFileSync(at("dist", ...path), "utf8");
 
 /** A doc comment as one paragraph. */
 const plain = (/** @type {string} */ comment) =>
@@ -21,23 +22,39 @@ function declarations(/** @type {string} */ text) {
   const comment = String.raw`(?<comment>\/\*\*(?:(?!\*\/)[\s\S])*\*\/\n)?`;
   const long = String.raw`(?:interface|class) (?<long>\w+)[\s\S]*?^\}$`;
   const short = String.raw`(?:type|function|const) (?<short>\w+)(?:[^\n]*;|[\s\S]*?^\}[^\n]*;)$`;
-  const all = text.matchAll(new RegExp(`${comment}^export (?:declare )?(?<code>${long}|${short})`, "gm"));
+  const all = text.matchAll(
+    new RegExp(
+      `${comment}^export (?:declare )?(?<code>${long}|${short})`,
+      "gm",
+    ),
+  );
   return [...all].map(({ groups = {} }) => {
     const name = groups.long ?? groups.short ?? "";
-    return { name, comment: plain(groups.comment ?? ""), code: groups.code ?? "" };
+    return {
+      name,
+      comment: plain(groups.comment ?? ""),
+      code: groups.code ?? "",
+    };
   });
 }
 
 /** The names that a file of types exports, through all that it hands on. @returns {string[]} */
 function exported(/** @type {string} */ file) {
   const text = read(file);
-  const last = (/** @type {string} */ name) => name.split(" as ").at(-1)?.trim() ?? "";
-  const named = [...text.matchAll(/^export (?:type )?\{([^}]*)\}/gm)].flatMap(([, list = ""]) =>
-    list.split(",").map(last),
+  const last = (/** @type {string} */ name) =>
+    name.split(" as ").at(-1)?.trim() ?? "";
+  const named = [...text.matchAll(/^export (?:type )?\{([^}]*)\}/gm)].flatMap(
+    ([, list = ""]) => list.split(",").map(last),
   );
-  const all = [...text.matchAll(/^export (?:type )?\* from "\.\/([\w-]+)\.js"/gm)];
+  const all = [
+    ...text.matchAll(/^export (?:type )?\* from "\.\/([\w-]+)\.js"/gm),
+  ];
   const own = declarations(text).map(({ name }) => name);
-  return [...own, ...named.filter(Boolean), ...all.flatMap(([, name]) => exported(`${name}.d.ts`))];
+  return [
+    ...own,
+    ...named.filter(Boolean),
+    ...all.flatMap(([, name]) => exported(`${name}.d.ts`)),
+  ];
 }
 
 /** The functions of the package, in their order. */
@@ -54,7 +71,10 @@ function functions() {
 }
 
 /** The declarations of a file that are wanted, as TypeScript. */
-function types(/** @type {string} */ file, wanted = (/** @type {string} */ _name) => true) {
+function types(
+  /** @type {string} */ file,
+  wanted = (/** @type {string} */ _name) => true,
+) {
   return declarations(read(file))
     .filter(({ name }) => wanted(name))
     .map(
@@ -64,7 +84,8 @@ function types(/** @type {string} */ file, wanted = (/** @type {string} */ _name
     .join("\n");
 }
 
-const cell = (/** @type {string | undefined} */ text) => (text ?? "").replaceAll("|", "\\|").replaceAll(/\s+/g, " ");
+const cell = (/** @type {string | undefined} */ text) =>
+  (text ?? "").replaceAll("|", "\\|").replaceAll(/\s+/g, " ");
 
 /** Rows of the element's manifest. @param {string} head @param {any[]} rows @param {(row: any) => (string | undefined)[]} of */
 const table = (head, rows, of) => {
@@ -77,11 +98,21 @@ function view() {
   const types = read("browser.d.ts");
   const own = /export interface View [\s\S]*?^\}/m.exec(types)?.[0] ?? "";
   const named = /Pick<raw\.View, ([^>]*)>/.exec(types)?.[1] ?? "";
-  const whole = /export class View \{[\s\S]*?^\}/m.exec(read("wasm", "touchpath.d.ts"))?.[0] ?? "";
+  const whole =
+    /export class View \{[\s\S]*?^\}/m.exec(
+      read("wasm", "touchpath.d.ts"),
+    )?.[0] ?? "";
   const method = /\/\*\*((?:(?!\*\/)[\s\S])*)\*\/\n +(\w+\([^;]*);/g;
-  const taken = [...whole.matchAll(method)].filter(([, , code = ""]) => named.includes(`"${code.split("(")[0]}"`));
-  const rows = [...own.matchAll(method), ...taken].map(([, comment = "", code = ""]) => [code, plain(comment)]);
-  return table("method, meaning", rows, ([code, meaning]) => [`\`${code}\``, meaning]);
+  const taken = [...whole.matchAll(method)].filter(([, , code = ""]) =>
+    named.includes(`"${code.split("(")[0]}"`),
+  );
+  const rows = [...own.matchAll(method), ...taken].map(
+    ([, comment = "", code = ""]) => [code, plain(comment)],
+  );
+  return table("method, meaning", rows, ([code, meaning]) => [
+    `\`${code}\``,
+    meaning,
+  ]);
 }
 
 /** The types of the cycles' forms, with their pages of the manual. */
@@ -103,7 +134,8 @@ function cycles() {
 const code = (/** @type {string} */ text) => (text ? `\`${text}\`` : "");
 
 function element() {
-  const [one] = JSON.parse(read("custom-elements.json")).modules[0].declarations;
+  const [one] = JSON.parse(read("custom-elements.json")).modules[0]
+    .declarations;
   const order = one.attributes.filter((/** @type {any} */ a) => a.description);
   return `${one.description}
 
@@ -125,7 +157,8 @@ ${table("custom property, meaning", one.cssProperties, (p) => [code(p.name), p.d
 
 /** The elements that show panels of a job elsewhere: they differ in what they show. */
 function parts() {
-  const [, ...all] = JSON.parse(read("custom-elements.json")).modules[0].declarations;
+  const [, ...all] = JSON.parse(read("custom-elements.json")).modules[0]
+    .declarations;
   const [one] = all;
   return `### Panels elsewhere on the page
 
@@ -135,7 +168,11 @@ ${table("property, type, meaning", one.members, (m) => [code(m.name), code(m.typ
 }
 
 const forms = cycles();
-const help = execFileSync("node", [at("dist", "cli", "touchpath.js"), "--help"], { encoding: "utf8" });
+const help = execFileSync(
+  "node",
+  [at("dist", "cli", "touchpath.js"), "--help"],
+  { encoding: "utf8" },
+);
 const page = `# Reference
 
 <!-- generated: npm run build && node scripts/reference.mjs -->
@@ -207,14 +244,26 @@ ${help.replace(/^touchpath \S+:/, "touchpath:")}\`\`\`
 `;
 
 // Every name that can be imported stands in the page: declared, or as code.
-const entries = ["node.d.ts", "browser.d.ts", "frame.d.ts", "react.d.ts", "element/element.d.ts"];
+const entries = [
+  "node.d.ts",
+  "browser.d.ts",
+  "frame.d.ts",
+  "react.d.ts",
+  "element/element.d.ts",
+];
 // What only the page asks is declared nowhere.
 const inside = ["judged", "misfit"];
-const values = Object.keys(await import(pathToFileURL(at("dist", "node.js")).href)).filter(
-  (name) => !inside.includes(name),
-);
-const missing = [...new Set([...values, ...entries.flatMap((entry) => exported(entry))])].filter(
-  (name) => !new RegExp(`^(### |(interface|class|type|function|const) )${name}\\b|\`${name}\``, "m").test(page),
+const values = Object.keys(
+  await import(pathToFileURL(at("dist", "node.js")).href),
+).filter((name) => !inside.includes(name));
+const missing = [
+  ...new Set([...values, ...entries.flatMap((entry) => exported(entry))]),
+].filter(
+  (name) =>
+    !new RegExp(
+      `^(### |(interface|class|type|function|const) )${name}\\b|\`${name}\``,
+      "m",
+    ).test(page),
 );
 if (missing.length > 0) {
   console.error(`docs/reference.md lacks ${missing.join(", ")}`);
@@ -224,7 +273,10 @@ if (missing.length > 0) {
 const file = at("docs", "reference.md");
 if (process.argv[2] === "check") {
   if (readFileSync(file, "utf8") !== page) {
-    console.error("docs/reference.md is stale: run `node scripts/reference.mjs`");
+    console.error(
+      "docs/reference.md is stale: run `node scripts/reference.mjs`",
+    );
     process.exit(1);
   }
-} else if (process.argv[1] === fileURLToPath(import.meta.url)) writeFileSync(file, page);
+} else if (process.argv[1] === fileURLToPath(import.meta.url))
+  writeFileSync(file, page);

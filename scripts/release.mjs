@@ -9,17 +9,24 @@ const versions = {
   "package.json": JSON.parse(text("package.json")).version,
   "package-lock.json": JSON.parse(text("package-lock.json")).version,
   "Cargo.toml": /^version = "(.*)"$/m.exec(text("Cargo.toml"))?.[1],
-  "Cargo.lock": /name = "touchpath"\nversion = "(.*)"/.exec(text("Cargo.lock"))?.[1],
+  "Cargo.lock": /name = "touchpath"\nversion = "(.*)"/.exec(
+    text("Cargo.lock"),
+  )?.[1],
 };
 const problems = [];
 // npm holds a provenance against the repository that package.json names.
 if (!JSON.parse(text("package.json")).repository)
-  problems.push("package.json names no repository: npm publishes no provenance without it");
+  problems.push(
+    "package.json names no repository: npm publishes no provenance without it",
+  );
 const wanted = versions["package.json"];
 for (const [place, version] of Object.entries(versions))
-  if (version !== wanted) problems.push(`${place} says ${version}, package.json ${wanted}`);
+  if (version !== wanted)
+    problems.push(`${place} says ${version}, package.json ${wanted}`);
 const changelog = text("CHANGELOG.md");
-if (!changelog.includes(`\n## ${wanted}\n`)) problems.push(`CHANGELOG.md has no section ${wanted}`);
-if (/^## Not yet released$/m.test(changelog)) problems.push("CHANGELOG.md has changes that are not yet released");
+if (!changelog.includes(`\n## ${wanted}\n`))
+  problems.push(`CHANGELOG.md has no section ${wanted}`);
+if (/^## Not yet released$/m.test(changelog))
+  problems.push("CHANGELOG.md has changes that are not yet released");
 for (const problem of problems) console.error(problem);
 process.exit(problems.length > 0 ? 1 : 0);

@@ -28,7 +28,12 @@ const missing = ["ENOENT", "ENOTDIR", "ENAMETOOLONG", "ERR_INVALID_ARG_VALUE"];
  */
 function pathOf(folder, address) {
   try {
-    const path = resolve(join(folder, decodeURIComponent(new URL(address, "http://localhost").pathname)));
+    const path = resolve(
+      join(
+        folder,
+        decodeURIComponent(new URL(address, "http://localhost").pathname),
+      ),
+    );
     return path === folder || path.startsWith(folder + sep) ? path : null;
   } catch {
     return null;
@@ -36,7 +41,8 @@ function pathOf(folder, address) {
 }
 
 /** Whether a file never changes: the hash of what is in it is in its name. */
-export const lasts = (/** @type {string} */ file) => /-[\w-]{8}\.\w+$/.test(file);
+export const lasts = (/** @type {string} */ file) =>
+  /-[\w-]{8}\.\w+$/.test(file);
 
 /** Files as they were compressed, by name and time. @type {Map<string, Promise<Buffer>>} */
 const packed = new Map();
@@ -54,7 +60,11 @@ function compressed(handle, key) {
       .readFile()
       .then(
         (bytes) =>
-          new Promise((done, fail) => brotliCompress(bytes, { params }, (e, out) => (e ? fail(e) : done(out)))),
+          new Promise((done, fail) =>
+            brotliCompress(bytes, { params }, (e, out) =>
+              e ? fail(e) : done(out),
+            ),
+          ),
       );
     packed.set(key, known);
   }
@@ -70,7 +80,9 @@ function compressed(handle, key) {
 async function answer(path, response, brotli) {
   if (path === null) return 404;
   try {
-    const file = (await stat(path)).isDirectory() ? join(path, "index.html") : path;
+    const file = (await stat(path)).isDirectory()
+      ? join(path, "index.html")
+      : path;
     const handle = await open(file);
     const about = await handle.stat();
     if (!about.isFile()) {
@@ -82,15 +94,28 @@ async function answer(path, response, brotli) {
       "cache-control": lasts(file) ? "max-age=31536000, immutable" : "no-cache",
     };
     if (brotli && extname(file) !== ".png") {
-      const bytes = await compressed(handle, `${file} ${about.mtimeMs} ${about.size}`).finally(() => handle.close());
-      response.writeHead(200, { ...head, "content-encoding": "br", vary: "accept-encoding" }).end(bytes);
+      const bytes = await compressed(
+        handle,
+        `${file} ${about.mtimeMs} ${about.size}`,
+      ).finally(() => handle.close());
+      response
+        .writeHead(200, {
+          ...head,
+          "content-encoding": "br",
+          vary: "accept-encoding",
+        })
+        .end(bytes);
       return 200;
     }
     response.writeHead(200, head);
     pipeline(handle.createReadStream(), response, () => {});
     return 200;
   } catch (error) {
-    return missing.includes(/** @type {NodeJS.ErrnoException} */ (error).code ?? "") ? 404 : 500;
+    return missing.includes(
+      /** @type {NodeJS.ErrnoException} */ (error).code ?? "",
+    )
+      ? 404
+      : 500;
   }
 }
 
@@ -100,14 +125,27 @@ async function answer(path, response, brotli) {
  * @param {number} port
  * @returns {Promise<import("node:http").Server>}
  */
-export function serve(port, folder = at("dist", "page"), host = process.env.HOST ?? "127.0.0.1", compresses = false) {
+export function serve(
+  port,
+  folder = at("dist", "page"),
+  host = process.env.HOST ?? "127.0.0.1",
+  compresses = false,
+) {
   const root = resolve(folder);
   const server = createServer(async (request, response) => {
-    const brotli = compresses && /\bbr\b/.test(String(request.headers["accept-encoding"] ?? ""));
-    const status = await answer(pathOf(root, request.url ?? "/"), response, brotli);
+    const brotli =
+      compresses &&
+      /\bbr\b/.test(String(request.headers["accept-encoding"] ?? ""));
+    const status = await answer(
+      pathOf(root, request.url ?? "/"),
+      response,
+      brotli,
+    );
     if (status === 200) return;
     const words = status === 404 ? "not found" : "this file cannot be read";
-    response.writeHead(status, { "content-type": "text/plain; charset=utf-8" }).end(`${words}\n`);
+    response
+      .writeHead(status, { "content-type": "text/plain; charset=utf-8" })
+      .end(`${words}\n`);
   });
   return new Promise((done, fail) => {
     server.once("error", fail);
@@ -121,8 +159,12 @@ export function serve(port, folder = at("dist", "page"), host = process.env.HOST
  */
 export function addressOf(server) {
   const place = server.address();
-  if (!place || typeof place === "string") throw new Error("the server listens on a port");
-  const all = place.address === "0.0.0.0" || place.address === "::" || place.address === "127.0.0.1";
+  if (!place || typeof place === "string")
+    throw new Error("the server listens on a port");
+  const all =
+    place.address === "0.0.0.0" ||
+    place.address === "::" ||
+    place.address === "127.0.0.1";
   const name = place.family === "IPv6" ? `[${place.address}]` : place.address;
   return `http://${all ? "localhost" : name}:${place.port}/`;
 }

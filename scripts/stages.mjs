@@ -9,7 +9,8 @@ import { availableParallelism, constants, setPriority } from "node:os";
  * @typedef {{ name: string, after: string[], patient?: boolean, work: () => unknown }} Stage
  */
 
-const seconds = (/** @type {number} */ start) => (performance.now() - start) / 1000;
+const seconds = (/** @type {number} */ start) =>
+  (performance.now() - start) / 1000;
 
 /** Runs this script again with these arguments; gives what it printed, in its order, and whether it failed. */
 function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
@@ -24,7 +25,8 @@ function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
     if (patient && child.pid) yieldCores(child.pid);
     /** @type {Buffer[]} */
     const chunks = [];
-    for (const stream of [child.stdout, child.stderr]) stream.on("data", (chunk) => chunks.push(chunk));
+    for (const stream of [child.stdout, child.stderr])
+      stream.on("data", (chunk) => chunks.push(chunk));
     child.on("close", (code) => {
       running.delete(child);
       done({ printed: Buffer.concat(chunks), failed: code !== 0 });
@@ -37,7 +39,11 @@ function again(/** @type {string[]} */ args, /** @type {boolean} */ patient) {
 function yieldCores(/** @type {number} */ pid) {
   try {
     setPriority(pid, constants.priority.PRIORITY_BELOW_NORMAL);
-    if (process.platform === "linux") writeFileSync(`/proc/${pid}/autogroup`, String(constants.priority.PRIORITY_LOW));
+    if (process.platform === "linux")
+      writeFileSync(
+        `/proc/${pid}/autogroup`,
+        String(constants.priority.PRIORITY_LOW),
+      );
   } catch {
     // Without it the stages share as they are.
   }
@@ -85,7 +91,9 @@ export async function runStages(stages, args, hint = "") {
     if (failed) {
       stopAll();
       print(passed, start);
-      console.error(`\nFailed: ${name}. It alone: npm test -- "${name}". ${hint}`);
+      console.error(
+        `\nFailed: ${name}. It alone: npm test -- "${name}". ${hint}`,
+      );
       process.exit(1);
     }
     passed.set(name, seconds(own));
@@ -93,9 +101,13 @@ export async function runStages(stages, args, hint = "") {
   };
   for (;;) {
     const next = stages.filter(
-      ({ name, after }) => !passed.has(name) && !begun.has(name) && after.every((before) => passed.has(before)),
+      ({ name, after }) =>
+        !passed.has(name) &&
+        !begun.has(name) &&
+        after.every((before) => passed.has(before)),
     );
-    for (const one of next.slice(0, most - begun.size)) begun.set(one.name, begin(one));
+    for (const one of next.slice(0, most - begun.size))
+      begun.set(one.name, begin(one));
     if (begun.size === 0) break;
     await Promise.race(begun.values());
   }
@@ -103,8 +115,12 @@ export async function runStages(stages, args, hint = "") {
 }
 
 /** Prints every stage's time. */
-function print(/** @type {Map<string, number>} */ passed, /** @type {number} */ start) {
+function print(
+  /** @type {Map<string, number>} */ passed,
+  /** @type {number} */ start,
+) {
   console.log("\nStages, which run beside each other:");
-  for (const [name, time] of passed) console.log(`  ${time.toFixed(1).padStart(7)} s  ${name}`);
+  for (const [name, time] of passed)
+    console.log(`  ${time.toFixed(1).padStart(7)} s  ${name}`);
   console.log(`  ${seconds(start).toFixed(1).padStart(7)} s  in all`);
 }

@@ -5,7 +5,8 @@ import { addressOf, serve } from "./serve.mjs";
 
 await build({ quick: true });
 const wanted = process.env.PORT;
-const open = (/** @type {number} */ port) => serve(port, undefined, undefined, true);
+const open = (/** @type {number} */ port) =>
+  serve(port, undefined, undefined, true);
 const server = await open(Number(wanted ?? 4173)).catch((error) => {
   if (wanted || error.code !== "EADDRINUSE") throw error;
   return open(0);

@@ -4,7 +4,14 @@ import { spawnSync } from "node:child_process";
 import { readdirSync, rmSync } from "node:fs";
 import { dirname } from "node:path";
 import { parseArgs } from "node:util";
-import { build, buildPackage, compileModules, printSizes, targetOf, writeModules } from "./build.mjs";
+import {
+  build,
+  buildPackage,
+  compileModules,
+  printSizes,
+  targetOf,
+  writeModules,
+} from "./build.mjs";
 import {
   at,
   ensureBindgen,
@@ -31,7 +38,10 @@ const { values, positionals } = parseArgs({
   options: { seed: { type: "string" } },
   allowPositionals: true,
 });
-const seed = values.seed === undefined ? Date.now() % 2 ** 32 : Number(values.seed || Number.NaN);
+const seed =
+  values.seed === undefined
+    ? Date.now() % 2 ** 32
+    : Number(values.seed || Number.NaN);
 const random = { FUZZ_SEED: String(seed), PROPTEST_RNG_SEED: String(seed) };
 
 /** The test files of a folder, by name: what a folder means to Node's runner differs from version to version. */
@@ -41,16 +51,31 @@ const tests = (/** @type {string} */ folder) =>
     .map((name) => at("tests", folder, name));
 /** A test that hangs is a test that fails. */
 const patient = ["--test", "--test-timeout=900000"];
-const nodeTests = (/** @type {string} */ folder, /** @type {string[]} */ ...flags) =>
-  run("node", [...patient, ...flags, ...tests(folder).filter((file) => !file.endsWith(ENGINES))], {
-    env: { CHROMIUM: ensureChromium().shell },
-  });
+const nodeTests = (
+  /** @type {string} */ folder,
+  /** @type {string[]} */ ...flags
+) =>
+  run(
+    "node",
+    [
+      ...patient,
+      ...flags,
+      ...tests(folder).filter((file) => !file.endsWith(ENGINES)),
+    ],
+    {
+      env: { CHROMIUM: ensureChromium().shell },
+    },
+  );
 /** The tests in other browsers. */
 const ENGINES = "engines.test.mjs";
 
 /** The page in Firefox and WebKit, beside Chromium. */
 function engines() {
-  const [chromium, firefox, webkit] = [ensureChromium(), ensureFirefox(), ensureWebKit()];
+  const [chromium, firefox, webkit] = [
+    ensureChromium(),
+    ensureFirefox(),
+    ensureWebKit(),
+  ];
   const env = {
     CHROMIUM: chromium.shell,
     FIREFOX: firefox.browser,
@@ -68,7 +93,11 @@ const LEAST = { "test --node": 7, "test --headless --chrome": 7 };
 async function wasmPack(/** @type {string[]} */ ...args) {
   const command = args.join(" ");
   const least = LEAST[/** @type {keyof typeof LEAST} */ (command)] ?? 0;
-  const path = pathWith(ensureWasmPack(), await ensureBindgen(), dirname(ensureChromium().driver));
+  const path = pathWith(
+    ensureWasmPack(),
+    await ensureBindgen(),
+    dirname(ensureChromium().driver),
+  );
   const done = spawnSync("wasm-pack", args, {
     cwd: root,
     encoding: "utf8",
@@ -76,16 +105,18 @@ async function wasmPack(/** @type {string[]} */ ...args) {
     env: { ...process.env, ...path, CARGO_TARGET_DIR: targetOf("wasm") },
   });
   process.stdout.write(`${done.stdout ?? ""}${done.stderr ?? ""}`);
-  const passed = [...`${done.stdout}${done.stderr}`.matchAll(/(\d+) passed/g)].reduce(
-    (sum, [, n]) => sum + Number(n),
-    0,
-  );
+  const passed = [
+    ...`${done.stdout}${done.stderr}`.matchAll(/(\d+) passed/g),
+  ].reduce((sum, [, n]) => sum + Number(n), 0);
   if (done.status === 0 && passed >= least) return;
-  console.error(`wasm-pack ${command}: exit ${done.status}, ${passed} tests passed, ${least} expected`);
+  console.error(
+    `wasm-pack ${command}: exit ${done.status}, ${passed} tests passed, ${least} expected`,
+  );
   process.exit(1);
 }
 
-const cargo = (/** @type {string[]} */ ...args) => run("cargo", args, { env: { RUSTDOCFLAGS: "-D warnings" } });
+const cargo = (/** @type {string[]} */ ...args) =>
+  run("cargo", args, { env: { RUSTDOCFLAGS: "-D warnings" } });
 const clippy = (/** @type {string[]} */ ...args) =>
   cargo("clippy", "--quiet", "--locked", ...args, "--", "-D", "warnings");
 
@@ -124,7 +155,11 @@ function lints() {
     clippy("--lib", "--target", "wasm32-unknown-unknown", ...features);
 }
 
-const types = () => Promise.all([npx("tsc", "-p", "tsconfig.json"), npx("tsc", "-p", "tsconfig.scripts.json")]);
+const types = () =>
+  Promise.all([
+    npx("tsc", "-p", "tsconfig.json"),
+    npx("tsc", "-p", "tsconfig.scripts.json"),
+  ]);
 
 /** What `npm run check` asks. @type {Stage[]} */
 const CHECKS = [
@@ -166,14 +201,31 @@ const TESTS = [
     after: ["Package", "Debian packages"],
     work: () => nodeTests("page", "--test-concurrency=2"),
   },
-  { name: "Page tests in other browsers", after: ["Package", "Tools of tests"], work: engines },
+  {
+    name: "Page tests in other browsers",
+    after: ["Package", "Tools of tests"],
+    work: engines,
+  },
   { name: "Lints", patient: true, after: ["Rust"], work: lints },
-  { name: "Native tests, compiled", patient: true, after: ["Lints"], work: () => cargo(...native, "--no-run") },
+  {
+    name: "Native tests, compiled",
+    patient: true,
+    after: ["Lints"],
+    work: () => cargo(...native, "--no-run"),
+  },
   {
     name: "Native tests",
     patient: true,
     after: ["Native tests, compiled", "Debian packages"],
-    work: () => run("cargo", native, { env: { ...random, RS274: ensureInterpreter(), CI: "1", INSTA_UPDATE: "no" } }),
+    work: () =>
+      run("cargo", native, {
+        env: {
+          ...random,
+          RS274: ensureInterpreter(),
+          CI: "1",
+          INSTA_UPDATE: "no",
+        },
+      }),
   },
   {
     name: "WebAssembly tests",
@@ -191,13 +243,30 @@ const TESTS = [
     after: ["Package", "Native tests, compiled", "Debian packages"],
     work: () => nodeTests("projects"),
   },
-  { name: "Package tests", after: ["Package"], work: () => nodeTests("package") },
-  { name: "Fuzz", patient: true, after: ["Native tests, compiled"], work: () => fuzz(60_000, random) },
+  {
+    name: "Package tests",
+    after: ["Package"],
+    work: () => nodeTests("package"),
+  },
+  {
+    name: "Fuzz",
+    patient: true,
+    after: ["Native tests, compiled"],
+    work: () => fuzz(60_000, random),
+  },
   {
     name: "Oldest Rust",
     patient: true,
     after: ["Rust"],
-    work: () => cargo(`+${ensureOldestRust()}`, "check", "--quiet", "--locked", "--target-dir", targetOf("oldest")),
+    work: () =>
+      cargo(
+        `+${ensureOldestRust()}`,
+        "check",
+        "--quiet",
+        "--locked",
+        "--target-dir",
+        targetOf("oldest"),
+      ),
   },
   {
     name: "Documentation",
@@ -211,8 +280,15 @@ const TESTS = [
 
 const names = ["setup", "check", ...TESTS.map(({ name }) => name)];
 const [only, ...more] = positionals;
-if (more.length > 0 || (only && !names.includes(only)) || !Number.isSafeInteger(seed) || seed < 0) {
-  console.error(`test.mjs takes --seed with a whole number, and one of: ${names.join("; ")}`);
+if (
+  more.length > 0 ||
+  (only && !names.includes(only)) ||
+  !Number.isSafeInteger(seed) ||
+  seed < 0
+) {
+  console.error(
+    `test.mjs takes --seed with a whole number, and one of: ${names.join("; ")}`,
+  );
   process.exit(2);
 }
 const stage = TESTS.find(({ name }) => name === only);
@@ -220,7 +296,12 @@ const again = (/** @type {string} */ name) => [name, "--seed", String(seed)];
 const sameCases = `The same random cases again: npm test -- --seed ${seed}`;
 /** Only these stages: what they wait for besides is there. */
 const alone = (/** @type {Stage[]} */ stages) =>
-  stages.map((one) => ({ ...one, after: one.after.filter((name) => stages.some((other) => other.name === name)) }));
+  stages.map((one) => ({
+    ...one,
+    after: one.after.filter((name) =>
+      stages.some((other) => other.name === name),
+    ),
+  }));
 if (stage) await stage.work();
 else if (only === "setup") await runStages(alone(SETUP), again);
 else if (only === "check") {

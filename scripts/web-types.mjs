@@ -16,19 +16,25 @@ const described = (list = []) =>
 
 /** The file that `web-types` of package.json names. */
 export function webTypes() {
-  const json = (/** @type {string[]} */ ...path) => JSON.parse(readFileSync(at(...path), "utf8"));
+  const json = (/** @type {string[]} */ ...path) =>
+    JSON.parse(readFileSync(at(...path), "utf8"));
   const { name, version } = json("package.json");
   const declared = json("dist", "custom-elements.json").modules.flatMap(
     (/** @type {any} */ module) => module.declarations,
   );
   const elements = declared.map((/** @type {any} */ one) => {
-    const fields = one.members.filter((/** @type {any} */ member) => member.kind === "field");
+    const fields = one.members.filter(
+      (/** @type {any} */ member) => member.kind === "field",
+    );
     return {
       name: one.tagName,
       description: one.description,
       attributes: described(one.attributes),
       js: { properties: described(fields), events: described(one.events) },
-      css: { properties: described(one.cssProperties), parts: described(one.cssParts) },
+      css: {
+        properties: described(one.cssProperties),
+        parts: described(one.cssParts),
+      },
     };
   });
   return {

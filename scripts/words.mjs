@@ -4,8 +4,10 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Converter } from "opencc-js";
 
-const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../${path}`, import.meta.url));
-const json = (/** @type {string} */ path) => JSON.parse(readFileSync(at(path), "utf8"));
+const at = (/** @type {string} */ path) =>
+  fileURLToPath(new URL(`../${path}`, import.meta.url));
+const json = (/** @type {string} */ path) =>
+  JSON.parse(readFileSync(at(path), "utf8"));
 
 /** A double-quoted text after `t(` or `w(`. */
 const MARKED = /\b[tw]\(\s*("(?:[^"\\]|\\.)*")/g;
@@ -17,7 +19,9 @@ const files = ["www/core/report.ts"];
 /** Every English text that may be shown: those of the crate, and those that the page's sources mark. */
 export function texts() {
   const found = new Set(/** @type {string[]} */ (json("www/words/core.json")));
-  const sources = folders.flatMap((folder) => readdirSync(at(folder)).map((name) => `${folder}/${name}`));
+  const sources = folders.flatMap((folder) =>
+    readdirSync(at(folder)).map((name) => `${folder}/${name}`),
+  );
   for (const path of [...sources, ...files])
     if (path.endsWith(".ts"))
       for (const [, text] of readFileSync(at(path), "utf8").matchAll(MARKED))
@@ -51,17 +55,27 @@ export function simplified() {
   const convert = Converter({ from: "twp", to: "cn" });
   const said = (/** @type {string} */ text) =>
     TERMS.reduce((all, [from, to]) => all.replaceAll(from, to), convert(text));
-  return Object.fromEntries(Object.entries(wordsOf("zh-Hant")).map(([english, text]) => [english, said(text)]));
+  return Object.fromEntries(
+    Object.entries(wordsOf("zh-Hant")).map(([english, text]) => [
+      english,
+      said(text),
+    ]),
+  );
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const all = texts();
-  writeFileSync(at("www/words/zh-Hans.json"), `${JSON.stringify(simplified(), null, 2)}\n`);
+  writeFileSync(
+    at("www/words/zh-Hans.json"),
+    `${JSON.stringify(simplified(), null, 2)}\n`,
+  );
   for (const language of languages()) {
     const words = wordsOf(language);
     const missing = [...all].filter((text) => !Object.hasOwn(words, text));
     const unused = Object.keys(words).filter((text) => !all.has(text));
-    console.log(`${language}: ${missing.length} missing, ${unused.length} unused`);
+    console.log(
+      `${language}: ${missing.length} missing, ${unused.length} unused`,
+    );
     for (const text of missing) console.log(`  - ${JSON.stringify(text)}`);
     for (const text of unused) console.log(`  + ${JSON.stringify(text)}`);
   }

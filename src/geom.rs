@@ -70,7 +70,12 @@ impl Frame {
     pub fn new(plane: Plane, origin: Vec3, rotation: f64) -> Self {
         let [a, o, w] = plane.basis();
         let (sin, cos) = rotation.sin_cos();
-        Frame { origin, u: a * cos + o * sin, v: o * cos - a * sin, w }
+        Frame {
+            origin,
+            u: a * cos + o * sin,
+            v: o * cos - a * sin,
+            w,
+        }
     }
 
     /// The point (u, v, w) of this frame in the work coordinate system.
@@ -94,7 +99,10 @@ pub struct Rigid {
 impl Rigid {
     /// Turned by `rotation` (radians) about the tool axis of `plane` through the work origin, then shifted by `offset`.
     pub fn new(plane: Plane, offset: Vec3, rotation: f64) -> Self {
-        Rigid { frame: Frame::new(plane, offset, rotation), plane }
+        Rigid {
+            frame: Frame::new(plane, offset, rotation),
+            plane,
+        }
     }
 
     /// Where a point of the nominal part lies.

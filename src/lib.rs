@@ -23,7 +23,10 @@
 //!
 //! What this is not: a simulator of a machine. It knows the feature that is probed, not fixtures, axis limits or spindles; of the
 //! stylus it knows what the job says; and no program made here has been run on a machine by its authors.
-#![cfg_attr(all(target_arch = "wasm32", not(feature = "whole")), allow(dead_code, reason = "the rest of the module calls it"))]
+#![cfg_attr(
+    all(target_arch = "wasm32", not(feature = "whole")),
+    allow(dead_code, reason = "the rest of the module calls it")
+)]
 
 pub mod config;
 pub mod describe;
@@ -43,7 +46,10 @@ mod num;
 mod part;
 mod path;
 mod tolerance;
-#[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "most of it is drawn on the canvas of a page"))]
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    allow(dead_code, reason = "most of it is drawn on the canvas of a page")
+)]
 mod view;
 
 /// The examples of the README, run as tests.

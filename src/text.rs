@@ -43,23 +43,38 @@ pub(crate) use words;
 impl Text {
     /// Words that stand somewhere as data: the label of a field, what a rule asks.
     pub fn words(words: &'static str) -> Self {
-        Text { template: words, values: Vec::new() }
+        Text {
+            template: words,
+            values: Vec::new(),
+        }
     }
 
     /// Puts a value in place of the next name that has none. A call each, so that a text costs few bytes where it is made.
     #[inline(never)]
     pub fn fill(&mut self, value: impl Into<Part>) {
         self.values.push(value.into());
-        debug_assert!(self.values.len() <= names(self.template).len(), "each value of \"{}\" has its name", self.template);
+        debug_assert!(
+            self.values.len() <= names(self.template).len(),
+            "each value of \"{}\" has its name",
+            self.template
+        );
     }
 
     fn write(&self, out: &mut String) {
         if self.values.is_empty() {
-            debug_assert!(names(self.template).is_empty(), "each name of \"{}\" has its value", self.template);
+            debug_assert!(
+                names(self.template).is_empty(),
+                "each name of \"{}\" has its value",
+                self.template
+            );
             return out.push_str(self.template);
         }
         let names = names(self.template);
-        debug_assert!(names.len() == self.values.len(), "each name of \"{}\" has its value", self.template);
+        debug_assert!(
+            names.len() == self.values.len(),
+            "each name of \"{}\" has its value",
+            self.template
+        );
         for (before, name) in pieces(self.template) {
             out.push_str(before);
             let place = names.iter().position(|known| Some(*known) == name);
@@ -96,7 +111,10 @@ fn pieces(template: &str) -> impl Iterator<Item = (&str, Option<&str>)> {
         let text = rest?;
         for open in memchr::memchr_iter(b'{', text.as_bytes()) {
             let name = &text[open + 1..];
-            let end = name.bytes().position(|b| !b.is_ascii_alphanumeric() && b != b'_').unwrap_or(name.len());
+            let end = name
+                .bytes()
+                .position(|b| !b.is_ascii_alphanumeric() && b != b'_')
+                .unwrap_or(name.len());
             if end > 0 && name[end..].starts_with('}') {
                 rest = Some(&name[end + 1..]);
                 return Some((&text[..open], Some(&name[..end])));
@@ -188,8 +206,16 @@ mod tests {
     #[test]
     fn values_stand_in_place_of_names() {
         let inner = text!("a list of {count}", 3_usize);
-        let said = text!("{label} must be { x, y } of {n}, {label}, not {given}{n}", "Point", 2, inner);
-        assert_eq!(said.english(), "Point must be { x, y } of 2, Point, not a list of 32");
+        let said = text!(
+            "{label} must be { x, y } of {n}, {label}, not {given}{n}",
+            "Point",
+            2,
+            inner
+        );
+        assert_eq!(
+            said.english(),
+            "Point must be { x, y } of 2, Point, not a list of 32"
+        );
         assert_eq!(names("{a}{b}{a} {} {c d} {e_1}"), ["a", "b", "e_1"]);
         assert_eq!(Text::words("}{ {").english(), "}{ {");
     }

@@ -84,7 +84,11 @@ pub struct Answer {
 
 /// Answers a query. Total: every query has an answer.
 pub fn lentoax(query: &Query) -> Answer {
-    let nothing = |status| Answer { status, axind: [0; 3], matrix: [[0.0; 3]; 3] };
+    let nothing = |status| Answer {
+        status,
+        axind: [0; 3],
+        matrix: [[0.0; 3]; 3],
+    };
     let in_workpiece = match query.coord.to_ascii_uppercase().as_str() {
         "WCS" | "W" => true,
         // Without a kinematic transformation these do not see the frame.
@@ -99,14 +103,21 @@ pub fn lentoax(query: &Query) -> Answer {
     if query.sd42900 {
         lengths = DMat3::from_diagonal(mirror) * lengths;
     }
-    let seen = if in_workpiece { frame.transpose() * lengths } else { lengths };
+    let seen = if in_workpiece {
+        frame.transpose() * lengths
+    } else {
+        lengths
+    };
     read(query.plane.axes().map(|axis| seen.row(axis).to_array()))
 }
 
 /// _AXIND and the status from the matrix. A parallel one is cleared of what it is off; any other only of rounding, since one of
 /// its cosines can be all but 1 where the sine beside it is not yet 0.
 fn read(mut matrix: Rows) -> Answer {
-    let parallel = matrix.iter().flatten().all(|x| (x - x.round()).abs() <= PARALLEL);
+    let parallel = matrix
+        .iter()
+        .flatten()
+        .all(|x| (x - x.round()).abs() <= PARALLEL);
     let off = if parallel { PARALLEL } else { ROUNDING };
     for element in matrix.iter_mut().flatten() {
         let whole = element.round();
@@ -118,11 +129,18 @@ fn read(mut matrix: Rows) -> Answer {
     let axind = matrix.map(|row| {
         let most = row.iter().fold(0f64, |most, x| most.max(x.abs()));
         // Of equal ones the lower length.
-        let j = row.iter().position(|x| x.abs() >= most - PARALLEL).unwrap_or(0);
+        let j = row
+            .iter()
+            .position(|x| x.abs() >= most - PARALLEL)
+            .unwrap_or(0);
         let number = j as i32 + 1;
         if row[j] < 0.0 { -number } else { number }
     });
-    Answer { status: i32::from(!parallel), axind, matrix }
+    Answer {
+        status: i32::from(!parallel),
+        axind,
+        matrix,
+    }
 }
 
 /// The active frame's rotation and mirror part, BCS = F · WCS, and the sign of each axis by its mirrors alone.
@@ -204,7 +222,9 @@ fn assignment(query: &Query) -> DMat3 {
 pub fn meaning(status: i32) -> &'static str {
     match status {
         0 => words!("every length is parallel to an axis: _AXIND says it all"),
-        1 => words!("not every length is parallel to an axis: _MATRIX must be read, _AXIND names the dominant lengths"),
+        1 => words!(
+            "not every length is parallel to an axis: _MATRIX must be read, _AXIND names the dominant lengths"
+        ),
         -1 => words!("the coordinate system is not known"),
         _ => words!("no tool is active"),
     }
@@ -225,7 +245,11 @@ pub fn sentence(plane: Plane, answer: &Answer) -> Text {
                 if answer.status == 0 {
                     format!("{sign}{}", names[row])
                 } else {
-                    format!("{sign}{}·{}", crate::num::decimal(part.abs(), 4), names[row])
+                    format!(
+                        "{sign}{}·{}",
+                        crate::num::decimal(part.abs(), 4),
+                        names[row]
+                    )
                 }
             })
             .collect();
@@ -241,8 +265,9 @@ pub fn nc_block(query: &Query) -> String {
     let upper = query.coord.to_ascii_uppercase();
     // Nothing of a user's text reaches the lines.
     let coord = known.iter().find(|k| **k == upper).copied().unwrap_or("?");
-    let mut text =
-        format!("DEF INT _STAT\nDEF INT _AXIND[3]\nDEF REAL _MATRIX[3,3]\n_STAT=LENTOAX(_AXIND,_MATRIX,\"{coord}\")\n");
+    let mut text = format!(
+        "DEF INT _STAT\nDEF INT _AXIND[3]\nDEF REAL _MATRIX[3,3]\n_STAT=LENTOAX(_AXIND,_MATRIX,\"{coord}\")\n"
+    );
     for differs in differences(&lentoax(query)) {
         text.push_str(&format!(
             "IF {differs}\n  MSG(\"LENTOAX differs from what was expected\")\n  SETAL(65000)\n  M0\nENDIF\n"
@@ -256,16 +281,28 @@ fn differences(answer: &Answer) -> Vec<String> {
     let status = format!("_STAT<>{}", answer.status);
     match answer.status {
         0 => {
-            let axes = answer.axind.iter().enumerate().map(|(i, number)| format!("(_AXIND[{i}]<>{number})"));
+            let axes = answer
+                .axind
+                .iter()
+                .enumerate()
+                .map(|(i, number)| format!("(_AXIND[{i}]<>{number})"));
             let all: Vec<String> = std::iter::once(format!("({status})")).chain(axes).collect();
             vec![all.join(" OR ")]
         }
         1 => {
             // To less than a thousandth of a length; seven decimals are what a control shows.
             let off = |i: usize, j: usize| {
-                format!("(ABS(_MATRIX[{i},{j}]-({}))>0.0001)", crate::num::decimal(answer.matrix[i][j], 7))
+                format!(
+                    "(ABS(_MATRIX[{i},{j}]-({}))>0.0001)",
+                    crate::num::decimal(answer.matrix[i][j], 7)
+                )
             };
-            let row = |i: usize| (0..3).map(|j| off(i, j)).collect::<Vec<String>>().join(" OR ");
+            let row = |i: usize| {
+                (0..3)
+                    .map(|j| off(i, j))
+                    .collect::<Vec<String>>()
+                    .join(" OR ")
+            };
             std::iter::once(status).chain((0..3).map(row)).collect()
         }
         _ => vec![status],

@@ -12,7 +12,9 @@ wasm_bindgen_test_configure!(run_in_browser);
 
 fn canvas() -> HtmlCanvasElement {
     let make = js_sys::Function::new_no_args("return document.createElement('canvas')");
-    make.call0(&wasm_bindgen::JsValue::NULL).unwrap().unchecked_into()
+    make.call0(&wasm_bindgen::JsValue::NULL)
+        .unwrap()
+        .unchecked_into()
 }
 
 /// How many pixels differ from the first one.
@@ -22,7 +24,11 @@ fn painted(canvas: &HtmlCanvasElement) -> u32 {
         "const d = new Uint32Array(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.buffer);
          return d.reduce((n, p) => n + (p !== d[0]), 0)",
     );
-    count.call1(&wasm_bindgen::JsValue::NULL, canvas).unwrap().as_f64().unwrap() as u32
+    count
+        .call1(&wasm_bindgen::JsValue::NULL, canvas)
+        .unwrap()
+        .as_f64()
+        .unwrap() as u32
 }
 
 #[wasm_bindgen_test]
@@ -30,7 +36,11 @@ fn a_picture_is_drawn_picked_and_dragged() {
     let canvas = canvas();
     let mut view = View::new(canvas.clone()).expect("a canvas has a context");
     view.resize(400.0, 300.0, 2.0);
-    assert_eq!((canvas.width(), canvas.height()), (800, 600), "sharp on a dense screen");
+    assert_eq!(
+        (canvas.width(), canvas.height()),
+        (800, 600),
+        "sharp on a dense screen"
+    );
     assert_eq!(painted(&canvas), 0);
     let (codes, text) = wasm::coded(&wasm::pocket());
     assert!(view.show(&codes, &text));
@@ -48,6 +58,9 @@ fn a_picture_is_drawn_picked_and_dragged() {
     let turned = view.drag_part("turn", 200.0, 50.0).unwrap();
     assert_eq!(wasm::get(&turned, "rotation").as_f64(), Some(90.0));
     let (codes, text) = wasm::coded(&wasm::parse("{}"));
-    assert!(!view.show(&codes, &text), "a refused job leaves the picture");
+    assert!(
+        !view.show(&codes, &text),
+        "a refused job leaves the picture"
+    );
     assert!(painted(&canvas) > 2000);
 }

@@ -30,5 +30,7 @@ export interface TouchPartAttributes {
 
 /** The listeners of `<touch-path>`, as React and Svelte have them: `onjob-change`. */
 export type TouchPathListeners = {
-  [K in keyof TouchPathEvents as `on${K}`]?: (event: TouchPathEvents[K]) => void;
+  [K in keyof TouchPathEvents as `on${K}`]?: (
+    event: TouchPathEvents[K],
+  ) => void;
 };

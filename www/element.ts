@@ -1,6 +1,13 @@
 // <touch-path>: the whole of Touchpath as one element. This file is small and loads the rest, with the WebAssembly module beside it, when the
 // first element is put into a document.
-import type { Config, Cycle, Finding, Job, PanelName, Plan } from "./core/types.js";
+import type {
+  Config,
+  Cycle,
+  Finding,
+  Job,
+  PanelName,
+  Plan,
+} from "./core/types.js";
 import type { App } from "./parts/app.js";
 import type { Store } from "./store.js";
 
@@ -9,13 +16,25 @@ type View = "top" | "front" | "side" | "isometric";
 
 export type { PanelName };
 
-const PANEL_NAMES: PanelName[] = ["form", "stage", "program", "table", "results", "checks"];
+const PANEL_NAMES: PanelName[] = [
+  "form",
+  "stage",
+  "program",
+  "table",
+  "results",
+  "checks",
+];
 
 /** What the events of the element carry, by name. */
 export interface TouchPathEvents {
   "job-change": CustomEvent<{ job: Job }>;
   "plan-change": CustomEvent<{ plan: Plan }>;
-  "program-save": CustomEvent<{ name: string; text: string; post: string; extension: string }>;
+  "program-save": CustomEvent<{
+    name: string;
+    text: string;
+    post: string;
+    extension: string;
+  }>;
   "selection-change": CustomEvent<Selection>;
   "measured-change": CustomEvent<{ measured: string }>;
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
@@ -49,8 +68,14 @@ const isWordy = (name: string): name is Wordy => Object.hasOwn(WORDS, name);
 
 /** Whether a value is one of the words; of panels, some of them. */
 function isKnown(name: Wordy, value: unknown): boolean {
-  const words = name === "panels" && typeof value === "string" ? value.split(/\s+/).filter(Boolean) : [value];
-  return words.length > 0 && words.every((word) => (WORDS[name] as readonly unknown[]).includes(word));
+  const words =
+    name === "panels" && typeof value === "string"
+      ? value.split(/\s+/).filter(Boolean)
+      : [value];
+  return (
+    words.length > 0 &&
+    words.every((word) => (WORDS[name] as readonly unknown[]).includes(word))
+  );
 }
 
 /** Sets again what was set before the class of an element was known: it hides the class's own properties. */
@@ -138,7 +163,16 @@ export class TouchPath extends Base {
   static readonly formAssociated = true;
   /** The version of the package. If a page loads two versions, the first one defines the elements; the other one is had by `define(name)`. */
   static readonly version = VERSION;
-  static readonly observedAttributes = [...INPUTS, "lang", "theme", "readonly", "panels", "mode", "view", "storage"];
+  static readonly observedAttributes = [
+    ...INPUTS,
+    "lang",
+    "theme",
+    "readonly",
+    "panels",
+    "mode",
+    "view",
+    "storage",
+  ];
 
   /** The page's state, once it is loaded. Not part of what is promised. @internal */
   store?: Store;
@@ -211,7 +245,9 @@ export class TouchPath extends Base {
       (why) => {
         this.loading = false;
         attempt.fail(why);
-        this.dispatchEvent(new ErrorEvent("error", { error: why, message: String(why) }));
+        this.dispatchEvent(
+          new ErrorEvent("error", { error: why, message: String(why) }),
+        );
       },
     );
   }
@@ -220,7 +256,11 @@ export class TouchPath extends Base {
     this.app?.remove();
   }
 
-  attributeChangedCallback(name: string, before: string | null, value: string | null): void {
+  attributeChangedCallback(
+    name: string,
+    before: string | null,
+    value: string | null,
+  ): void {
     if (value === before) return;
     if ((INPUTS as readonly string[]).includes(name)) {
       this.put(name as Input, value, this.waiting);
@@ -278,7 +318,9 @@ export class TouchPath extends Base {
 
   /** The plan of the job: a copy; null while the job has errors, or nothing is loaded. */
   get plan(): Plan | null {
-    return this.store && !this.store.stale ? structuredClone(this.store.plan) : null;
+    return this.store && !this.store.stale
+      ? structuredClone(this.store.plan)
+      : null;
   }
 
   /** Everything that is wrong, unusual or worth knowing about the job: a copy. */
@@ -315,7 +357,9 @@ export class TouchPath extends Base {
 
   /** For whom it is shown: `cam` shows what only the author of a postprocessor needs. */
   get mode(): "setter" | "cam" {
-    return (this.words.get("mode") ?? (this.store?.cam ? "cam" : "setter")) as "setter" | "cam";
+    return (this.words.get("mode") ?? (this.store?.cam ? "cam" : "setter")) as
+      | "setter"
+      | "cam";
   }
 
   set mode(value: "setter" | "cam" | null | undefined) {
@@ -364,7 +408,11 @@ export class TouchPath extends Base {
   highlight(move: number | null): void {
     const { store } = this;
     if (!store) return;
-    const known = typeof move === "number" && Number.isInteger(move) && move >= 0 && move < store.plan.moves.length;
+    const known =
+      typeof move === "number" &&
+      Number.isInteger(move) &&
+      move >= 0 &&
+      move < store.plan.moves.length;
     store.point(known ? move : null);
   }
 
@@ -403,7 +451,9 @@ export class TouchPath extends Base {
   /** The job as JSON, as a form submits it: for form libraries. Setting it sets `job`. Empty until a job is set or the element is loaded. */
   get value(): string {
     const { store } = this;
-    return store ? JSON.stringify(store.job) : (textOf(this.later.job ?? this.waiting.job) ?? "");
+    return store
+      ? JSON.stringify(store.job)
+      : (textOf(this.later.job ?? this.waiting.job) ?? "");
   }
 
   set value(value: string) {
@@ -500,22 +550,44 @@ export class TouchPath extends Base {
     for (const [name, value] of Object.entries(state)) {
       if (value === undefined) continue;
       if (!isWordy(name)) {
-        found.push(...store.outside.refusals(name as Input | "lang" | "readonly", value, state));
-      } else if (!isKnown(name, value)) found.push(store.outside.unknown(name, WORDS[name], name === "panels"));
+        found.push(
+          ...store.outside.refusals(
+            name as Input | "lang" | "readonly",
+            value,
+            state,
+          ),
+        );
+      } else if (!isKnown(name, value))
+        found.push(store.outside.unknown(name, WORDS[name], name === "panels"));
     }
     return found;
   }
 
   /** Takes what is set at one time, in whatever order it was said: a job names its own control and units, or has those beside it; a cycle beside it is its cycle. @internal */
   take({ config, job, cycle, post, units, measured }: Inputs): void {
-    for (const [input, value] of Object.entries({ config, post, units, cycle, job, measured }))
+    for (const [input, value] of Object.entries({
+      config,
+      post,
+      units,
+      cycle,
+      job,
+      measured,
+    }))
       this.put(input as Input, value);
-    if (job && cycle && this.store?.outside.refusals("cycle", cycle).length === 0) this.put("cycle", cycle);
+    if (
+      job &&
+      cycle &&
+      this.store?.outside.refusals("cycle", cycle).length === 0
+    )
+      this.put("cycle", cycle);
   }
 
   /** The config from a script in the element's markup. */
   private inScript(): string | undefined {
-    return this.querySelector(':scope > script[type="application/json"]')?.textContent ?? undefined;
+    return (
+      this.querySelector(':scope > script[type="application/json"]')
+        ?.textContent ?? undefined
+    );
   }
 
   private get shadow(): ShadowRoot {
@@ -525,7 +597,9 @@ export class TouchPath extends Base {
   private async load(): Promise<void> {
     try {
       // One module for every element of the page, and with it one WebAssembly module.
-      const { App, Store, awaited, hold, kept, styles } = await import("./parts/app.js");
+      const { App, Store, awaited, hold, kept, styles } = await import(
+        "./parts/app.js"
+      );
       const local = this.storage === "local";
       const given = { config: this.inScript(), ...this.waiting };
       // Before the module is there only the job of a first visit can be shown: another tab may have kept one by now.
@@ -541,14 +615,22 @@ export class TouchPath extends Base {
       this.store = store;
       this.take(given);
       this.take(this.later);
-      for (const name of Object.keys(WORDS)) this.word(name as Wordy, this.getAttribute(name));
+      for (const name of Object.keys(WORDS))
+        this.word(name as Wordy, this.getAttribute(name));
       this.first = structuredClone(store.job);
       if (this.restored !== undefined) this.use("job", this.restored);
       store.clear();
       this.shadow.adoptedStyleSheets = [styles];
-      const app = new App(store, { host: this, local, links: this.hasAttribute("links") });
+      const app = new App(store, {
+        host: this,
+        local,
+        links: this.hasAttribute("links"),
+      });
       // The words are there before anything is shown; where they do not come, English is shown until they do.
-      await Promise.race([app.reword(), new Promise((done) => setTimeout(done, 3000))]);
+      await Promise.race([
+        app.reword(),
+        new Promise((done) => setTimeout(done, 3000)),
+      ]);
       this.app = app;
       this.applyOptions();
       this.shadow.replaceChildren(app);
@@ -564,7 +646,10 @@ export class TouchPath extends Base {
   }
 
   /** Waits for the module, and catches up with what was typed and set until then. */
-  private async arrive(app: App, release: (enter: boolean) => void): Promise<void> {
+  private async arrive(
+    app: App,
+    release: (enter: boolean) => void,
+  ): Promise<void> {
     try {
       await app.arrived();
     } catch (thrown) {
@@ -599,12 +684,24 @@ export class TouchPath extends Base {
       commit = false;
       this.dispatchEvent(new Event("change", { bubbles: true }));
     };
-    let selection = JSON.stringify({ move: null, line: null, touch: null, field: null });
+    let selection = JSON.stringify({
+      move: null,
+      line: null,
+      touch: null,
+      field: null,
+    });
     const selected = () => {
       const { selected: move, focused: field } = store;
-      const line = move === null ? -1 : (store.plan.program.moveLines[move] ?? -1);
-      const touch = move === null ? null : (store.plan.moves[move]?.touch ?? null);
-      const now: Selection = { move, line: line < 0 ? null : line, touch, field };
+      const line =
+        move === null ? -1 : (store.plan.program.moveLines[move] ?? -1);
+      const touch =
+        move === null ? null : (store.plan.moves[move]?.touch ?? null);
+      const now: Selection = {
+        move,
+        line: line < 0 ? null : line,
+        touch,
+        field,
+      };
       if (JSON.stringify(now) === selection) return;
       selection = JSON.stringify(now);
       this.tell("selection-change", now);
@@ -619,14 +716,23 @@ export class TouchPath extends Base {
       job = JSON.stringify(store.job);
       this.inside.setFormValue(job);
       // The browser shows a message where it can put the focus.
-      const anchor = app.querySelector<HTMLElement>("tp-bar select:enabled, canvas[tabindex]");
+      const anchor = app.querySelector<HTMLElement>(
+        "tp-bar select:enabled, canvas[tabindex]",
+      );
       if (store.withheld === null) this.inside.setValidity({});
-      else this.inside.setValidity({ customError: true }, store.withheld, anchor ?? undefined);
+      else
+        this.inside.setValidity(
+          { customError: true },
+          store.withheld,
+          anchor ?? undefined,
+        );
       // What was typed may have changed without the job: `30+2` is worked out when the field is left.
       if (byUser && job !== before) {
         store.outside.sent(job);
         this.tell("job-change", { job: JSON.parse(job) });
-        this.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+        this.dispatchEvent(
+          new Event("input", { bubbles: true, composed: true }),
+        );
         commit = true;
       }
       if (!stale && store.plan !== plan) {
@@ -651,9 +757,17 @@ export class TouchPath extends Base {
   }
 
   /** Dispatches an event; false where a listener has cancelled it. @internal */
-  tell<K extends keyof TouchPathEvents>(name: K, detail: TouchPathEvents[K]["detail"]): boolean {
+  tell<K extends keyof TouchPathEvents>(
+    name: K,
+    detail: TouchPathEvents[K]["detail"],
+  ): boolean {
     return this.dispatchEvent(
-      new CustomEvent(name, { detail, bubbles: true, composed: true, cancelable: name === "program-save" }),
+      new CustomEvent(name, {
+        detail,
+        bubbles: true,
+        composed: true,
+        cancelable: name === "program-save",
+      }),
     );
   }
 
@@ -674,19 +788,24 @@ export class TouchPath extends Base {
     if (!this.store) early[input] = value;
     else if (this.early) this.early[input] = value;
     else if (value !== null) this.use(input, value);
-    else if (input !== "job" && input !== "measured") this.store.outside.release(input);
+    else if (input !== "job" && input !== "measured")
+      this.store.outside.release(input);
     if (this.store && input === "config") this.applyOptions();
     // A form that is sent before anything is loaded sends what it was given.
     if (!this.store && input === "job") {
       this.inside.setFormValue(textOf(value));
-      this.inside.setValidity({ customError: true }, "The job is not checked yet");
+      this.inside.setValidity(
+        { customError: true },
+        "The job is not checked yet",
+      );
     }
   }
 
   /** Takes an input, or says why it cannot be taken. */
   private use(input: Input, value: unknown): void {
     const refused = this.store?.outside.input(input, value) ?? [];
-    if (refused.length > 0) this.tell("finding", { findings: refused, refused: true });
+    if (refused.length > 0)
+      this.tell("finding", { findings: refused, refused: true });
   }
 
   /** Takes a word, or says why it cannot be taken: as soon as there is something to say it. */
@@ -694,10 +813,13 @@ export class TouchPath extends Base {
     if (value === null) this.words.delete(name);
     else if (isKnown(name, value)) {
       this.words.set(name, value);
-      if (name === "view") for (const app of [this.app, ...this.lent.values()]) if (app) app.view = value as View;
+      if (name === "view")
+        for (const app of [this.app, ...this.lent.values()])
+          if (app) app.view = value as View;
     } else {
       const refused = this.refusals({ [name]: value });
-      if (refused.length > 0) this.tell("finding", { findings: refused, refused: true });
+      if (refused.length > 0)
+        this.tell("finding", { findings: refused, refused: true });
     }
   }
 
@@ -711,7 +833,9 @@ export class TouchPath extends Base {
       const words = panels.split(/\s+/);
       app.applyOptions(
         this.theme,
-        PANEL_NAMES.filter((name) => words.includes(name) && store.rules.shows(name)),
+        PANEL_NAMES.filter(
+          (name) => words.includes(name) && store.rules.shows(name),
+        ),
         asked,
       );
     };
@@ -720,10 +844,20 @@ export class TouchPath extends Base {
   }
 
   /** Shows panels of the job in another element: what is to be put into it, or is put into it again. @internal */
-  async lend(part: TouchPart, again?: App): Promise<{ app: App; styles: CSSStyleSheet[] }> {
+  async lend(
+    part: TouchPart,
+    again?: App,
+  ): Promise<{ app: App; styles: CSSStyleSheet[] }> {
     await this.ready;
     const { App, partStyles, styles } = await import("./parts/app.js");
-    const app = again ?? new App(this.store as Store, { host: this, local: false, links: false, lent: true });
+    const app =
+      again ??
+      new App(this.store as Store, {
+        host: this,
+        local: false,
+        links: false,
+        lent: true,
+      });
     if (!again) {
       if (this.words.has("view")) app.view = this.view;
       this.closes(app);
@@ -740,7 +874,10 @@ export class TouchPath extends Base {
 
   /** What shows the job's picture: this element, or another one. */
   private get pictured(): App | undefined {
-    return [this.app, ...this.lent.values()].find((app) => app?.hasPicture) ?? this.app;
+    return (
+      [this.app, ...this.lent.values()].find((app) => app?.hasPicture) ??
+      this.app
+    );
   }
 }
 
@@ -773,7 +910,9 @@ export class TouchPart extends Base {
   get session(): TouchPath | null {
     const session = this.asked ?? this.found();
     // One whose class is not known yet shows nothing so far.
-    return session instanceof HTMLElement && "lend" in session ? (session as TouchPath) : null;
+    return session instanceof HTMLElement && "lend" in session
+      ? (session as TouchPath)
+      : null;
   }
 
   set session(session: TouchPath | null | undefined) {
@@ -805,12 +944,18 @@ export class TouchPart extends Base {
     this.detach();
   }
 
-  attributeChangedCallback(name: string, before: string | null, value: string | null): void {
+  attributeChangedCallback(
+    name: string,
+    before: string | null,
+    value: string | null,
+  ): void {
     if (value === before) return;
     if (name === "for") this.attach();
     else {
-      const refused = value === null ? [] : (this.whose?.refusals({ panels: value }) ?? []);
-      if (refused.length > 0) this.whose?.tell("finding", { findings: refused, refused: true });
+      const refused =
+        value === null ? [] : (this.whose?.refusals({ panels: value }) ?? []);
+      if (refused.length > 0)
+        this.whose?.tell("finding", { findings: refused, refused: true });
       this.whose?.applyOptions();
     }
   }
@@ -818,7 +963,9 @@ export class TouchPart extends Base {
   private found(): Element | null {
     const id = this.getAttribute("for");
     const root = this.getRootNode();
-    return id && (root instanceof Document || root instanceof ShadowRoot) ? root.getElementById(id) : null;
+    return id && (root instanceof Document || root instanceof ShadowRoot)
+      ? root.getElementById(id)
+      : null;
   }
 
   /** An element has come into the page. */
@@ -835,7 +982,10 @@ export class TouchPart extends Base {
     const { attempt } = this;
     const root = this.shadowRoot as ShadowRoot;
     try {
-      const { app, styles } = await session.lend(this, this.held?.session === session ? this.held.app : undefined);
+      const { app, styles } = await session.lend(
+        this,
+        this.held?.session === session ? this.held.app : undefined,
+      );
       if (this.whose !== session) return session.takeBack(this);
       this.held = { session, app };
       root.adoptedStyleSheets = styles;
@@ -931,10 +1081,14 @@ declare global {
 
 // Where another version of this file was first, its elements stay: this one can be had by another name.
 if (globalThis.customElements) {
-  if (!customElements.get("touch-path")) customElements.define("touch-path", TouchPath);
-  if (!customElements.get("touch-form")) customElements.define("touch-form", TouchForm);
-  if (!customElements.get("touch-picture")) customElements.define("touch-picture", TouchPicture);
-  if (!customElements.get("touch-program")) customElements.define("touch-program", TouchProgram);
+  if (!customElements.get("touch-path"))
+    customElements.define("touch-path", TouchPath);
+  if (!customElements.get("touch-form"))
+    customElements.define("touch-form", TouchForm);
+  if (!customElements.get("touch-picture"))
+    customElements.define("touch-picture", TouchPicture);
+  if (!customElements.get("touch-program"))
+    customElements.define("touch-program", TouchProgram);
 }
 
 /**
@@ -945,7 +1099,9 @@ if (globalThis.customElements) {
 export function define(name: string): void {
   if (!globalThis.customElements) return;
   // A second copy of one version shares what the first has defined inside.
-  const known = customElements.get("touch-path") as typeof TouchPath | undefined;
+  const known = customElements.get("touch-path") as
+    | typeof TouchPath
+    | undefined;
   const version = known?.version === TouchPath.version ? known : TouchPath;
   customElements.define(name, class extends version {});
 }

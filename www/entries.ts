@@ -1,5 +1,11 @@
 // What the catalog knows of the job in the form: its cycle, its control, its fields.
-import { type CycleEntry, type FieldEntry, type PostEntry, say, type Words } from "./core/browser.js";
+import {
+  type CycleEntry,
+  type FieldEntry,
+  type PostEntry,
+  say,
+  type Words,
+} from "./core/browser.js";
 import { alike, type Draft, valueAt } from "./job.js";
 import { tidy } from "./number.js";
 import { Phrases } from "./phrases.js";
@@ -21,7 +27,10 @@ export abstract class Entries extends Phrases {
   /** The entry of the job's cycle. */
   get cycle(): CycleEntry {
     const type = (this.draft.cycle as Draft).type;
-    return this.catalog.cycles.find((c) => c.type === type) ?? (this.catalog.cycles[0] as CycleEntry);
+    return (
+      this.catalog.cycles.find((c) => c.type === type) ??
+      (this.catalog.cycles[0] as CycleEntry)
+    );
   }
 
   /** The units of the job. */
@@ -46,19 +55,27 @@ export abstract class Entries extends Phrases {
 
   /** The forms in which a control takes a cycle; none where it does not. */
   formsOf(post: unknown, type: string): Form[] {
-    const takes = this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ?? [];
-    return takes.map((c) => c.form).filter((form) => this.rules.allowsForm(form));
+    const takes =
+      this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ??
+      [];
+    return takes
+      .map((c) => c.form)
+      .filter((form) => this.rules.allowsForm(form));
   }
 
   /** Whether the control's own cycle corrects the active preset by itself, so that no work offset is chosen. */
   ownPreset(post: unknown, type: string): boolean {
-    const forms = this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ?? [];
+    const forms =
+      this.postOf(post)?.cycles.filter((c) => c.type === type && c.supported) ??
+      [];
     return forms.some((c) => c.ownPreset);
   }
 
   /** What a control calls the work offset of a number. */
   protected offsetWord(post: unknown, number: unknown): string | undefined {
-    return typeof number === "number" ? this.postOf(post)?.workOffsetWords[number - 1] : undefined;
+    return typeof number === "number"
+      ? this.postOf(post)?.workOffsetWords[number - 1]
+      : undefined;
   }
 
   /** What the job's control becomes with another one: that has its form for this cycle, and a work offset only if it calls it by the same word. */
@@ -68,18 +85,26 @@ export abstract class Entries extends Phrases {
     // A form that was the only one of its control was not chosen: cycles of another control's own may not be there.
     const chosen = this.formsOf(control.post, this.cycle.type).length > 1;
     if (form) control.form = form;
-    else if (forms.length > 0 && !(chosen && forms.includes(control.form as Form))) control.form = forms[0];
+    else if (
+      forms.length > 0 &&
+      !(chosen && forms.includes(control.form as Form))
+    )
+      control.form = forms[0];
     return { ...control, workOffset: this.offsetOn(post, control), post };
   }
 
   /** The work offset that a job for one control has on another: the one of the same name, else none. */
-  protected offsetOn(post: unknown, control = this.draft.control as Draft): unknown {
+  protected offsetOn(
+    post: unknown,
+    control = this.draft.control as Draft,
+  ): unknown {
     if (this.ownPreset(post, this.cycle.type)) return null;
     const { workOffset } = control;
     const word = this.offsetWord(control.post, workOffset);
     const words = this.postOf(post)?.workOffsetWords;
     // A number that no word is known for is the user's to put right.
-    if (!words || word === undefined || control.post === post) return workOffset;
+    if (!words || word === undefined || control.post === post)
+      return workOffset;
     return words.indexOf(word) + 1 || this.rules.offset;
   }
 
@@ -99,7 +124,8 @@ export abstract class Entries extends Phrases {
     const section =
       place === "cycle"
         ? cycle
-        : (cycle.sections.find((s) => `cycle.${s.key}` === place) ?? catalog.sections.find((s) => s.path === place));
+        : (cycle.sections.find((s) => `cycle.${s.key}` === place) ??
+          catalog.sections.find((s) => s.path === place));
     return section?.fields.find((f) => f.key === key);
   }
 
@@ -108,7 +134,9 @@ export abstract class Entries extends Phrases {
     const key = /^control\.(\w+)$/.exec(path)?.[1];
     if (key !== undefined && this.post?.unused.includes(key)) return false;
     const { when } = field;
-    return when === null || this.get(path.replace(/\w+$/, when.key)) === when.value;
+    return (
+      when === null || this.get(path.replace(/\w+$/, when.key)) === when.value
+    );
   }
 
   /** What a field of a new job begins with, in the job's units: in inch a number that people type. */
@@ -119,14 +147,21 @@ export abstract class Entries extends Phrases {
   /** Whether a field holds what a job has without it, be it a new one or one whose units were converted. */
   isUsual(path: string, field: FieldEntry): boolean {
     const value = this.get(path) ?? null;
-    return alike(value, this.begins(field) ?? null) || alike(value, this.standIn(field) ?? null);
+    return (
+      alike(value, this.begins(field) ?? null) ||
+      alike(value, this.standIn(field) ?? null)
+    );
   }
 
   /** Why the job's cycle has no program on a control; null where it has one. */
   whyNot(post: unknown): string | null {
-    const forms = this.postOf(post)?.cycles.filter((c) => c.type === this.cycle.type) ?? [];
+    const forms =
+      this.postOf(post)?.cycles.filter((c) => c.type === this.cycle.type) ?? [];
     if (forms.some((c) => c.supported)) return null;
-    return forms.find((c) => !c.supported)?.reason ?? this.t("It has no program for this cycle");
+    return (
+      forms.find((c) => !c.supported)?.reason ??
+      this.t("It has no program for this cycle")
+    );
   }
 
   /** Every field of the job's form that is converted with its units, by its path. */
@@ -134,30 +169,57 @@ export abstract class Entries extends Phrases {
     const { cycle, catalog } = this;
     const sections = [
       { path: "cycle", fields: cycle.fields },
-      ...cycle.sections.map(({ key, fields }) => ({ path: `cycle.${key}`, fields })),
+      ...cycle.sections.map(({ key, fields }) => ({
+        path: `cycle.${key}`,
+        fields,
+      })),
       ...catalog.sections,
     ];
     for (const { path, fields } of sections)
       for (const field of fields)
-        if (isMetric(field.unit)) yield [path === "" ? field.key : `${path}.${field.key}`, field];
+        if (isMetric(field.unit))
+          yield [path === "" ? field.key : `${path}.${field.key}`, field];
   }
 
   /** What a field holds where the job says nothing, in the job's units. */
   standIn(field: FieldEntry): unknown {
     const metric = isMetric(field.unit);
-    const scaled = (x: number) => (metric && this.units === "inch" ? tidy(x / 25.4) : x);
+    const scaled = (x: number) =>
+      metric && this.units === "inch" ? tidy(x / 25.4) : x;
     if (typeof field.default === "number") return scaled(field.default);
-    return Array.isArray(field.default) ? field.default.map(scaled) : field.default;
+    return Array.isArray(field.default)
+      ? field.default.map(scaled)
+      : field.default;
   }
 }
 
 /** Whether values of this unit are converted with the units of the job. */
-export const isMetric = (unit: FieldEntry["unit"]) => unit === "length" || unit === "feed" || unit === "acceleration";
+export const isMetric = (unit: FieldEntry["unit"]) =>
+  unit === "length" || unit === "feed" || unit === "acceleration";
 
 /** How much a size of the virtual part differs. */
-export function sizeField(field: FieldEntry | undefined, words: Words): FieldEntry | undefined {
+export function sizeField(
+  field: FieldEntry | undefined,
+  words: Words,
+): FieldEntry | undefined {
   if (!field) return undefined;
   const label = say([w("{label} differs by"), field.label], words);
-  const help = say([w("How much larger this is on the real part than in the form; negative is smaller.")], words);
-  return { ...field, label, help, default: 0, defaultInch: 0, code: null, usual: null, range: null };
+  const help = say(
+    [
+      w(
+        "How much larger this is on the real part than in the form; negative is smaller.",
+      ),
+    ],
+    words,
+  );
+  return {
+    ...field,
+    label,
+    help,
+    default: 0,
+    defaultInch: 0,
+    code: null,
+    usual: null,
+    range: null,
+  };
 }

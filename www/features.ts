@@ -33,27 +33,40 @@ export interface SetUpState {
 /** Tolerances by the codes of their results as they are spelled: in any case a job names the same. */
 export const byCode = (tolerances: Draft): Draft =>
   Object.fromEntries(
-    Object.entries(tolerances).map(([code, x]) => [/^Q\d/i.test(code) ? code : code.toLowerCase(), x]),
+    Object.entries(tolerances).map(([code, x]) => [
+      /^Q\d/i.test(code) ? code : code.toLowerCase(),
+      x,
+    ]),
   );
 
 /** Entries with a name in front of their keys, and those that have it, without it. */
-const prefixed = (name: string, of: Draft = {}) => Object.entries(of).map(([key, x]) => [`${name}.${key}`, x] as const);
+const prefixed = (name: string, of: Draft = {}) =>
+  Object.entries(of).map(([key, x]) => [`${name}.${key}`, x] as const);
 const ofName = (name: string, all: Draft): Draft => {
-  const mine = Object.entries(all).filter(([key]) => key.toLowerCase().startsWith(`${name.toLowerCase()}.`));
-  return Object.fromEntries(mine.map(([key, x]) => [key.slice(name.length + 1), x]));
+  const mine = Object.entries(all).filter(([key]) =>
+    key.toLowerCase().startsWith(`${name.toLowerCase()}.`),
+  );
+  return Object.fromEntries(
+    mine.map(([key, x]) => [key.slice(name.length + 1), x]),
+  );
 };
-const same = (one: string, other: string) => one.toLowerCase() === other.toLowerCase();
+const same = (one: string, other: string) =>
+  one.toLowerCase() === other.toLowerCase();
 /** The cycle or relation that something is of: of `BORE.diameter` it is `BORE`. */
 export const head = (of: string) => of.split(".")[0] ?? of;
 
 /** A cycle whose place, rotation and sizes may follow results of another one, by its new name. */
 function following(cycle: Draft, from: string, to: string): Draft {
   const renamed = (x: unknown): unknown => {
-    if (Array.isArray(x)) return x.some((one) => typeof one === "string") ? x.map(renamed) : x;
-    const [, equals = "", name, rest] = (typeof x === "string" && /^(\s*=\s*)(\w+)(\..*)$/.exec(x)) || [];
+    if (Array.isArray(x))
+      return x.some((one) => typeof one === "string") ? x.map(renamed) : x;
+    const [, equals = "", name, rest] =
+      (typeof x === "string" && /^(\s*=\s*)(\w+)(\..*)$/.exec(x)) || [];
     return name !== undefined && same(name, from) ? `${equals}${to}${rest}` : x;
   };
-  return Object.fromEntries(Object.entries(cycle).map(([key, x]) => [key, renamed(x)]));
+  return Object.fromEntries(
+    Object.entries(cycle).map(([key, x]) => [key, renamed(x)]),
+  );
 }
 
 /** A relation of whatever was read: what is wrong with it is left to the check. */
@@ -61,7 +74,12 @@ function asRelation(given: unknown): Related {
   const { name, type, of, tolerances } = isObject(given) ? given : {};
   const listed = Array.isArray(of) ? of.map(String) : [];
   const own = isObject(tolerances) ? tolerances : {};
-  return { name: String(name ?? ""), type: String(type ?? "") as Related["type"], of: listed, tolerances: own };
+  return {
+    name: String(name ?? ""),
+    type: String(type ?? "") as Related["type"],
+    of: listed,
+    tolerances: own,
+  };
 }
 
 const AXES = ["x", "y", "z", "rotation"] as const;
@@ -90,22 +108,40 @@ export class Features {
     const listed = this.inOrder(form).filter(({ off }) => !off);
     const sizes = listed.flatMap(({ name, sizes }) => prefixed(name, sizes));
     const cycles = listed.map(({ name, cycle }) => ({ name, ...cycle }));
-    const whole: Draft = { format: 2, ...rest, part: { ...(part as Draft), sizes: Object.fromEntries(sizes) } };
+    const whole: Draft = {
+      format: 2,
+      ...rest,
+      part: { ...(part as Draft), sizes: Object.fromEntries(sizes) },
+    };
     const related = this.inProgram();
-    const tolerances = [...listed, ...related].flatMap(({ name, tolerances }) => prefixed(name, tolerances));
+    const tolerances = [...listed, ...related].flatMap(({ name, tolerances }) =>
+      prefixed(name, tolerances),
+    );
     return {
       ...whole,
       clear: this.clear,
       datum: this.datum,
       cycles,
-      ...(related.length > 0 ? { relations: related.map(({ name, type, of }) => ({ name, type, of })) } : {}),
-      ...(tolerances.length > 0 ? { tolerances: Object.fromEntries(tolerances) } : {}),
+      ...(related.length > 0
+        ? {
+            relations: related.map(({ name, type, of }) => ({
+              name,
+              type,
+              of,
+            })),
+          }
+        : {}),
+      ...(tolerances.length > 0
+        ? { tolerances: Object.fromEntries(tolerances) }
+        : {}),
     };
   }
 
   /** The relations of what is in the program: those of a cycle that is left out are left out with it. */
   inProgram(): Related[] {
-    const out = new Set(this.all.filter(({ off }) => off).map(({ name }) => name.toLowerCase()));
+    const out = new Set(
+      this.all.filter(({ off }) => off).map(({ name }) => name.toLowerCase()),
+    );
     return this.relations.filter(({ name, of }) => {
       const without = of.some((one) => out.has(head(one).toLowerCase()));
       if (without) out.add(name.toLowerCase());
@@ -117,15 +153,22 @@ export class Features {
   knownBefore(cycles: string[]): Set<string> {
     const known = new Set(cycles.map((name) => name.toLowerCase()));
     for (const { name, of } of this.relations)
-      if (of.every((one) => known.has(head(one).toLowerCase()))) known.add(name.toLowerCase());
+      if (of.every((one) => known.has(head(one).toLowerCase())))
+        known.add(name.toLowerCase());
     return known;
   }
 
   /** All of them, the one in hand as the form has it. */
   inOrder({ cycle, part, tolerances }: Draft): Feature[] {
     const sizes = ((part as Draft | undefined)?.sizes ?? {}) as Draft;
-    const own = { cycle: cycle as Draft, sizes, tolerances: (tolerances ?? {}) as Draft };
-    return this.all.map((one, i) => (i === this.hand ? { ...one, ...own } : one));
+    const own = {
+      cycle: cycle as Draft,
+      sizes,
+      tolerances: (tolerances ?? {}) as Draft,
+    };
+    return this.all.map((one, i) =>
+      i === this.hand ? { ...one, ...own } : one,
+    );
   }
 
   /** Takes a job of several cycles, and gives the form of the first of them. */
@@ -134,17 +177,26 @@ export class Features {
     const given = isObject(part) && isObject(part.sizes) ? part.sizes : {};
     const limits = isObject(tolerances) ? tolerances : {};
     this.all = [];
-    const names = (cycles as Draft[]).flatMap(({ name }) => (typeof name === "string" ? [name] : []));
+    const names = (cycles as Draft[]).flatMap(({ name }) =>
+      typeof name === "string" ? [name] : [],
+    );
     for (const cycle of cycles as Draft[]) {
       const { name, ...own } = cycle;
-      const called = typeof name === "string" ? name : this.free(own, -1, names);
+      const called =
+        typeof name === "string" ? name : this.free(own, -1, names);
       const sizes = ofName(called, given);
       const named = typeof name === "string";
       // A job may leave out the name of its only cycle.
-      const bare = Object.entries(limits).filter(([key]) => !same(key.slice(0, called.length + 1), `${called}.`));
-      const alone = (cycles as Draft[]).length === 1 ? Object.fromEntries(bare) : {};
+      const bare = Object.entries(limits).filter(
+        ([key]) => !same(key.slice(0, called.length + 1), `${called}.`),
+      );
+      const alone =
+        (cycles as Draft[]).length === 1 ? Object.fromEntries(bare) : {};
       const limited = byCode({ ...alone, ...ofName(called, limits) });
-      const whole = complete({ format: 1, units: rest.units, cycle: own }, catalog).cycle as Draft;
+      const whole = complete(
+        { format: 1, units: rest.units, cycle: own },
+        catalog,
+      ).cycle as Draft;
       this.all.push({
         name: called,
         named,
@@ -155,7 +207,10 @@ export class Features {
       });
     }
     this.relations = Array.isArray(relations)
-      ? relations.map(asRelation).map((one) => ({ ...one, tolerances: byCode(ofName(one.name, limits)) }))
+      ? relations.map(asRelation).map((one) => ({
+          ...one,
+          tolerances: byCode(ofName(one.name, limits)),
+        }))
       : [];
     this.hand = 0;
     this.clear = typeof clear === "number" ? clear : null;
@@ -174,9 +229,18 @@ export class Features {
 
   /** A name for a cycle that no other has. */
   free(cycle: Draft, but = -1, names: string[] = []): string {
-    const stem = (jobName({ cycle: { type: cycle.type } }).split("-")[0] ?? "").replace(/[^A-Za-z0-9]/g, "") || "CYCLE";
-    const others = [...this.all.filter((_, i) => i !== but), ...this.relations].map(({ name }) => name);
-    const taken = new Set([...others, ...names].map((name) => name.toLowerCase()));
+    const stem =
+      (jobName({ cycle: { type: cycle.type } }).split("-")[0] ?? "").replace(
+        /[^A-Za-z0-9]/g,
+        "",
+      ) || "CYCLE";
+    const others = [
+      ...this.all.filter((_, i) => i !== but),
+      ...this.relations,
+    ].map(({ name }) => name);
+    const taken = new Set(
+      [...others, ...names].map((name) => name.toLowerCase()),
+    );
     for (let n = 1; ; n++) {
       const name = `${stem.slice(0, MOST_NAME - 3)}${n === 1 ? "" : n}`;
       if (!taken.has(name.toLowerCase())) return name;
@@ -184,14 +248,34 @@ export class Features {
   }
 
   /** Adds a cycle behind the one in hand. */
-  add(form: Draft, cycle: Draft, { sizes = {}, tolerances = {} }: Partial<Own> = {}): void {
+  add(
+    form: Draft,
+    cycle: Draft,
+    { sizes = {}, tolerances = {} }: Partial<Own> = {},
+  ): void {
     if (!this.several) {
       const first = form.cycle as Draft;
-      this.all = [{ name: this.free(first), named: false, cycle: first, sizes: {}, tolerances: {}, off: false }];
+      this.all = [
+        {
+          name: this.free(first),
+          named: false,
+          cycle: first,
+          sizes: {},
+          tolerances: {},
+          off: false,
+        },
+      ];
       this.hand = 0;
     }
     this.stow(form);
-    this.all.splice(this.hand + 1, 0, { name: this.free(cycle), named: false, cycle, sizes, tolerances, off: false });
+    this.all.splice(this.hand + 1, 0, {
+      name: this.free(cycle),
+      named: false,
+      cycle,
+      sizes,
+      tolerances,
+      off: false,
+    });
   }
 
   /** Keeps what the form has of the one in hand. */
@@ -221,7 +305,8 @@ export class Features {
     this.refer(gone.name, null);
     // One stays in the program.
     const left = this.all[this.hand];
-    if (left && this.all.every(({ off }) => off)) this.all[this.hand] = { ...left, off: false };
+    if (left && this.all.every(({ off }) => off))
+      this.all[this.hand] = { ...left, off: false };
     if (this.all.length < 2) this.alone();
   }
 
@@ -247,22 +332,35 @@ export class Features {
   /** The cycle in hand measures something else now: its name follows, unless the user has named it. */
   called(form: Draft): void {
     const one = this.all[this.hand];
-    if (one && !one.named) this.rename(form, this.hand, this.free(form.cycle as Draft, this.hand), false);
+    if (one && !one.named)
+      this.rename(
+        form,
+        this.hand,
+        this.free(form.cycle as Draft, this.hand),
+        false,
+      );
   }
 
   /** Adds a relation of these. */
   relate(type: Related["type"], of: string[]): void {
-    const taken = [...this.all, ...this.relations].map(({ name }) => name.toLowerCase());
+    const taken = [...this.all, ...this.relations].map(({ name }) =>
+      name.toLowerCase(),
+    );
     let n = 1;
     while (taken.includes(`rel${n}`)) n++;
-    this.relations = [...this.relations, { name: `REL${n}`, type, of, tolerances: {} }];
+    this.relations = [
+      ...this.relations,
+      { name: `REL${n}`, type, of, tolerances: {} },
+    ];
   }
 
   /** Changes a relation; what refers to it by its name goes with it. */
   changeRelation(index: number, change: Partial<Related>): void {
     const one = this.relations[index];
     if (!one) return;
-    this.relations = this.relations.map((other, i) => (i === index ? { ...one, ...change } : other));
+    this.relations = this.relations.map((other, i) =>
+      i === index ? { ...one, ...change } : other,
+    );
     if (change.name !== undefined) this.refer(one.name, change.name);
   }
 
@@ -277,19 +375,33 @@ export class Features {
    * What is written from a cycle or relation, or computed of it, is so by its new name, or not any longer. A name that another one has, too, is that one's.
    */
   private refer(from: string, to: string | null): void {
-    const named = (name: string) => [...this.all, ...this.relations].filter((one) => same(one.name, name)).length;
+    const named = (name: string) =>
+      [...this.all, ...this.relations].filter((one) => same(one.name, name))
+        .length;
     if (named(from) > 0 || (to !== null && named(to) > 1)) return;
     const is = (one: string) => same(head(one), from);
-    const dropped = to === null ? this.relations.filter(({ of }) => of.some(is)) : [];
+    const dropped =
+      to === null ? this.relations.filter(({ of }) => of.some(is)) : [];
     this.relations = this.relations
       .filter((one) => !dropped.includes(one))
-      .map((one) => ({ ...one, of: one.of.map((of) => (is(of) ? `${to}${of.slice(from.length)}` : of)) }));
+      .map((one) => ({
+        ...one,
+        of: one.of.map((of) => (is(of) ? `${to}${of.slice(from.length)}` : of)),
+      }));
     for (const { name } of dropped) this.refer(name, null);
     // What follows a cycle that is gone is left to the check: only the user knows where it should be.
-    if (to !== null) this.all = this.all.map((one) => ({ ...one, cycle: following(one.cycle, from, to) }));
+    if (to !== null)
+      this.all = this.all.map((one) => ({
+        ...one,
+        cycle: following(one.cycle, from, to),
+      }));
     for (const axis of AXES) {
       const said = this.datum[axis];
-      if (typeof said !== "string" || !said.toLowerCase().startsWith(`${from.toLowerCase()}.`)) continue;
+      if (
+        typeof said !== "string" ||
+        !said.toLowerCase().startsWith(`${from.toLowerCase()}.`)
+      )
+        continue;
       const rest = { ...this.datum };
       if (to === null) delete rest[axis];
       else rest[axis] = `${to}${said.slice(from.length)}`;
@@ -305,10 +417,18 @@ export class Features {
     });
     const cycle = this.all[0]?.cycle ?? {};
     this.relations = this.relations.map((one) => {
-      const { tolerances } = ownIn(to, { cycle, sizes: {}, tolerances: one.tolerances }, from);
+      const { tolerances } = ownIn(
+        to,
+        { cycle, sizes: {}, tolerances: one.tolerances },
+        from,
+      );
       return { ...one, tolerances };
     });
-    if (this.clear !== null) this.clear = Math.round((to === "mm" ? this.clear * 25.4 : this.clear / 25.4) * 1e6) / 1e6;
+    if (this.clear !== null)
+      this.clear =
+        Math.round(
+          (to === "mm" ? this.clear * 25.4 : this.clear / 25.4) * 1e6,
+        ) / 1e6;
   }
 
   /** The place among all of a cycle of the job, which has none that is left out. */
@@ -326,10 +446,14 @@ export class Features {
   /** A path of the job as the form has it: of the one in hand that of a job of one cycle. */
   inForm(path: string): string {
     const [, index, rest] = /^cycles\[(\d+)\](.*)$/.exec(path) ?? [];
-    if (index !== undefined) return this.placeOf(Number(index)) === this.hand ? `cycle${rest}` : path;
+    if (index !== undefined)
+      return this.placeOf(Number(index)) === this.hand ? `cycle${rest}` : path;
     const name = this.all[this.hand]?.name;
     for (const list of ["part.sizes.", "tolerances."])
-      if (name && path.toLowerCase().startsWith(`${list}${name}.`.toLowerCase()))
+      if (
+        name &&
+        path.toLowerCase().startsWith(`${list}${name}.`.toLowerCase())
+      )
         return `${list}${path.slice(list.length + name.length + 1)}`;
     return path;
   }
@@ -346,13 +470,23 @@ export class Features {
 
   become({ all, hand, clear, datum, relations = [] }: SetUpState): void {
     // What was kept before there were tolerances has none.
-    const whole = all.map((one) => ({ ...one, tolerances: one.tolerances ?? {} }));
-    Object.assign(this, { all: whole, hand, clear, datum, relations: relations.map(asRelation) });
+    const whole = all.map((one) => ({
+      ...one,
+      tolerances: one.tolerances ?? {},
+    }));
+    Object.assign(this, {
+      all: whole,
+      hand,
+      clear,
+      datum,
+      relations: relations.map(asRelation),
+    });
   }
 
   /** Whether something kept is a list of cycles; the job that they make is checked beside. */
   static fits(state: unknown): state is SetUpState {
-    if (!isObject(state) || !Array.isArray(state.all) || !isObject(state.datum)) return false;
+    if (!isObject(state) || !Array.isArray(state.all) || !isObject(state.datum))
+      return false;
     const { all, hand, clear, relations } = state;
     if (relations !== undefined && !Array.isArray(relations)) return false;
     const good = (one: unknown) =>
@@ -361,7 +495,8 @@ export class Features {
       isObject(one.cycle) &&
       isObject(one.sizes) &&
       typeof one.off === "boolean";
-    const numbers = Number.isInteger(hand) && (clear === null || typeof clear === "number");
+    const numbers =
+      Number.isInteger(hand) && (clear === null || typeof clear === "number");
     return (
       numbers &&
       all.every(good) &&

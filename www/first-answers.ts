@@ -27,7 +27,10 @@ export interface Answers {
 
 /** Answers in the place of the module. Of any other job it knows nothing, and throws: none is asked for until the module is there. */
 export function answers(): Raw {
-  const jobs = [baked.mm, baked.inch].map((known) => ({ known, own: coded(known.job) }));
+  const jobs = [baked.mm, baked.inch].map((known) => ({
+    known,
+    own: coded(known.job),
+  }));
   const of = (codes: Float64Array, text: string): Known => {
     const found = jobs.find(({ own }) => same(own, { codes, text }));
     return found ? found.known : early();
@@ -41,7 +44,9 @@ export function answers(): Raw {
   return {
     catalog: () => baked.catalog,
     defaultJob: (type, units) =>
-      type === baked.type ? structuredClone(baked[units === "inch" ? "inch" : "mm"].job) : early(),
+      type === baked.type
+        ? structuredClone(baked[units === "inch" ? "inch" : "mm"].job)
+        : early(),
     jobName: (codes, text) => of(codes, text).name,
     misfit: (codes, text) => of(codes, text).misfit,
     check: (codes, text) => of(codes, text).findings,

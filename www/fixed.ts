@@ -11,7 +11,9 @@ export class Fixed {
   constructor(job: Draft, paths: string[]) {
     this.type = typeOf(job);
     const there = paths.filter((path) => valueAt(job, path) !== undefined);
-    this.held = new Map(there.map((path) => [path, structuredClone(valueAt(job, path))]));
+    this.held = new Map(
+      there.map((path) => [path, structuredClone(valueAt(job, path))]),
+    );
   }
 
   /** Whether a field is one of them; of a point, also each of its coordinates. */
@@ -24,7 +26,8 @@ export class Fixed {
     for (const [path, value] of this.held) {
       const section = path.slice(0, Math.max(path.lastIndexOf("."), 0));
       const isThere = isObject(section === "" ? job : valueAt(job, section));
-      if (isThere && (!path.startsWith("cycle.") || typeOf(job) === this.type)) putAt(job, path, value);
+      if (isThere && (!path.startsWith("cycle.") || typeOf(job) === this.type))
+        putAt(job, path, value);
     }
   }
 }

@@ -53,7 +53,11 @@ export class History<Moment> {
     return this.turn(this.future, this.past, now);
   }
 
-  private turn(from: Moment[], to: Moment[], now: () => Moment): Moment | undefined {
+  private turn(
+    from: Moment[],
+    to: Moment[],
+    now: () => Moment,
+  ): Moment | undefined {
     const moment = from.pop();
     if (moment === undefined) return undefined;
     to.push(now());

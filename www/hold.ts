@@ -8,7 +8,8 @@ const UNDO = ["y", "z"];
 const POINTS = ["pointerdown", "pointermove", "pointerup", "wheel", "dblclick"];
 
 const isText = (target: unknown): target is HTMLInputElement =>
-  target instanceof HTMLInputElement && ["text", "search"].includes(target.type);
+  target instanceof HTMLInputElement &&
+  ["text", "search"].includes(target.type);
 
 /** Holds what is inside a root. Gives a function that ends it, and enters what was typed where `enter` says so. */
 export function hold(root: ShadowRoot): (enter: boolean) => void {
@@ -32,7 +33,8 @@ export function hold(root: ShadowRoot): (enter: boolean) => void {
   const point = (event: Event): void => event.stopImmediatePropagation();
   /** A list would open, and its choice be lost. */
   const open = (event: Event): void => {
-    if (event.composedPath()[0] instanceof HTMLSelectElement) event.preventDefault();
+    if (event.composedPath()[0] instanceof HTMLSelectElement)
+      event.preventDefault();
   };
   const key = (event: KeyboardEvent): void => {
     const [at] = event.composedPath();
@@ -40,8 +42,10 @@ export function hold(root: ShadowRoot): (enter: boolean) => void {
     const commands = (event.ctrlKey || event.metaKey) && !event.altKey;
     const letter = letterOf(event);
     if (commands && COMMANDS.includes(letter)) press(event);
-    else if (at instanceof HTMLSelectElement && event.key !== "Tab") press(event);
-    else if (isInside(event) || (commands && UNDO.includes(letter))) event.stopImmediatePropagation();
+    else if (at instanceof HTMLSelectElement && event.key !== "Tab")
+      press(event);
+    else if (isInside(event) || (commands && UNDO.includes(letter)))
+      event.stopImmediatePropagation();
   };
 
   const ways: [EventTarget, string[], (event: never) => void][] = [
@@ -53,12 +57,17 @@ export function hold(root: ShadowRoot): (enter: boolean) => void {
     [window, ["keydown"], key],
   ];
   for (const [at, names, act] of ways)
-    for (const name of names) at.addEventListener(name, act as EventListener, { capture: true, passive: false });
+    for (const name of names)
+      at.addEventListener(name, act as EventListener, {
+        capture: true,
+        passive: false,
+      });
   root.host.setAttribute("aria-busy", "true");
 
   return (enter) => {
     for (const [at, names, act] of ways)
-      for (const name of names) at.removeEventListener(name, act as EventListener, true);
+      for (const name of names)
+        at.removeEventListener(name, act as EventListener, true);
     root.host.removeAttribute("aria-busy");
     root.host.removeAttribute("data-typed");
     for (const [field, { text, left }] of enter ? typed : []) {

@@ -36,7 +36,13 @@ const PATHS: Readonly<Record<string, string>> = {
 };
 
 function refused(input: string, code: FindingCode, ...said: Said): Finding {
-  return { level: "error", code, path: PATHS[input] ?? "", message: say(said), said };
+  return {
+    level: "error",
+    code,
+    path: PATHS[input] ?? "",
+    message: say(said),
+    said,
+  };
 }
 
 /** A job without its control, with all else that it says of it. */
@@ -77,7 +83,10 @@ export class Outside {
 
   /** A job was sent by `job-change`; the host may return it. */
   sent(json: string): void {
-    this.sentJobs = [...this.sentJobs.slice(-49), { json, at: performance.now() }];
+    this.sentJobs = [
+      ...this.sentJobs.slice(-49),
+      { json, at: performance.now() },
+    ];
   }
 
   /** What comes now is no answer to a job that was sent: a form is put back. */
@@ -101,13 +110,17 @@ export class Outside {
     const whole: Draft = { ...job };
     if (units && job.units === undefined) whole.units = units;
     if (cycle && isOut(job.cycle)) whole.cycle = { type: cycle };
-    else if (cycle && isObject(job.cycle) && job.cycle.type === undefined) whole.cycle = { ...job.cycle, type: cycle };
+    else if (cycle && isObject(job.cycle) && job.cycle.type === undefined)
+      whole.cycle = { ...job.cycle, type: cycle };
     if (!post || !(isOut(job.control) || isObject(job.control))) return whole;
     const control: Draft = { ...(job.control as Draft | null | undefined) };
     if (control.post !== undefined) return whole;
     const { type } = isObject(whole.cycle) ? whole.cycle : {};
     const forms = this.store.formsOf(post, String(type));
-    const form = control.form === undefined && forms.length > 0 && !forms.includes("moves") ? { form: forms[0] } : {};
+    const form =
+      control.form === undefined && forms.length > 0 && !forms.includes("moves")
+        ? { form: forms[0] }
+        : {};
     whole.control = { ...control, ...form, post };
     return whole;
   }
@@ -115,14 +128,19 @@ export class Outside {
   /** The default job of a cycle, for the control and in the units that the page around asks for. */
   fresh(type: Cycle["type"]): Draft {
     const { post, units } = this.asked;
-    const job = structuredClone(defaultJob(type, units ?? this.rules.units(this.store.units))) as unknown as Draft;
+    const job = structuredClone(
+      defaultJob(type, units ?? this.rules.units(this.store.units)),
+    ) as unknown as Draft;
     const named = this.named(post ? unnamed(job) : job, this.asked) as Draft;
     return this.rules.laid(named, post !== undefined);
   }
 
   /** The job of a text. A dump names no control: the one in its job is a default, which gives way to the one that is asked for. */
   ofText(job: Draft, findings: Finding[]): Draft {
-    return this.asked.post && findings.some(({ code }) => code === "not-in-dump") ? unnamed(job) : job;
+    return this.asked.post &&
+      findings.some(({ code }) => code === "not-in-dump")
+      ? unnamed(job)
+      : job;
   }
 
   /** Warnings where the job names another control, or other units, than the page around asks for. */
@@ -136,16 +154,24 @@ export class Outside {
       note(
         "other-control",
         "control.post",
-        w("The page around asks for {asked}, and this job names {named}: the program is for {named}"),
+        w(
+          "The page around asks for {asked}, and this job names {named}: the program is for {named}",
+        ),
         wanted.title,
         named.title,
       );
     const { units } = store.draft;
-    if (asked.units && (units === "mm" || units === "inch") && units !== asked.units)
+    if (
+      asked.units &&
+      (units === "mm" || units === "inch") &&
+      units !== asked.units
+    )
       note(
         "other-units",
         "units",
-        w("The page around asks for {asked}, and this job is in {named}: the program is in {named}"),
+        w(
+          "The page around asks for {asked}, and this job is in {named}: the program is in {named}",
+        ),
         asked.units,
         units,
       );
@@ -155,48 +181,94 @@ export class Outside {
   /** The faults for which a config is refused. */
   private faults(value: unknown): Finding[] {
     const config = configOf(value);
-    if (config === undefined) return [refused("config", "not-json", w("Nothing was changed: the config is not JSON"))];
-    const problems = checkConfig(config).filter(({ level }) => level === "error");
+    if (config === undefined)
+      return [
+        refused(
+          "config",
+          "not-json",
+          w("Nothing was changed: the config is not JSON"),
+        ),
+      ];
+    const problems = checkConfig(config).filter(
+      ({ level }) => level === "error",
+    );
     return problems.map((f) => ({
-      ...refused("config", f.code, w("Nothing was changed: the config cannot be used: {problem}"), f.said),
+      ...refused(
+        "config",
+        f.code,
+        w("Nothing was changed: the config cannot be used: {problem}"),
+        f.said,
+      ),
       path: f.path,
     }));
   }
 
   /** Everything for which an input or a setting cannot be taken. */
-  refusals(input: Input | Setting, value: unknown, asked: Asked = {}): Finding[] {
+  refusals(
+    input: Input | Setting,
+    value: unknown,
+    asked: Asked = {},
+  ): Finding[] {
     if (input === "config") return this.faults(value);
     const refusal = this.refusal(input, value, asked);
     return refusal ? [refusal] : [];
   }
 
   /** Why an input or a setting cannot be taken; null where it can. Nothing is changed. `asked`: what else is asked for at the same time. */
-  private refusal(input: Exclude<Input, "config"> | Setting, value: unknown, asked: Asked = {}): Finding | null {
+  private refusal(
+    input: Exclude<Input, "config"> | Setting,
+    value: unknown,
+    asked: Asked = {},
+  ): Finding | null {
     try {
       if (input === "job") return this.read(value, asked).refusal ?? null;
       if (input === "measured") {
         if (typeof value !== "string")
-          return refused(input, "wrong-type", w("Nothing was changed: {input} must be text"), input);
+          return refused(
+            input,
+            "wrong-type",
+            w("Nothing was changed: {input} must be text"),
+            input,
+          );
         const { store } = this;
-        return value.length > store.longest ? refused(input, "too-long", ...store.tooLong(value.length)) : null;
+        return value.length > store.longest
+          ? refused(input, "too-long", ...store.tooLong(value.length))
+          : null;
       }
       if (input === "readonly")
         return typeof value === "boolean"
           ? null
-          : refused(input, "wrong-type", w("Nothing was changed: {input} must be true or false"), input);
+          : refused(
+              input,
+              "wrong-type",
+              w("Nothing was changed: {input} must be true or false"),
+              input,
+            );
       if (input === "lang")
         return typeof value === "string" && /^[a-z0-9-]{0,35}$/i.test(value)
           ? null
-          : refused(input, "unknown-value", w("Nothing was changed: {input} must be a BCP 47 tag"), input);
+          : refused(
+              input,
+              "unknown-value",
+              w("Nothing was changed: {input} must be a BCP 47 tag"),
+              input,
+            );
       const { cycles, posts } = this.store.catalog;
       const known = {
         cycle: cycles.map((c) => c.type as string),
         post: posts.map((p) => p.id as string),
         units: ["mm", "inch"],
       };
-      return known[input].includes(value as string) ? null : this.unknown(input, known[input]);
+      return known[input].includes(value as string)
+        ? null
+        : this.unknown(input, known[input]);
     } catch {
-      return refused(input, "unreadable", w("Nothing was changed: the {input} cannot be read"), input);
+      return refused(
+        input,
+        "unreadable",
+        w("Nothing was changed: the {input} cannot be read"),
+        input,
+      );
     }
   }
 
@@ -229,12 +301,22 @@ export class Outside {
       if (input === "cycle") store.choose(value as Cycle["type"]);
       else if (input === "units") store.setUnits(value as Units);
       else if (value !== store.get("control.post"))
-        store.put("control", { ...store.controlOf(value), workOffset: store.get("control.workOffset") });
+        store.put("control", {
+          ...store.controlOf(value),
+          workOffset: store.get("control.workOffset"),
+        });
       // What is asked for may be what the job has already.
       if (store.revision === revision) store.reconsider();
       return [];
     } catch {
-      return [refused(input, "unreadable", w("Nothing was changed: the {input} cannot be read"), input)];
+      return [
+        refused(
+          input,
+          "unreadable",
+          w("Nothing was changed: the {input} cannot be read"),
+          input,
+        ),
+      ];
     } finally {
       store.byUser = true;
     }
@@ -249,7 +331,9 @@ export class Outside {
       return;
     }
     const filled = this.filled(given.job) as Draft;
-    const whole = Array.isArray(filled.cycles) ? filled : complete(filled, store.catalog);
+    const whole = Array.isArray(filled.cycles)
+      ? filled
+      : complete(filled, store.catalog);
     if (alike(whole, store.job)) store.reconsider();
     else {
       store.replace(whole);
@@ -276,15 +360,27 @@ export class Outside {
   }
 
   /** A job as the host gives it, with what is asked for, or why it cannot be shown. */
-  private read(value: unknown, asked: Asked = {}): { job?: Draft; own?: Draft; refusal?: Finding } {
+  private read(
+    value: unknown,
+    asked: Asked = {},
+  ): { job?: Draft; own?: Draft; refusal?: Finding } {
     const { store } = this;
     let job = value;
     if (typeof value === "string") {
-      if (value.length > store.longest) return { refusal: refused("job", "too-long", ...store.tooLong(value.length)) };
+      if (value.length > store.longest)
+        return {
+          refusal: refused("job", "too-long", ...store.tooLong(value.length)),
+        };
       try {
         job = JSON.parse(value);
       } catch {
-        return { refusal: refused("job", "not-json", w("Nothing was changed: the job is not JSON")) };
+        return {
+          refusal: refused(
+            "job",
+            "not-json",
+            w("Nothing was changed: the job is not JSON"),
+          ),
+        };
       }
     }
     // What has no JSON, as a BigInt or an object inside itself, no form could send: it throws.
@@ -294,7 +390,12 @@ export class Outside {
     const problem = store.unusable(job);
     if (problem)
       return {
-        refusal: refused("job", "unusable", w("Nothing was changed: the job cannot be used: {problem}"), problem),
+        refusal: refused(
+          "job",
+          "unusable",
+          w("Nothing was changed: the job cannot be used: {problem}"),
+          problem,
+        ),
       };
     return { job: job as Draft, own };
   }
@@ -303,16 +404,23 @@ export class Outside {
     const { store } = this;
     const { job, own, refusal } = this.read(value);
     if (!job || !own) return refusal ? [refusal] : [];
-    const whole = Array.isArray(job.cycles) ? job : complete(job, store.catalog);
+    const whole = Array.isArray(job.cycles)
+      ? job
+      : complete(job, store.catalog);
     // A job that the host only returns changes nothing, also where it arrives late, while the user is still typing.
-    const recent = this.sentJobs.filter(({ at }) => performance.now() - at < ECHO);
+    const recent = this.sentJobs.filter(
+      ({ at }) => performance.now() - at < ECHO,
+    );
     const late = recent.some(({ json }) => alike(whole, JSON.parse(json)));
     if (late) return [];
     if (!alike(whole, store.job)) {
       store.replace(whole);
       this.forget();
     }
-    this.given = { job: structuredClone(own), whole: structuredClone(store.job) };
+    this.given = {
+      job: structuredClone(own),
+      whole: structuredClone(store.job),
+    };
     return [];
   }
 }

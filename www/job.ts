@@ -1,5 +1,12 @@
 // A job that comes from outside (a file, a pasted text, the browser's storage): what it leaves out.
-import { type Catalog, type Cycle, convertUnits, defaultJob, type Job, jobName } from "./core/browser.js";
+import {
+  type Catalog,
+  type Cycle,
+  convertUnits,
+  defaultJob,
+  type Job,
+  jobName,
+} from "./core/browser.js";
 
 /** A job while it is typed: any field may hold what is not (yet) a value. */
 export type Draft = Record<string, unknown>;
@@ -13,15 +20,28 @@ export const isOut = (value: unknown) => value === undefined || value === null;
 export function complete(job: Draft, catalog: Catalog): Draft {
   const units = job.units === "inch" ? "inch" : "mm";
   const cycle = job.cycle as Draft;
-  const fresh = convertUnits(defaultJob(cycle.type as Cycle["type"]), units) as unknown as Draft;
+  const fresh = convertUnits(
+    defaultJob(cycle.type as Cycle["type"]),
+    units,
+  ) as unknown as Draft;
   // A fresh 1411 is for its own control; a job that names no control is for the catalog's first.
-  const control = catalog.sections.find((s) => s.path === "control")?.fields ?? [];
-  fresh.control = Object.fromEntries(control.map((field) => [field.key, field.default]));
+  const control =
+    catalog.sections.find((s) => s.path === "control")?.fields ?? [];
+  fresh.control = Object.fromEntries(
+    control.map((field) => [field.key, field.default]),
+  );
   const whole = over(fresh, job);
-  for (const { path } of catalog.sections) if (path !== "") whole[path] = over(fresh[path], job[path]);
+  for (const { path } of catalog.sections)
+    if (path !== "") whole[path] = over(fresh[path], job[path]);
   whole.cycle = over(fresh.cycle, cycle);
-  for (const { key, optional } of catalog.cycles.find((c) => c.type === cycle.type)?.sections ?? [])
-    if (!optional) (whole.cycle as Draft)[key] = over((fresh.cycle as Draft)[key], cycle[key]);
+  for (const { key, optional } of catalog.cycles.find(
+    (c) => c.type === cycle.type,
+  )?.sections ?? [])
+    if (!optional)
+      (whole.cycle as Draft)[key] = over(
+        (fresh.cycle as Draft)[key],
+        cycle[key],
+      );
   const part = whole.part as Draft;
   part.sizes ??= {};
   if (job.name === undefined) whole.name = jobName(whole);
@@ -30,15 +50,26 @@ export function complete(job: Draft, catalog: Catalog): Draft {
 
 /** `undefined` is "not there": the base stands in. */
 function over(base: unknown, given: unknown): Draft {
-  const said = isObject(given) ? Object.entries(given).filter(([, value]) => value !== undefined) : [];
+  const said = isObject(given)
+    ? Object.entries(given).filter(([, value]) => value !== undefined)
+    : [];
   return { ...(base as Draft), ...Object.fromEntries(said) };
 }
 
 /** Whether two jobs say the same, in whatever order. */
 export function alike(a: unknown, b: unknown): boolean {
-  if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return Object.is(a, b);
+  if (
+    typeof a !== "object" ||
+    typeof b !== "object" ||
+    a === null ||
+    b === null
+  )
+    return Object.is(a, b);
   const [one, two] = [Object.entries(a), new Map(Object.entries(b))];
-  return one.length === two.size && one.every(([key, value]) => two.has(key) && alike(value, two.get(key)));
+  return (
+    one.length === two.size &&
+    one.every(([key, value]) => two.has(key) && alike(value, two.get(key)))
+  );
 }
 
 /** What of a job is of one of its cycles. */
@@ -51,10 +82,28 @@ export interface Own {
 }
 
 /** What of a job is of a cycle, in other units. */
-export function ownIn(units: "mm" | "inch", { cycle, sizes, tolerances }: Own, from: "mm" | "inch"): Own {
-  const job = { format: 1, units: from, cycle, part: { sizes }, tolerances } as unknown as Job;
-  const converted = convertUnits(job, units) as unknown as { cycle: Draft; part: { sizes: Draft }; tolerances: Draft };
-  return { cycle: converted.cycle, sizes: converted.part.sizes, tolerances: converted.tolerances };
+export function ownIn(
+  units: "mm" | "inch",
+  { cycle, sizes, tolerances }: Own,
+  from: "mm" | "inch",
+): Own {
+  const job = {
+    format: 1,
+    units: from,
+    cycle,
+    part: { sizes },
+    tolerances,
+  } as unknown as Job;
+  const converted = convertUnits(job, units) as unknown as {
+    cycle: Draft;
+    part: { sizes: Draft };
+    tolerances: Draft;
+  };
+  return {
+    cycle: converted.cycle,
+    sizes: converted.part.sizes,
+    tolerances: converted.tolerances,
+  };
 }
 
 /** The keys of a path such as `cycle.origin[1]`. */
@@ -62,7 +111,10 @@ const keysOf = (path: string) => path.split(/[.[\]]+/).filter(Boolean);
 
 /** The value at a path of a job. */
 export function valueAt(job: Draft, path: string): unknown {
-  return keysOf(path).reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], job);
+  return keysOf(path).reduce<unknown>(
+    (value, key) => (value as Draft | undefined)?.[key],
+    job,
+  );
 }
 
 /** Puts a value at a path of a job, with the objects that lead there. */
@@ -81,6 +133,9 @@ export function putAt(job: Draft, path: string, value: unknown): void {
 export function dropAt(job: Draft, path: string): void {
   const keys = keysOf(path);
   const last = keys.pop() as string;
-  const place = keys.reduce<unknown>((value, key) => (value as Draft | undefined)?.[key], job);
+  const place = keys.reduce<unknown>(
+    (value, key) => (value as Draft | undefined)?.[key],
+    job,
+  );
   if (place) delete (place as Draft)[last];
 }

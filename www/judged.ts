@@ -15,7 +15,8 @@ interface Judgement {
 /** Sizes so near are one size, mm: a conversion to inch keeps six decimals. */
 const NEAR = 2e-5;
 
-const mm = (value: number, units: Units) => (units === "inch" ? value * 25.4 : value);
+const mm = (value: number, units: Units) =>
+  units === "inch" ? value * 25.4 : value;
 
 export class Judged {
   /** By the paths of the sizes. */
@@ -24,7 +25,13 @@ export class Judged {
   constructor(private readonly job: Entries) {}
 
   add(path: string, size: number, limit: number, name: string | null): void {
-    this.all.set(path, { type: this.job.cycle.type, units: this.job.units, size, limit, name });
+    this.all.set(path, {
+      type: this.job.cycle.type,
+      units: this.job.units,
+      size,
+      limit,
+      name,
+    });
   }
 
   /** Of another job nothing was judged. */
@@ -42,9 +49,13 @@ export class Judged {
 
   /** Whether a name is one that says the class of a size; `"true"` as long as that is the size. */
   names(name: unknown): "true" | "outdated" | null {
-    const [path, one] = [...this.all].find(([, { name: own }]) => own !== null && own === name) ?? [];
+    const [path, one] =
+      [...this.all].find(([, { name: own }]) => own !== null && own === name) ??
+      [];
     if (!path || !one) return null;
-    return one.units === this.job.units && this.stays(path, one) ? "true" : "outdated";
+    return one.units === this.job.units && this.stays(path, one)
+      ? "true"
+      : "outdated";
   }
 
   private stays(path: string, one: Judgement): boolean {
@@ -63,7 +74,11 @@ export class Judged {
 
 /** The name of a job with the class of a hole in it, as a drawing has it: `BORE-D25H7`. A name has no small letters, which would tell a shaft's class from it. */
 export function withClass(name: string, text: string): string | null {
-  const [, nominal, fit] = /^[Øø⌀]?\s*(\d+(?:[.,]\d+)?)\s*([A-Z]{1,2}\d{1,2})$/.exec(text.trim()) ?? [];
+  const [, nominal, fit] =
+    /^[Øø⌀]?\s*(\d+(?:[.,]\d+)?)\s*([A-Z]{1,2}\d{1,2})$/.exec(text.trim()) ??
+    [];
   const stem = /^([A-Z]+-D)\d+(?:_\d+)?$/.exec(name)?.[1];
-  return stem && nominal && fit ? `${stem}${nominal.replace(/[.,]/, "_")}${fit}` : null;
+  return stem && nominal && fit
+    ? `${stem}${nominal.replace(/[.,]/, "_")}${fit}`
+    : null;
 }

@@ -11,7 +11,11 @@ type Entry = [string, ProgramKnown];
 function entries(): Entry[] {
   try {
     const kept: unknown = JSON.parse(localStorage.getItem(KEY) ?? "[]");
-    return Array.isArray(kept) ? (kept as Entry[]).filter((entry) => Array.isArray(entry) && entry.length === 2) : [];
+    return Array.isArray(kept)
+      ? (kept as Entry[]).filter(
+          (entry) => Array.isArray(entry) && entry.length === 2,
+        )
+      : [];
   } catch {
     // No storage, or nothing that can be read.
     return [];
@@ -28,7 +32,10 @@ export function keepKnown(name: string | null, known: ProgramKnown): void {
   if (name === null) return;
   const rest = entries().filter(([of]) => of !== name);
   try {
-    localStorage.setItem(KEY, JSON.stringify([[name, known], ...rest].slice(0, MOST)));
+    localStorage.setItem(
+      KEY,
+      JSON.stringify([[name, known], ...rest].slice(0, MOST)),
+    );
   } catch {
     // No storage, or a full one: the program runs all the same.
   }

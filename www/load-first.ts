@@ -32,7 +32,9 @@ export let stand: Raw | null = null;
 
 // Its failure is reported where it is awaited.
 loaded.catch(() => undefined);
-const known = isFirst ? await import("./first-answers.js").catch(() => null) : null;
+const known = isFirst
+  ? await import("./first-answers.js").catch(() => null)
+  : null;
 // The module may have been faster.
 if (known && arrival) {
   stand = known.answers();
@@ -69,7 +71,8 @@ export function loadWhole(): Promise<void> {
 
 async function replace(): Promise<void> {
   const response = await fetch(rest);
-  if (!response.ok) throw new Error(`${response.status} ${response.statusText}`);
+  if (!response.ok)
+    throw new Error(`${response.status} ${response.statusText}`);
   const module = await WebAssembly.compile(await response.arrayBuffer());
   await loaded;
   instance.replace(() => raw.use(module));

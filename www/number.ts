@@ -30,7 +30,8 @@ const THOUSANDS = /^[+-]?\d{1,3}(,000)+(?!\d)/;
 const THOUSANDS_BY_POINT = /^[+-]?[1-9]\d{0,2}(\.000)+(?!\d)/;
 
 /** A size and one or two small deviations, as drawings write a tolerance: `25+0.021`, `25 -0,02`, `25+0.021-0`. */
-const DEVIATIONS = /^(\d+[.,]?\d*)\s*[-+]\s*(\d*[.,]?\d+)(?:\s*[-+/]\s*[-+]?\s*(\d*[.,]?\d+))?$/;
+const DEVIATIONS =
+  /^(\d+[.,]?\d*)\s*[-+]\s*(\d*[.,]?\d+)(?:\s*[-+/]\s*[-+]?\s*(\d*[.,]?\d+))?$/;
 /** `25e7` is a fit: as a number it would be larger than any part. */
 const FIT = /^\d+[.,]?\d*\s*e\s*([5-9]|1\d)$/i;
 /** A deviation is smaller than this, in the units of the size, and less than a quarter of it. */
@@ -39,9 +40,14 @@ const SMALL: Record<Units, number> = { mm: 0.5, inch: 0.02 };
 /** Whether a text in a field for a size says a tolerance, and not a sum: then the check says what to enter. */
 function isToleranced(text: string, units: Units): boolean {
   if (FIT.test(text)) return true;
-  const [, size, ...deviations] = (DEVIATIONS.exec(text) ?? []).map((part) => part?.replace(",", "."));
+  const [, size, ...deviations] = (DEVIATIONS.exec(text) ?? []).map((part) =>
+    part?.replace(",", "."),
+  );
   const most = Math.min(SMALL[units], Number(size) / 4);
-  return deviations.length > 0 && deviations.every((part) => part === undefined || Number(part) < most);
+  return (
+    deviations.length > 0 &&
+    deviations.every((part) => part === undefined || Number(part) < most)
+  );
 }
 
 /** Longer texts are no sums. */
@@ -59,7 +65,12 @@ export function readNumber(
   size = false,
 ): number | string {
   const thousands = comma ? THOUSANDS_BY_POINT : THOUSANDS;
-  if (text.length > LONGEST || AMBIGUOUS.test(text.trim()) || thousands.test(text.trim())) return text;
+  if (
+    text.length > LONGEST ||
+    AMBIGUOUS.test(text.trim()) ||
+    thousands.test(text.trim())
+  )
+    return text;
   // As a spreadsheet begins a sum, and a drawing a diameter.
   let rest = text
     .trim()
@@ -72,7 +83,8 @@ export function readNumber(
     given = of;
     break;
   }
-  if (size && unit === "length" && isToleranced(rest, given ?? units)) return text;
+  if (size && unit === "length" && isToleranced(rest, given ?? units))
+    return text;
   const value = mixed(rest) ?? sum(rest);
   if (value === null || !Number.isFinite(value)) return text;
   if (given === null || given === units) return value;
@@ -94,28 +106,45 @@ function mixed(text: string): number | null {
   const found = /^([+-]?)\s*(\d+)\s+(\d+)\s*\/\s*(\d+)$/.exec(text);
   if (!found) return null;
   const [, sign, whole, over, under] = found;
-  return (sign === "-" ? -1 : 1) * (Number(whole) + Number(over) / Number(under));
+  return (
+    (sign === "-" ? -1 : 1) * (Number(whole) + Number(over) / Number(under))
+  );
 }
 
 /** The value of a sum of products; null where the text is none. */
 function sum(text: string): number | null {
-  const words = text.match(/\d+(?:[.,]\d*)?(?:e[+-]?\d+)?|[.,]\d+(?:e[+-]?\d+)?|[-+*/×÷()]|\S/gi) ?? [];
+  const words =
+    text.match(
+      /\d+(?:[.,]\d*)?(?:e[+-]?\d+)?|[.,]\d+(?:e[+-]?\d+)?|[-+*/×÷()]|\S/gi,
+    ) ?? [];
   let next = 0;
-  const take = (...signs: string[]) => (signs.includes(words[next] ?? "") ? words[next++] : undefined);
+  const take = (...signs: string[]) =>
+    signs.includes(words[next] ?? "") ? words[next++] : undefined;
 
   const factor = (): number => {
     const sign = take("-", "+");
-    if (sign) return /[-+]/.test(words[next] ?? "") ? Number.NaN : sign === "-" ? -factor() : factor();
+    if (sign)
+      return /[-+]/.test(words[next] ?? "")
+        ? Number.NaN
+        : sign === "-"
+          ? -factor()
+          : factor();
     if (take("(")) {
       const inner = terms();
       return take(")") ? inner : Number.NaN;
     }
     const word = words[next++] ?? "";
-    return /^[\d.,]/.test(word) && /\d/.test(word) ? Number(word.replace(",", ".")) : Number.NaN;
+    return /^[\d.,]/.test(word) && /\d/.test(word)
+      ? Number(word.replace(",", "."))
+      : Number.NaN;
   };
   const product = (): number => {
     let value = factor();
-    for (let sign = take("*", "/", "×", "÷"); sign; sign = take("*", "/", "×", "÷")) {
+    for (
+      let sign = take("*", "/", "×", "÷");
+      sign;
+      sign = take("*", "/", "×", "÷")
+    ) {
       const other = factor();
       value = sign === "*" || sign === "×" ? value * other : value / other;
     }
@@ -123,7 +152,8 @@ function sum(text: string): number | null {
   };
   const terms = (): number => {
     let value = product();
-    for (let sign = take("+", "-"); sign; sign = take("+", "-")) value += sign === "+" ? product() : -product();
+    for (let sign = take("+", "-"); sign; sign = take("+", "-"))
+      value += sign === "+" ? product() : -product();
     return value;
   };
 

@@ -11,7 +11,9 @@ const page = document.querySelector<TouchPath>("touch-path") as TouchPath;
 
 /** What is kept for when there is no network. */
 function keepAll(): void {
-  keepOffline((take) => page.dispatchEvent(new CustomEvent("update-ready", { detail: take })));
+  keepOffline((take) =>
+    page.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
+  );
   // What reads texts, and LENTOAX, once nothing else is loaded.
   const { connection } = navigator as { connection?: { saveData?: boolean } };
   if (!connection?.saveData) setTimeout(() => keep("touchpath_bg"), IDLE);

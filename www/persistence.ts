@@ -85,8 +85,12 @@ export function keptFiles(): Map<string, string> {
   try {
     const pairs = JSON.parse(choice(SAVED) ?? "[]") as unknown;
     const isPair = (pair: unknown) =>
-      Array.isArray(pair) && pair.length === 2 && pair.every((x) => typeof x === "string");
-    return new Map(Array.isArray(pairs) ? (pairs.filter(isPair) as [string, string][]) : []);
+      Array.isArray(pair) &&
+      pair.length === 2 &&
+      pair.every((x) => typeof x === "string");
+    return new Map(
+      Array.isArray(pairs) ? (pairs.filter(isPair) as [string, string][]) : [],
+    );
   } catch {
     return new Map();
   }
@@ -120,6 +124,7 @@ function keepChoice(name: string, value: string): void {
 export const keptTheme = () => choice(THEME);
 export const keepTheme = (theme: string) => keepChoice(THEME, theme);
 export const keptLanguage = () => choice(LANGUAGE);
-export const keepLanguage = (language: string) => keepChoice(LANGUAGE, language);
+export const keepLanguage = (language: string) =>
+  keepChoice(LANGUAGE, language);
 export const keptCam = () => choice(CAM) === "on";
 export const keepCam = (on: boolean) => keepChoice(CAM, on ? "on" : "off");

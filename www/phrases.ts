@@ -1,5 +1,12 @@
 // What the page says, in its language.
-import { type Catalog, catalog, JobError, type Said, say, type Words } from "./core/browser.js";
+import {
+  type Catalog,
+  catalog,
+  JobError,
+  type Said,
+  say,
+  type Words,
+} from "./core/browser.js";
 import type { Finding } from "./core/types.js";
 import { type Lang, worded } from "./words.js";
 
@@ -29,7 +36,12 @@ export class Phrases extends EventTarget {
 
   /** A text of the page in its language; the values stand in place of the names in its braces. */
   t(template: string, ...values: (string | number | Said)[]): string {
-    return this.say([template, ...values.map((value) => (typeof value === "number" ? String(value) : value))]);
+    return this.say([
+      template,
+      ...values.map((value) =>
+        typeof value === "number" ? String(value) : value,
+      ),
+    ]);
   }
 
   /** A decimal number as this language writes it. */

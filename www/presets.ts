@@ -37,14 +37,22 @@ export function presets(): Preset[] | null {
 const converted = new WeakMap<Preset, Preset>();
 
 /** A preset in these units; one that cannot be converted is no machine of any job, and stays as it is. */
-export function convertedPreset(preset: Preset, units: Preset["units"]): Preset {
+export function convertedPreset(
+  preset: Preset,
+  units: Preset["units"],
+): Preset {
   if (preset.units === units) return preset;
   const known = converted.get(preset);
   if (known) return known;
   let made = preset;
   try {
     const { overtravel, ...sections } = convertUnits(
-      { format: 1, units: preset.units, overtravel: preset.overtravel, ...preset.sections },
+      {
+        format: 1,
+        units: preset.units,
+        overtravel: preset.overtravel,
+        ...preset.sections,
+      },
       units,
     ) as unknown as Record<string, unknown>;
     made = { ...preset, units, overtravel, sections };
@@ -78,20 +86,42 @@ export function read(text: string): Preset[] | null {
   } catch {
     return null;
   }
-  if (!isObject(file) || file.format !== FORMAT || file.version !== 1 || !Array.isArray(file.presets)) return null;
+  if (
+    !isObject(file) ||
+    file.format !== FORMAT ||
+    file.version !== 1 ||
+    !Array.isArray(file.presets)
+  )
+    return null;
   return file.presets.flatMap((one: unknown) => {
-    if (!isObject(one) || typeof one.name !== "string" || !isObject(one.sections)) return [];
+    if (
+      !isObject(one) ||
+      typeof one.name !== "string" ||
+      !isObject(one.sections)
+    )
+      return [];
     const { name, sections, overtravel } = one;
     const units = one.units === "inch" ? "inch" : "mm";
     const held = SECTIONS.filter((section) => isObject(sections[section]));
     if (held.length === 0) return [];
-    const taken = Object.fromEntries(held.map((section) => [section, sections[section]]));
-    return [{ name: name.slice(0, LONGEST_NAME), units, overtravel, sections: taken } satisfies Preset];
+    const taken = Object.fromEntries(
+      held.map((section) => [section, sections[section]]),
+    );
+    return [
+      {
+        name: name.slice(0, LONGEST_NAME),
+        units,
+        overtravel,
+        sections: taken,
+      } satisfies Preset,
+    ];
   });
 }
 
 /** A list with one more; one of the same name gives way. It may become too long to be kept. */
 export function added(list: Preset[], one: Preset): Preset[] {
   const named = { ...one, name: one.name.trim().slice(0, LONGEST_NAME) };
-  return [...list.filter((other) => other.name !== named.name), named].sort((a, b) => a.name.localeCompare(b.name));
+  return [...list.filter((other) => other.name !== named.name), named].sort(
+    (a, b) => a.name.localeCompare(b.name),
+  );
 }

@@ -1,15 +1,29 @@
 // <touch-path> as a component, and what React's TSX knows of the bare tags: `import type {} from "touchpath/react"` in any file of a project.
 import type { DetailedHTMLProps, HTMLAttributes, ReactElement } from "react";
-import type { TouchPartAttributes, TouchPathAttributes, TouchPathListeners } from "./attributes.js";
-import type { TouchPart, TouchPath as TouchPathElement } from "./element/element.js";
+import type {
+  TouchPartAttributes,
+  TouchPathAttributes,
+  TouchPathListeners,
+} from "./attributes.js";
+import type {
+  TouchPart,
+  TouchPath as TouchPathElement,
+} from "./element/element.js";
 
 /** The properties of `<touch-path>`. */
-export type TouchPathProps = DetailedHTMLProps<HTMLAttributes<TouchPathElement>, TouchPathElement> &
+export type TouchPathProps = DetailedHTMLProps<
+  HTMLAttributes<TouchPathElement>,
+  TouchPathElement
+> &
   TouchPathAttributes &
   TouchPathListeners;
 
 /** The properties of the elements that show panels of another element's job. */
-export type TouchPartProps = DetailedHTMLProps<HTMLAttributes<TouchPart>, TouchPart> & TouchPartAttributes;
+export type TouchPartProps = DetailedHTMLProps<
+  HTMLAttributes<TouchPart>,
+  TouchPart
+> &
+  TouchPartAttributes;
 
 /**
  * `<touch-path>` as a component, for React 19. In a tree that a server rendered React sets neither the properties nor the listeners of a custom element; this

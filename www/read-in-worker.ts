@@ -4,11 +4,17 @@ import type { Reading } from "./read-text.js";
 import address from "./reader.js?worker&url";
 
 /** Reads a text beside the page. Fails where there can be no worker, what it does breaks, or the signal aborts it. */
-export function readBeside(text: string, signal: AbortSignal): Promise<Reading> {
+export function readBeside(
+  text: string,
+  signal: AbortSignal,
+): Promise<Reading> {
   return new Promise((done, fail) => {
     const worker = new Worker(script(address), { type: "module" });
     // One that does not come, over a slow network, is not waited for.
-    const late = setTimeout(() => end(() => fail(new Error("the worker did not come"))), 3000);
+    const late = setTimeout(
+      () => end(() => fail(new Error("the worker did not come"))),
+      3000,
+    );
     const abort = () => end(() => fail(signal.reason));
     const end = (settle: () => void) => {
       clearTimeout(late);

@@ -1,5 +1,11 @@
 // The rules of the portal around: what the page offers, what its form shows, and which values are fixed.
-import { type Config, configured, convertUnits, type Finding, judged } from "./core/browser.js";
+import {
+  type Config,
+  configured,
+  convertUnits,
+  type Finding,
+  judged,
+} from "./core/browser.js";
 import { type Draft, isObject } from "./job.js";
 import type { Preset } from "./presets.js";
 
@@ -12,7 +18,10 @@ export class Rules {
   /** Whether a cycle or a control is offered. */
   offers(what: "cycles" | "controls", key: string): boolean {
     const { allow, hide } = this.config ?? {};
-    return this.allows(allow?.[what], key) && !(hide?.[what] as readonly string[] | undefined)?.includes(key);
+    return (
+      this.allows(allow?.[what], key) &&
+      !(hide?.[what] as readonly string[] | undefined)?.includes(key)
+    );
   }
 
   allowsUnits(units: Units): boolean {
@@ -38,7 +47,9 @@ export class Rules {
   }
 
   shows(panel: string): boolean {
-    return !(this.config?.hide?.panels as readonly string[] | undefined)?.includes(panel);
+    return !(
+      this.config?.hide?.panels as readonly string[] | undefined
+    )?.includes(panel);
   }
 
   /** Whether the form shows a field. */
@@ -71,7 +82,9 @@ export class Rules {
 
   /** The units of a new job, in the place of others that are not allowed. */
   units(units: Units): Units {
-    return this.allowsUnits(units) ? units : (this.config?.allow?.units?.[0] ?? units);
+    return this.allowsUnits(units)
+      ? units
+      : (this.config?.allow?.units?.[0] ?? units);
   }
 
   /** A new job with everything that the rules say of its cycle and of what stands around it. A control that is asked for stays. */
@@ -80,9 +93,20 @@ export class Rules {
     const { type } = job.cycle as Draft;
     const { post, form, ...rest } = job.control as Draft;
     const { allow, fields } = this.config;
-    const said = ["post", "form"].some((key) => fields?.[`control.${key}`]?.value !== undefined);
-    const stays = asked || (!said && this.allows(allow?.controls as unknown[], post) && this.allowsForm(form as Form));
-    const bare = { format: 1, units: job.units, cycle: { type }, ...(stays ? { control: { post, form } } : {}) };
+    const said = ["post", "form"].some(
+      (key) => fields?.[`control.${key}`]?.value !== undefined,
+    );
+    const stays =
+      asked ||
+      (!said &&
+        this.allows(allow?.controls as unknown[], post) &&
+        this.allowsForm(form as Form));
+    const bare = {
+      format: 1,
+      units: job.units,
+      cycle: { type },
+      ...(stays ? { control: { post, form } } : {}),
+    };
     const filled = this.filled(bare);
     // The chosen control may not have the form of the default one.
     const control = stays ? job.control : { ...rest, form: "moves" };
@@ -98,7 +122,9 @@ export class Rules {
   /** The fields that the user cannot change; `bare`: only those without a value that they must have. */
   locked(bare = false): string[] {
     const all = Object.entries(this.config?.fields ?? {});
-    return all.flatMap(([path, rule]) => (rule.locked && !(bare && rule.value !== undefined) ? [path] : []));
+    return all.flatMap(([path, rule]) =>
+      rule.locked && !(bare && rule.value !== undefined) ? [path] : [],
+    );
   }
 
   /** What is refused of a job, and what the portal says of it. */
@@ -108,19 +134,24 @@ export class Rules {
 
   /** The machines that are offered. */
   get machines(): Preset[] {
-    return (this.config?.machines ?? []).map(({ name, overtravel, ...sections }) => ({
-      name,
-      units: this.config?.units ?? "mm",
-      ...(overtravel === undefined ? {} : { overtravel }),
-      sections,
-    }));
+    return (this.config?.machines ?? []).map(
+      ({ name, overtravel, ...sections }) => ({
+        name,
+        units: this.config?.units ?? "mm",
+        ...(overtravel === undefined ? {} : { overtravel }),
+        sections,
+      }),
+    );
   }
 
   /** The styli that are offered, in the units of a job. */
   styli(units: Units): { name: string; stylus: Draft }[] {
     const own = this.config?.units ?? "mm";
     return (this.config?.styli ?? []).map(({ name, ...stylus }) => {
-      const job = convertUnits({ format: 1, units: own, stylus }, units) as unknown as { stylus: Draft };
+      const job = convertUnits(
+        { format: 1, units: own, stylus },
+        units,
+      ) as unknown as { stylus: Draft };
       return { name, stylus: job.stylus };
     });
   }
@@ -129,6 +160,9 @@ export class Rules {
 /** What one says over what another says. */
 function over(under: unknown, said: unknown): unknown {
   if (!isObject(under) || !isObject(said)) return said;
-  const entries = Object.entries(said).map(([key, value]) => [key, key in under ? over(under[key], value) : value]);
+  const entries = Object.entries(said).map(([key, value]) => [
+    key,
+    key in under ? over(under[key], value) : value,
+  ]);
   return { ...under, ...Object.fromEntries(entries) };
 }

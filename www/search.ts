@@ -5,7 +5,9 @@ import { w } from "./words.js";
 /** What any cycle that measures is looked for by. */
 const MEASURES = w("work offset zero point datum preset centre G54 G55 X Y");
 /** What the other tool is looked for by. */
-export const LENGTHS = w("tool length offset frame swivel nutating head axis SINUMERIK LENTOAX");
+export const LENGTHS = w(
+  "tool length offset frame swivel nutating head axis SINUMERIK LENTOAX",
+);
 
 /** Words that say nothing of what is measured. */
 const EMPTY = new Set([
@@ -40,15 +42,30 @@ export function wordsIn(query: string): string[] {
 /** Whether a text has a word: a short one or a number as a whole, a longer one also as a part, in the singular too. */
 export function hasWord(text: string, word: string): boolean {
   // Chinese words are short, and have no spaces between.
-  if (/^([\x21-\x7e]{1,2}|\d+)$/.test(word)) return ` ${text} `.split(/[^\p{L}\p{N}]+/u).includes(word);
-  return text.includes(word) || (word.length > 3 && word.endsWith("s") && text.includes(word.slice(0, -1)));
+  if (/^([\x21-\x7e]{1,2}|\d+)$/.test(word))
+    return ` ${text} `.split(/[^\p{L}\p{N}]+/u).includes(word);
+  return (
+    text.includes(word) ||
+    (word.length > 3 && word.endsWith("s") && text.includes(word.slice(0, -1)))
+  );
 }
 
 /** All that a cycle is looked for by, in English and in the language of the page. */
-export function textOf(cycle: CycleEntry, english: CycleEntry, t: (text: string) => string): string {
+export function textOf(
+  cycle: CycleEntry,
+  english: CycleEntry,
+  t: (text: string) => string,
+): string {
   const common = cycle.steps.length > 0 ? [MEASURES, t(MEASURES)] : [];
-  const own = [cycle, english].flatMap(({ title, says, also, source }) => [title, says, also, source]);
-  return [...own, cycle.type.replaceAll("-", " "), ...common].join(" ").toLowerCase();
+  const own = [cycle, english].flatMap(({ title, says, also, source }) => [
+    title,
+    says,
+    also,
+    source,
+  ]);
+  return [...own, cycle.type.replaceAll("-", " "), ...common]
+    .join(" ")
+    .toLowerCase();
 }
 
 /** The things whose texts have every word; where none has, those that have most of them, the best first. */
@@ -63,7 +80,10 @@ export function found<T>(
     return { thing, count: words.filter((word) => hasWord(of, word)).length };
   });
   const whole = counted.filter(({ count }) => count === words.length);
-  if (whole.length > 0) return { all: true, things: whole.map(({ thing }) => thing) };
-  const some = counted.filter(({ count }) => count > 0).sort((a, b) => b.count - a.count);
+  if (whole.length > 0)
+    return { all: true, things: whole.map(({ thing }) => thing) };
+  const some = counted
+    .filter(({ count }) => count > 0)
+    .sort((a, b) => b.count - a.count);
   return { all: false, things: some.map(({ thing }) => thing) };
 }

@@ -23,45 +23,81 @@ function parts(
     touch: [w("touch {touch}"), String(store.touchNumber(touch ?? 0))] as Said,
     back: [w("back")] as Said,
   }[kind];
-  const place = ["X", "Y", "Z"].map((axis, i) => axis + store.number(String(Number((to[i] as number).toFixed(4)))));
-  const name = store.plan.cycles.length > 1 ? store.plan.cycles[cycle] : undefined;
+  const place = ["X", "Y", "Z"].map(
+    (axis, i) =>
+      axis + store.number(String(Number((to[i] as number).toFixed(4)))),
+  );
+  const name =
+    store.plan.cycles.length > 1 ? store.plan.cycles[cycle] : undefined;
   if (name === undefined) return { what, place: place.join(" ") };
-  const said: Said = step === 0 ? [w("on the way to {cycle}"), name] : [w("{cycle}: {what}"), name, what];
+  const said: Said =
+    step === 0
+      ? [w("on the way to {cycle}"), name]
+      : [w("{cycle}: {what}"), name, what];
   return { what: said, place: place.join(" ") };
 }
 
 /** A move of the plan. */
-export function moveInWords(store: Store, index: number, numbered = true): string {
+export function moveInWords(
+  store: Store,
+  index: number,
+  numbered = true,
+): string {
   const { moves } = store.plan;
   const move = moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
   // The macros have feeds of their own.
   const said: Said = store.plan.program.own
     ? [w("call {step}, {what}, to {place}"), String(move.step), what, place]
-    : [w("step {step}, {what}, {feed}, to {place}"), String(move.step), what, [FEEDS[move.feed]], place];
-  return numbered ? store.t("{move} of {count}: {words}", index + 1, moves.length, said) : store.say(said);
+    : [
+        w("step {step}, {what}, {feed}, to {place}"),
+        String(move.step),
+        what,
+        [FEEDS[move.feed]],
+        place,
+      ];
+  return numbered
+    ? store.t("{move} of {count}: {words}", index + 1, moves.length, said)
+    : store.say(said);
 }
 
 /** The number of a feed in the form; none is a rapid. */
-export function rateOf(store: Store, feed: Plan["moves"][number]["feed"]): number | null {
-  const { feeds, cycle } = store.shown as { feeds?: Draft; cycle?: { probe?: Draft } };
-  const value = store.cycle.ownFeeds ? cycle?.probe?.[feed === "work" ? "feed" : feed] : feeds?.[feed];
+export function rateOf(
+  store: Store,
+  feed: Plan["moves"][number]["feed"],
+): number | null {
+  const { feeds, cycle } = store.shown as {
+    feeds?: Draft;
+    cycle?: { probe?: Draft };
+  };
+  const value = store.cycle.ownFeeds
+    ? cycle?.probe?.[feed === "work" ? "feed" : feed]
+    : feeds?.[feed];
   return typeof value === "number" ? value : null;
 }
 
 /** How fast a move is, as a program says it: `F150`, or rapid. */
 function speed(store: Store, feed: Plan["moves"][number]["feed"]): string {
   const rate = rateOf(store, feed);
-  return rate === null ? store.say([FEEDS.rapid]) : `F${store.number(String(rate))}`;
+  return rate === null
+    ? store.say([FEEDS.rapid])
+    : `F${store.number(String(rate))}`;
 }
 
 /** The same where room is short: `touch 1 · contact X37 Y0 Z-10 · F150`. */
 export function moveInShort(store: Store, index: number): string {
   const move = store.plan.moves[index] as Plan["moves"][number];
   const { what, place } = parts(store, move);
-  const where = move.kind === "touch" ? store.t("contact {place}", place) : place;
-  const own = store.plan.program.own && !["approach", "longLink", "return"].includes(move.feed);
-  return [store.say(what), where, ...(own ? [] : [speed(store, move.feed)])].join(" · ");
+  const where =
+    move.kind === "touch" ? store.t("contact {place}", place) : place;
+  const own =
+    store.plan.program.own &&
+    !["approach", "longLink", "return"].includes(move.feed);
+  return [
+    store.say(what),
+    where,
+    ...(own ? [] : [speed(store, move.feed)]),
+  ].join(" · ");
 }
 
 /** Minutes and seconds. */
@@ -83,7 +119,10 @@ const NAMED: Record<string, string> = {
 /** A result that lies on an axis, by the name of that axis: the x of a code is the plane's abscissa, its y the ordinate, its z the tool axis. Any other by its meaning. */
 export function resultInWords(store: Store, { code, said }: ResultRow): string {
   const [thing = "", letter = ""] = code.split(".");
-  const axis = AXES_OF[(store.shown.plane ?? "G17") as keyof typeof AXES_OF]["xyz".indexOf(letter)];
+  const axis =
+    AXES_OF[(store.shown.plane ?? "G17") as keyof typeof AXES_OF][
+      "xyz".indexOf(letter)
+    ];
   return letter !== "" && axis && Object.hasOwn(NAMED, thing)
     ? store.t(NAMED[thing] as string, axis)
     : store.say(said.meaning);
@@ -92,8 +131,14 @@ export function resultInWords(store: Store, { code, said }: ResultRow): string {
 /** How many moves the path of the plan has, and its length. */
 export function pathInWords(store: Store): string {
   const { moves, length } = store.plan;
-  const words = store.t("{count} moves · {length}", moves.length, `${length.toFixed(0)} ${store.units}`);
-  return store.plan.program.own ? `${words} · ${store.t("the control's own cycles")}` : words;
+  const words = store.t(
+    "{count} moves · {length}",
+    moves.length,
+    `${length.toFixed(0)} ${store.units}`,
+  );
+  return store.plan.program.own
+    ? `${words} · ${store.t("the control's own cycles")}`
+    : words;
 }
 
 /** The run of the plan in a line: moves, length, minutes and seconds. */
@@ -103,21 +148,32 @@ export function runInWords(store: Store): string {
 
 /** How the virtual part lies other than the drawing says; empty where it does not. */
 export function deviations(store: Store): string[] {
-  const part = store.get("part") as { offset?: unknown[]; rotation?: unknown; sizes?: Draft } | undefined;
+  const part = store.get("part") as
+    | { offset?: unknown[]; rotation?: unknown; sizes?: Draft }
+    | undefined;
   const signed = (x: number) => store.number(x > 0 ? `+${x}` : String(x));
   // What is no number is said as an error of its field.
   const off = (x: unknown): x is number => typeof x === "number" && x !== 0;
-  const shifts = (part?.offset ?? []).flatMap((x, i) => (off(x) ? [`${"XYZ"[i]} ${signed(x)}`] : []));
+  const shifts = (part?.offset ?? []).flatMap((x, i) =>
+    off(x) ? [`${"XYZ"[i]} ${signed(x)}`] : [],
+  );
   const turn = off(part?.rotation) ? part.rotation : 0;
   const sizes = store.cycle.fields.flatMap(({ key, label }) => {
     const value = part?.sizes?.[key] ?? 0;
     return off(value) ? [`${label} ${signed(value)}`] : [];
   });
-  return [...shifts, ...(turn === 0 ? [] : [store.t("turned {angle}", `${String(turn)}°`)]), ...sizes];
+  return [
+    ...shifts,
+    ...(turn === 0 ? [] : [store.t("turned {angle}", `${String(turn)}°`)]),
+    ...sizes,
+  ];
 }
 
 /** The results that the ball's eccentricity makes uncertain, in a list; empty where it counts in none. */
-export const ofRunout = (rows: ResultRow[], say: (row: ResultRow) => string): string =>
+export const ofRunout = (
+  rows: ResultRow[],
+  say: (row: ResultRow) => string,
+): string =>
   rows
     .filter((row) => (row.uncertaintyRunout ?? 0) > 0)
     .map(say)

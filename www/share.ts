@@ -14,9 +14,16 @@ const LONGEST_LINK = 30_000;
 
 /** The fragment of a state; null where it would be longer than links may be. */
 export async function toFragment(state: Shared): Promise<string | null> {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify(state)), new CompressionStream("deflate-raw"));
-  const text = Array.from(bytes ?? [], (byte) => String.fromCharCode(byte)).join("");
-  const fragment = KEY + btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  const bytes = await through(
+    new TextEncoder().encode(JSON.stringify(state)),
+    new CompressionStream("deflate-raw"),
+  );
+  const text = Array.from(bytes ?? [], (byte) =>
+    String.fromCharCode(byte),
+  ).join("");
+  const fragment =
+    KEY +
+    btoa(text).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
   return fragment.length > LONGEST_LINK ? null : fragment;
 }
 
@@ -24,13 +31,24 @@ export async function toFragment(state: Shared): Promise<string | null> {
 export const isFragment = (hash: string): boolean => hash.startsWith("#job");
 
 /** The state of a fragment; null if it cannot be read. At most so many characters are unpacked. */
-export async function fromFragment(hash: string, longest: number): Promise<Shared | null> {
+export async function fromFragment(
+  hash: string,
+  longest: number,
+): Promise<Shared | null> {
   if (!hash.startsWith(KEY) || hash.length > LONGEST_LINK) return null;
   try {
-    const text = atob(hash.slice(KEY.length).replaceAll("-", "+").replaceAll("_", "/"));
+    const text = atob(
+      hash.slice(KEY.length).replaceAll("-", "+").replaceAll("_", "/"),
+    );
     const packed = Uint8Array.from(text, (c) => c.charCodeAt(0));
-    const bytes = await through(packed, new DecompressionStream("deflate-raw"), longest);
-    const state: unknown = bytes && JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
+    const bytes = await through(
+      packed,
+      new DecompressionStream("deflate-raw"),
+      longest,
+    );
+    const state: unknown =
+      bytes &&
+      JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes));
     if (!isObject(state)) return null;
     const { job, measured } = state;
     return { job, measured: typeof measured === "string" ? measured : "" };
@@ -48,7 +66,11 @@ async function through(
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let length = 0;
-  for (let { done, value } = await reader.read(); !done; { done, value } = await reader.read()) {
+  for (
+    let { done, value } = await reader.read();
+    !done;
+    { done, value } = await reader.read()
+  ) {
     if (!value) continue;
     length += value.length;
     if (length > longest) {

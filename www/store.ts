@@ -24,9 +24,24 @@ import { byCode, Features, type SetUpState } from "./features.js";
 import { Fixed } from "./fixed.js";
 import { History } from "./history.js";
 import { Outside } from "./host-inputs.js";
-import { alike, complete, type Draft, dropAt, isObject, ownIn, putAt } from "./job.js";
+import {
+  alike,
+  complete,
+  type Draft,
+  dropAt,
+  isObject,
+  ownIn,
+  putAt,
+} from "./job.js";
 import { Judged, withClass } from "./judged.js";
-import { keepCam, keepFiles, keepSoon, kept, keptCam, keptFiles } from "./persistence.js";
+import {
+  keepCam,
+  keepFiles,
+  keepSoon,
+  kept,
+  keptCam,
+  keptFiles,
+} from "./persistence.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./read-text.js";
 import type { Rules } from "./rules.js";
@@ -94,7 +109,8 @@ const LOOK_ONLY: Said = [w("Nothing was changed: this job is read-only")];
 const beginsInInch = () => /^en-US\b/i.test(navigator.languages[0] ?? "");
 
 /** What the blocks of a program are: the hash over them that its header says, or else all of it. */
-const contentOf = (text: string): string => /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
+const contentOf = (text: string): string =>
+  /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
 
 /** What outlives a reload. */
 interface State {
@@ -170,7 +186,9 @@ export class Store extends Entries {
     this.draft = structuredClone(defaultJob(first.type)) as unknown as Draft;
     this.compute();
     if (local && !this.restore() && beginsInInch()) {
-      this.draft = structuredClone(defaultJob(first.type, "inch")) as unknown as Draft;
+      this.draft = structuredClone(
+        defaultJob(first.type, "inch"),
+      ) as unknown as Draft;
       this.compute();
     }
     this.cams = local && keptCam();
@@ -188,8 +206,10 @@ export class Store extends Entries {
     if (given) {
       const type = this.cycle.type;
       const first = rules.firstOf(this.catalog.cycles.map((one) => one.type));
-      if (given.size === 0 && !rules.offers("cycles", type) && first) this.choose(first as Cycle["type"]);
-      if (!given.has("units") && !rules.allowsUnits(this.units)) this.setUnits(rules.units(this.units));
+      if (given.size === 0 && !rules.offers("cycles", type) && first)
+        this.choose(first as Cycle["type"]);
+      if (!given.has("units") && !rules.allowsUnits(this.units))
+        this.setUnits(rules.units(this.units));
       const laid = rules.laid(this.draft);
       const held = [...given].map((path) => [path, this.get(path)] as const);
       this.draft = laid;
@@ -221,8 +241,14 @@ export class Store extends Entries {
   duplicateFeature(index: number): void {
     this.arrange(() => {
       this.features.bring(this.draft, index);
-      const { cycle, part, tolerances } = structuredClone(this.draft) as Record<string, Draft>;
-      this.features.add(this.draft, cycle as Draft, { sizes: part?.sizes as Draft, tolerances: tolerances ?? {} });
+      const { cycle, part, tolerances } = structuredClone(this.draft) as Record<
+        string,
+        Draft
+      >;
+      this.features.add(this.draft, cycle as Draft, {
+        sizes: part?.sizes as Draft,
+        tolerances: tolerances ?? {},
+      });
       this.features.bring(this.draft, index + 1);
     });
   }
@@ -243,10 +269,14 @@ export class Store extends Entries {
   switchFeature(index: number): void {
     const { all } = this.features;
     const one = all[index];
-    if (!one || (!one.off && all.filter(({ off }) => !off).length === 1)) return;
+    if (!one || (!one.off && all.filter(({ off }) => !off).length === 1))
+      return;
     this.arrange(() => {
       this.features.stow(this.draft);
-      this.features.all[index] = { ...(this.features.all[index] as typeof one), off: !one.off };
+      this.features.all[index] = {
+        ...(this.features.all[index] as typeof one),
+        off: !one.off,
+      };
     });
   }
 
@@ -254,7 +284,8 @@ export class Store extends Entries {
   writeFrom(axis: string, from: string | null | undefined): void {
     this.arrange(() => {
       const { [axis]: _, ...rest } = this.features.datum;
-      this.features.datum = from === undefined ? rest : { ...rest, [axis]: from };
+      this.features.datum =
+        from === undefined ? rest : { ...rest, [axis]: from };
     });
   }
 
@@ -277,7 +308,9 @@ export class Store extends Entries {
   }
 
   /** Where the tolerances of a result are kept: of the cycle in hand in the form. Undefined for a cycle that is no longer in the program. */
-  private toleratedOf(cycle: number): { tolerances: Draft; keep: (tolerances: Draft) => void } | undefined {
+  private toleratedOf(
+    cycle: number,
+  ): { tolerances: Draft; keep: (tolerances: Draft) => void } | undefined {
     const { features, draft, plan } = this;
     // By its name: where the form has errors, the plan may be of another order.
     const name = [...plan.cycles, ...plan.relations][cycle]?.toLowerCase();
@@ -298,11 +331,17 @@ export class Store extends Entries {
 
   /** The tolerance of a result of the plan; undefined where it has none. */
   tolerance(cycle: number, code: string): ResultTolerance | undefined {
-    return this.toleratedOf(cycle)?.tolerances[code] as ResultTolerance | undefined;
+    return this.toleratedOf(cycle)?.tolerances[code] as
+      | ResultTolerance
+      | undefined;
   }
 
   /** Gives a result of the plan a tolerance, or none. */
-  tolerate(cycle: number, code: string, tolerance: ResultTolerance | undefined): void {
+  tolerate(
+    cycle: number,
+    code: string,
+    tolerance: ResultTolerance | undefined,
+  ): void {
     if (this.refuses) return;
     this.mark(`tolerances.${cycle}.${code}`);
     const own = this.toleratedOf(cycle);
@@ -482,13 +521,18 @@ export class Store extends Entries {
     putAt(this.draft, path, value);
     fixed.keep(this.draft);
     // What was typed inside a value that is another one now.
-    if (typeof value === "object") for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
+    if (typeof value === "object")
+      for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
   }
 
   /** What the user cannot change: what the page around fixes, unless it has another value than it must have. */
   private fixed(bare = false): Fixed {
-    const wrong = new Set(this.findings.filter(({ code }) => code === "locked").map(({ path }) => path));
+    const wrong = new Set(
+      this.findings
+        .filter(({ code }) => code === "locked")
+        .map(({ path }) => path),
+    );
     const locked = this.byUser ? this.rules.locked(bare) : [];
     return new Fixed(
       this.draft,
@@ -500,14 +544,18 @@ export class Store extends Entries {
   chooseControl(post: unknown, form?: Form): void {
     const old = this.draft.control as Draft;
     if (post !== old.post) this.beforeControl = old;
-    this.put("control", { ...this.controlOf(post, form), workOffset: this.offsetFor(post) });
+    this.put("control", {
+      ...this.controlOf(post, form),
+      workOffset: this.offsetFor(post),
+    });
     this.tellLost(old);
   }
 
   /** The work offset on another control: the job's, or else the one that the present control has not. */
   private offsetFor(post: unknown): unknown {
     const old = this.draft.control as Draft;
-    if (old.workOffset === null && this.lost) return this.offsetOn(post, this.lost);
+    if (old.workOffset === null && this.lost)
+      return this.offsetOn(post, this.lost);
     const offset = this.offsetOn(post, old);
     if (offset === null && old.workOffset !== null) this.lost = old;
     return offset;
@@ -515,9 +563,16 @@ export class Store extends Entries {
 
   /** Says that a work offset is not written any more, where this control has none of that name. */
   private tellLost({ post, workOffset }: Draft): void {
-    if (typeof workOffset !== "number" || (this.draft.control as Draft).workOffset !== null) return;
+    if (
+      typeof workOffset !== "number" ||
+      (this.draft.control as Draft).workOffset !== null
+    )
+      return;
     const word = this.offsetWord(post, workOffset) ?? String(workOffset);
-    this.tell([w("This control has no {offset}: the program now writes no work offset"), word]);
+    this.tell([
+      w("This control has no {offset}: the program now writes no work offset"),
+      word,
+    ]);
   }
 
   /** Says what was done beside what was asked for. */
@@ -544,7 +599,10 @@ export class Store extends Entries {
     this.settle();
     this.mark(null);
     const narrowest = this.judged.narrowest(path, limit);
-    const name = this.draft.name === this.ownName ? withClass(jobName(this.draft), text) : null;
+    const name =
+      this.draft.name === this.ownName
+        ? withClass(jobName(this.draft), text)
+        : null;
     for (const [at, value] of [
       [path, size],
       ["limits.size", narrowest],
@@ -558,8 +616,15 @@ export class Store extends Entries {
     this.judged.add(path, size, limit, name);
     this.settle();
     this.changed();
-    const [middle = "", half = ""] = [size, narrowest].map((x) => this.number(String(x)));
-    this.tell([w("{text} is judged: {middle} with a size limit of {half}"), text, middle, half]);
+    const [middle = "", half = ""] = [size, narrowest].map((x) =>
+      this.number(String(x)),
+    );
+    this.tell([
+      w("{text} is judged: {middle} with a size limit of {half}"),
+      text,
+      middle,
+      half,
+    ]);
   }
 
   /** Sets a value by one act of the user, such as a choice: a step of its own. */
@@ -586,8 +651,17 @@ export class Store extends Entries {
     this.mark(null);
     const { units } = this;
     const part = this.draft.part as Draft;
-    const { sizes: mine, tolerances: limits } = { ...part, tolerances: this.draft.tolerances } as Record<string, Draft>;
-    this.left.set(String(old.type), { units, cycle: old, points: this.points, sizes: mine, tolerances: limits });
+    const { sizes: mine, tolerances: limits } = {
+      ...part,
+      tolerances: this.draft.tolerances,
+    } as Record<string, Draft>;
+    this.left.set(String(old.type), {
+      units,
+      cycle: old,
+      points: this.points,
+      sizes: mine,
+      tolerances: limits,
+    });
     const back = this.left.get(type);
     const fresh = this.freshOf(type);
     const { post } = this.draft.control as Draft;
@@ -603,7 +677,8 @@ export class Store extends Entries {
       back?.units ?? units,
     );
     // A form that comes back was filled in before.
-    for (const path of [...(this.given ?? [])]) if (path.startsWith("cycle")) this.given?.delete(path);
+    for (const path of [...(this.given ?? [])])
+      if (path.startsWith("cycle")) this.given?.delete(path);
     if (back) this.given?.add("cycle");
     this.draft.cycle = cycle;
     this.features.called(cycle);
@@ -620,14 +695,26 @@ export class Store extends Entries {
     const title = (id: unknown) => this.postOf(id)?.title ?? String(id);
     if (!this.byUser) return;
     if (now !== post)
-      this.tell([w("{control} does not take this cycle: the program is now for {other}"), title(post), title(now)]);
+      this.tell([
+        w("{control} does not take this cycle: the program is now for {other}"),
+        title(post),
+        title(now),
+      ]);
     else if (own !== now && this.formsOf(own, type).includes("cycle"))
-      this.tell([w("This is a cycle of {control}; the program for {other} makes its moves"), title(own), title(now)]);
+      this.tell([
+        w(
+          "This is a cycle of {control}; the program for {other} makes its moves",
+        ),
+        title(own),
+        title(now),
+      ]);
   }
 
   /** The default job of a cycle in the job's units, with what the rules of the page around say of it. */
   private freshOf(type: Cycle["type"]): Draft {
-    return this.rules.laid(structuredClone(defaultJob(type, this.units)) as unknown as Draft);
+    return this.rules.laid(
+      structuredClone(defaultJob(type, this.units)) as unknown as Draft,
+    );
   }
 
   /**
@@ -636,9 +723,14 @@ export class Store extends Entries {
    */
   private takeControl(type: string, usual: Draft): void {
     const old = this.draft.control as Draft;
-    const takes = [old, this.beforeControl, usual].find((one) => one && this.serves(one.post, type)) ?? usual;
+    const takes =
+      [old, this.beforeControl, usual].find(
+        (one) => one && this.serves(one.post, type),
+      ) ?? usual;
     const forms = this.formsOf(takes.post, type);
-    const form = forms.includes(takes.form as Form) ? takes.form : (forms[0] ?? takes.form);
+    const form = forms.includes(takes.form as Form)
+      ? takes.form
+      : (forms[0] ?? takes.form);
     if (takes.post === old.post) {
       const workOffset = this.ownPreset(old.post, type) ? null : old.workOffset;
       this.draft.control = { ...old, form, workOffset };
@@ -666,9 +758,12 @@ export class Store extends Entries {
     const known = this.draft.units === "mm" || this.draft.units === "inch";
     const old = this.draft;
     const untouched = known ? this.untouched() : [];
-    this.draft = known ? (convertUnits(old, units) as unknown as Draft) : { ...old, units };
+    this.draft = known
+      ? (convertUnits(old, units) as unknown as Draft)
+      : { ...old, units };
     if (known) this.features.convert(old.units as Units, units);
-    for (const [path, field] of untouched) putAt(this.draft, path, structuredClone(this.begins(field, units)));
+    for (const [path, field] of untouched)
+      putAt(this.draft, path, structuredClone(this.begins(field, units)));
     this.typed.clear();
     this.changed();
   }
@@ -677,10 +772,14 @@ export class Store extends Entries {
   private untouched(): [string, FieldEntry][] {
     const { given } = this;
     if (!given) return [];
-    const isGiven = (path: string) => [...given].some((one) => path === one || path.startsWith(`${one}.`));
+    const isGiven = (path: string) =>
+      [...given].some((one) => path === one || path.startsWith(`${one}.`));
     const locked = this.rules.locked();
     return [...this.metric()].filter(
-      ([path, field]) => !isGiven(path) && !locked.includes(path) && alike(this.get(path), this.begins(field)),
+      ([path, field]) =>
+        !isGiven(path) &&
+        !locked.includes(path) &&
+        alike(this.get(path), this.begins(field)),
     );
   }
 
@@ -698,7 +797,12 @@ export class Store extends Entries {
     this.draft = this.formOf(job);
     fixed.keep(this.draft);
     this.points = { ...noPoints(), [this.units]: measured };
-    this.left = new Map([...this.left].map(([type, left]) => [type, { ...left, points: noPoints() }]));
+    this.left = new Map(
+      [...this.left].map(([type, left]) => [
+        type,
+        { ...left, points: noPoints() },
+      ]),
+    );
     this.typed.clear();
     this.pinned = null;
     this.highlight = null;
@@ -711,7 +815,10 @@ export class Store extends Entries {
     const { tolerances } = job;
     const single = several
       ? this.features.take(job, this.catalog)
-      : { ...job, ...(isObject(tolerances) ? { tolerances: byCode(tolerances) } : {}) };
+      : {
+          ...job,
+          ...(isObject(tolerances) ? { tolerances: byCode(tolerances) } : {}),
+        };
     if (!several) this.features.alone();
     return complete(this.outside.filled(single) as Draft, this.catalog);
   }
@@ -719,7 +826,9 @@ export class Store extends Entries {
   /** Takes another document: nothing of the one before can be taken back, or comes back with a cycle. */
   replace(whole: Draft): void {
     if (this.refuses) return;
-    const same = alike((whole.cycle as Draft | undefined)?.type, this.cycle.type) && whole.units === this.draft.units;
+    const same =
+      alike((whole.cycle as Draft | undefined)?.type, this.cycle.type) &&
+      whole.units === this.draft.units;
     this.load(whole, same ? this.measured : "");
     this.left = new Map();
     this.clear();
@@ -730,7 +839,12 @@ export class Store extends Entries {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     const problem = this.unusable(job);
     if (problem)
-      throw this.refusal([w("Nothing was changed: the job of this link cannot be used: {problem}"), problem]);
+      throw this.refusal([
+        w(
+          "Nothing was changed: the job of this link cannot be used: {problem}",
+        ),
+        problem,
+      ]);
     this.load(job as Draft, measured);
   }
 
@@ -739,22 +853,38 @@ export class Store extends Entries {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     if (!imported) throw new JobError(findings[0]?.message ?? "", findings);
     const problem: Said | null =
-      imported.kind === "moves" ? [w("this program says no job")] : this.unusable(imported.job);
-    if (problem) throw this.refusal([w("Nothing was changed: {problem}"), problem], findings);
-    this.load(this.outside.ofText(imported.job as unknown as Draft, imported.findings));
+      imported.kind === "moves"
+        ? [w("this program says no job")]
+        : this.unusable(imported.job);
+    if (problem)
+      throw this.refusal(
+        [w("Nothing was changed: {problem}"), problem],
+        findings,
+      );
+    this.load(
+      this.outside.ofText(imported.job as unknown as Draft, imported.findings),
+    );
   }
 
   /** What is said of a text that is too long to be read. */
   tooLong(length: number, what: "text" | "file" | "paste" = "text"): Said {
     const count = (n: number) => n.toLocaleString(this.lang);
     const templates = {
-      file: w("Nothing was read: this file has {count} bytes, and at most {most} are read"),
-      text: w("Nothing was read: this text has {count} characters, and at most {most} are read"),
+      file: w(
+        "Nothing was read: this file has {count} bytes, and at most {most} are read",
+      ),
+      text: w(
+        "Nothing was read: this text has {count} characters, and at most {most} are read",
+      ),
       paste: w(
         "Nothing was read: this text has {count} characters, and at most {most} can be pasted. A longer program can be opened as a file",
       ),
     };
-    return [templates[what], count(length), count(what === "file" ? this.longestProgram : this.longest)];
+    return [
+      templates[what],
+      count(length),
+      count(what === "file" ? this.longestProgram : this.longest),
+    ];
   }
 
   /** Back to the defaults of the present cycle. */
@@ -764,32 +894,64 @@ export class Store extends Entries {
 
   /** What belongs to the machine, as a preset. Which work offset is written belongs to the job. */
   preset(name: string): Preset {
-    const sections = structuredClone(Object.fromEntries(SECTIONS.map((section) => [section, this.draft[section]])));
+    const sections = structuredClone(
+      Object.fromEntries(
+        SECTIONS.map((section) => [section, this.draft[section]]),
+      ),
+    );
     delete (sections.control as Draft).workOffset;
-    return { name, units: this.units, overtravel: this.draft.overtravel, sections };
+    return {
+      name,
+      units: this.units,
+      overtravel: this.draft.overtravel,
+      sections,
+    };
   }
 
   /**
    * Takes these sections of a preset, in this job's units; the work offset stays, if the control has it. Throws `JobError`, and changes nothing, where
    * it does not fit.
    */
-  usePreset(preset: Preset, parts: readonly string[] = [...Object.keys(preset.sections), "overtravel"]): void {
+  usePreset(
+    preset: Preset,
+    parts: readonly string[] = [...Object.keys(preset.sections), "overtravel"],
+  ): void {
     if (this.refuses) throw this.refusal(LOOK_ONLY);
     const { units: held, draft } = this;
     const old = draft.control as Draft;
     const all: Draft = { ...preset.sections, overtravel: preset.overtravel };
-    const taken = Object.fromEntries(Object.entries(all).filter(([key, x]) => parts.includes(key) && x !== undefined));
+    const taken = Object.fromEntries(
+      Object.entries(all).filter(
+        ([key, x]) => parts.includes(key) && x !== undefined,
+      ),
+    );
     if (isObject(taken.control)) {
       const { post } = taken.control;
       const forms = this.formsOf(post, this.cycle.type);
-      const form = forms.includes(taken.control.form as Form) ? taken.control.form : (forms[0] ?? taken.control.form);
-      taken.control = { ...taken.control, form, workOffset: this.offsetOn(post) };
+      const form = forms.includes(taken.control.form as Form)
+        ? taken.control.form
+        : (forms[0] ?? taken.control.form);
+      taken.control = {
+        ...taken.control,
+        form,
+        workOffset: this.offsetOn(post),
+      };
     }
-    const job = { ...structuredClone(draft), ...structuredClone(taken), units: preset.units };
+    const job = {
+      ...structuredClone(draft),
+      ...structuredClone(taken),
+      units: preset.units,
+    };
     const problem = this.unusable(job);
-    if (problem) throw this.refusal([w("Nothing was changed: this machine cannot be used: {problem}"), problem]);
+    if (problem)
+      throw this.refusal([
+        w("Nothing was changed: this machine cannot be used: {problem}"),
+        problem,
+      ]);
     const whole = complete(this.outside.filled(job) as Draft, this.catalog);
-    const fitted = (preset.units === held ? whole : convertUnits(whole, held)) as unknown as Draft;
+    const fitted = (preset.units === held
+      ? whole
+      : convertUnits(whole, held)) as unknown as Draft;
     this.mark(null);
     const fixed = this.fixed();
     for (const key of Object.keys(taken)) {
@@ -836,7 +998,8 @@ export class Store extends Entries {
   /** Keeps a move lit, or none. */
   pin(index: number | null): void {
     const cycle = index === null ? undefined : this.plan.moves[index]?.cycle;
-    if (cycle !== undefined && !this.stale) this.bringFeature(this.features.placeOf(cycle));
+    if (cycle !== undefined && !this.stale)
+      this.bringFeature(this.features.placeOf(cycle));
     const before = this.pinned;
     this.pinned = index;
     this.point(index);
@@ -882,7 +1045,9 @@ export class Store extends Entries {
   /** The documented steps of a cycle of the plan, by its place in the job. */
   stepsOf(cycle: number): string[] {
     const own = (this.shown.cycles as Draft[] | undefined)?.[cycle];
-    return own ? (this.catalog.cycles.find((c) => c.type === own.type)?.steps ?? []) : this.cycle.steps;
+    return own
+      ? (this.catalog.cycles.find((c) => c.type === own.type)?.steps ?? [])
+      : this.cycle.steps;
   }
 
   /** What the program of the plan does with offsets and presets, in a sentence. */
@@ -893,7 +1058,9 @@ export class Store extends Entries {
   /** What the program does with the work offset of a number, in words. */
   writes(offset: number): string {
     const word = this.post?.workOffsetWords[offset - 1] ?? `#${offset}`;
-    return this.stale || offset !== this.get("control.workOffset") ? this.t("writes {offset}", word) : this.does;
+    return this.stale || offset !== this.get("control.workOffset")
+      ? this.t("writes {offset}", word)
+      : this.does;
   }
 
   /** Whether a program of this name was saved before, and had other blocks than the one of the plan. */
@@ -925,7 +1092,9 @@ export class Store extends Entries {
   /** Findings at a path, the gravest first. */
   at(path: string): Finding[] {
     const own = this.findings.filter((f) => f.path === path);
-    return own.sort((a, b) => LEVELS.indexOf(a.level) - LEVELS.indexOf(b.level));
+    return own.sort(
+      (a, b) => LEVELS.indexOf(a.level) - LEVELS.indexOf(b.level),
+    );
   }
 
   /** What is asked of the job has changed, and not the job. */
@@ -946,7 +1115,8 @@ export class Store extends Entries {
     const name = jobName(this.job);
     const judged = this.judged.names(this.draft.name);
     const followed = this.ownName !== null && this.draft.name === this.ownName;
-    if (judged === "outdated" || (followed && judged === null)) this.draft.name = name;
+    if (judged === "outdated" || (followed && judged === null))
+      this.draft.name = name;
     this.ownName = name;
   }
 
@@ -961,7 +1131,12 @@ export class Store extends Entries {
         ...(this.given ? { given: [...this.given] } : {}),
         ...(this.features.several ? { features: this.features.state() } : {}),
       }),
-      () => this.tell([w("This browser keeps nothing: save the job as a file, or it is lost with this page")]),
+      () =>
+        this.tell([
+          w(
+            "This browser keeps nothing: save the job as a file, or it is lost with this page",
+          ),
+        ]),
     );
   }
 
@@ -978,7 +1153,10 @@ export class Store extends Entries {
     }
     const ruled = this.rules.judged(job);
     if (ruled.some(({ level }) => level === "error")) made = null;
-    this.findings = [...this.inForm([...findings, ...ruled]), ...this.outside.differences()];
+    this.findings = [
+      ...this.inForm([...findings, ...ruled]),
+      ...this.outside.differences(),
+    ];
     this.stale = made === null;
     if (made) {
       this.plan = made;
@@ -986,7 +1164,8 @@ export class Store extends Entries {
       this.planned = this.document;
       const count = made.moves.length;
       if (this.pinned !== null && this.pinned >= count) this.pinned = null;
-      if (this.highlight !== null && this.highlight >= count) this.highlight = this.pinned;
+      if (this.highlight !== null && this.highlight >= count)
+        this.highlight = this.pinned;
     } else if (this.planned !== this.document) {
       // The plan of another document says nothing of this one, not even of how it was.
       this.planned = -1;
@@ -998,35 +1177,53 @@ export class Store extends Entries {
   /** Findings of a set-up with the paths that its form has. */
   private inForm(findings: Finding[]): Finding[] {
     const { features } = this;
-    return features.several ? findings.map((f) => ({ ...f, path: features.inForm(f.path) })) : findings;
+    return features.several
+      ? findings.map((f) => ({ ...f, path: features.inForm(f.path) }))
+      : findings;
   }
 
   /** Why a job cannot be shown; null where it can. */
   unusable(job: unknown): Said | null {
-    const format = check(job).find((f) => f.level === "error" && f.path === "format");
+    const format = check(job).find(
+      (f) => f.level === "error" && f.path === "format",
+    );
     return misfit(job) ?? format?.said ?? null;
   }
 
   /** Takes up what was kept. What cannot be used is left alone, and the page says so. */
   private restore(): boolean {
     for (const state of kept()) {
-      const { draft, typed, points, left, given, features } = (isObject(state) ? state : {}) as Partial<State>;
+      const { draft, typed, points, left, given, features } = (
+        isObject(state) ? state : {}
+      ) as Partial<State>;
       const several = Features.fits(features) ? features : null;
       if (several) this.features.become(several);
-      const problem = this.unusable(several && isObject(draft) ? this.features.compose(draft) : draft);
+      const problem = this.unusable(
+        several && isObject(draft) ? this.features.compose(draft) : draft,
+      );
       if (problem) this.features.alone();
       if (problem) {
-        this.notice = [w("What was kept in this browser cannot be used: {problem}"), problem];
+        this.notice = [
+          w("What was kept in this browser cannot be used: {problem}"),
+          problem,
+        ];
         continue;
       }
       const isText = (pair: unknown) =>
-        Array.isArray(pair) && pair.length === 2 && pair.every((x) => typeof x === "string");
+        Array.isArray(pair) &&
+        pair.length === 2 &&
+        pair.every((x) => typeof x === "string");
       this.draft = complete(draft as Draft, this.catalog);
       this.typed = new Map(Array.isArray(typed) ? typed.filter(isText) : []);
       for (const units of ["mm", "inch"] as const)
-        if (typeof points?.[units] === "string") this.points[units] = points[units];
-      this.left = new Map(Array.isArray(left) ? left.filter((one) => this.isLeft(one)) : []);
-      this.given = Array.isArray(given) ? new Set(given.filter((path) => typeof path === "string")) : null;
+        if (typeof points?.[units] === "string")
+          this.points[units] = points[units];
+      this.left = new Map(
+        Array.isArray(left) ? left.filter((one) => this.isLeft(one)) : [],
+      );
+      this.given = Array.isArray(given)
+        ? new Set(given.filter((path) => typeof path === "string"))
+        : null;
       this.document = ++this.documents;
       this.compute();
       return true;
@@ -1037,8 +1234,11 @@ export class Store extends Entries {
   /** Whether something kept is a form of a cycle that can be shown again. */
   private isLeft(one: unknown): one is [string, Left] {
     const [type, left] = Array.isArray(one) ? one : [];
-    if (!isObject(left) || !isObject(left.cycle) || !isObject(left.points)) return false;
-    const texts = Object.values(left.points as Draft).every((text) => typeof text === "string");
+    if (!isObject(left) || !isObject(left.cycle) || !isObject(left.points))
+      return false;
+    const texts = Object.values(left.points as Draft).every(
+      (text) => typeof text === "string",
+    );
     const job = {
       format: 1,
       units: left.units,
@@ -1046,7 +1246,12 @@ export class Store extends Entries {
       part: { sizes: left.sizes },
       tolerances: left.tolerances ?? {},
     };
-    return texts && ["mm", "inch"].includes(String(left.units)) && left.cycle.type === type && !this.unusable(job);
+    return (
+      texts &&
+      ["mm", "inch"].includes(String(left.units)) &&
+      left.cycle.type === type &&
+      !this.unusable(job)
+    );
   }
 
   private moment(): Moment {
@@ -1086,6 +1291,7 @@ export class Store extends Entries {
   }
 
   private forget(prefix: string): void {
-    for (const path of [...this.typed.keys()]) if (path.startsWith(prefix)) this.typed.delete(path);
+    for (const path of [...this.typed.keys()])
+      if (path.startsWith(prefix)) this.typed.delete(path);
   }
 }

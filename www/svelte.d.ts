@@ -1,10 +1,17 @@
 // What Svelte's markup knows of the elements: `import type {} from "touchpath/svelte"` in any file of a project.
 import type { HTMLAttributes } from "svelte/elements";
-import type { TouchPartAttributes, TouchPathAttributes, TouchPathListeners } from "./attributes.js";
+import type {
+  TouchPartAttributes,
+  TouchPathAttributes,
+  TouchPathListeners,
+} from "./attributes.js";
 import type { TouchPart, TouchPath } from "./element/element.js";
 
 /** What the markup gives the element. */
-export type TouchPathProps = Omit<HTMLAttributes<TouchPath>, keyof TouchPathListeners | keyof TouchPathAttributes> &
+export type TouchPathProps = Omit<
+  HTMLAttributes<TouchPath>,
+  keyof TouchPathListeners | keyof TouchPathAttributes
+> &
   TouchPathAttributes &
   TouchPathListeners;
 

@@ -19,5 +19,10 @@ export function toleranced(store: Store, path: string): Toleranced | null {
   const said = store.at(path).find((f) => SAID.test(f.said[0]))?.said;
   const [, , , middle, half, text] = (said ?? []) as string[];
   if (!middle || !half || !text) return null;
-  return { middle, half, text, take: () => store.judge(path, Number(middle), Number(half), text) };
+  return {
+    middle,
+    half,
+    text,
+    take: () => store.judge(path, Number(middle), Number(half), text),
+  };
 }

@@ -4,19 +4,29 @@ import type { TouchPartAttributes, TouchPathAttributes } from "./attributes.js";
 import type { TouchPathEvents } from "./element/element.js";
 
 /** `job-change` is listened to as `@job-change`, which Vue types as `onJobChange`. */
-type Camel<S extends string> = S extends `${infer A}-${infer B}` ? `${A}${Capitalize<Camel<B>>}` : S;
+type Camel<S extends string> = S extends `${infer A}-${infer B}`
+  ? `${A}${Capitalize<Camel<B>>}`
+  : S;
 
 /** What a template gives the element. */
 export type TouchPathProps = TouchPathAttributes &
   HTMLAttributes & {
-    [K in keyof TouchPathEvents as `on${Capitalize<Camel<K & string>>}`]?: (event: TouchPathEvents[K]) => void;
+    [K in keyof TouchPathEvents as `on${Capitalize<Camel<K & string>>}`]?: (
+      event: TouchPathEvents[K],
+    ) => void;
   };
 
-type Part = new () => { $props: TouchPartAttributes & HTMLAttributes & PublicProps; $slots: object };
+type Part = new () => {
+  $props: TouchPartAttributes & HTMLAttributes & PublicProps;
+  $slots: object;
+};
 
 declare module "vue" {
   interface GlobalComponents {
-    "touch-path": new () => { $props: TouchPathProps & PublicProps; $slots: object };
+    "touch-path": new () => {
+      $props: TouchPathProps & PublicProps;
+      $slots: object;
+    };
     "touch-form": Part;
     "touch-picture": Part;
     "touch-program": Part;

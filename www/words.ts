@@ -29,7 +29,9 @@ export function languageOf(tags: readonly string[]): Lang | null {
   for (const tag of tags.map((tag) => tag.toLowerCase())) {
     const primary = tag.split("-")[0];
     if (primary === "zh") return TRADITIONAL.test(tag) ? "zh-Hant" : "zh-Hans";
-    const lang = (Object.keys(LANGUAGES) as Lang[]).find((lang) => lang.split("-")[0] === primary);
+    const lang = (Object.keys(LANGUAGES) as Lang[]).find(
+      (lang) => lang.split("-")[0] === primary,
+    );
     if (lang) return lang;
   }
   return null;
@@ -42,7 +44,8 @@ export async function wordsOf(lang: Lang): Promise<Words> {
 
 /** The catalog in a language: what is read. Groups keep their English names, which are keys. */
 export function worded(catalog: Catalog, words: Words): Catalog {
-  const t = (text: string) => (Object.hasOwn(words, text) ? (words[text] as string) : text);
+  const t = (text: string) =>
+    Object.hasOwn(words, text) ? (words[text] as string) : text;
   const field = (f: FieldEntry): FieldEntry => ({
     ...f,
     label: t(f.label),
@@ -50,7 +53,10 @@ export function worded(catalog: Catalog, words: Words): Catalog {
     null: f.null && t(f.null),
     choices: f.choices.map((c) => ({ ...c, label: t(c.label) })),
   });
-  const section = <S extends { fields: FieldEntry[] }>(s: S): S => ({ ...s, fields: s.fields.map(field) });
+  const section = <S extends { fields: FieldEntry[] }>(s: S): S => ({
+    ...s,
+    fields: s.fields.map(field),
+  });
   return {
     ...catalog,
     sections: catalog.sections.map(section),

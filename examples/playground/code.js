@@ -1,12 +1,24 @@
 // The code that a portal writes for what is set in the playground.
 
 /** The frameworks, by what their tabs say. */
-export const FRAMEWORKS = ["HTML", "React", "Vue", "Svelte", "Angular", "Frame"];
+export const FRAMEWORKS = [
+  "HTML",
+  "React",
+  "Vue",
+  "Svelte",
+  "Angular",
+  "Frame",
+];
 
 const PARTS = ["touch-form", "touch-picture", "touch-program"];
-const escaped = (text) => text.replaceAll("&", "&amp;").replaceAll('"', "&quot;").replaceAll("<", "&lt;");
+const escaped = (text) =>
+  text
+    .replaceAll("&", "&amp;")
+    .replaceAll('"', "&quot;")
+    .replaceAll("<", "&lt;");
 /** A value in a script: a `<` would end the element that the script is in. */
-const value = (one, space = 2) => JSON.stringify(one, null, space).replaceAll("<", "\\u003c");
+const value = (one, space = 2) =>
+  JSON.stringify(one, null, space).replaceAll("<", "\\u003c");
 const indented = (text, by) => text.replaceAll("\n", `\n${" ".repeat(by)}`);
 
 /**
@@ -14,10 +26,20 @@ const indented = (text, by) => text.replaceAll("\n", `\n${" ".repeat(by)}`);
  * @param {{ attributes: Record<string, string | true>, config: object | null, apart: boolean }} set
  */
 export function code(framework, { attributes, config, apart }) {
-  const all = Object.entries(apart ? { ...attributes, panels: "none" } : attributes);
-  const words = all.map(([name, given]) => (given === true ? ` ${name}` : ` ${name}="${escaped(given)}"`)).join("");
-  const others = (indent) => (apart ? PARTS.map((tag) => `\n${indent}<${tag} for="job"></${tag}>`).join("") : "");
-  const tag = (more = "") => `<touch-path${apart ? ' id="job" hidden' : ""}${words}${more}>`;
+  const all = Object.entries(
+    apart ? { ...attributes, panels: "none" } : attributes,
+  );
+  const words = all
+    .map(([name, given]) =>
+      given === true ? ` ${name}` : ` ${name}="${escaped(given)}"`,
+    )
+    .join("");
+  const others = (indent) =>
+    apart
+      ? PARTS.map((tag) => `\n${indent}<${tag} for="job"></${tag}>`).join("")
+      : "";
+  const tag = (more = "") =>
+    `<touch-path${apart ? ' id="job" hidden' : ""}${words}${more}>`;
   const size = apart ? "" : ' style="height: 700px"';
   switch (framework) {
     case "HTML":
@@ -34,10 +56,14 @@ ${tag(size)}${config ? `\n  <script type="application/json">${indented(value(con
 `;
     case "React": {
       const props = all
-        .map(([name, given]) => (given === true ? ` ${name}` : ` ${name}=${JSON.stringify(given)}`))
+        .map(([name, given]) =>
+          given === true ? ` ${name}` : ` ${name}=${JSON.stringify(given)}`,
+        )
         .join("");
       const own = `<TouchPath${apart ? ' id="job" hidden' : " style={{ height: 700 }}"}${props}${config ? " config={config}" : ""} onjob-change={(event) => setJob(event.detail.job)} />`;
-      const inner = apart ? `<>\n      ${own}${others("      ")}\n    </>` : own;
+      const inner = apart
+        ? `<>\n      ${own}${others("      ")}\n    </>`
+        : own;
       return `"use client";
 import { useState } from "react";
 import { TouchPath } from "touchpath/react";

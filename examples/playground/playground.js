@@ -21,20 +21,37 @@ const EXAMPLES = {
   "One hall: two cycles, two controls": {
     format: 1,
     title: "Hall 3",
-    allow: { cycles: ["hole", "web"], controls: ["haas", "fanuc"], units: ["mm"], setUps: false },
+    allow: {
+      cycles: ["hole", "web"],
+      controls: ["haas", "fanuc"],
+      units: ["mm"],
+      setUps: false,
+    },
   },
   "A fixed feed, a hidden field": {
     format: 1,
     fields: {
-      "feeds.work": { value: 100, locked: true, reason: "the probe was calibrated at it" },
+      "feeds.work": {
+        value: 100,
+        locked: true,
+        reason: "the probe was calibrated at it",
+      },
       "stylus.runout": { hidden: true },
     },
   },
-  "No results, no checks": { format: 1, hide: { panels: ["results", "checks"] } },
+  "No results, no checks": {
+    format: 1,
+    hide: { panels: ["results", "checks"] },
+  },
 };
 
 const at = (selector) => document.querySelector(selector);
-const [form, config, stage, list] = ["#attributes", "#config", "#stage", "#events ol"].map(at);
+const [form, config, stage, list] = [
+  "#attributes",
+  "#config",
+  "#stage",
+  "#events ol",
+].map(at);
 let element;
 let framework = FRAMEWORKS[0];
 
@@ -59,7 +76,9 @@ function put() {
   for (const type of EVENTS) element.addEventListener(type, listEvent);
   element.hidden = set.apart;
   const parts = set.apart
-    ? ["touch-form", "touch-picture", "touch-program"].map((tag) => document.createElement(tag))
+    ? ["touch-form", "touch-picture", "touch-program"].map((tag) =>
+        document.createElement(tag),
+      )
     : [];
   for (const part of parts) part.session = element;
   stage.classList.toggle("apart", set.apart);
@@ -68,7 +87,9 @@ function put() {
 
 /** Sets on the element what the form says; what it leaves out is as it was before it was ever set. */
 function apply() {
-  const wanted = set.apart ? { ...set.attributes, panels: "none" } : set.attributes;
+  const wanted = set.apart
+    ? { ...set.attributes, panels: "none" }
+    : set.attributes;
   for (const { name } of form.elements) {
     if (name === "" || name === "apart") continue;
     const given = wanted[name];
@@ -82,8 +103,12 @@ function apply() {
 function read() {
   const data = new FormData(form);
   const panels = data.getAll("panels").join(" ");
-  const texts = ["cycle", "post", "units", "mode", "view", "theme", "lang"].map((name) => [name, data.get(name)]);
-  set.attributes = Object.fromEntries([...texts, ["panels", panels]].filter(([, given]) => given));
+  const texts = ["cycle", "post", "units", "mode", "view", "theme", "lang"].map(
+    (name) => [name, data.get(name)],
+  );
+  set.attributes = Object.fromEntries(
+    [...texts, ["panels", panels]].filter(([, given]) => given),
+  );
   if (data.has("readonly")) set.attributes.readonly = true;
   const { apart } = set;
   set.apart = data.has("apart");
@@ -100,7 +125,8 @@ function readConfig() {
   const text = config.value.trim();
   let why = "";
   const refuse = ({ detail }) => {
-    if (detail.refused) why = detail.findings.map(({ message }) => message).join(" ");
+    if (detail.refused)
+      why = detail.findings.map(({ message }) => message).join(" ");
   };
   element.addEventListener("finding", refuse);
   try {
@@ -118,16 +144,30 @@ function readConfig() {
 function fill() {
   const { cycles, posts } = catalog();
   const option = (text, value = text) => new Option(text, value);
-  at("[name=cycle]").append(option(""), ...cycles.map(({ title, type }) => option(title, type)));
-  at("[name=post]").append(option(""), ...posts.map(({ title, id }) => option(title, id)));
+  at("[name=cycle]").append(
+    option(""),
+    ...cycles.map(({ title, type }) => option(title, type)),
+  );
+  at("[name=post]").append(
+    option(""),
+    ...posts.map(({ title, id }) => option(title, id)),
+  );
   at("#examples").append(...Object.keys(EXAMPLES).map((name) => option(name)));
   const tabs = FRAMEWORKS.map((name, index) => {
-    const tab = Object.assign(document.createElement("button"), { type: "button", role: "tab", textContent: name });
+    const tab = Object.assign(document.createElement("button"), {
+      type: "button",
+      role: "tab",
+      textContent: name,
+    });
     tab.tabIndex = index === 0 ? 0 : -1;
     tab.ariaSelected = String(index === 0);
     const choose = () => {
       framework = name;
-      for (const other of tabs) [other.ariaSelected, other.tabIndex] = [String(other === tab), other === tab ? 0 : -1];
+      for (const other of tabs)
+        [other.ariaSelected, other.tabIndex] = [
+          String(other === tab),
+          other === tab ? 0 : -1,
+        ];
       tab.focus();
       apply();
     };
@@ -146,8 +186,12 @@ put();
 form.addEventListener("change", read);
 config.addEventListener("input", readConfig);
 at("#examples").addEventListener("change", ({ target }) => {
-  config.value = target.value ? JSON.stringify(EXAMPLES[target.value], null, 2) : "";
+  config.value = target.value
+    ? JSON.stringify(EXAMPLES[target.value], null, 2)
+    : "";
   readConfig();
 });
-at("#copy").addEventListener("click", () => navigator.clipboard.writeText(code(framework, set)));
+at("#copy").addEventListener("click", () =>
+  navigator.clipboard.writeText(code(framework, set)),
+);
 read();

@@ -4,12 +4,31 @@ import { strToU8, zipSync } from "fflate";
 
 /** The jobs of the order, by name; a portal would have them from its server. */
 const jobs = new Map([
-  ["POCKET", { format: 1, name: "POCKET", cycle: { type: "internal-rectangle-protected", width1: 80, width2: 50 } }],
+  [
+    "POCKET",
+    {
+      format: 1,
+      name: "POCKET",
+      cycle: { type: "internal-rectangle-protected", width1: 80, width2: 50 },
+    },
+  ],
   [
     "BORE",
-    { format: 1, name: "BORE", cycle: { type: "hole", diameter: 32 }, control: { post: "fanuc", workOffset: 1 } },
+    {
+      format: 1,
+      name: "BORE",
+      cycle: { type: "hole", diameter: 32 },
+      control: { post: "fanuc", workOffset: 1 },
+    },
   ],
-  ["CORNER", { format: 1, name: "CORNER", cycle: { type: "double-wall-internal-corner" } }],
+  [
+    "CORNER",
+    {
+      format: 1,
+      name: "CORNER",
+      cycle: { type: "double-wall-internal-corner" },
+    },
+  ],
 ]);
 /** The programs that the user has saved, by file name. */
 const programs = new Map();
@@ -30,7 +49,10 @@ for (const name of jobs.keys()) {
   const button = document.createElement("button");
   button.textContent = name;
   button.addEventListener("click", () => choose(name));
-  document.querySelector("#jobs").appendChild(document.createElement("li")).append(button);
+  document
+    .querySelector("#jobs")
+    .appendChild(document.createElement("li"))
+    .append(button);
 }
 
 edit.addEventListener("job-change", ({ detail: { job } }) => {
@@ -44,13 +66,18 @@ for (const element of [edit, view])
     event.preventDefault();
     programs.set(event.detail.name, event.detail.text);
     zip.disabled = false;
-    document.querySelector("#state").textContent = `${programs.size} collected: ${[...programs.keys()].join(", ")}`;
+    document.querySelector("#state").textContent =
+      `${programs.size} collected: ${[...programs.keys()].join(", ")}`;
   });
 
 zip.addEventListener("click", () => {
-  const files = Object.fromEntries([...programs].map(([name, text]) => [name, strToU8(text)]));
+  const files = Object.fromEntries(
+    [...programs].map(([name, text]) => [name, strToU8(text)]),
+  );
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([zipSync(files)], { type: "application/zip" }));
+  link.href = URL.createObjectURL(
+    new Blob([zipSync(files)], { type: "application/zip" }),
+  );
   link.download = "order-4711.zip";
   link.click();
   URL.revokeObjectURL(link.href);

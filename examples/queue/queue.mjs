@@ -12,10 +12,15 @@ import { Redis } from "ioredis";
 import { JobError, plan, version } from "touchpath";
 
 /** A worker waits for its queue for as long as that is away. */
-const connection = new Redis(process.env.REDIS ?? "redis://127.0.0.1:6379", { maxRetriesPerRequest: null });
+const connection = new Redis(process.env.REDIS ?? "redis://127.0.0.1:6379", {
+  maxRetriesPerRequest: null,
+});
 /** The rules of the shop, the same for all workers. */
-const config = process.env.CONFIG ? JSON.parse(await readFile(process.env.CONFIG, "utf8")) : undefined;
-const hash = (value) => createHash("sha256").update(JSON.stringify(value)).digest("hex");
+const config = process.env.CONFIG
+  ? JSON.parse(await readFile(process.env.CONFIG, "utf8"))
+  : undefined;
+const hash = (value) =>
+  createHash("sha256").update(JSON.stringify(value)).digest("hex");
 const NAME = `touchpath-${hash([version(), config ?? null]).slice(0, 16)}`;
 const HOUR = 3600;
 
@@ -31,10 +36,15 @@ function answer(job) {
 }
 
 function work() {
-  const worker = new Worker(NAME, async ({ data }) => answer(data), { connection });
-  worker.on("failed", (job, why) => console.error(`${job?.id}: ${why.message}`));
+  const worker = new Worker(NAME, async ({ data }) => answer(data), {
+    connection,
+  });
+  worker.on("failed", (job, why) =>
+    console.error(`${job?.id}: ${why.message}`),
+  );
   // What is under way is answered before the process ends.
-  for (const signal of ["SIGINT", "SIGTERM"]) process.once(signal, () => worker.close().then(() => connection.quit()));
+  for (const signal of ["SIGINT", "SIGTERM"])
+    process.once(signal, () => worker.close().then(() => connection.quit()));
 }
 
 async function send(files) {
@@ -43,7 +53,10 @@ async function send(files) {
   queue.setMaxListeners(0);
   // Answers are events: none from here on is missed, though the first may come before anything listens.
   const [seconds] = await connection.time();
-  const events = new QueueEvents(NAME, { connection, lastEventId: `${seconds}000-0` });
+  const events = new QueueEvents(NAME, {
+    connection,
+    lastEventId: `${seconds}000-0`,
+  });
   const one = async (file) => {
     const job = JSON.parse(await readFile(file, "utf8"));
     // A job whose id is in the queue already is not added again: its answer is that of both.
@@ -53,10 +66,12 @@ async function send(files) {
       removeOnComplete: { age: HOUR },
       removeOnFail: true,
     });
-    const { program, extension, findings } = await sent.waitUntilFinished(events);
+    const { program, extension, findings } =
+      await sent.waitUntilFinished(events);
     for (const { level, path, message } of findings)
       if (level === "error") console.error(`${file}: ${path}: ${message}`);
-    if (program !== null) await writeFile(`${file.replace(/\.json$/, "")}.${extension}`, program);
+    if (program !== null)
+      await writeFile(`${file.replace(/\.json$/, "")}.${extension}`, program);
     return program !== null;
   };
   const good = await Promise.all(files.map(one));

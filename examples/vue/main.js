@@ -5,13 +5,27 @@ import "touchpath/element";
 
 createApp({
   setup() {
-    const job = ref({ format: 1, name: "FROM_VUE", cycle: { type: "hole", diameter: 30 } });
+    const job = ref({
+      format: 1,
+      name: "FROM_VUE",
+      cycle: { type: "hole", diameter: 30 },
+    });
     const lines = ref(0);
     return () => [
-      h("p", { role: "status" }, `${job.value.name}: diameter ${job.value.cycle.diameter}, ${lines.value} lines`),
+      h(
+        "p",
+        { role: "status" },
+        `${job.value.name}: diameter ${job.value.cycle.diameter}, ${lines.value} lines`,
+      ),
       h(
         "button",
-        { onClick: () => (job.value = { ...job.value, cycle: { ...job.value.cycle, diameter: 44 } }) },
+        {
+          onClick: () =>
+            (job.value = {
+              ...job.value,
+              cycle: { ...job.value.cycle, diameter: 44 },
+            }),
+        },
         "44 mm",
       ),
       h("touch-path", {
@@ -20,7 +34,8 @@ createApp({
         ".job": JSON.parse(JSON.stringify(job.value)),
         theme: "light",
         onJobChange: (event) => (job.value = event.detail.job),
-        onPlanChange: (event) => (lines.value = event.detail.plan.program.text.split("\n").length - 1),
+        onPlanChange: (event) =>
+          (lines.value = event.detail.plan.program.text.split("\n").length - 1),
       }),
     ];
   },

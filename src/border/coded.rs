@@ -25,7 +25,16 @@ pub enum Tag {
 }
 
 /// All of them, in their order.
-pub const TAGS: [Tag; 8] = [Tag::Null, Tag::False, Tag::True, Tag::Number, Tag::Text, Tag::List, Tag::Map, Tag::Other];
+pub const TAGS: [Tag; 8] = [
+    Tag::Null,
+    Tag::False,
+    Tag::True,
+    Tag::Number,
+    Tag::Text,
+    Tag::List,
+    Tag::Map,
+    Tag::Other,
+];
 
 /// What has no place in a job: its name in JavaScript's half, and its words.
 pub const OTHERS: [(&str, &str); 8] = [
@@ -36,7 +45,10 @@ pub const OTHERS: [(&str, &str); 8] = [
     ("TOO_MANY", words!("more than a job can hold")),
     ("TOO_MUCH_TEXT", words!("more text than a job can hold")),
     ("TOO_LONG", words!("a list longer than a job can hold")),
-    ("TOO_MANY_KEYS", words!("an object with more keys than a job can hold")),
+    (
+        "TOO_MANY_KEYS",
+        words!("an object with more keys than a job can hold"),
+    ),
 ];
 
 /// The most values a job may hold: it has about a hundred.
@@ -48,7 +60,13 @@ pub const DEEPEST: usize = 16;
 
 /// Reads a coded value. What is not coded as `coded.ts` does it is something unreadable.
 pub fn decoded(codes: &[f64], text: &str) -> Value {
-    Coded { codes: codes.iter(), text, ascii: text.is_ascii() }.value(0).unwrap_or(Value::Other(OTHERS[2].1))
+    Coded {
+        codes: codes.iter(),
+        text,
+        ascii: text.is_ascii(),
+    }
+    .value(0)
+    .unwrap_or(Value::Other(OTHERS[2].1))
 }
 
 struct Coded<'a> {
@@ -69,7 +87,11 @@ impl Coded<'_> {
             Tag::Text => Value::Text(self.text()?),
             Tag::List => {
                 let count = self.count().filter(|count| *count <= self.codes.len())?;
-                Value::List((0..count).map(|_| self.value(depth + 1)).collect::<Option<_>>()?)
+                Value::List(
+                    (0..count)
+                        .map(|_| self.value(depth + 1))
+                        .collect::<Option<_>>()?,
+                )
             }
             Tag::Map => {
                 let count = self.count().filter(|count| *count <= self.codes.len())?;
@@ -86,7 +108,11 @@ impl Coded<'_> {
 
     fn text(&mut self) -> Option<String> {
         let units = self.count()?;
-        let end = if self.ascii { units } else { end_of(self.text, units) };
+        let end = if self.ascii {
+            units
+        } else {
+            end_of(self.text, units)
+        };
         let (text, rest) = self.text.split_at_checked(end)?;
         self.text = rest.strip_prefix('\n')?;
         Some(text.to_owned())

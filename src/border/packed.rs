@@ -1,7 +1,10 @@
 //! A plan as JavaScript takes it: sections that are read one by one. `www/core/plan.ts` is the other half.
 
 use crate::form::{Finding, Level};
-use crate::job::{DatumRow, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint};
+use crate::job::{
+    DatumRow, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, ResultRow,
+    SafetyRow, TouchPoint,
+};
 use crate::text::{Part, Text};
 
 /// Words that go out as their places in these lists.
@@ -73,11 +76,16 @@ impl Packed {
     }
 
     fn flag(&mut self, on: &Option<bool>) {
-        self.numbers.push(on.map_or(f64::NAN, |on| f64::from(u8::from(on))));
+        self.numbers
+            .push(on.map_or(f64::NAN, |on| f64::from(u8::from(on))));
     }
 
     fn text(&mut self, text: &str) {
-        let units = if text.is_ascii() { text.len() } else { text.encode_utf16().count() };
+        let units = if text.is_ascii() {
+            text.len()
+        } else {
+            text.encode_utf16().count()
+        };
         self.text.push_str(text);
         self.units += units;
         self.count(&units);
@@ -197,8 +205,12 @@ rows! {
 
 /// A plan, but for its table.
 pub fn plan(plan: &Plan) -> Packed {
-    let mut out = Packed { numbers: vec![0.0; 2 * Section::ALL.len()], ..Packed::default() };
-    out.numbers.reserve(40 + 12 * plan.moves.len() + 10 * plan.results.len() + 8 * plan.touches.len());
+    let mut out = Packed {
+        numbers: vec![0.0; 2 * Section::ALL.len()],
+        ..Packed::default()
+    };
+    out.numbers
+        .reserve(40 + 12 * plan.moves.len() + 10 * plan.results.len() + 8 * plan.touches.len());
     out.text.reserve(plan.program.text.len() + 2048);
     out.number(plan.length);
     out.number(plan.time);
@@ -218,7 +230,9 @@ pub fn plan(plan: &Plan) -> Packed {
     out.begin(Section::Results);
     out.list(&plan.results, result);
     out.begin(Section::Triggers);
-    out.list(&plan.triggers, |out, trigger| out.triple(&trigger.unwrap_or([f64::NAN; 3])));
+    out.list(&plan.triggers, |out, trigger| {
+        out.triple(&trigger.unwrap_or([f64::NAN; 3]))
+    });
     out.begin(Section::Findings);
     out.list(&plan.findings, finding);
     out.begin(Section::Safety);
@@ -232,10 +246,16 @@ fn moves(out: &mut Packed, moves: &[Move]) {
     moves.iter().for_each(|step| out.triple(&step.to));
     moves.iter().for_each(|step| out.word(step.feed, &FEEDS));
     moves.iter().for_each(|step| out.word(step.kind, &KINDS));
-    moves.iter().for_each(|step| out.number(f64::from(step.step)));
+    moves
+        .iter()
+        .for_each(|step| out.number(f64::from(step.step)));
     moves.iter().for_each(|step| out.index(&step.touch));
     moves.iter().for_each(|step| out.count(&step.cycle));
-    for (i, arc) in moves.iter().enumerate().filter_map(|(i, step)| Some((i, step.arc.as_ref()?))) {
+    for (i, arc) in moves
+        .iter()
+        .enumerate()
+        .filter_map(|(i, step)| Some((i, step.arc.as_ref()?)))
+    {
         out.count(&i);
         out.triple(&arc.center);
         out.number(arc.sweep);

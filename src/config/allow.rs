@@ -32,7 +32,10 @@ pub struct Allow {
 impl Allow {
     pub fn read(checker: &mut Checker, value: Option<&Value>) -> Allow {
         let mut section = Section::new(checker, value, "allow");
-        section.only(AllowForm::FIELDS, &["cycles", "controls", "forms", "units", "workOffsets"]);
+        section.only(
+            AllowForm::FIELDS,
+            &["cycles", "controls", "forms", "units", "workOffsets"],
+        );
         let AllowForm { set_ups } = AllowForm::read(&mut section);
         let get = |key: &str| value.and_then(|value| value.get(key));
         let word = |words: &[&str]| words.join(", ");
@@ -41,7 +44,13 @@ impl Allow {
                 Value::Text(word) if known.contains(&word.as_str()) => Some(word.clone()),
                 _ => None,
             };
-            some_of(checker, get(key), &format!("allow.{key}"), &word(known), one)
+            some_of(
+                checker,
+                get(key),
+                &format!("allow.{key}"),
+                &word(known),
+                one,
+            )
         };
         let (cycles, controls) = (words("cycles", &cycles()), words("controls", &controls()));
         let forms = words("forms", &Form::ALL.map(Form::word));
@@ -52,8 +61,21 @@ impl Allow {
             _ => None,
         };
         let numbers = "1 to 105, null";
-        let work_offsets = some_of(checker, get("workOffsets"), "allow.workOffsets", numbers, work_offset);
-        Allow { cycles, controls, forms, units, work_offsets, set_ups }
+        let work_offsets = some_of(
+            checker,
+            get("workOffsets"),
+            "allow.workOffsets",
+            numbers,
+            work_offset,
+        );
+        Allow {
+            cycles,
+            controls,
+            forms,
+            units,
+            work_offsets,
+            set_ups,
+        }
     }
 
     /// Whether a job may have this value under a key of its control: `post`, `form` or `workOffset`.
@@ -62,23 +84,35 @@ impl Allow {
             "post" => &self.controls,
             "form" => &self.forms,
             _ => {
-                let number = if let Value::Number(n) = value { Some(*n) } else { None };
-                return self.work_offsets.as_ref().is_none_or(|all| all.contains(&number));
+                let number = if let Value::Number(n) = value {
+                    Some(*n)
+                } else {
+                    None
+                };
+                return self
+                    .work_offsets
+                    .as_ref()
+                    .is_none_or(|all| all.contains(&number));
             }
         };
-        words.as_ref().is_none_or(|all| all.iter().any(|word| *value == Value::Text(word.clone())))
+        words
+            .as_ref()
+            .is_none_or(|all| all.iter().any(|word| *value == Value::Text(word.clone())))
     }
 
     /// Reports what a config fills in of a job's control, or gives a machine, and does not allow.
     pub fn check_choices(&self, checker: &mut Checker, config: &Value) {
         for key in ["post", "form", "workOffset"] {
             let path = format!("control.{key}");
-            let refused = |value: Option<&Value>| value.is_some_and(|value| !self.takes(key, value));
+            let refused =
+                |value: Option<&Value>| value.is_some_and(|value| !self.takes(key, value));
             let rule = config.get("fields").and_then(|fields| fields.get(&path));
             if refused(rule.and_then(|rule| rule.get("value"))) {
                 report(checker, format!("fields.{path}.value"));
             }
-            let Some(Value::List(machines)) = config.get("machines") else { continue };
+            let Some(Value::List(machines)) = config.get("machines") else {
+                continue;
+            };
             for (i, machine) in machines.iter().enumerate() {
                 if refused(machine.get("control").and_then(|control| control.get(key))) {
                     report(checker, format!("machines[{i}].{path}"));
@@ -95,9 +129,21 @@ fn report(checker: &mut Checker, path: String) {
 /// Checks what the page does not offer. No job is refused for it.
 pub fn check_hide(checker: &mut Checker, value: Option<&Value>) {
     Section::new(checker, value, "hide").only(&[], &["cycles", "controls", "panels"]);
-    for (key, known) in [("cycles", cycles()), ("controls", controls()), ("panels", PANELS.to_vec())] {
-        let one = |item: &Value| matches!(item, Value::Text(word) if known.contains(&word.as_str())).then_some(());
-        list_of(checker, value.and_then(|value| value.get(key)), &format!("hide.{key}"), &known.join(", "), one);
+    for (key, known) in [
+        ("cycles", cycles()),
+        ("controls", controls()),
+        ("panels", PANELS.to_vec()),
+    ] {
+        let one = |item: &Value| {
+            matches!(item, Value::Text(word) if known.contains(&word.as_str())).then_some(())
+        };
+        list_of(
+            checker,
+            value.and_then(|value| value.get(key)),
+            &format!("hide.{key}"),
+            &known.join(", "),
+            one,
+        );
     }
 }
 

@@ -23,7 +23,9 @@ pub fn fill(config: &Config, job: &Value) -> Value {
     };
     let def = first.and_then(type_of);
     // What stands around the cycle is filled in whatever it is.
-    let Value::Map(values) = values(config, def.unwrap_or(cycle::CYCLES[0]), units) else { return job };
+    let Value::Map(values) = values(config, def.unwrap_or(cycle::CYCLES[0]), units) else {
+        return job;
+    };
     for (key, value) in &values {
         if key != "cycle" {
             complete(&mut job, key, value);
@@ -33,7 +35,9 @@ pub fn fill(config: &Config, job: &Value) -> Value {
         for (key, cycle) in entries {
             match (key.as_str(), cycle) {
                 ("cycle", cycle) => fill_cycle(config, cycle, units),
-                ("cycles", Value::List(cycles)) => cycles.iter_mut().for_each(|cycle| fill_cycle(config, cycle, units)),
+                ("cycles", Value::List(cycles)) => cycles
+                    .iter_mut()
+                    .for_each(|cycle| fill_cycle(config, cycle, units)),
                 _ => {}
             }
         }
@@ -47,23 +51,38 @@ fn fill_cycle(config: &Config, cycle: &mut Value, units: Units) {
     if let Some(Value::Map(own)) = values(config, def, units).get("cycle") {
         // A form inside the form that is not used stays so.
         let unused = |key: &str| {
-            let optional = def.sections.iter().any(|form| form.key == key && form.optional);
+            let optional = def
+                .sections
+                .iter()
+                .any(|form| form.key == key && form.optional);
             optional && !matches!(cycle.get(key), Some(Value::Map(_)))
         };
-        let own: Vec<_> = own.iter().filter(|(key, _)| key != "type" && !unused(key)).cloned().collect();
-        own.iter().for_each(|(key, value)| complete(cycle, key, value));
+        let own: Vec<_> = own
+            .iter()
+            .filter(|(key, _)| key != "type" && !unused(key))
+            .cloned()
+            .collect();
+        own.iter()
+            .for_each(|(key, value)| complete(cycle, key, value));
     }
 }
 
 /// The first of what is allowed, where the default is not.
 fn first(allowed: Option<&[String]>, default: &str) -> Option<String> {
     let allowed = allowed?;
-    if allowed.iter().any(|word| word == default) { None } else { allowed.first().cloned() }
+    if allowed.iter().any(|word| word == default) {
+        None
+    } else {
+        allowed.first().cloned()
+    }
 }
 
 /// Chooses what a job does not say of its control, where the defaults are not allowed.
 fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDef>) {
-    let mut control = job.get("control").cloned().unwrap_or_else(|| Value::Map(Vec::new()));
+    let mut control = job
+        .get("control")
+        .cloned()
+        .unwrap_or_else(|| Value::Map(Vec::new()));
     if control.get("post").is_none()
         && let Some(post) = post_for(config, def, control.get("form"))
     {
@@ -71,11 +90,18 @@ fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDe
     }
     if let (None, Some(Value::Text(post))) = (control.get("form"), control.get("post")) {
         // Moves are the default.
-        let form = forms(config, def, post).next().filter(|form| *form != Form::Moves);
-        form.into_iter().for_each(|form| control.put("form", text(form.word())));
+        let form = forms(config, def, post)
+            .next()
+            .filter(|form| *form != Form::Moves);
+        form.into_iter()
+            .for_each(|form| control.put("form", text(form.word())));
     }
     if control.get("workOffset").is_none()
-        && let Some(allowed) = config.allow.work_offsets.as_ref().filter(|allowed| !allowed.contains(&None))
+        && let Some(allowed) = config
+            .allow
+            .work_offsets
+            .as_ref()
+            .filter(|allowed| !allowed.contains(&None))
         && let Some(Some(number)) = allowed.first()
         && !def.is_some_and(|def| sets_preset(&control, def))
     {
@@ -87,17 +113,31 @@ fn choose_control(config: &Config, job: &mut Value, def: Option<&'static CycleDe
 }
 
 /// The forms that are allowed of the programs of a control for a cycle.
-fn forms(config: &Config, def: Option<&'static CycleDef>, post: &str) -> impl Iterator<Item = Form> {
+fn forms(
+    config: &Config,
+    def: Option<&'static CycleDef>,
+    post: &str,
+) -> impl Iterator<Item = Form> {
     let allowed = |form: &Form| config.allow.takes("form", &text(form.word()));
     let served = control::find(post).zip(def);
-    let serves = move |form: &Form| served.is_some_and(|(post, def)| (post.serves)(def.probes, *form).is_ok());
+    let serves = move |form: &Form| {
+        served.is_some_and(|(post, def)| (post.serves)(def.probes, *form).is_ok())
+    };
     Form::ALL.into_iter().filter(allowed).filter(serves)
 }
 
 /// The control of a job that names none: the default, or else the first that is allowed, that takes the cycle in this form, or in any that is allowed.
 /// `None` where the default holds without a word.
-fn post_for<'a>(config: &'a Config, def: Option<&'static CycleDef>, form: Option<&Value>) -> Option<&'a str> {
-    let Allow { controls, forms: limited, .. } = &config.allow;
+fn post_for<'a>(
+    config: &'a Config,
+    def: Option<&'static CycleDef>,
+    form: Option<&Value>,
+) -> Option<&'a str> {
+    let Allow {
+        controls,
+        forms: limited,
+        ..
+    } = &config.allow;
     if controls.is_none() && limited.is_none() {
         return None;
     }
@@ -109,18 +149,24 @@ fn post_for<'a>(config: &'a Config, def: Option<&'static CycleDef>, form: Option
         }
         None => POSTS.iter().map(|post| post.key).collect(),
     };
-    let fits = |key: &&&str| forms(config, def, key).any(|word| form.is_none_or(|form| *form == text(word.word())));
+    let fits = |key: &&&str| {
+        forms(config, def, key).any(|word| form.is_none_or(|form| *form == text(word.word())))
+    };
     all.iter().find(fits).or(all.first()).copied()
 }
 
 /// Whether the control's own cycle sets the active preset of a job by itself: the job then names no work offset.
 pub fn writes_itself(job: &Value) -> bool {
     let def = job.get("cycle").and_then(type_of);
-    job.get("control").zip(def).is_some_and(|(control, def)| sets_preset(control, def))
+    job.get("control")
+        .zip(def)
+        .is_some_and(|(control, def)| sets_preset(control, def))
 }
 
 fn sets_preset(control: &Value, def: &CycleDef) -> bool {
-    let Some(Value::Text(key)) = control.get("post") else { return false };
+    let Some(Value::Text(key)) = control.get("post") else {
+        return false;
+    };
     let own = control.get("form") == Some(&text(Form::Cycle.word()));
     own && control::find(key).is_some_and(|post| (post.own_preset)(def.probes))
 }
@@ -132,9 +178,16 @@ fn text(word: &str) -> Value {
 /// What the config fills in of a job with a cycle of this type, as such a job in `units`.
 pub fn values(config: &Config, def: &'static CycleDef, units: Units) -> Value {
     let cycle = Value::Map(vec![("type".to_owned(), text(def.key))]);
-    let mut job = Value::Map(vec![("units".to_owned(), text(config.units.word())), ("cycle".to_owned(), cycle)]);
+    let mut job = Value::Map(vec![
+        ("units".to_owned(), text(config.units.word())),
+        ("cycle".to_owned(), cycle),
+    ]);
     for rule in &config.rules {
-        if let Some(value) = rule.value.as_ref().filter(|_| field_at(&rule.path, def).is_some()) {
+        if let Some(value) = rule
+            .value
+            .as_ref()
+            .filter(|_| field_at(&rule.path, def).is_some())
+        {
             put_at(&mut job, &rule.path, value);
         }
     }
@@ -157,14 +210,18 @@ pub fn type_of(cycle: &Value) -> Option<&'static CycleDef> {
 fn complete(place: &mut Value, key: &str, value: &Value) {
     match (place.get_mut(key), value) {
         (None, _) => place.put(key, value.clone()),
-        (Some(there), Value::Map(inner)) => inner.iter().for_each(|(key, value)| complete(there, key, value)),
+        (Some(there), Value::Map(inner)) => inner
+            .iter()
+            .for_each(|(key, value)| complete(there, key, value)),
         (Some(_), _) => {}
     }
 }
 
 /// Puts a value at a path, and the objects that lead there.
 fn put_at(place: &mut Value, path: &str, value: &Value) {
-    let Some((key, rest)) = path.split_once('.') else { return place.put(path, value.clone()) };
+    let Some((key, rest)) = path.split_once('.') else {
+        return place.put(path, value.clone());
+    };
     if place.get(key).is_none() {
         place.put(key, Value::Map(Vec::new()));
     }

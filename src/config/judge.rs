@@ -31,12 +31,29 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
     let mut checker = Checker::in_units(units.scale(), units.word());
     if is_set_up(job) {
         if !config.allow.set_ups {
-            checker.error("not-allowed", "cycles", text!("{portal} allows jobs of one cycle only", config.who()));
+            checker.error(
+                "not-allowed",
+                "cycles",
+                text!("{portal} allows jobs of one cycle only", config.who()),
+            );
         }
-        let count = if let Some(Value::List(cycles)) = job.get("cycles") { cycles.len() } else { 0 };
+        let count = if let Some(Value::List(cycles)) = job.get("cycles") {
+            cycles.len()
+        } else {
+            0
+        };
         for index in 0..count {
-            let Some(single) = alone(job, index) else { continue };
-            judge_single(config, &single, &format!("cycles[{index}]"), index == 0, planned, &mut checker);
+            let Some(single) = alone(job, index) else {
+                continue;
+            };
+            judge_single(
+                config,
+                &single,
+                &format!("cycles[{index}]"),
+                index == 0,
+                planned,
+                &mut checker,
+            );
         }
     } else {
         judge_single(config, job, "cycle", true, planned, &mut checker);
@@ -44,12 +61,22 @@ pub fn judge(config: &Config, job: &Value, planned: Option<&Planned>) -> Vec<Fin
     if let Some(planned) = planned {
         judge_space(config, planned, &mut checker);
     }
-    config.own.iter().for_each(|finding| checker.adopt(finding.clone()));
+    config
+        .own
+        .iter()
+        .for_each(|finding| checker.adopt(finding.clone()));
     checker.findings()
 }
 
 /// Judges a job of one cycle. `place` is the path of its cycle; `around`: whether what stands around the cycle is judged, too.
-fn judge_single(config: &Config, job: &Value, place: &str, around: bool, planned: Option<&Planned>, checker: &mut Checker) {
+fn judge_single(
+    config: &Config,
+    job: &Value,
+    place: &str,
+    around: bool,
+    planned: Option<&Planned>,
+    checker: &mut Checker,
+) {
     let whole = resolved(job);
     let whole = whole.as_ref().unwrap_or(job);
     let in_place = |path: &str| match path.strip_prefix("cycle") {
@@ -60,20 +87,65 @@ fn judge_single(config: &Config, job: &Value, place: &str, around: bool, planned
     let of_cycle = |key: &str| cycle::find(key).map(|def| def.title);
     let of_control = |key: &str| control::find(key).map(|post| post.title);
     let itself = |_: &str| None;
-    judge_word(config, whole, "cycle.type", allow.cycles.as_deref(), of_cycle, &in_place, checker);
+    judge_word(
+        config,
+        whole,
+        "cycle.type",
+        allow.cycles.as_deref(),
+        of_cycle,
+        &in_place,
+        checker,
+    );
     if around {
-        judge_word(config, whole, "control.post", allow.controls.as_deref(), of_control, &in_place, checker);
-        judge_word(config, whole, "control.form", allow.forms.as_deref(), itself, &in_place, checker);
-        judge_word(config, whole, "units", allow.units.as_deref(), itself, &in_place, checker);
+        judge_word(
+            config,
+            whole,
+            "control.post",
+            allow.controls.as_deref(),
+            of_control,
+            &in_place,
+            checker,
+        );
+        judge_word(
+            config,
+            whole,
+            "control.form",
+            allow.forms.as_deref(),
+            itself,
+            &in_place,
+            checker,
+        );
+        judge_word(
+            config,
+            whole,
+            "units",
+            allow.units.as_deref(),
+            itself,
+            &in_place,
+            checker,
+        );
         judge_offset(config, whole, planned, checker);
     }
-    let Some(def) = whole.get("cycle").and_then(fill::type_of) else { return };
+    let Some(def) = whole.get("cycle").and_then(fill::type_of) else {
+        return;
+    };
     let values = fill::values(config, def, Units::of(job));
-    for rule in config.rules.iter().filter(|rule| around || rule.path.starts_with("cycle.")) {
-        let Some(field) = field_at(&rule.path, def) else { continue };
+    for rule in config
+        .rules
+        .iter()
+        .filter(|rule| around || rule.path.starts_with("cycle."))
+    {
+        let Some(field) = field_at(&rule.path, def) else {
+            continue;
+        };
         let value = at(whole, &rule.path);
-        if let Some(message) = refusal(config, rule, field, value, at(&values, &rule.path), checker) {
-            let code = if rule.locked && rule.value.is_some() { "locked" } else { "not-allowed" };
+        if let Some(message) = refusal(config, rule, field, value, at(&values, &rule.path), checker)
+        {
+            let code = if rule.locked && rule.value.is_some() {
+                "locked"
+            } else {
+                "not-allowed"
+            };
             checker.error(code, in_place(&rule.path), message);
         }
     }
@@ -89,27 +161,42 @@ fn judge_word(
     in_place: &dyn Fn(&str) -> String,
     checker: &mut Checker,
 ) {
-    let (Some(allowed), Some(Value::Text(word))) = (allowed, at(job, path)) else { return };
+    let (Some(allowed), Some(Value::Text(word))) = (allowed, at(job, path)) else {
+        return;
+    };
     if allowed.contains(word) {
         return;
     }
     let shown = |word: &String| title(word).map_or_else(|| printable(word), str::to_owned);
     let list = allowed.iter().map(shown).collect::<Vec<_>>().join(", ");
-    let message = text!("{portal} does not allow {given}: it allows {list}", config.who(), shown(word), list);
+    let message = text!(
+        "{portal} does not allow {given}: it allows {list}",
+        config.who(),
+        shown(word),
+        list
+    );
     checker.error("not-allowed", in_place(path), message);
 }
 
 /// Judges what is written. A control's own cycle that sets the active preset names no work offset: it is allowed if any work offset is.
 fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker: &mut Checker) {
-    let Some(allowed) = &config.allow.work_offsets else { return };
+    let Some(allowed) = &config.allow.work_offsets else {
+        return;
+    };
     let post = match at(job, "control.post") {
         Some(Value::Text(key)) => control::find(key),
         _ => None,
     };
     let shown = |number: Option<f64>| -> Part {
-        let Some(number) = number else { return text!("measuring only").into() };
+        let Some(number) = number else {
+            return text!("measuring only").into();
+        };
         let word = post.filter(|post| number >= 1.0 && number <= f64::from(post.work_offsets));
-        word.map_or_else(|| decimal(number, 0), |post| (post.work_offset_word)(number as i32)).into()
+        word.map_or_else(
+            || decimal(number, 0),
+            |post| (post.work_offset_word)(number as i32),
+        )
+        .into()
     };
     let given = match at(job, "control.workOffset") {
         Some(Value::Number(number)) => Some(*number),
@@ -126,8 +213,17 @@ fn judge_offset(config: &Config, job: &Value, planned: Option<&Planned>, checker
         Part::Text(words) => words.english(),
     };
     let list = allowed.iter().map(word).collect::<Vec<_>>().join(", ");
-    let given = if own { text!("writing a preset").into() } else { shown(given) };
-    let message = text!("{portal} does not allow {given}: it allows {list}", config.who(), given, list);
+    let given = if own {
+        text!("writing a preset").into()
+    } else {
+        shown(given)
+    };
+    let message = text!(
+        "{portal} does not allow {given}: it allows {list}",
+        config.who(),
+        given,
+        list
+    );
     checker.error("not-allowed", "control.workOffset", message);
 }
 
@@ -142,13 +238,22 @@ fn refusal(
 ) -> Option<Text> {
     let near = near(field, checker.scale);
     let with_reason = |message: Text| {
-        if rule.reason.is_empty() { message } else { text!("{message}: {reason}", message, rule.reason.clone()) }
+        if rule.reason.is_empty() {
+            message
+        } else {
+            text!("{message}: {reason}", message, rule.reason.clone())
+        }
     };
     if let Some(wanted) = wanted.filter(|_| rule.locked) {
         // A form inside the form that is not used has no value.
         let same = value.is_none_or(|value| same(value, wanted, near));
         return (!same).then(|| {
-            with_reason(text!("{portal} fixes {label} at {value}", config.who(), field.label, shown(field, wanted, checker)))
+            with_reason(text!(
+                "{portal} fixes {label} at {value}",
+                config.who(),
+                field.label,
+                shown(field, wanted, checker)
+            ))
         });
     }
     // What is not limited, not known or not called is not between two numbers.
@@ -156,23 +261,53 @@ fn refusal(
         Some(Value::Number(number)) => *number,
         Some(Value::Null) => f64::NAN,
         // What follows a result is known at the machine alone.
-        Some(Value::Text(text)) if (rule.least, rule.most) != (None, None) && text.trim_start_matches(' ').starts_with('=') => {
-            return Some(with_reason(text!("{portal} bounds {label}: it cannot follow a result", config.who(), field.label)));
+        Some(Value::Text(text))
+            if (rule.least, rule.most) != (None, None)
+                && text.trim_start_matches(' ').starts_with('=') =>
+        {
+            return Some(with_reason(text!(
+                "{portal} bounds {label}: it cannot follow a result",
+                config.who(),
+                field.label
+            )));
         }
         _ => return None,
     };
-    let factor = if field.kind.is_metric() { config.units.scale() / checker.scale } else { 1.0 };
-    let (least, most) = (rule.least.map(|x| x * factor), rule.most.map(|x| x * factor));
+    let factor = if field.kind.is_metric() {
+        config.units.scale() / checker.scale
+    } else {
+        1.0
+    };
+    let (least, most) = (
+        rule.least.map(|x| x * factor),
+        rule.most.map(|x| x * factor),
+    );
     let within = |x: Option<f64>, way: f64| x.is_none_or(|x| (number - x) * way >= -near);
     let outside = !(within(least, 1.0) && within(most, -1.0));
     let limit = |x: f64| shown(field, &Value::Number(x), checker);
     let message = match (least, most) {
         _ if !outside => return None,
         (Some(least), Some(most)) => {
-            text!("{portal} allows {label} from {min} to {max}", config.who(), field.label, limit(least), limit(most))
+            text!(
+                "{portal} allows {label} from {min} to {max}",
+                config.who(),
+                field.label,
+                limit(least),
+                limit(most)
+            )
         }
-        (Some(least), None) => text!("{portal} allows {label} of {min} and more", config.who(), field.label, limit(least)),
-        (None, Some(most)) => text!("{portal} allows {label} of {max} and less", config.who(), field.label, limit(most)),
+        (Some(least), None) => text!(
+            "{portal} allows {label} of {min} and more",
+            config.who(),
+            field.label,
+            limit(least)
+        ),
+        (None, Some(most)) => text!(
+            "{portal} allows {label} of {max} and less",
+            config.who(),
+            field.label,
+            limit(most)
+        ),
         (None, None) => return None,
     };
     Some(with_reason(message))
@@ -182,20 +317,37 @@ fn refusal(
 fn same(one: &Value, other: &Value, near: f64) -> bool {
     match (one, other) {
         (Value::Number(a), Value::Number(b)) => (a - b).abs() <= near,
-        (Value::List(a), Value::List(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b, near)),
+        (Value::List(a), Value::List(b)) => {
+            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b, near))
+        }
         _ => one == other,
     }
 }
 
 /// A value as a message has it.
 fn shown(field: &Field, value: &Value, checker: &Checker) -> Part {
-    let number = |x: f64| decimal(x, if field.kind.is_metric() && checker.scale != 1.0 { 6 } else { 4 });
+    let number = |x: f64| {
+        decimal(
+            x,
+            if field.kind.is_metric() && checker.scale != 1.0 {
+                6
+            } else {
+                4
+            },
+        )
+    };
     match value {
         Value::Number(x) => format!("{}{}", number(*x), checker.unit_of(field.kind)).into(),
         Value::Text(text) => printable(text).into(),
         Value::Null => Text::words(field.null.unwrap_or("null")).into(),
         Value::List(items) => {
-            let all = items.iter().map(|item| if let Value::Number(x) = item { number(*x) } else { String::new() });
+            let all = items.iter().map(|item| {
+                if let Value::Number(x) = item {
+                    number(*x)
+                } else {
+                    String::new()
+                }
+            });
             all.collect::<Vec<_>>().join(" ").into()
         }
         Value::Flag(true) => "true".to_owned().into(),
@@ -239,12 +391,27 @@ fn judge_space(config: &Config, planned: &Planned, checker: &mut Checker) {
         checker.error("beyond-travel", place(found.index), message);
     }
     for zone in keep_out {
-        let Some((index, part)) = enters(&pieces, zone, path.frame.w, job.setup.radius, &job.shape) else { continue };
+        let Some((index, part)) = enters(&pieces, zone, path.frame.w, job.setup.radius, &job.shape)
+        else {
+            continue;
+        };
         let (number, name) = (index + 1, zone.name.clone());
         let message = match part {
-            Entering::Ball => text!("In move {number} the ball enters the keep-out zone {zone}", number, name),
-            Entering::Shank => text!("In move {number} the stylus enters the keep-out zone {zone}", number, name),
-            Entering::Body => text!("In move {number} the probe body enters the keep-out zone {zone}", number, name),
+            Entering::Ball => text!(
+                "In move {number} the ball enters the keep-out zone {zone}",
+                number,
+                name
+            ),
+            Entering::Shank => text!(
+                "In move {number} the stylus enters the keep-out zone {zone}",
+                number,
+                name
+            ),
+            Entering::Body => text!(
+                "In move {number} the probe body enters the keep-out zone {zone}",
+                number,
+                name
+            ),
         };
         checker.error("keep-out", place(index), message);
     }

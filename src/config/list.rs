@@ -7,22 +7,41 @@ use crate::text::{Part, text};
 pub const MOST: usize = 200;
 
 /// The entries of a list, each with its path; reports what is no list, and what is too long.
-pub fn entries<'v>(checker: &mut Checker, value: Option<&'v Value>, path: &str) -> Vec<(String, &'v Value)> {
+pub fn entries<'v>(
+    checker: &mut Checker,
+    value: Option<&'v Value>,
+    path: &str,
+) -> Vec<(String, &'v Value)> {
     match value {
         None => Vec::new(),
-        Some(Value::List(items)) if items.len() <= MOST => {
-            items.iter().enumerate().map(|(i, item)| (format!("{path}[{i}]"), item)).collect()
-        }
+        Some(Value::List(items)) if items.len() <= MOST => items
+            .iter()
+            .enumerate()
+            .map(|(i, item)| (format!("{path}[{i}]"), item))
+            .collect(),
         Some(Value::List(items)) => {
             checker.error(
                 "too-long",
                 path,
-                text!("{path} may have {most} entries, not {count}", path.to_owned(), MOST, items.len()),
+                text!(
+                    "{path} may have {most} entries, not {count}",
+                    path.to_owned(),
+                    MOST,
+                    items.len()
+                ),
             );
             Vec::new()
         }
         Some(other) => {
-            checker.error("wrong-type", path, text!("{path} must be a list, not {given}", path.to_owned(), other.noun()));
+            checker.error(
+                "wrong-type",
+                path,
+                text!(
+                    "{path} must be a list, not {given}",
+                    path.to_owned(),
+                    other.noun()
+                ),
+            );
             Vec::new()
         }
     }
@@ -42,11 +61,20 @@ pub fn list_of<T>(
             found.push(entry);
             continue;
         }
-        let given: Part = if let Value::Text(word) = item { printable(word).into() } else { item.noun().into() };
+        let given: Part = if let Value::Text(word) = item {
+            printable(word).into()
+        } else {
+            item.noun().into()
+        };
         checker.error(
             "unknown-value",
             at.clone(),
-            text!("{path} must be one of {words}, not {given}", at, known.to_owned(), given),
+            text!(
+                "{path} must be one of {words}, not {given}",
+                at,
+                known.to_owned(),
+                given
+            ),
         );
     }
     found
@@ -61,7 +89,10 @@ pub fn some_of<T>(
     one: impl Fn(&Value) -> Option<T>,
 ) -> Option<Vec<T>> {
     if *value? == Value::List(Vec::new()) {
-        let message = text!("{path} must allow something: leave it out to allow everything", path.to_owned());
+        let message = text!(
+            "{path} must allow something: leave it out to allow everything",
+            path.to_owned()
+        );
         checker.error("missing", path, message);
     }
     Some(list_of(checker, value, path, known, one))

@@ -106,8 +106,17 @@ impl Config {
         match job::plan(&job) {
             Ok(mut plan) => {
                 plan.findings.extend(judged);
-                let refused = plan.findings.iter().any(|finding| finding.level == Level::Error);
-                if refused { Err(JobError { findings: plan.findings }) } else { Ok(plan) }
+                let refused = plan
+                    .findings
+                    .iter()
+                    .any(|finding| finding.level == Level::Error);
+                if refused {
+                    Err(JobError {
+                        findings: plan.findings,
+                    })
+                } else {
+                    Ok(plan)
+                }
             }
             Err(mut error) => {
                 error.findings.extend(judged);
@@ -130,7 +139,12 @@ fn field_at(path: &str, def: &'static crate::cycle::CycleDef) -> Option<&'static
     let (section, key) = path.rsplit_once('.').unwrap_or(("", path));
     let fields = match section.strip_prefix("cycle") {
         Some("") => def.fields,
-        Some(inner) => def.sections.iter().find(|form| inner.strip_prefix('.') == Some(form.key))?.fields,
+        Some(inner) => {
+            def.sections
+                .iter()
+                .find(|form| inner.strip_prefix('.') == Some(form.key))?
+                .fields
+        }
         None => job::SECTIONS.iter().find(|(name, _)| *name == section)?.1,
     };
     fields.iter().find(|field| field.key == key)

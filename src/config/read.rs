@@ -11,9 +11,18 @@ use crate::job::{FORMAT, Job, JobError, SECTIONS, UNITS, Units};
 use crate::text::{text, words};
 
 const LEVELS: &[Choice] = &[
-    Choice { value: "error", label: "error" },
-    Choice { value: "warning", label: "warning" },
-    Choice { value: "info", label: "info" },
+    Choice {
+        value: "error",
+        label: "error",
+    },
+    Choice {
+        value: "warning",
+        label: "warning",
+    },
+    Choice {
+        value: "info",
+        label: "info",
+    },
 ];
 
 form! {
@@ -62,13 +71,22 @@ pub fn read(value: &Value) -> Result<Config, JobError> {
     if let Value::Map(_) = value {
         let known = matches!(value.get("format"), Some(Value::Number(n)) if *n == FORMAT);
         if !known {
-            checker.error("unknown-value", "format", text!("A config must say its format: 1"));
+            checker.error(
+                "unknown-value",
+                "format",
+                text!("A config must say its format: 1"),
+            );
         }
     }
     let units = Units::of(value);
     (checker.scale, checker.unit) = (units.scale(), units.word());
     let mut section = Section::new(&mut checker, Some(value), "");
-    section.only(Head::FIELDS, &["format", "allow", "hide", "fields", "machines", "styli", "space", "findings"]);
+    section.only(
+        Head::FIELDS,
+        &[
+            "format", "allow", "hide", "fields", "machines", "styli", "space", "findings",
+        ],
+    );
     let head = Head::read(&mut section);
     let allow = Allow::read(&mut checker, value.get("allow"));
     check_hide(&mut checker, value.get("hide"));
@@ -79,20 +97,36 @@ pub fn read(value: &Value) -> Result<Config, JobError> {
     let space = read_space(&mut checker, value.get("space"));
     let own = read_findings(&mut checker, value.get("findings"));
     let title = (!head.title.is_empty()).then(|| printable_title(&head.title));
-    let config = Config { title, units, allow, rules, space, own };
+    let config = Config {
+        title,
+        units,
+        allow,
+        rules,
+        space,
+        own,
+    };
     check_values(&mut checker, &config);
     if !checker.failed() {
         return Ok(config);
     }
     let under = |finding: Finding| {
-        let path = if finding.path.is_empty() { "config".to_owned() } else { format!("config.{}", finding.path) };
+        let path = if finding.path.is_empty() {
+            "config".to_owned()
+        } else {
+            format!("config.{}", finding.path)
+        };
         Finding { path, ..finding }
     };
-    Err(JobError { findings: checker.findings().into_iter().map(under).collect() })
+    Err(JobError {
+        findings: checker.findings().into_iter().map(under).collect(),
+    })
 }
 
 fn printable_title(title: &str) -> String {
-    title.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+    title
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect()
 }
 
 /// Whether nothing of a text is seen.
@@ -101,12 +135,19 @@ fn is_blank(text: &str) -> bool {
 }
 
 fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
-    let Some(Value::Map(all)) = Section::new(checker, value, "fields").value() else { return Vec::new() };
+    let Some(Value::Map(all)) = Section::new(checker, value, "fields").value() else {
+        return Vec::new();
+    };
     if all.len() > MOST {
         checker.error(
             "too-long",
             "fields",
-            text!("{path} may have {most} entries, not {count}", "fields".to_owned(), MOST, all.len()),
+            text!(
+                "{path} may have {most} entries, not {count}",
+                "fields".to_owned(),
+                MOST,
+                all.len()
+            ),
         );
         return Vec::new();
     }
@@ -114,11 +155,22 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
     for (path, given) in all {
         let shown = printable(path);
         let at = format!("fields.{shown}");
-        let fields: Vec<&Field> = CYCLES.iter().filter_map(|def| super::field_at(path, def)).collect();
-        let chosen = ["units", "control.post", "control.form", "control.workOffset"].contains(&path.as_str());
+        let fields: Vec<&Field> = CYCLES
+            .iter()
+            .filter_map(|def| super::field_at(path, def))
+            .collect();
+        let chosen = [
+            "units",
+            "control.post",
+            "control.form",
+            "control.workOffset",
+        ]
+        .contains(&path.as_str());
         let Some(field) = fields.first() else {
-            let message =
-                text!("\"{path}\" is no field of a job: a path is like feeds.work, control.tool or cycle.depth", shown);
+            let message = text!(
+                "\"{path}\" is no field of a job: a path is like feeds.work, control.tool or cycle.depth",
+                shown
+            );
             checker.error("unknown-key", at, message);
             continue;
         };
@@ -126,18 +178,39 @@ fn read_rules(checker: &mut Checker, value: Option<&Value>) -> Vec<Rule> {
         section.only(RuleForm::FIELDS, &["value"]);
         let form = RuleForm::read(&mut section);
         let value = given.get("value").cloned();
-        let number = !matches!(field.kind, Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Point | Kind::NominalPoint);
-        if chosen && (form.locked || form.min.is_some() || form.max.is_some() || (path == "units" && value.is_some())) {
-            let message = text!("Limit this choice in allow: here only value and hidden can be given, for units only hidden");
+        let number = !matches!(
+            field.kind,
+            Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Point | Kind::NominalPoint
+        );
+        if chosen
+            && (form.locked
+                || form.min.is_some()
+                || form.max.is_some()
+                || (path == "units" && value.is_some()))
+        {
+            let message = text!(
+                "Limit this choice in allow: here only value and hidden can be given, for units only hidden"
+            );
             checker.error("unknown-key", at, message);
         } else if !number && (form.min.is_some() || form.max.is_some()) {
-            checker.error("wrong-type", at, text!("{label} is no number: it has neither min nor max", field.label));
+            checker.error(
+                "wrong-type",
+                at,
+                text!(
+                    "{label} is no number: it has neither min nor max",
+                    field.label
+                ),
+            );
         } else if form.min.zip(form.max).is_some_and(|(min, max)| min > max) {
             checker.error("out-of-range", at, text!("min is above max"));
         } else if let Some(Value::Number(x)) = value
             && (form.min.is_some_and(|min| x < min) || form.max.is_some_and(|max| x > max))
         {
-            checker.error("out-of-range", format!("{at}.value"), text!("The value must be within min and max"));
+            checker.error(
+                "out-of-range",
+                format!("{at}.value"),
+                text!("The value must be within min and max"),
+            );
         }
         rules.push(Rule {
             path: path.clone(),
@@ -157,11 +230,22 @@ fn check_values(checker: &mut Checker, config: &Config) {
         let job = fill::values(config, def, config.units);
         for rule in &config.rules {
             let at = format!("fields.{}.value", rule.path);
-            let wrong = |finding: &Finding| finding.path == rule.path || finding.path.starts_with(&format!("{}[", rule.path));
-            if rule.value.is_some() && super::field_at(&rule.path, def).is_some() && !checker.has_path(&at) {
-                misread(&job, config.units).into_iter().filter(wrong).for_each(|finding| {
-                    checker.adopt(Finding { path: at.clone(), ..finding });
-                });
+            let wrong = |finding: &Finding| {
+                finding.path == rule.path || finding.path.starts_with(&format!("{}[", rule.path))
+            };
+            if rule.value.is_some()
+                && super::field_at(&rule.path, def).is_some()
+                && !checker.has_path(&at)
+            {
+                misread(&job, config.units)
+                    .into_iter()
+                    .filter(wrong)
+                    .for_each(|finding| {
+                        checker.adopt(Finding {
+                            path: at.clone(),
+                            ..finding
+                        });
+                    });
             }
         }
     }
@@ -169,30 +253,53 @@ fn check_values(checker: &mut Checker, config: &Config) {
 
 /// What single values of a part of a job are refused for.
 fn misread(job: &Value, units: Units) -> Vec<Finding> {
-    const OF_VALUES: [&str; 8] =
-        ["not-a-value", "not-finite", "not-whole", "out-of-range", "too-long", "unknown-key", "unknown-value", "wrong-type"];
-    let Value::Map(mut entries) = job.clone() else { return Vec::new() };
+    const OF_VALUES: [&str; 8] = [
+        "not-a-value",
+        "not-finite",
+        "not-whole",
+        "out-of-range",
+        "too-long",
+        "unknown-key",
+        "unknown-value",
+        "wrong-type",
+    ];
+    let Value::Map(mut entries) = job.clone() else {
+        return Vec::new();
+    };
     entries.push(("format".to_owned(), Value::Number(FORMAT)));
     entries.push(("units".to_owned(), Value::Text(units.word().to_owned())));
     let mut checker = Checker::default();
     let _ = Job::read(&mut checker, &Value::Map(entries));
     let mut found = checker.findings();
-    found.retain(|finding| finding.level == Level::Error && OF_VALUES.contains(&finding.code.as_str()));
+    found.retain(|finding| {
+        finding.level == Level::Error && OF_VALUES.contains(&finding.code.as_str())
+    });
     found
 }
 
 /// A part of a job, whose values are held against the forms of a job.
 fn read_part(checker: &mut Checker, at: &str, part: Vec<(String, Value)>, units: Units) {
     let cycle = Value::Map(vec![("type".to_owned(), Value::Text("hole".to_owned()))]);
-    let job = Value::Map(part.into_iter().chain([("cycle".to_owned(), cycle)]).collect());
+    let job = Value::Map(
+        part.into_iter()
+            .chain([("cycle".to_owned(), cycle)])
+            .collect(),
+    );
     for finding in misread(&job, units) {
-        checker.adopt(Finding { path: format!("{at}.{}", finding.path), ..finding });
+        checker.adopt(Finding {
+            path: format!("{at}.{}", finding.path),
+            ..finding
+        });
     }
 }
 
 fn read_name(checker: &mut Checker, entry: &Value, at: &str) {
-    if !matches!(entry.get("name"), Some(Value::Text(name)) if !is_blank(name) && name.chars().count() <= 60) {
-        let message = text!("{path} must have a name of 60 characters at most", at.to_owned());
+    if !matches!(entry.get("name"), Some(Value::Text(name)) if !is_blank(name) && name.chars().count() <= 60)
+    {
+        let message = text!(
+            "{path} must have a name of 60 characters at most",
+            at.to_owned()
+        );
         checker.error("missing", format!("{at}.name"), message);
     }
 }
@@ -200,12 +307,20 @@ fn read_name(checker: &mut Checker, entry: &Value, at: &str) {
 /// Machines: what of a job belongs to one.
 fn read_machines(checker: &mut Checker, value: Option<&Value>, units: Units) {
     for (at, machine) in entries(checker, value, "machines") {
-        let sections = SECTIONS.iter().map(|(name, _)| *name).filter(|name| !["", "part"].contains(name));
+        let sections = SECTIONS
+            .iter()
+            .map(|(name, _)| *name)
+            .filter(|name| !["", "part"].contains(name));
         let known: Vec<&str> = sections.chain(["name", "overtravel"]).collect();
         Section::new(checker, Some(machine), &at).only(&[], &known);
         read_name(checker, machine, &at);
-        let Value::Map(entries) = machine else { continue };
-        let part = entries.iter().filter(|(key, _)| key != "name" && known.contains(&key.as_str())).cloned();
+        let Value::Map(entries) = machine else {
+            continue;
+        };
+        let part = entries
+            .iter()
+            .filter(|(key, _)| key != "name" && known.contains(&key.as_str()))
+            .cloned();
         read_part(checker, &at, part.collect(), units);
     }
 }
@@ -215,12 +330,26 @@ fn read_styli(checker: &mut Checker, value: Option<&Value>, units: Units) {
     for (at, stylus) in entries(checker, value, "styli") {
         Section::new(checker, Some(stylus), &at);
         read_name(checker, stylus, &at);
-        let Value::Map(entries) = stylus else { continue };
-        let part: Vec<(String, Value)> = entries.iter().filter(|(key, _)| key != "name").cloned().collect();
+        let Value::Map(entries) = stylus else {
+            continue;
+        };
+        let part: Vec<(String, Value)> = entries
+            .iter()
+            .filter(|(key, _)| key != "name")
+            .cloned()
+            .collect();
         let mut inner = Checker::default();
-        read_part(&mut inner, &at, vec![("stylus".to_owned(), Value::Map(part))], units);
+        read_part(
+            &mut inner,
+            &at,
+            vec![("stylus".to_owned(), Value::Map(part))],
+            units,
+        );
         for finding in inner.findings() {
-            checker.adopt(Finding { path: finding.path.replacen(".stylus", "", 1), ..finding });
+            checker.adopt(Finding {
+                path: finding.path.replacen(".stylus", "", 1),
+                ..finding
+            });
         }
     }
 }
@@ -232,7 +361,10 @@ fn read_space(checker: &mut Checker, value: Option<&Value>) -> Space {
     let get = |key: &str| value.and_then(|value| value.get(key));
     let travel = get("travel").map(|travel| read_zone(checker, travel, "space.travel", false));
     let zones = entries(checker, get("keepOut"), "space.keepOut");
-    let mut keep_out: Vec<Zone> = zones.into_iter().map(|(at, zone)| read_zone(checker, zone, &at, true)).collect();
+    let mut keep_out: Vec<Zone> = zones
+        .into_iter()
+        .map(|(at, zone)| read_zone(checker, zone, &at, true))
+        .collect();
     let mut travel = travel;
     for zone in keep_out.iter_mut().chain(&mut travel) {
         (zone.min, zone.max) = (zone.min - zero, zone.max - zero);
@@ -241,13 +373,20 @@ fn read_space(checker: &mut Checker, value: Option<&Value>) -> Space {
 }
 
 fn read_zone(checker: &mut Checker, value: &Value, at: &str, named: bool) -> Zone {
-    let fields = if named { ZoneForm::FIELDS } else { &ZoneForm::FIELDS[1..] };
+    let fields = if named {
+        ZoneForm::FIELDS
+    } else {
+        &ZoneForm::FIELDS[1..]
+    };
     let mut section = Section::new(checker, Some(value), at);
     section.only(fields, &[]);
     let form = ZoneForm::read(&mut section);
     for corner in ["min", "max"] {
         if value.get(corner).is_none() {
-            let message = text!("{path} must have min and max, each [X, Y, Z]", at.to_owned());
+            let message = text!(
+                "{path} must have min and max, each [X, Y, Z]",
+                at.to_owned()
+            );
             checker.error("missing", format!("{at}.{corner}"), message);
         }
     }
@@ -257,7 +396,11 @@ fn read_zone(checker: &mut Checker, value: &Value, at: &str, named: bool) -> Zon
     if form.min.cmpgt(form.max).any() {
         checker.error("out-of-range", at, text!("min is above max"));
     }
-    Zone { name: printable_title(&form.name), min: form.min, max: form.max }
+    Zone {
+        name: printable_title(&form.name),
+        min: form.min,
+        max: form.max,
+    }
 }
 
 fn read_findings(checker: &mut Checker, value: Option<&Value>) -> Vec<Finding> {
@@ -267,14 +410,23 @@ fn read_findings(checker: &mut Checker, value: Option<&Value>) -> Vec<Finding> {
         section.only(FindingForm::FIELDS, &[]);
         let form = FindingForm::read(&mut section);
         if is_blank(&form.message) {
-            checker.error("missing", format!("{at}.message"), text!("{path} must have a message", at.clone()));
+            checker.error(
+                "missing",
+                format!("{at}.message"),
+                text!("{path} must have a message", at.clone()),
+            );
         }
         let level = match form.level.as_str() {
             "warning" => Level::Warning,
             "info" => Level::Info,
             _ => Level::Error,
         };
-        found.push(Finding::new(level, "portal", form.path, text!("{message}", printable_title(&form.message))));
+        found.push(Finding::new(
+            level,
+            "portal",
+            form.path,
+            text!("{message}", printable_title(&form.message)),
+        ));
     }
     found
 }

@@ -65,15 +65,29 @@ pub fn pieces(path: &Path) -> Vec<Piece> {
     for (index, step) in path.moves.iter().enumerate() {
         let Some(mut from) = at else { break };
         // The place where it begins may be shifted farther than that where it ends.
-        let begin = index.checked_sub(1).map_or(Vec3::ZERO, |before| most(path.shifts(before)));
+        let begin = index
+            .checked_sub(1)
+            .map_or(Vec3::ZERO, |before| most(path.shifts(before)));
         let shift = most(path.shifts(index)).max(begin);
         for to in step.pieces(from, path.frame.w, PIECE) {
-            found.push(Piece { from, to, shift, index, search: false });
+            found.push(Piece {
+                from,
+                to,
+                shift,
+                index,
+                search: false,
+            });
             from = to;
         }
         if let Purpose::Touch(touch) = step.purpose {
             let touch = &path.touches[touch];
-            found.push(Piece { from, to: from - touch.vector * touch.search, shift, index, search: true });
+            found.push(Piece {
+                from,
+                to: from - touch.vector * touch.search,
+                shift,
+                index,
+                search: true,
+            });
         }
         at = Some(step.to);
     }
@@ -86,10 +100,18 @@ pub fn beyond(pieces: &[Piece], travel: &Zone) -> Vec<Beyond> {
     for axis in 0..3 {
         for (side, limit) in [(-1.0, travel.min[axis]), (1.0, travel.max[axis])] {
             let far = |piece: &Piece| side * piece.to[axis] + piece.shift[axis];
-            let Some(piece) = pieces.iter().max_by(|a, b| far(a).total_cmp(&far(b))) else { continue };
+            let Some(piece) = pieces.iter().max_by(|a, b| far(a).total_cmp(&far(b))) else {
+                continue;
+            };
             let place = side * far(piece);
             if side * (place - limit) > SKIN {
-                found.push(Beyond { axis, place, limit, index: piece.index, search: piece.search });
+                found.push(Beyond {
+                    axis,
+                    place,
+                    limit,
+                    index: piece.index,
+                    search: piece.search,
+                });
             }
         }
     }
@@ -97,11 +119,22 @@ pub fn beyond(pieces: &[Piece], travel: &Zone) -> Vec<Beyond> {
 }
 
 /// The first move in which the ball, or what is known of the stylus above it, enters a zone. `up` is the tool axis.
-pub fn enters(pieces: &[Piece], zone: &Zone, up: Vec3, radius: f64, shape: &Shape) -> Option<(usize, Entering)> {
+pub fn enters(
+    pieces: &[Piece],
+    zone: &Zone,
+    up: Vec3,
+    radius: f64,
+    shape: &Shape,
+) -> Option<(usize, Entering)> {
     let axis = up.abs();
     let cylinders = [
-        shape.shank.map(|shank| (Entering::Shank, shank / 2.0, 0.0, shape.length)),
-        shape.body.zip(shape.length).map(|(body, length)| (Entering::Body, body / 2.0, length, None)),
+        shape
+            .shank
+            .map(|shank| (Entering::Shank, shank / 2.0, 0.0, shape.length)),
+        shape
+            .body
+            .zip(shape.length)
+            .map(|(body, length)| (Entering::Body, body / 2.0, length, None)),
     ];
     let entering = |piece: &Piece| {
         // A piece that may be shifted enters where the zone is as much larger.
@@ -115,12 +148,15 @@ pub fn enters(pieces: &[Piece], zone: &Zone, up: Vec3, radius: f64, shape: &Shap
             let (begin, end) = (piece.from.dot(axis), piece.to.dot(axis));
             let (first, last) = within(begin, end, low + SKIN, high - SKIN)?;
             let at = |fraction: f64| piece.from + (piece.to - piece.from) * fraction;
-            let near = distance(at(first), at(last), min - axis * FAR, max + axis * FAR) < radius - SKIN;
+            let near =
+                distance(at(first), at(last), min - axis * FAR, max + axis * FAR) < radius - SKIN;
             near.then_some(*part)
         };
         cylinders.iter().flatten().find_map(struck)
     };
-    pieces.iter().find_map(|piece| Some((piece.index, entering(piece)?)))
+    pieces
+        .iter()
+        .find_map(|piece| Some((piece.index, entering(piece)?)))
 }
 
 /// Farther than any machine travels, mm.
@@ -164,13 +200,20 @@ fn distance(from: Vec3, to: Vec3, min: Vec3, max: Vec3) -> f64 {
         let middle = (begin + end) / 2.0;
         // Along an axis on which the place is inside the box, it adds no distance.
         let gap = off(middle);
-        let moving = Vec3::from_array([0, 1, 2].map(|axis| if gap[axis] == 0.0 { 0.0 } else { way[axis] }));
+        let moving =
+            Vec3::from_array([0, 1, 2].map(|axis| if gap[axis] == 0.0 { 0.0 } else { way[axis] }));
         let bend = moving.length_squared();
-        let t = if bend > 0.0 { middle - gap.dot(moving) / bend } else { middle };
+        let t = if bend > 0.0 {
+            middle - gap.dot(moving) / bend
+        } else {
+            middle
+        };
         off(crate::num::within(t, begin, end)).length()
     };
     let pieces = cuts.windows(2).map(|pair| (pair[0], pair[1]));
-    pieces.map(least).fold(off(0.0).length().min(off(1.0).length()), f64::min)
+    pieces
+        .map(least)
+        .fold(off(0.0).length().min(off(1.0).length()), f64::min)
 }
 
 #[cfg(test)]
@@ -182,16 +225,26 @@ mod tests {
         let (min, max) = (Vec3::new(-1.0, -2.0, -3.0), Vec3::new(4.0, 5.0, 6.0));
         let mut seed = 1u64;
         let mut next = || {
-            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            seed = seed
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
             (seed >> 40) as f64 / 16_777_216.0 * 30.0 - 14.0
         };
         let mut outside = 0;
         for _ in 0..300 {
-            let (from, to) = (Vec3::new(next(), next(), next()), Vec3::new(next(), next(), next()));
+            let (from, to) = (
+                Vec3::new(next(), next(), next()),
+                Vec3::new(next(), next(), next()),
+            );
             let places = (0..=20_000).map(|i| from + (to - from) * (f64::from(i) / 20_000.0));
-            let nearest = places.map(|p| (p - p.clamp(min, max)).length()).fold(f64::INFINITY, f64::min);
+            let nearest = places
+                .map(|p| (p - p.clamp(min, max)).length())
+                .fold(f64::INFINITY, f64::min);
             let found = distance(from, to, min, max);
-            assert!(found <= nearest + 1e-9 && found > nearest - 2e-3, "{from} {to}: {found}, not {nearest}");
+            assert!(
+                found <= nearest + 1e-9 && found > nearest - 2e-3,
+                "{from} {to}: {found}, not {nearest}"
+            );
             outside += usize::from(nearest > 0.1);
         }
         assert!(outside > 100);

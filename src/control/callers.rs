@@ -32,7 +32,10 @@ pub(super) static BROTHER: PostDef = PostDef {
     title: "Brother Speedio",
     about: "calls of Renishaw's macros, which have the numbers P88xx there. Its programs do not state units: the control must be set to those of the job. Not verified on a control.",
     unused: &["tool", "number", "setUp", "probeInput"],
-    dialect: &Dialect { units: ("", ""), ..DIALECT },
+    dialect: &Dialect {
+        units: ("", ""),
+        ..DIALECT
+    },
     check: |request, checker| {
         post::check(request, &BROTHER_CALLS, checker);
         let unit = if request.scale == 1.0 { "mm" } else { "inch" };
@@ -55,7 +58,9 @@ pub(super) static HURCO: PostDef = PostDef {
     extension: "hnc",
     work_offsets: offsets::STANDARD,
     serves: |subject, form| match (subject, form) {
-        (Subject::Switch, Form::Cycle) => Err(words!("the control switches the probe by itself at the tool change")),
+        (Subject::Switch, Form::Cycle) => Err(words!(
+            "the control switches the probe by itself at the tool change"
+        )),
         _ => serves(subject, form),
     },
     emit: |request| post::emit(request, &HURCO_CALLS),
@@ -85,7 +90,9 @@ const CALLER: PostDef = PostDef {
     work_offsets: offsets::STANDARD + offsets::MORE,
     work_offset_word: offsets::word,
     computes: false,
-    orients: Err(words!("no source says how a program of {control} turns the spindle to an angle: turn it before")),
+    orients: Err(words!(
+        "no source says how a program of {control} turns the spindle to an angle: turn it before"
+    )),
     dialect: &DIALECT,
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
     rate: |request, _, step| request.feeds.rate(step.feed),
@@ -96,10 +103,22 @@ const CALLER: PostDef = PostDef {
     ..BASE
 };
 
-const DIALECT: Dialect = Dialect { points: true, capitals: true, ..writer::PLAIN };
+const DIALECT: Dialect = Dialect {
+    points: true,
+    capitals: true,
+    ..writer::PLAIN
+};
 
-static BROTHER_CALLS: Calls = Calls { lower: 1000, tape: None, not_seen: NOT_SEEN, ..CALLS };
-static HURCO_CALLS: Calls = Calls { switches: false, ..CALLS };
+static BROTHER_CALLS: Calls = Calls {
+    lower: 1000,
+    tape: None,
+    not_seen: NOT_SEEN,
+    ..CALLS
+};
+static HURCO_CALLS: Calls = Calls {
+    switches: false,
+    ..CALLS
+};
 static OKUMA_CALLS: Calls = Calls {
     call: "CALL O",
     letter: ("P", "="),
@@ -127,12 +146,12 @@ static OKUMA_OWN: OwnCycles = OwnCycles {
 
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
-        (_, Form::Moves) => {
-            Err(words!("no source says how the control answers a program that asks for modes, tool length and contacts"))
-        }
-        (Subject::Wall, Form::Cycle) => {
-            Err(words!("the macro for the angle of a wall, 9843, is read and drawn, and not written"))
-        }
+        (_, Form::Moves) => Err(words!(
+            "no source says how the control answers a program that asks for modes, tool length and contacts"
+        )),
+        (Subject::Wall, Form::Cycle) => Err(words!(
+            "the macro for the angle of a wall, 9843, is read and drawn, and not written"
+        )),
         (Subject::Action, Form::Cycle) => Err(words!("a line for the control is not a cycle")),
         _ => Ok(()),
     }

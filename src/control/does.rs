@@ -35,11 +35,23 @@ impl Request<'_> {
             };
             return axes.chain(rotation).collect();
         }
-        let Some(datum) = self.path.formula.datum.as_ref().filter(|_| self.work_offset.is_some()) else { return Vec::new() };
+        let Some(datum) = self
+            .path
+            .formula
+            .datum
+            .as_ref()
+            .filter(|_| self.work_offset.is_some())
+        else {
+            return Vec::new();
+        };
         let (axes, measured) = (self.plane.axes(), datum.measured());
         let of_axis = |axis: &usize| (0..3).any(|i| axes[i] == *axis && measured[i]);
         let rotation = datum.rotation.map(|_| "rotation");
-        (0..3).filter(of_axis).map(|axis| AXIS_NAMES[axis]).chain(rotation).collect()
+        (0..3)
+            .filter(of_axis)
+            .map(|axis| AXIS_NAMES[axis])
+            .chain(rotation)
+            .collect()
     }
 
     /// The sentence: `writes G54 X Y`, `measures only`, `sets the basic rotation and preset X Y`.
@@ -65,7 +77,11 @@ impl Request<'_> {
             [] => None,
             [tool] => Some(text!("corrects tool offset {tool}", *tool)),
             tools => {
-                let tools = tools.iter().map(i32::to_string).collect::<Vec<_>>().join(", ");
+                let tools = tools
+                    .iter()
+                    .map(i32::to_string)
+                    .collect::<Vec<_>>()
+                    .join(", ");
                 Some(text!("corrects tool offsets {tools}", tools))
             }
         };
@@ -78,7 +94,10 @@ impl Request<'_> {
 
     /// The tool offsets that its macros correct.
     fn tools(&self) -> Vec<i32> {
-        self.path.own.as_ref().map_or_else(Vec::new, |own| own.tools())
+        self.path
+            .own
+            .as_ref()
+            .map_or_else(Vec::new, |own| own.tools())
     }
 
     /// What it does to the work offset of the job; `None` if the job names no offset.
@@ -89,18 +108,32 @@ impl Request<'_> {
         Some(match writes.as_slice() {
             [] => text!("selects {offset}, writes nothing", offset),
             ["rotation"] => text!("writes the rotation of {offset}", offset),
-            [axes @ .., "rotation"] => text!("writes {offset} {axes} and rotation", offset, axes.join(" ")),
+            [axes @ .., "rotation"] => text!(
+                "writes {offset} {axes} and rotation",
+                offset,
+                axes.join(" ")
+            ),
             axes => text!("writes {offset} {axes}", offset, axes.join(" ")),
         })
     }
 
     /// What the control's own cycle does to the active preset; none where the program itself writes.
     fn preset(&self) -> Option<Preset> {
-        let circles = self.path.feature.two_circles().filter(|_| self.form == Form::Cycle && self.path.own.is_none())?;
+        let circles = self
+            .path
+            .feature
+            .two_circles()
+            .filter(|_| self.form == Form::Cycle && self.path.own.is_none())?;
         let [abscissa, ordinate, _] = self.plane.axes();
         let corrects = code(circles, 1120) != 0;
-        let axes = (0..3).filter(|axis| corrects && [abscissa, ordinate].contains(axis)).map(|axis| AXIS_NAMES[axis]);
-        Some(Preset { axes: axes.collect(), rotation: code(circles, 1121), turns: code(circles, 1126) != 0 })
+        let axes = (0..3)
+            .filter(|axis| corrects && [abscissa, ordinate].contains(axis))
+            .map(|axis| AXIS_NAMES[axis]);
+        Some(Preset {
+            axes: axes.collect(),
+            rotation: code(circles, 1121),
+            turns: code(circles, 1126) != 0,
+        })
     }
 }
 
@@ -115,13 +148,22 @@ impl Preset {
             (_, false) => text!("sets preset {axes}", axes),
             (_, true) => text!("measures only"),
         };
-        if self.turns { text!("{does}, turns the rotary table", does) } else { does }
+        if self.turns {
+            text!("{does}, turns the rotary table", does)
+        } else {
+            does
+        }
     }
 }
 
 /// A setting of the cycle that is a whole number.
 pub(super) fn code(circles: &TwoCircles, number: i32) -> i32 {
-    match circles.settings.iter().find(|setting| setting.number == number).map(|setting| &setting.value) {
+    match circles
+        .settings
+        .iter()
+        .find(|setting| setting.number == number)
+        .map(|setting| &setting.value)
+    {
         Some(ParameterValue::Whole(n)) => *n,
         _ => 0,
     }
@@ -135,7 +177,9 @@ pub(super) fn line(request: &Request<'_>, how: &str) -> String {
         (None, None) if !request.tools().is_empty() => {
             ": by the macros, as soon as the size is measured. No work offset is written"
         }
-        (Some(_), None) if !request.tools().is_empty() => ": by the macros, as soon as each has measured",
+        (Some(_), None) if !request.tools().is_empty() => {
+            ": by the macros, as soon as each has measured"
+        }
         (None, None) if request.dry.is_some() => ", in the work offset that is active",
         (None, None) => ", in the work offset that is active: nothing is written",
         _ if request.writes().is_empty() => "",

@@ -23,7 +23,9 @@ pub fn lines(request: &Request<'_>, width: usize, capitals: bool) -> Vec<String>
     let version = env!("CARGO_PKG_VERSION");
     let mut lines = match (request.header, request.job) {
         (Header::Full, Some(job)) => {
-            let mut lines = vec![format!("{MADE_BY}{version} from this job, every value, defaults too:")];
+            let mut lines = vec![format!(
+                "{MADE_BY}{version} from this job, every value, defaults too:"
+            )];
             lines.extend(job_lines(job, width, capitals));
             lines
         }
@@ -38,7 +40,10 @@ pub fn seal(text: &mut String) {
     let mut at = 0;
     while let Some(end) = text[at..].find('\n') {
         let (line, below) = (&text[at..at + end], at + end + 1);
-        if let Some(digits) = comment(line).and_then(|comment| after(comment, HASH)).and_then(|_| line.find(NO_HASH)) {
+        if let Some(digits) = comment(line)
+            .and_then(|comment| after(comment, HASH))
+            .and_then(|_| line.find(NO_HASH))
+        {
             let hash = hash(&text[below..]);
             text.replace_range(at + digits..at + digits + NO_HASH.len(), &hash);
             return;
@@ -69,14 +74,25 @@ pub fn hash(text: &str) -> String {
 /// Whether every line has something in it, ends in a line feed alone, and has no blank in front of that.
 fn is_plain(text: &str) -> bool {
     let filled = |at: usize| at > 0 && text.as_bytes()[at - 1] > b' ';
-    text.is_ascii() && text.ends_with('\n') && memchr::memchr_iter(b'\n', text.as_bytes()).all(filled)
+    text.is_ascii()
+        && text.ends_with('\n')
+        && memchr::memchr_iter(b'\n', text.as_bytes()).all(filled)
 }
 
 /// The job as comment lines of `path=value` words: everything but its name and the virtual part. A comment is at most `width` long.
 fn job_lines(job: &Value, width: usize, capitals: bool) -> Vec<String> {
-    let mut words = Words { width, capitals, path: String::new(), word: String::new(), lines: Vec::new() };
+    let mut words = Words {
+        width,
+        capitals,
+        path: String::new(),
+        word: String::new(),
+        lines: Vec::new(),
+    };
     if let Value::Map(entries) = job {
-        for (key, value) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "name" | "part")) {
+        for (key, value) in entries
+            .iter()
+            .filter(|(key, _)| !matches!(key.as_str(), "name" | "part"))
+        {
             words.within(&[key], |words| words.push(value));
         }
     }
@@ -105,16 +121,22 @@ impl Words {
     fn push(&mut self, value: &Value) {
         match value {
             Value::Map(entries) if !entries.is_empty() => {
-                entries.iter().for_each(|(key, inner)| self.within(&[".", key], |words| words.push(inner)));
+                entries
+                    .iter()
+                    .for_each(|(key, inner)| self.within(&[".", key], |words| words.push(inner)));
             }
             Value::List(items) => {
                 self.write(value);
-                let nested = items.iter().any(|item| matches!(item, Value::Map(_) | Value::List(_)));
+                let nested = items
+                    .iter()
+                    .any(|item| matches!(item, Value::Map(_) | Value::List(_)));
                 // A list that is too long for a line is written value by value.
                 if items.is_empty() || (!nested && self.word.len() + JOB_LINE.len() <= self.width) {
                     return self.keep();
                 }
-                let each = |(i, inner): (usize, &Value)| self.within(&["[", &format_count(i), "]"], |words| words.push(inner));
+                let each = |(i, inner): (usize, &Value)| {
+                    self.within(&["[", &format_count(i), "]"], |words| words.push(inner))
+                };
                 items.iter().enumerate().for_each(each);
             }
             value => {
@@ -127,8 +149,11 @@ impl Words {
     /// Makes the word of a value.
     fn write(&mut self, value: &Value) {
         // The words outside the cycle are those of choices: the reader knows them in capitals, too.
-        let own = ["cycle.", "cycles[", "datum.", "relations", "tolerances."].iter().any(|own| self.path.starts_with(own));
-        let marked = self.capitals && own && !self.path.ends_with("].type") && self.path != "cycle.type";
+        let own = ["cycle.", "cycles[", "datum.", "relations", "tolerances."]
+            .iter()
+            .any(|own| self.path.starts_with(own));
+        let marked =
+            self.capitals && own && !self.path.ends_with("].type") && self.path != "cycle.type";
         self.word.clear();
         self.word.push_str(&self.path);
         self.word.push('=');
@@ -205,7 +230,9 @@ pub fn read(text: &str) -> HeaderLines<'_> {
     let mut rest = text;
     while !rest.is_empty() {
         let line = next_line(&mut rest);
-        let Some(comment) = comment(line) else { continue };
+        let Some(comment) = comment(line) else {
+            continue;
+        };
         if let Some(words) = after(comment, JOB_LINE) {
             if said.values.len() > MOST_WORDS {
                 continue;
@@ -213,7 +240,9 @@ pub fn read(text: &str) -> HeaderLines<'_> {
             // Version 0.1.0 wrote a line for each value: `job path = value`.
             match words.split_once(" = ") {
                 Some((path, value)) => said.values.push((path.trim(), value.trim())),
-                None => said.values.extend(words.split(' ').filter_map(|word| word.split_once('='))),
+                None => said
+                    .values
+                    .extend(words.split(' ').filter_map(|word| word.split_once('='))),
             }
         } else if let Some(made) = after(comment, MADE_BY) {
             said.version = said.version.or(made.split(' ').next());

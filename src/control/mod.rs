@@ -74,7 +74,11 @@ impl Form {
 
     /// The form that a word names; moves for any other word.
     pub fn named(word: &str) -> Form {
-        if word == Form::Cycle.word() { Form::Cycle } else { Form::Moves }
+        if word == Form::Cycle.word() {
+            Form::Cycle
+        } else {
+            Form::Moves
+        }
     }
 
     pub const fn other(self) -> Form {
@@ -105,7 +109,11 @@ impl Header {
 
     /// The header that a word names; the full one for any other word.
     pub fn named(word: &str) -> Header {
-        if word == Header::Short.word() { Header::Short } else { Header::Full }
+        if word == Header::Short.word() {
+            Header::Short
+        } else {
+            Header::Full
+        }
     }
 }
 
@@ -132,7 +140,10 @@ impl Report {
 
     /// The report that a word names; `Screen` for any other word.
     pub fn named(word: &str) -> Report {
-        [Report::Log, Report::None].into_iter().find(|report| report.word() == word).unwrap_or(Report::Screen)
+        [Report::Log, Report::None]
+            .into_iter()
+            .find(|report| report.word() == word)
+            .unwrap_or(Report::Screen)
     }
 }
 
@@ -143,7 +154,10 @@ pub struct PostDef {
     pub key: &'static str,
     pub title: &'static str,
     /// What its programs are, in a sentence or two, for docs/controls.md.
-    #[cfg_attr(not(test), allow(dead_code, reason = "the documents are generated from it"))]
+    #[cfg_attr(
+        not(test),
+        allow(dead_code, reason = "the documents are generated from it")
+    )]
     pub about: &'static str,
     /// The usual file extension, without the dot.
     pub extension: &'static str,
@@ -231,7 +245,11 @@ pub const BASE: PostDef = PostDef {
     rate: feed_rate,
     serves: |_, _| Err(""),
     check: |_, _| {},
-    emit: |_| Program { text: String::new(), move_lines: Vec::new(), too_long: None },
+    emit: |_| Program {
+        text: String::new(),
+        move_lines: Vec::new(),
+        too_long: None,
+    },
     read: None,
     own: None,
     typed_write: None,
@@ -260,7 +278,11 @@ impl PostDef {
 
     /// Decimals of lengths and feeds in a program whose unit is so many mm.
     pub fn decimals(&self, scale: f64) -> usize {
-        if scale == 1.0 { self.dialect.decimals_mm } else { self.dialect.decimals_inch }
+        if scale == 1.0 {
+            self.dialect.decimals_mm
+        } else {
+            self.dialect.decimals_inch
+        }
     }
 
     /// Half of the last digit of a place or a feed, in units of the program: by so much a written one may be off.
@@ -321,22 +343,32 @@ impl Request<'_> {
     pub fn highest(&self) -> Vec3 {
         let w = self.path.frame.w;
         let ends = self.path.moves.iter().map(|m| m.to).chain(self.path.start);
-        ends.max_by(|a, b| a.dot(w).total_cmp(&b.dot(w))).unwrap_or(Vec3::ZERO)
+        ends.max_by(|a, b| a.dot(w).total_cmp(&b.dot(w)))
+            .unwrap_or(Vec3::ZERO)
     }
 
     /// Which numbered variable holds what, on controls that have no named ones: checking and printing ask the same.
     pub fn registers(&self) -> &Registers {
-        self.numbered.get_or_init(|| Registers::allocate(self.path, self.when()))
+        self.numbered
+            .get_or_init(|| Registers::allocate(self.path, self.when()))
     }
 
     /// When the program computes: in a set-up as soon as it can, so that no variable is kept through all of its cycles.
     pub fn when(&self) -> When {
-        if self.path.members.is_empty() { self.post.when } else { When::AtOnce }
+        if self.path.members.is_empty() {
+            self.post.when
+        } else {
+            When::AtOnce
+        }
     }
 
     /// What a program that computes asks of its results.
     pub fn questions(&self) -> Vec<Question> {
-        if self.post.computes && self.form == Form::Moves { self.path.formula.questions(&self.limits) } else { Vec::new() }
+        if self.post.computes && self.form == Form::Moves {
+            self.path.formula.questions(&self.limits)
+        } else {
+            Vec::new()
+        }
     }
 
     /// Whether the program is read back and followed: one of calls is, where the control's own cycles say so.
@@ -389,7 +421,18 @@ pub fn comment_text(text: &str) -> String {
 /// A character as a comment may have it.
 fn comment_char(c: char) -> char {
     match c {
-        'A'..='Z' | 'a'..='z' | '0'..='9' | ' ' | '.' | ',' | '-' | '_' | '+' | '=' | ':' | '\'' => c,
+        'A'..='Z'
+        | 'a'..='z'
+        | '0'..='9'
+        | ' '
+        | '.'
+        | ','
+        | '-'
+        | '_'
+        | '+'
+        | '='
+        | ':'
+        | '\'' => c,
         _ => '_',
     }
 }
@@ -409,13 +452,18 @@ fn check_length_axis(request: &Request<'_>, checker: &mut Checker) {
 
 /// What plain moves cannot do: wait for an operator who brings the probe to its place, or judge tolerances.
 fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
-    let Some(circles) = request.path.feature.two_circles() else { return };
+    let Some(circles) = request.path.feature.two_circles() else {
+        return;
+    };
     if circles.semi_automatic {
-        let message = text!("A semi-automatic object (?) needs an operator and the control's own cycle, not plain moves");
+        let message = text!(
+            "A semi-automatic object (?) needs an operator and the control's own cycle, not plain moves"
+        );
         checker.error("semi-automatic-unsupported", "control.post", message);
     }
     if circles.reacts && circles.toleranced {
-        let message = text!("A program of plain moves checks no tolerances and ignores the error reaction");
+        let message =
+            text!("A program of plain moves checks no tolerances and ignores the error reaction");
         if request.work_offset.is_some() {
             let message = text!(
                 "{message}, and would write the offset even from a scrap part: set the error reaction to never stop, or write no offset",
@@ -431,29 +479,46 @@ fn check_plain_moves(request: &Request<'_>, checker: &mut Checker) {
 /// A control that could watch positioning, and is asked not to.
 fn check_watched(request: &Request<'_>, checker: &mut Checker) {
     if !request.protected && !request.path.moves.is_empty() {
-        let message =
-            text!("Positioning moves are not watched, as the job says: a contact there goes unnoticed, and the probe breaks");
+        let message = text!(
+            "Positioning moves are not watched, as the job says: a contact there goes unnoticed, and the probe breaks"
+        );
         checker.warning("positioning-not-watched", "control.protection", message);
     }
 }
 
 /// What plain moves cannot do with a rotary table, and why.
 fn check_rotary(request: &Request<'_>, checker: &mut Checker, why: Text) {
-    if request.path.feature.two_circles().is_some_and(|circles| circles.turns_table) {
-        let message = text!("{why}: turning or offsetting a rotary table is for the control's own cycle", why);
+    if request
+        .path
+        .feature
+        .two_circles()
+        .is_some_and(|circles| circles.turns_table)
+    {
+        let message = text!(
+            "{why}: turning or offsetting a rotary table is for the control's own cycle",
+            why
+        );
         checker.error("rotary-unsupported", "cycle.confirmRotation", message);
     }
 }
 
 /// The field that asks for a rotation to be written.
 fn rotation_field(request: &Request<'_>) -> &'static str {
-    if request.path.feature.two_circles().is_some() { "cycle.confirmRotation" } else { "control.workOffset" }
+    if request.path.feature.two_circles().is_some() {
+        "cycle.confirmRotation"
+    } else {
+        "control.workOffset"
+    }
 }
 
 /// A spindle that is to be turned to an angle by a control whose program cannot.
 fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
     if let (Some(_), Err(why)) = (request.orient, request.post.orients) {
-        checker.warning("orient-unsupported", "control.orient", request.post.says(why));
+        checker.warning(
+            "orient-unsupported",
+            "control.orient",
+            request.post.says(why),
+        );
     }
 }
 
@@ -474,7 +539,12 @@ const FROM_THE_TOP: &str = "After RESET start at the top, NEVER in the middle: t
 
 /// A work offset that is chosen, and gets nothing.
 fn check_write(request: &Request<'_>, checker: &mut Checker) {
-    let something = request.path.formula.datum.as_ref().is_some_and(Datum::writes);
+    let something = request
+        .path
+        .formula
+        .datum
+        .as_ref()
+        .is_some_and(Datum::writes);
     if request.work_offset.is_some() && !something {
         let message = if request.path.feature.two_circles().is_some() {
             text!(
@@ -486,7 +556,8 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         checker.warning("nothing-to-write", "control.workOffset", message);
     }
     let tool = AXIS_NAMES[request.plane.axes()[2]];
-    if request.writes().contains(&tool) && request.setup.radius > 0.0 && request.path.own.is_none() {
+    if request.writes().contains(&tool) && request.setup.radius > 0.0 && request.path.own.is_none()
+    {
         let message = text!(
             "{axis} is written for a tool length that ends at the ball centre: with a length to its tip, the work offset would be {radius} too low",
             tool.to_owned(),
@@ -494,7 +565,9 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.info("length-to-centre", "control.workOffset", message);
     }
-    let axes = request.path.formula.datum.as_ref().map_or(0, |datum| datum.measured().iter().filter(|axis| **axis).count());
+    let axes = request.path.formula.datum.as_ref().map_or(0, |datum| {
+        datum.measured().iter().filter(|axis| **axis).count()
+    });
     if request.work_offset.is_some() && axes > directions(request.path) {
         let message = text!(
             "Only a shift along the touches is measured: each axis of the work offset gets its share of it, and a shift across them is not seen"
@@ -507,7 +580,9 @@ fn check_write(request: &Request<'_>, checker: &mut Checker) {
 fn directions(path: &Path) -> usize {
     let mut found: Vec<Vec3> = Vec::new();
     for touch in &path.touches {
-        let rest = found.iter().fold(touch.vector, |rest, known| rest - *known * rest.dot(*known));
+        let rest = found
+            .iter()
+            .fold(touch.vector, |rest, known| rest - *known * rest.dot(*known));
         if rest.length() > 1e-6 {
             found.push(rest.normalize());
         }
@@ -537,15 +612,27 @@ mod tests {
 
     #[test]
     fn a_name_cannot_leave_its_comment() {
-        assert_eq!(comment_text("A)\nG0 Z-100 (é;%#<x>"), "A__G0 Z-100 ______x_");
+        assert_eq!(
+            comment_text("A)\nG0 Z-100 (é;%#<x>"),
+            "A__G0 Z-100 ______x_"
+        );
         assert_eq!(comment_text("POCKET_80X50"), "POCKET_80X50");
         assert_eq!(comment_text(&"x".repeat(500)).len(), 60);
-        assert!(comment_text("\u{0}\u{1b}\r\u{2028}\"\\/()[]{}~*").chars().all(|c| c == '_'));
+        assert!(
+            comment_text("\u{0}\u{1b}\r\u{2028}\"\\/()[]{}~*")
+                .chars()
+                .all(|c| c == '_')
+        );
     }
 
     #[test]
     fn work_offsets_by_their_words() {
         let words: Vec<String> = (1..=9).map(work_offset_word).collect();
-        assert_eq!(words, ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"]);
+        assert_eq!(
+            words,
+            [
+                "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"
+            ]
+        );
     }
 }

@@ -99,7 +99,11 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
     let mut stored = StoredCoordinate::default();
     hooks.begin(&mut w);
     let own = hooks.own_cycles();
-    let needed = if request.when() == When::AtOnce { needed_touches(path) } else { Vec::new() };
+    let needed = if request.when() == When::AtOnce {
+        needed_touches(path)
+    } else {
+        Vec::new()
+    };
     let (mut made, mut computed) = (0, 0);
     let samples = path.samples();
     let mut from = path.start;
@@ -112,7 +116,11 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
             }
         }
         if !path.shifts.is_empty() {
-            w.shifts_by(path.shifts(index).each_ref().map(|terms| hooks.shift(formula, terms, request.scale)));
+            w.shifts_by(
+                path.shifts(index)
+                    .each_ref()
+                    .map(|terms| hooks.shift(formula, terms, request.scale)),
+            );
         }
         match step.purpose {
             _ if own.iter().any(|own| own.contains(&index)) => {
@@ -122,7 +130,9 @@ pub fn write(request: &Request<'_>, hooks: &mut dyn Moves) -> Program {
                 w.leaves_move();
                 w.forgets_place();
             }
-            Purpose::Position if start_unknown(request, index, step) => hooks.approach(&mut w, step),
+            Purpose::Position if start_unknown(request, index, step) => {
+                hooks.approach(&mut w, step)
+            }
             Purpose::Position => hooks.position(&mut w, place),
             Purpose::Touch(k) => {
                 hooks.touch(&mut w, place, &path.touches[k]);
@@ -168,25 +178,58 @@ fn conclude(w: &mut Writer<'_>, request: &Request<'_>, hooks: &mut dyn Moves, co
 }
 
 /// Keeps what the formula needs of a touch. Repeated touches of a sample are added up, and divided after the last one.
-fn latch(w: &mut Writer<'_>, hooks: &dyn Moves, (sample, used): (&Repeat, &Used), stored: &mut StoredCoordinate) {
+fn latch(
+    w: &mut Writer<'_>,
+    hooks: &dyn Moves,
+    (sample, used): (&Repeat, &Used),
+    stored: &mut StoredCoordinate,
+) {
     for axis in (0..3).filter(|&axis| used.has(sample.index, axis)) {
-        [&mut stored.variable, &mut stored.source, &mut stored.comment].into_iter().for_each(|text| text.clear());
+        [
+            &mut stored.variable,
+            &mut stored.source,
+            &mut stored.comment,
+        ]
+        .into_iter()
+        .for_each(|text| text.clear());
         if !hooks.stores(sample.index, axis, stored) {
             continue;
         }
-        let StoredCoordinate { variable, source, group: (left, right), whole: (open, close), comment } = &*stored;
+        let StoredCoordinate {
+            variable,
+            source,
+            group: (left, right),
+            whole: (open, close),
+            comment,
+        } = &*stored;
         match (sample.first, sample.last) {
             (true, _) => w.parts(&[variable, "=", source, comment]),
             (false, false) => w.parts(&[variable, "=", open, variable, "+", source, close]),
             (false, true) => {
-                w.parts(&[variable, "=", open, left, variable, "+", source, right, "/", &format_count(sample.count), close]);
+                w.parts(&[
+                    variable,
+                    "=",
+                    open,
+                    left,
+                    variable,
+                    "+",
+                    source,
+                    right,
+                    "/",
+                    &format_count(sample.count),
+                    close,
+                ]);
             }
         }
     }
 }
 
 /// The straight pieces of a positioning move, each with where it begins.
-pub fn each_piece(request: &Request<'_>, place: Step<'_>, mut piece: impl FnMut(Option<Vec3>, Vec3)) {
+pub fn each_piece(
+    request: &Request<'_>,
+    place: Step<'_>,
+    mut piece: impl FnMut(Option<Vec3>, Vec3),
+) {
     let mut from = place.from;
     for to in pieces(request, place.step, place.from) {
         piece(from, to);

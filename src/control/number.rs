@@ -38,15 +38,28 @@ fn of_name(name: &str) -> Option<i32> {
         None | Some('_') => true,
         Some(c) => c.is_ascii_alphabetic() && !matches!(c, 'D' | 'd' | 'X' | 'x'),
     };
-    let number = digits.bytes().all(|b| b.is_ascii_digit()).then(|| digits.parse().ok()).flatten();
+    let number = digits
+        .bytes()
+        .all(|b| b.is_ascii_digit())
+        .then(|| digits.parse().ok())
+        .flatten();
     number.filter(|n| follows && *n > 0)
 }
 
 /// `O1000(POCKET-80X50)`: the number, and the name as the list of programs shows it.
 pub(super) fn line(request: &Request<'_>) -> String {
-    let name: String = request.name.chars().take(LONGEST_NAME).map(listed).collect();
+    let name: String = request
+        .name
+        .chars()
+        .take(LONGEST_NAME)
+        .map(listed)
+        .collect();
     let (number, name) = (number(request.number, request.name), name.trim());
-    if name.is_empty() { format!("O{number:04}") } else { format!("O{number:04}({name})") }
+    if name.is_empty() {
+        format!("O{number:04}")
+    } else {
+        format!("O{number:04}({name})")
+    }
 }
 
 /// A character of the name as every control takes it. A comma could begin a command, such as `MSG,`.
@@ -59,7 +72,9 @@ fn listed(c: char) -> char {
 
 /// A number that the control may refuse.
 pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
-    let Some((number, path)) = high(request) else { return };
+    let Some((number, path)) = high(request) else {
+        return;
+    };
     let message = text!(
         "Program numbers 8000 to 9999 are usually protected (parameter 3202): the control may refuse O{number}. Use a number below 8000",
         number
@@ -69,25 +84,42 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// A number under which a control that calls macros keeps them: the program would take the place of one. Ours.
 pub(super) fn check_macros(request: &Request<'_>, checker: &mut Checker) {
-    let Some((number, path)) = high(request) else { return };
-    let message =
-        text!("Program numbers 8000 to 9999 belong to macros: O{number} may replace one. Use a number below 8000", number);
+    let Some((number, path)) = high(request) else {
+        return;
+    };
+    let message = text!(
+        "Program numbers 8000 to 9999 belong to macros: O{number} may replace one. Use a number below 8000",
+        number
+    );
     checker.warning("number-protected", path, message);
 }
 
 /// A chosen number that is above those of users' programs, and the field that says it.
 fn high(request: &Request<'_>) -> Option<(i32, &'static str)> {
     let number = chosen(request).filter(|n| *n >= PROTECTED)?;
-    Some((number, if request.number.is_some() { "control.number" } else { "name" }))
+    Some((
+        number,
+        if request.number.is_some() {
+            "control.number"
+        } else {
+            "name"
+        },
+    ))
 }
 
 /// No place needs more digits than a number may have.
 pub(super) fn check_digits(request: &Request<'_>, checker: &mut Checker) {
     let decimals = request.post.decimals(request.scale);
     let limit = 10f64.powi(DIGITS as i32 - decimals as i32) * request.scale;
-    let touches = request.path.touches.iter().map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);
+    let touches = request
+        .path
+        .touches
+        .iter()
+        .map(|touch| touch.contact(request.setup.radius) - touch.vector * touch.search);
     let places = request.path.moves.iter().map(|step| step.to).chain(touches);
-    let farthest = places.map(|place| place.abs().max_element()).fold(0.0, f64::max);
+    let farthest = places
+        .map(|place| place.abs().max_element())
+        .fold(0.0, f64::max);
     if farthest >= limit {
         let message = text!(
             "A position is {far} from the origin: it must be within {limit}, since some controls take at most {digits} digits",
@@ -105,7 +137,13 @@ mod tests {
 
     #[test]
     fn a_size_in_a_name_is_no_program_number() {
-        for (name, number) in [("O2201", 2201), ("BORE2201", 2201), ("2201", 2201), ("BORE_0042", 42), ("o9001", 9001)] {
+        for (name, number) in [
+            ("O2201", 2201),
+            ("BORE2201", 2201),
+            ("2201", 2201),
+            ("BORE_0042", 42),
+            ("o9001", 9001),
+        ] {
             assert_eq!(of_name(name), Some(number), "{name}");
         }
         for name in [

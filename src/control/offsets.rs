@@ -20,12 +20,17 @@ pub(super) fn word(number: i32) -> String {
 
 /// The S of Renishaw's macros: 1 to 6 for G54 to G59, 101 and following for G54.1 P1 [S].
 pub(super) fn letter(number: i32) -> f64 {
-    f64::from(if number <= STANDARD { number } else { 100 + number - STANDARD })
+    f64::from(if number <= STANDARD {
+        number
+    } else {
+        100 + number - STANDARD
+    })
 }
 
 /// A work offset that not every control has.
 pub(super) fn check_optional(request: &Request<'_>, checker: &mut Checker) {
-    let optional = |number: i32| number > STANDARD && (request.post.work_offset_word)(number) == word(number);
+    let optional =
+        |number: i32| number > STANDARD && (request.post.work_offset_word)(number) == word(number);
     if request.work_offset.is_some_and(optional) {
         let message = text!("G54.1 P1 to P48 are an option: a control without it raises an alarm");
         checker.warning("offset-optional", "control.workOffset", message);

@@ -47,11 +47,19 @@ pub struct Fault {
 
 impl Fault {
     fn at(line: usize, message: Text) -> Self {
-        Fault { line: Some(line), message, understood: true }
+        Fault {
+            line: Some(line),
+            message,
+            understood: true,
+        }
     }
 
     fn of(message: Text) -> Self {
-        Fault { line: None, message, understood: true }
+        Fault {
+            line: None,
+            message,
+            understood: true,
+        }
     }
 }
 
@@ -87,27 +95,55 @@ impl Followed<'_> {
 
     /// Whether the program stops, having written nothing, before it moves to a cycle where a result that the cycle follows is `off` its nominal value by
     /// so much, mm.
-    pub fn stops_before(&self, request: &Request<'_>, member: usize, (result, off): (usize, f64)) -> bool {
+    pub fn stops_before(
+        &self,
+        request: &Request<'_>,
+        member: usize,
+        (result, off): (usize, f64),
+    ) -> bool {
         let path = request.path;
-        let follow = path.members[member].placing.follows.iter().find(|follow| follow.result == result);
-        let Some((follow, own)) = follow.zip(self.triggered.as_ref()) else { return false };
+        let follow = path.members[member]
+            .placing
+            .follows
+            .iter()
+            .find(|follow| follow.result == result);
+        let Some((follow, own)) = follow.zip(self.triggered.as_ref()) else {
+            return false;
+        };
         // What no place of the part changes is never off.
-        let Some(displaced) = own.displaced(request, follow, off, member) else { return true };
+        let Some(displaced) = own.displaced(request, follow, off, member) else {
+            return true;
+        };
         let expected = Expected::of(request, displaced.shifted(path));
         let triggers = &displaced.triggers;
         let made = request.path.members[member].moves.start;
-        let ways = request.path.moves[..made].iter().rev().take_while(|step| step.step == WAY).count();
+        let ways = request.path.moves[..made]
+            .iter()
+            .rev()
+            .take_while(|step| step.step == WAY)
+            .count();
         let mut next = 0;
-        let stop = machine::until_alarm(&self.script, self.begin, &mut |step: &Step| expected.next(step, triggers, &mut next));
-        let before = expected.touches.iter().filter(|(k, _)| request.path.member_of_touch(*k) < Some(member)).count();
-        let Some(last) = (made - ways).checked_sub(1) else { return false };
+        let stop = machine::until_alarm(&self.script, self.begin, &mut |step: &Step| {
+            expected.next(step, triggers, &mut next)
+        });
+        let before = expected
+            .touches
+            .iter()
+            .filter(|(k, _)| request.path.member_of_touch(*k) < Some(member))
+            .count();
+        let Some(last) = (made - ways).checked_sub(1) else {
+            return false;
+        };
         let stands = expected.place(request.path.moves[last].to + expected.shift(last));
         // As many moves as the cycle before it has behind its last touch lead nowhere else; that touch itself may miss. What puts one result off may put
         // another one off that is asked about earlier.
         let moves = request.path.moves[..=last].iter().rev();
-        let own = moves.take_while(|step| !matches!(step.purpose, Purpose::Touch(_))).count();
+        let own = moves
+            .take_while(|step| !matches!(step.purpose, Purpose::Touch(_)))
+            .count();
         let in_time = |stop: machine::Stopped| {
-            stop.touches < before || stop.touches == before && (stop.since <= own || expected.near(stop.at, stands))
+            stop.touches < before
+                || stop.touches == before && (stop.since <= own || expected.near(stop.at, stands))
         };
         stop.is_some_and(|stop| !stop.writes && in_time(stop))
     }
@@ -123,64 +159,150 @@ pub enum Part {
 }
 
 /// Reads a program for the control of a request, and follows it.
-pub fn follow<'t>(request: &Request<'_>, text: &'t str, part: Part) -> Result<Followed<'t>, Vec<Fault>> {
-    let read = request.post.read.ok_or_else(|| vec![Fault::of(text!("programs of this control are not read back"))])?;
+pub fn follow<'t>(
+    request: &Request<'_>,
+    text: &'t str,
+    part: Part,
+) -> Result<Followed<'t>, Vec<Fault>> {
+    let read = request.post.read.ok_or_else(|| {
+        vec![Fault::of(text!(
+            "programs of this control are not read back"
+        ))]
+    })?;
     let faults = |troubles: Vec<crate::control::iso::script::Trouble>| -> Vec<Fault> {
-        troubles.into_iter().map(|t| Fault { line: Some(t.line), message: t.message, understood: t.understood }).collect()
+        troubles
+            .into_iter()
+            .map(|t| Fault {
+                line: Some(t.line),
+                message: t.message,
+                understood: t.understood,
+            })
+            .collect()
     };
     let script = read(text).map_err(faults)?;
     let mut triggers = vec![Vec3::ZERO; request.path.touches.len()];
     for (k, from, step) in request.path.searches() {
-        triggers[k] = trigger(request, k, from.map_or(0.0, |from| from.distance(step.to)), 1.0);
+        triggers[k] = trigger(
+            request,
+            k,
+            from.map_or(0.0, |from| from.distance(step.to)),
+            1.0,
+        );
     }
     let follows = !request.path.shifts.is_empty();
-    let triggered = if follows { Some(Triggered::of(request, triggers.clone())?) } else { None };
-    let shifts = triggered.as_ref().map_or_else(Shifted::default, |triggered| triggered.shifted(request.path));
+    let triggered = if follows {
+        Some(Triggered::of(request, triggers.clone())?)
+    } else {
+        None
+    };
+    let shifts = triggered
+        .as_ref()
+        .map_or_else(Shifted::default, |triggered| {
+            triggered.shifted(request.path)
+        });
     if let Some(triggered) = &triggered {
         triggers.clone_from(&triggered.triggers);
     }
     // Where nothing is written and no tolerance is asked about, the end of the program does not depend on its results.
-    let asks = request.corrects() || request.questions().iter().any(|question| question.asked != Asked::Plausible);
-    let marks: Vec<Slot> = if asks { script.outputs().map(|(_, slot)| slot).collect() } else { Vec::new() };
+    let asks = request.corrects()
+        || request
+            .questions()
+            .iter()
+            .any(|question| question.asked != Asked::Plausible);
+    let marks: Vec<Slot> = if asks {
+        script.outputs().map(|(_, slot)| slot).collect()
+    } else {
+        Vec::new()
+    };
     let expected = Expected::of(request, shifts);
-    let first = request.path.moves.first().map_or(Vec3::ZERO, |step| step.to);
+    let first = request
+        .path
+        .moves
+        .first()
+        .map_or(Vec3::ZERO, |step| step.to);
     let [a, o, w] = request.plane.basis();
     let away = |up: f64| expected.place(first + a * AWAY[0] + o * AWAY[1] + w * up);
     // A job that says where the stylus stands has its program begin there.
     let stated = request.path.start.map(|start| expected.written(start));
     let start = stated.unwrap_or_else(|| away(AWAY[2]));
     let highest = expected.place(request.highest())[request.plane.axes()[2]] + 2.0 * expected.digit;
-    let run = Run { start, deflected: false, until: None, may_stop: false, known: stated.is_some(), highest, strict: true };
+    let run = Run {
+        start,
+        deflected: false,
+        until: None,
+        may_stop: false,
+        known: stated.is_some(),
+        highest,
+        strict: true,
+    };
     let mut next = 0;
     let (trace, tail) = machine::run_marked(
         &script,
         run,
         &mut |step: &Step| {
             if part == Part::Unknown {
-                return expected.meets(step, &triggers, &mut next).unwrap_or(Met::Unknown);
+                return expected
+                    .meets(step, &triggers, &mut next)
+                    .unwrap_or(Met::Unknown);
             }
             expected.next(step, &triggers, &mut next)
         },
         &marks,
     )
     .map_err(|t| faults(vec![t]))?;
-    let asks = request.post.cannot.iter().all(|(rule, _)| *rule != LOW_START);
+    let asks = request
+        .post
+        .cannot
+        .iter()
+        .all(|(rule, _)| *rule != LOW_START);
     let below = match request.path.moves.first().filter(|_| asks) {
         Some(step) => {
-            let start = request.path.start.map_or(away(-AWAY[2]), |start| expected.written(start - w * AWAY[2]));
+            let start = request.path.start.map_or(away(-AWAY[2]), |start| {
+                expected.written(start - w * AWAY[2])
+            });
             let until = Some((expected.place(step.to), expected.digit));
-            let run = Run { start, may_stop: true, until, known: false, ..run };
-            let mut meets = |_: &Step| if part == Part::Path { Met::Nothing } else { Met::Unknown };
-            machine::run(&script, run, &mut meets).map_err(|trouble| faults(vec![trouble]))?.steps
+            let run = Run {
+                start,
+                may_stop: true,
+                until,
+                known: false,
+                ..run
+            };
+            let mut meets = |_: &Step| {
+                if part == Part::Path {
+                    Met::Nothing
+                } else {
+                    Met::Unknown
+                }
+            };
+            machine::run(&script, run, &mut meets)
+                .map_err(|trouble| faults(vec![trouble]))?
+                .steps
         }
         None => Vec::new(),
     };
-    Ok(Followed { begin: run, script, trace, tail, below, triggers, expected, triggered })
+    Ok(Followed {
+        begin: run,
+        script,
+        trace,
+        tail,
+        below,
+        triggers,
+        expected,
+        triggered,
+    })
 }
 
 /// Proves that a followed program is the path of the request. `lines` are those that the writer says its moves stand in.
-pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usize>]) -> Result<Proof, Vec<Fault>> {
-    debug_assert!(request.form == Form::Moves, "a control's own cycle is not proven");
+pub fn prove(
+    request: &Request<'_>,
+    followed: &Followed<'_>,
+    lines: &[Option<usize>],
+) -> Result<Proof, Vec<Fault>> {
+    debug_assert!(
+        request.form == Form::Moves,
+        "a control's own cycle is not proven"
+    );
     let mut faults = Vec::new();
     let expected = &followed.expected;
     if let Err(fault) = expected.path(request, &followed.trace, lines) {
@@ -196,7 +318,11 @@ pub fn prove(request: &Request<'_>, followed: &Followed<'_>, lines: &[Option<usi
     if !faults.is_empty() {
         return Err(faults);
     }
-    Ok(Proof { moves: request.path.moves.len(), touches: request.path.touches.len(), arithmetic })
+    Ok(Proof {
+        moves: request.path.moves.len(),
+        touches: request.path.touches.len(),
+        arithmetic,
+    })
 }
 
 /// What touch `k` reads in the proof: anywhere along its search and a little aside, another place for each; but not before half of its `way` to
@@ -221,13 +347,19 @@ impl Triggered {
     fn of(request: &Request<'_>, triggers: Vec<Vec3>) -> Result<Self, Vec<Fault>> {
         let (samples, directions) = sampled(request, &triggers);
         let path = request.path;
-        let mut own = Triggered { triggers, samples, directions, values: Vec::new() };
+        let mut own = Triggered {
+            triggers,
+            samples,
+            directions,
+            values: Vec::new(),
+        };
         let begin = path.computed_by(0).start;
         let mut fault = Vec::new();
         // What a result is off leads the next cycle that far off, and by an arm farther than its own results may be: then all begin nearer.
         for first in [0, 1, 2, 4, 8, 16] {
             own.values = Vec::with_capacity(path.formula.assignments.len());
-            path.formula.evaluate_on(&mut own.values, begin, &own.samples, &own.directions);
+            path.formula
+                .evaluate_on(&mut own.values, begin, &own.samples, &own.directions);
             match (0..path.members.len()).try_for_each(|member| own.touch(request, member, first)) {
                 Ok(()) => return Ok(own),
                 Err(found) => fault = found,
@@ -238,25 +370,39 @@ impl Triggered {
 
     /// Places the touches of a member, whose shifts are known. Where a later cycle follows its results, the triggers come nearer and nearer to the nominal
     /// contacts until those results are within the limit. `first`: how often they are halved at least.
-    fn touch(&mut self, request: &Request<'_>, member: usize, first: i32) -> Result<(), Vec<Fault>> {
+    fn touch(
+        &mut self,
+        request: &Request<'_>,
+        member: usize,
+        first: i32,
+    ) -> Result<(), Vec<Fault>> {
         /// Halved so often, a trigger is nominal to the last digit.
         const HALVED: i32 = 24;
         let path = request.path;
-        let follows = path.members[member + 1..].iter().flat_map(|later| &later.placing.follows);
-        let led = follows.filter_map(|follow| Some((follow.result, path.is_known_by(follow.result, member)?)));
+        let follows = path.members[member + 1..]
+            .iter()
+            .flat_map(|later| &later.placing.follows);
+        let led = follows
+            .filter_map(|follow| Some((follow.result, path.is_known_by(follow.result, member)?)));
         let led: Vec<(usize, bool)> = led.collect();
         let first = if led.is_empty() { 0 } else { first };
         // What comes from a later cycle too is known only there.
         let known = led.into_iter().filter(|(_, known)| *known);
-        let questions: Vec<Question> = known.filter_map(|(result, _)| path.formula.leads(result, &request.limits)).collect();
+        let questions: Vec<Question> = known
+            .filter_map(|(result, _)| path.formula.leads(result, &request.limits))
+            .collect();
         for halved in first..HALVED {
             for (k, from, index) in searches_of(path, member) {
                 let way = from.map_or(0.0, |from| from.distance(path.moves[index].to));
-                let by = self.shift(&path.shifts_at(index, path.touches[k].contact(request.setup.radius)));
+                let by = self
+                    .shift(&path.shifts_at(index, path.touches[k].contact(request.setup.radius)));
                 self.triggers[k] = trigger(request, k, way, 0.5f64.powi(halved)) + by;
             }
             self.compute(request, member);
-            if questions.iter().all(|question| self.off(request, question.result).abs() < 0.9 * question.limit) {
+            if questions
+                .iter()
+                .all(|question| self.off(request, question.result).abs() < 0.9 * question.limit)
+            {
                 return Ok(());
             }
         }
@@ -271,30 +417,52 @@ impl Triggered {
         let touches = &path.touches[path.members[member].touches.clone()];
         let triggers = &self.triggers[path.members[member].touches.clone()];
         for touch in touches {
-            let same = touches.iter().zip(triggers).filter(|(other, _)| other.sample == touch.sample);
-            let (sum, count) = same.fold((Vec3::ZERO, 0.0), |(sum, count), (_, trigger)| (sum + *trigger, count + 1.0));
+            let same = touches
+                .iter()
+                .zip(triggers)
+                .filter(|(other, _)| other.sample == touch.sample);
+            let (sum, count) = same.fold((Vec3::ZERO, 0.0), |(sum, count), (_, trigger)| {
+                (sum + *trigger, count + 1.0)
+            });
             self.samples[touch.sample] = Some(sum / count);
         }
         let assignments = path.computed_by(member);
         self.values.truncate(assignments.start);
-        path.formula.evaluate_on(&mut self.values, assignments.end, &self.samples, &self.directions);
+        path.formula.evaluate_on(
+            &mut self.values,
+            assignments.end,
+            &self.samples,
+            &self.directions,
+        );
     }
 
     /// How far a result is off its nominal value.
     fn off(&self, request: &Request<'_>, result: usize) -> f64 {
         let def = &request.path.formula.results[result];
-        def.variable.map_or(0.0, |variable| self.values[variable.index()].value - def.nominal)
+        def.variable.map_or(0.0, |variable| {
+            self.values[variable.index()].value - def.nominal
+        })
     }
 
     /// By how much these values shift a place, mm.
     fn shift(&self, shifts: &Shifts) -> Vec3 {
-        let value = |term: &Term| self.values.get(term.by.index()).map_or(0.0, |value| term.factor * value.value);
+        let value = |term: &Term| {
+            self.values
+                .get(term.by.index())
+                .map_or(0.0, |value| term.factor * value.value)
+        };
         Vec3::from_array(shifts.each_ref().map(|terms| terms.iter().map(value).sum()))
     }
 
     /// The same where the touches of the cycle of a result lie elsewhere, so that the result is off by so much: of a place all of them along its axis, of a
     /// size or direction each by what it has to do with it. The cycles up to a member lie where that leads them. `None` if that does not change the result.
-    fn displaced(&self, request: &Request<'_>, Follow { result, axis, .. }: &Follow, off: f64, until: usize) -> Option<Self> {
+    fn displaced(
+        &self,
+        request: &Request<'_>,
+        Follow { result, axis, .. }: &Follow,
+        off: f64,
+        until: usize,
+    ) -> Option<Self> {
         /// A coordinate that changes by less than this for each mm is that of a wall across another axis.
         const STILL: f64 = 1e-6;
         /// A direction is no straight function of where its touches lie.
@@ -303,13 +471,19 @@ impl Triggered {
         let sources = path.sources(result);
         let (begin, end) = (*sources.first()?, *sources.last()?);
         let mut own = self.clone();
-        let touches: Vec<usize> = sources.iter().flat_map(|source| path.members[*source].touches.clone()).collect();
+        let touches: Vec<usize> = sources
+            .iter()
+            .flat_map(|source| path.members[*source].touches.clone())
+            .collect();
         let ways: Vec<Vec3> = match axis {
             Some(axis) => vec![Vec3::AXES[*axis]; touches.len()],
             None => own.slopes(request, result, &touches),
         };
         let move_by = |own: &mut Self, far: f64| {
-            touches.iter().zip(&ways).for_each(|(k, way)| own.triggers[*k] += *way * far);
+            touches
+                .iter()
+                .zip(&ways)
+                .for_each(|(k, way)| own.triggers[*k] += *way * far);
             (begin..=end).for_each(|member| own.compute(request, member));
         };
         // How far, a trial says.
@@ -345,23 +519,49 @@ impl Triggered {
     /// Ways of these touches along which a result changes by a unit, if all of them go 1 mm of it: along the probing direction of each, by as much as it
     /// has to do with the result.
     fn slopes(&self, request: &Request<'_>, result: usize, touches: &[usize]) -> Vec<Vec3> {
-        let Some(variable) = request.path.formula.results[result].variable else { return vec![Vec3::ZERO; touches.len()] };
+        let Some(variable) = request.path.formula.results[result].variable else {
+            return vec![Vec3::ZERO; touches.len()];
+        };
         let slope = |sample: usize| {
             let by = self.values[variable.index()].by_samples();
-            by.filter_map(|(first, slopes)| slopes.get(sample.checked_sub(first)?)).sum::<f64>()
+            by.filter_map(|(first, slopes)| slopes.get(sample.checked_sub(first)?))
+                .sum::<f64>()
         };
         let touches = touches.iter().map(|k| &request.path.touches[*k]);
-        let own: Vec<(Vec3, f64)> = touches.map(|touch| (touch.vector, slope(touch.sample))).collect();
+        let own: Vec<(Vec3, f64)> = touches
+            .map(|touch| (touch.vector, slope(touch.sample)))
+            .collect();
         let square: f64 = own.iter().map(|(_, slope)| slope * slope).sum();
-        own.iter().map(|(vector, slope)| if square > 0.0 { *vector * (slope / square) } else { Vec3::ZERO }).collect()
+        own.iter()
+            .map(|(vector, slope)| {
+                if square > 0.0 {
+                    *vector * (slope / square)
+                } else {
+                    Vec3::ZERO
+                }
+            })
+            .collect()
     }
 
     /// By how much each move is shifted.
     fn shifted(&self, path: &Path) -> Shifted {
-        let reach = |term: &Term| self.values.get(term.by.index()).map_or(0.0, |value| term.factor.abs() * value.reach());
-        let of = |i: usize| path.shifts(i).iter().map(move |terms| terms.iter().map(reach).sum::<f64>());
+        let reach = |term: &Term| {
+            self.values
+                .get(term.by.index())
+                .map_or(0.0, |value| term.factor.abs() * value.reach())
+        };
+        let of = |i: usize| {
+            path.shifts(i)
+                .iter()
+                .map(move |terms| terms.iter().map(reach).sum::<f64>())
+        };
         let reach = (0..path.moves.len()).flat_map(of).fold(0.0, f64::max);
-        Shifted { by: (0..path.moves.len()).map(|i| self.shift(path.shifts(i))).collect(), reach }
+        Shifted {
+            by: (0..path.moves.len())
+                .map(|i| self.shift(path.shifts(i)))
+                .collect(),
+            reach,
+        }
     }
 }
 
@@ -369,7 +569,12 @@ impl Triggered {
 fn searches_of(path: &Path, member: usize) -> impl Iterator<Item = (usize, Option<Vec3>, usize)> {
     let moves = path.members[member].moves.clone();
     moves.filter_map(|i| match path.moves[i].purpose {
-        Purpose::Touch(k) => Some((k, i.checked_sub(1).map_or(path.start, |i| Some(path.moves[i].to)), i)),
+        Purpose::Touch(k) => Some((
+            k,
+            i.checked_sub(1)
+                .map_or(path.start, |i| Some(path.moves[i].to)),
+            i,
+        )),
         Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
     })
 }
@@ -417,19 +622,44 @@ struct Shifted {
 impl Expected {
     fn of(request: &Request<'_>, Shifted { by: shifts, reach }: Shifted) -> Self {
         let path = request.path;
-        let far = path.touches.iter().map(|touch| touch.point.length()).fold(100.0, f64::max);
+        let far = path
+            .touches
+            .iter()
+            .map(|touch| touch.point.length())
+            .fold(100.0, f64::max);
         let size = 1e-9 + 10.0 * request.post.constant_error * far;
         let digit = request.post.half_digit(request.scale);
         let steps = 10f64.powi(request.post.decimals(request.scale) as i32);
-        let slack = if shifts.is_empty() { 0.0 } else { size * (1.0 + reach) / request.scale };
-        let mut expected = Expected { scale: request.scale, digit, steps, far, size, touches: Vec::new(), shifts, slack };
+        let slack = if shifts.is_empty() {
+            0.0
+        } else {
+            size * (1.0 + reach) / request.scale
+        };
+        let mut expected = Expected {
+            scale: request.scale,
+            digit,
+            steps,
+            far,
+            size,
+            touches: Vec::new(),
+            shifts,
+            slack,
+        };
         let mut from = path.start;
         for (i, step) in path.moves.iter().enumerate() {
             let shift = expected.shift(i);
             if let Purpose::Touch(k) = step.purpose {
                 let end = expected.place(search_end(step, &path.touches[k]) + shift);
-                let begin = i.checked_sub(1).map_or(shift, |before| expected.shift(before));
-                expected.touches.push((k, (expected.place(from.map_or(Vec3::NAN, |from| from + begin)), end)));
+                let begin = i
+                    .checked_sub(1)
+                    .map_or(shift, |before| expected.shift(before));
+                expected.touches.push((
+                    k,
+                    (
+                        expected.place(from.map_or(Vec3::NAN, |from| from + begin)),
+                        end,
+                    ),
+                ));
             }
             from = Some(step.to);
         }
@@ -442,7 +672,9 @@ impl Expected {
 
     /// What a motion meets where it is the next of the touches: `next` counts them.
     fn next(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Met {
-        let Some((k, (begin, end))) = self.touches.get(*next) else { return Met::Nothing };
+        let Some((k, (begin, end))) = self.touches.get(*next) else {
+            return Met::Nothing;
+        };
         if !(self.near(step.to, *end) && self.near(step.from, *begin)) {
             return Met::Nothing;
         }
@@ -457,8 +689,15 @@ impl Expected {
     /// What a motion of a program that may be another one meets, where it is one of the touches. Of several in one place, to the last digit, it is the one
     /// that comes next.
     fn meets(&self, step: &Step, triggers: &[Vec3], next: &mut usize) -> Option<Met> {
-        let own = |touch: &(usize, (Place, Place))| self.near(step.to, touch.1.1) && self.near(step.from, touch.1.0);
-        let later = self.touches.iter().skip(*next).position(own).map(|i| *next + i);
+        let own = |touch: &(usize, (Place, Place))| {
+            self.near(step.to, touch.1.1) && self.near(step.from, touch.1.0)
+        };
+        let later = self
+            .touches
+            .iter()
+            .skip(*next)
+            .position(own)
+            .map(|i| *next + i);
         let found = later.or_else(|| self.touches.iter().position(own))?;
         *next = found + 1;
         Some(self.contact(step, triggers[self.touches[found].0]))
@@ -468,7 +707,10 @@ impl Expected {
     fn contact(&self, step: &Step, trigger: Vec3) -> Met {
         let (from, to) = (Vec3::from_array(step.from), Vec3::from_array(step.to));
         let (trigger, way) = (trigger / self.scale, (to - from).normalize_or_zero());
-        Met::Something((from + way * (trigger - from).dot(way)).to_array(), trigger.to_array())
+        Met::Something(
+            (from + way * (trigger - from).dot(way)).to_array(),
+            trigger.to_array(),
+        )
     }
 
     /// The place as the program writes it, to its last digit.
@@ -480,24 +722,38 @@ impl Expected {
     /// Equal but for the last digit.
     fn near(&self, a: Place, b: Place) -> bool {
         // A number of a million has no more digits than that after the point.
-        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= self.digit + self.slack + 1e-12 * b[axis].abs())
+        (0..3).all(|axis| {
+            (a[axis] - b[axis]).abs() <= self.digit + self.slack + 1e-12 * b[axis].abs()
+        })
     }
 
     /// Every move of the path is in the program, in order, and no other.
-    fn path(&self, request: &Request<'_>, trace: &Trace, lines: &[Option<usize>]) -> Result<(), Fault> {
+    fn path(
+        &self,
+        request: &Request<'_>,
+        trace: &Trace,
+        lines: &[Option<usize>],
+    ) -> Result<(), Fault> {
         let mut steps = trace.steps.iter();
         let mut from = request.path.start;
         for (i, step) in request.path.moves.iter().enumerate() {
             let nominal = match step.purpose {
-                Purpose::Touch(k) | Purpose::Search(k) => search_end(step, &request.path.touches[k]),
+                Purpose::Touch(k) | Purpose::Search(k) => {
+                    search_end(step, &request.path.touches[k])
+                }
                 Purpose::Position | Purpose::Back(_) => step.to,
             };
-            let arc = step.arc.map(|arc| Arc { center: arc.center + self.shift(i), ..arc });
+            let arc = step.arc.map(|arc| Arc {
+                center: arc.center + self.shift(i),
+                ..arc
+            });
             let wanted = self.place(nominal + self.shift(i));
             let mut first = None;
             // The first place is reached in steps, an arc may be made of straight pieces; any other move is one motion.
             let last = loop {
-                let made = steps.next().ok_or_else(|| Fault::of(text!("move {number} is missing", i + 1)))?;
+                let made = steps
+                    .next()
+                    .ok_or_else(|| Fault::of(text!("move {number} is missing", i + 1)))?;
                 first = first.or(Some(made.line));
                 let there = self.near(made.to, wanted);
                 match (arc, from) {
@@ -505,7 +761,10 @@ impl Expected {
                     (_, None) => {}
                     (Some(arc), Some(_)) => self.on_arc(i, &arc, made)?,
                     (None, Some(_)) => {
-                        return Err(Fault::at(made.line, text!("move {number} ends elsewhere than in the path", i + 1)));
+                        return Err(Fault::at(
+                            made.line,
+                            text!("move {number} ends elsewhere than in the path", i + 1),
+                        ));
                     }
                 }
                 self.step(request, (i, step), from, made)?;
@@ -515,7 +774,10 @@ impl Expected {
             };
             let line = if from.is_none() { Some(last) } else { first };
             if lines.get(i).copied().flatten() != line {
-                return Err(Fault::at(last, text!("the header places move {number} on another line", i + 1)));
+                return Err(Fault::at(
+                    last,
+                    text!("the header places move {number} on another line", i + 1),
+                ));
             }
             from = Some(step.to);
         }
@@ -526,45 +788,84 @@ impl Expected {
     }
 
     /// Kind and feed of one motion that makes a move, or a piece of it.
-    fn step(&self, request: &Request<'_>, (i, step): (usize, &Move), from: Option<Vec3>, made: &Step) -> Result<(), Fault> {
+    fn step(
+        &self,
+        request: &Request<'_>,
+        (i, step): (usize, &Move),
+        from: Option<Vec3>,
+        made: &Step,
+    ) -> Result<(), Fault> {
         let number = i + 1;
         let rate = match step.purpose {
             Purpose::Touch(_) | Purpose::Search(_) => Some(request.feeds.work),
             Purpose::Position | Purpose::Back(_) => (request.post.rate)(request, from, step),
         };
-        let way = (0..3).map(|axis| (made.to[axis] - made.from[axis]).powi(2)).sum::<f64>().sqrt() * self.scale;
+        let way = (0..3)
+            .map(|axis| (made.to[axis] - made.from[axis]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+            * self.scale;
         // A way to a cycle that lies over the one before it is as long as the result shifts it.
         let nominal = from.map_or(f64::INFINITY, |from| from.distance(step.to));
-        let plain = if made.feed.is_some() { Kind::Feed } else { Kind::Rapid };
+        let plain = if made.feed.is_some() {
+            Kind::Feed
+        } else {
+            Kind::Rapid
+        };
         let wanted = match step.purpose {
             Purpose::Touch(_) | Purpose::Search(_) => Kind::Touch,
             Purpose::Back(_) => plain,
             Purpose::Position if !(request.protected && request.post.watches) => plain,
             Purpose::Position if from.is_none() && !request.post.watches_first => plain,
             // Too short for a probe move.
-            Purpose::Position if made.kind == plain && way.min(nominal) < request.shortest_watched() => plain,
+            Purpose::Position
+                if made.kind == plain && way.min(nominal) < request.shortest_watched() =>
+            {
+                plain
+            }
             Purpose::Position => Kind::Watched,
         };
         if made.kind != wanted {
             return Err(Fault::at(
                 made.line,
-                text!("move {number} is {kind}, not {wanted}", number, words(made.kind), words(wanted)),
+                text!(
+                    "move {number} is {kind}, not {wanted}",
+                    number,
+                    words(made.kind),
+                    words(wanted)
+                ),
             ));
         }
         // The way to the first place goes down at a feed where a rapid there would not be watched.
-        let careful = from.is_none() && wanted != Kind::Watched && rate.is_none() && made.feed.is_some();
-        let rate = if careful { Some(request.feeds.work) } else { rate };
+        let careful =
+            from.is_none() && wanted != Kind::Watched && rate.is_none() && made.feed.is_some();
+        let rate = if careful {
+            Some(request.feeds.work)
+        } else {
+            rate
+        };
         if !self.same_feed(made.feed, rate) {
-            return Err(Fault::at(made.line, text!("move {number} has another feed than in the path", number)));
+            return Err(Fault::at(
+                made.line,
+                text!("move {number} has another feed than in the path", number),
+            ));
         }
         match (step.arc, made.arc) {
             (Some(arc), Some((center, clockwise))) => {
-                if clockwise != (arc.sweep < 0.0) || !self.near_arc(center, self.place(arc.center + self.shift(i))) {
-                    return Err(Fault::at(made.line, text!("move {number} is another arc than in the path", number)));
+                if clockwise != (arc.sweep < 0.0)
+                    || !self.near_arc(center, self.place(arc.center + self.shift(i)))
+                {
+                    return Err(Fault::at(
+                        made.line,
+                        text!("move {number} is another arc than in the path", number),
+                    ));
                 }
             }
             (None, Some(_)) => {
-                return Err(Fault::at(made.line, text!("move {number} is an arc, and straight in the path", number)));
+                return Err(Fault::at(
+                    made.line,
+                    text!("move {number} is an arc, and straight in the path", number),
+                ));
             }
             (_, None) => {}
         }
@@ -573,7 +874,9 @@ impl Expected {
 
     fn same_feed(&self, made: Option<f64>, wanted: Option<f64>) -> bool {
         match (made, wanted) {
-            (Some(made), Some(wanted)) => (made - wanted / self.scale).abs() <= self.digit + 1e-12 * made,
+            (Some(made), Some(wanted)) => {
+                (made - wanted / self.scale).abs() <= self.digit + 1e-12 * made
+            }
             (None, None) => true,
             (Some(_), None) | (None, Some(_)) => false,
         }
@@ -581,20 +884,30 @@ impl Expected {
 
     /// A centre is counted from where the arc begins, which is rounded itself.
     fn near_arc(&self, a: Place, b: Place) -> bool {
-        (0..3).all(|axis| (a[axis] - b[axis]).abs() <= 2.0 * self.digit + self.slack + 1e-12 * b[axis].abs())
+        (0..3).all(|axis| {
+            (a[axis] - b[axis]).abs() <= 2.0 * self.digit + self.slack + 1e-12 * b[axis].abs()
+        })
     }
 
     /// A straight piece of an arc ends on it, and leaves it by no more than chords may.
     fn on_arc(&self, i: usize, arc: &Arc, made: &Step) -> Result<(), Fault> {
         let center = self.place(arc.center);
-        let out = |place: Place| (0..3).map(|axis| (place[axis] - center[axis]).powi(2)).sum::<f64>().sqrt();
+        let out = |place: Place| {
+            (0..3)
+                .map(|axis| (place[axis] - center[axis]).powi(2))
+                .sum::<f64>()
+                .sqrt()
+        };
         let middle = [0, 1, 2].map(|axis| (made.from[axis] + made.to[axis]) / 2.0);
         let radius = out(made.to);
         let begin = out(made.from);
         let sag = crate::control::CHORD_SAG / self.scale;
         let rounded = 4.0 * (self.digit + self.slack);
         if (radius - begin).abs() > rounded || radius - out(middle) > sag + rounded {
-            return Err(Fault::at(made.line, text!("move {number} leaves its arc", i + 1)));
+            return Err(Fault::at(
+                made.line,
+                text!("move {number} leaves its arc", i + 1),
+            ));
         }
         Ok(())
     }
@@ -622,14 +935,28 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
     let (path, trace, expected) = (request.path, &followed.trace, &followed.expected);
     if !request.post.computes {
         let silent = trace.outputs.is_empty() && trace.writes.is_empty();
-        return if silent { Ok(()) } else { Err(Fault::of(text!("this control computes nothing, and the program does"))) };
+        return if silent {
+            Ok(())
+        } else {
+            Err(Fault::of(text!(
+                "this control computes nothing, and the program does"
+            )))
+        };
     }
     let (samples, directions) = sampled(request, &followed.triggers);
     let values = path.formula.evaluate(&samples, &directions);
-    let wanted = path.formula.results.iter().filter_map(|result| Some((result, &values[result.variable?.index()])));
+    let wanted = path
+        .formula
+        .results
+        .iter()
+        .filter_map(|result| Some((result, &values[result.variable?.index()])));
     let mut given = trace.outputs.iter();
     for (result, value) in wanted {
-        let unit = if result.role.is_angle() { 1.0 } else { expected.scale };
+        let unit = if result.role.is_angle() {
+            1.0
+        } else {
+            expected.scale
+        };
         let same = |x: f64| match result.role {
             // A root mean square moves no more than its places do; at 0 it has no derivative that would say so.
             Role::Residual if value.value.is_finite() => {
@@ -638,15 +965,27 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
             _ => equal(x, value, unit, expected.size),
         };
         match given.next() {
-            Some((code, x)) if code.eq_ignore_ascii_case(&path.formula.code(result)) && same(*x) => {}
+            Some((code, x))
+                if code.eq_ignore_ascii_case(&path.formula.code(result)) && same(*x) => {}
             Some((code, _)) if code.eq_ignore_ascii_case(&path.formula.code(result)) => {
-                return Err(Fault::of(text!("the program's {code} differs from the formula's", code.clone())));
+                return Err(Fault::of(text!(
+                    "the program's {code} differs from the formula's",
+                    code.clone()
+                )));
             }
-            _ => return Err(Fault::of(text!("the program does not give {code}", path.formula.code(result).into_owned()))),
+            _ => {
+                return Err(Fault::of(text!(
+                    "the program does not give {code}",
+                    path.formula.code(result).into_owned()
+                )));
+            }
         }
     }
     if let Some((code, _)) = given.next() {
-        return Err(Fault::of(text!("the program gives {code}, which is not a result", code.clone())));
+        return Err(Fault::of(text!(
+            "the program gives {code}, which is not a result",
+            code.clone()
+        )));
     }
     write(request, trace, &values, expected)
 }
@@ -661,7 +1000,10 @@ fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<
         let point = &mut points[touch.sample];
         (point.0, point.1, point.2) = (point.0 + *trigger, point.1 + 1.0, touch.vector);
     }
-    points.into_iter().map(|(sum, count, vector)| (Some(sum / count), vector)).unzip()
+    points
+        .into_iter()
+        .map(|(sum, count, vector)| (Some(sum / count), vector))
+        .unzip()
 }
 
 /// Equal but for the rounding of constants; what multiplies the errors of the triggers multiplies those of rounding.
@@ -672,34 +1014,67 @@ fn equal(given: f64, value: &Dual, unit: f64, size: f64) -> bool {
 }
 
 /// After the write the measured point reads its nominal place, and the system is turned by what was measured.
-fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expected) -> Result<(), Fault> {
-    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+fn write(
+    request: &Request<'_>,
+    trace: &Trace,
+    values: &[Dual],
+    expected: &Expected,
+) -> Result<(), Fault> {
+    let datum = request
+        .path
+        .formula
+        .datum
+        .as_ref()
+        .filter(|_| request.work_offset.is_some());
     let Some(datum) = datum.filter(|datum| datum.writes()) else {
         return if trace.writes.is_empty() {
             Ok(())
         } else {
-            Err(Fault::at(trace.writes[0].line, text!("this writes a work offset, and nothing is to be written")))
+            Err(Fault::at(
+                trace.writes[0].line,
+                text!("this writes a work offset, and nothing is to be written"),
+            ))
         };
     };
-    let Some(written) = trace.written else { return Err(Fault::of(text!("the work offset is not written"))) };
-    if let Some(other) = trace.writes.iter().find(|w| Some(w.number) != request.work_offset) {
-        return Err(Fault::at(other.line, text!("this writes another work offset")));
+    let Some(written) = trace.written else {
+        return Err(Fault::of(text!("the work offset is not written")));
+    };
+    if let Some(other) = trace
+        .writes
+        .iter()
+        .find(|w| Some(w.number) != request.work_offset)
+    {
+        return Err(Fault::at(
+            other.line,
+            text!("this writes another work offset"),
+        ));
     }
     let value = |variable: Variable| values[variable.index()].clone();
     let turn = datum.rotation.map_or(Dual::constant(0.0), value);
     if !equal(written.turn, &turn, 1.0, expected.size) {
-        return Err(Fault::of(text!("the work offset is turned by another angle than was measured")));
+        return Err(Fault::of(text!(
+            "the work offset is turned by another angle than was measured"
+        )));
     }
     // A place p reads n + R(-turn)(p - m) afterwards: m is what was measured, n the nominal place.
     let axes = request.plane.axes();
     let (sin, cos) = (-turn.value).to_radians().sin_cos();
     let part = |i: usize| {
         let place = datum.place[i]?;
-        Some((place.measured.map_or(Dual::constant(place.nominal), value), place.nominal))
+        Some((
+            place.measured.map_or(Dual::constant(place.nominal), value),
+            place.nominal,
+        ))
     };
-    let away = |i: usize| part(i).map_or(0.0, |(m, _)| written.place[axes[i]] * expected.scale - m.value);
+    let away = |i: usize| {
+        part(i).map_or(0.0, |(m, _)| {
+            written.place[axes[i]] * expected.scale - m.value
+        })
+    };
     for (i, axis) in axes.into_iter().enumerate() {
-        let Some((measured, nominal)) = part(i) else { continue };
+        let Some((measured, nominal)) = part(i) else {
+            continue;
+        };
         let way = match i {
             0 => away(0) * cos - away(1) * sin,
             1 => away(0) * sin + away(1) * cos,
@@ -707,9 +1082,17 @@ fn write(request: &Request<'_>, trace: &Trace, values: &[Dual], expected: &Expec
         };
         let mut wanted = measured;
         wanted.value = nominal + way;
-        if !equal(written.reading[axis], &wanted, expected.scale, expected.size) {
+        if !equal(
+            written.reading[axis],
+            &wanted,
+            expected.scale,
+            expected.size,
+        ) {
             let axis = crate::geom::AXIS_NAMES[axis];
-            return Err(Fault::of(text!("the work offset that is written does not bring {axis} to its nominal place", axis)));
+            return Err(Fault::of(text!(
+                "the work offset that is written does not bring {axis} to its nominal place",
+                axis
+            )));
         }
     }
     Ok(())

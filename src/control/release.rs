@@ -37,14 +37,32 @@ pub fn release(request: &Request<'_>, program: Program) -> Result<Released, Refu
     }
     // What the control's own cycles do is modelled, and not read out of the program.
     if !request.is_followed() {
-        return Ok(Released { program, proof: None, verdicts: safety::not_followed() });
+        return Ok(Released {
+            program,
+            proof: None,
+            verdicts: safety::not_followed(),
+        });
     }
     let followed = prove::follow(request, &program.text, Part::Path).map_err(Refusal::NotProven)?;
     let proof = match request.form {
-        Form::Moves => Some(prove::prove(request, &followed, &program.move_lines).map_err(Refusal::NotProven)?),
+        Form::Moves => Some(
+            prove::prove(request, &followed, &program.move_lines).map_err(Refusal::NotProven)?,
+        ),
         Form::Cycle => None,
     };
     let verdicts = safety::check(request, &followed, Restarts::Telling);
-    let broken: Vec<Verdict> = verdicts.iter().filter(|verdict| verdict.refuses()).cloned().collect();
-    if broken.is_empty() { Ok(Released { program, proof, verdicts }) } else { Err(Refusal::Broken(broken)) }
+    let broken: Vec<Verdict> = verdicts
+        .iter()
+        .filter(|verdict| verdict.refuses())
+        .cloned()
+        .collect();
+    if broken.is_empty() {
+        Ok(Released {
+            program,
+            proof,
+            verdicts,
+        })
+    } else {
+        Err(Refusal::Broken(broken))
+    }
 }

@@ -5,7 +5,8 @@ use crate::control::iso::machine::{self, Endings, Outcome, Run};
 use crate::control::iso::script::{Modes, Slot};
 use crate::control::prove::Followed;
 use crate::control::rules::{
-    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE, RESTART, TOLERANCE, WATCHED, WRITE_LAST,
+    CONTACT_LIFTS, LOW_START, MISS_LIFTS, NO_LOW_RAPID, ONE_WRITE, PLACE, PLAUSIBLE, RESTART,
+    TOLERANCE, WATCHED, WRITE_LAST,
 };
 use crate::control::trace::{Ending, Kind, Step};
 use crate::formula::{Asked, Question};
@@ -275,29 +276,53 @@ pub fn not_followed() -> Vec<Verdict> {
 
 /// What every rule says of a followed program.
 pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts) -> Vec<Verdict> {
-    let case = Case { request, followed, restarts };
+    let case = Case {
+        request,
+        followed,
+        restarts,
+    };
     // If no tolerance has an action, the rule for tolerances is not reported.
-    let tolerates = request.questions().iter().any(|question| question.asked != Asked::Plausible);
+    let tolerates = request
+        .questions()
+        .iter()
+        .any(|question| question.asked != Asked::Plausible);
     let follows = !request.path.shifts.is_empty();
     // What no job asks for needs no word.
-    let asked = |rule: &&Rule| (tolerates || rule.name != TOLERANCE) && (follows || rule.name != PLACE);
-    RULES.iter().filter(asked).map(|rule| verdict(rule, &case)).collect()
+    let asked =
+        |rule: &&Rule| (tolerates || rule.name != TOLERANCE) && (follows || rule.name != PLACE);
+    RULES
+        .iter()
+        .filter(asked)
+        .map(|rule| verdict(rule, &case))
+        .collect()
 }
 
 fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
-    let unable = case.request.post.cannot.iter().find(|(name, _)| *name == rule.name).map(|(_, why)| *why);
+    let unable = case
+        .request
+        .post
+        .cannot
+        .iter()
+        .find(|(name, _)| *name == rule.name)
+        .map(|(_, why)| *why);
     let own_cycle = rule.own_cycle && !case.followed.trace.natives.is_empty();
     let (holds, message, lines) = if let Some(why) = unable {
         (None, case.request.post.says(why), Vec::new())
     } else if own_cycle {
-        (None, text!("The control's own cycle touches and writes by itself"), Vec::new())
+        (
+            None,
+            text!("The control's own cycle touches and writes by itself"),
+            Vec::new(),
+        )
     } else {
         let breaks = (rule.breaks)(case);
         let lines = breaks.iter().filter_map(|(line, _)| *line).collect();
         match breaks.into_iter().next() {
             None if rule.name == WATCHED && case.first_way().is_some() => (
                 Some(true),
-                text!("Every positioning move but the way to the first place is watched, and a contact in it ends the program"),
+                text!(
+                    "Every positioning move but the way to the first place is watched, and a contact in it ends the program"
+                ),
                 Vec::new(),
             ),
             None => (Some(true), Text::words(rule.says), Vec::new()),
@@ -309,7 +334,14 @@ fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
         None if own_cycle => case.followed.trace.natives.clone(),
         None => case.lines(rule.about),
     };
-    Verdict { rule: rule.name, holds, message, lines, about, must: rule.must }
+    Verdict {
+        rule: rule.name,
+        holds,
+        message,
+        lines,
+        about,
+        must: rule.must,
+    }
 }
 
 impl Case<'_> {
@@ -334,7 +366,13 @@ impl Case<'_> {
     /// The lines that a rule is asked of, in the order in which the program comes to them.
     fn lines(&self, about: About) -> Vec<usize> {
         if let About::Writes = about {
-            return self.followed.trace.writes.iter().map(|write| write.line).collect();
+            return self
+                .followed
+                .trace
+                .writes
+                .iter()
+                .map(|write| write.line)
+                .collect();
         }
         let mut lines = Vec::new();
         for (i, step) in self.steps().iter().enumerate() {
@@ -359,96 +397,197 @@ impl Case<'_> {
         if post.watches_first || path.start.is_some() {
             return None;
         }
-        let first = path.moves.first()?.to.to_array().map(|mm| mm / self.request.scale);
-        self.steps().iter().position(|step| machine::near(step.to, first, self.digit())).map(|last| last + 1)
+        let first = path
+            .moves
+            .first()?
+            .to
+            .to_array()
+            .map(|mm| mm / self.request.scale);
+        self.steps()
+            .iter()
+            .position(|step| machine::near(step.to, first, self.digit()))
+            .map(|last| last + 1)
     }
 
     /// Motions that are not the way back from a touch: index and motion.
     fn positioning(&self) -> impl Iterator<Item = (usize, &Step)> {
-        self.steps().iter().enumerate().filter(|(i, _)| self.positions(*i))
+        self.steps()
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| self.positions(*i))
     }
 
     /// Whether a motion is neither a touch nor the way back from one.
     fn positions(&self, i: usize) -> bool {
         let (steps, step) = (self.steps(), &self.steps()[i]);
-        let after_touch = i.checked_sub(1).map(|before| &steps[before]).filter(|before| before.kind == Kind::Touch);
-        let leads_back =
-            after_touch.is_some_and(|touch| machine::near(touch.from, step.to, self.digit()) && step.arc.is_none());
+        let after_touch = i
+            .checked_sub(1)
+            .map(|before| &steps[before])
+            .filter(|before| before.kind == Kind::Touch);
+        let leads_back = after_touch.is_some_and(|touch| {
+            machine::near(touch.from, step.to, self.digit()) && step.arc.is_none()
+        });
         step.kind != Kind::Touch && !leads_back
     }
 }
 
 fn modes_stated(case: &Case<'_>) -> Vec<Break> {
-    let Some(first) = case.steps().first() else { return Vec::new() };
+    let Some(first) = case.steps().first() else {
+        return Vec::new();
+    };
     let modes = case.followed.trace.modes;
     let arcs = case.steps().iter().any(|step| step.arc.is_some());
     let exact = case.request.post.dialect.exact_stop;
     let right = [
-        (words!("units"), modes.metric == Some(case.request.scale == 1.0)),
+        (
+            words!("units"),
+            modes.metric == Some(case.request.scale == 1.0),
+        ),
         (words!("plane"), modes.plane == Some(case.request.plane)),
         (words!("absolute mode"), modes.absolute == Some(true)),
         (words!("feed per minute"), modes.per_minute == Some(true)),
-        (words!("exact stop"), modes.exact != Some(false) && (!exact || modes.exact == Some(true))),
-        (words!("centres of arcs"), !arcs || modes.arcs_incremental == Some(true)),
-        (words!("work offset"), modes.offset == case.request.work_offset),
+        (
+            words!("exact stop"),
+            modes.exact != Some(false) && (!exact || modes.exact == Some(true)),
+        ),
+        (
+            words!("centres of arcs"),
+            !arcs || modes.arcs_incremental == Some(true),
+        ),
+        (
+            words!("work offset"),
+            modes.offset == case.request.work_offset,
+        ),
     ];
     let mut breaks: Vec<Break> = right
         .iter()
         .filter(|(_, right)| !right)
-        .map(|(what, _)| (Some(first.line), text!("This moves with {modes} not stated, or not as the job has them", *what)))
+        .map(|(what, _)| {
+            (
+                Some(first.line),
+                text!(
+                    "This moves with {modes} not stated, or not as the job has them",
+                    *what
+                ),
+            )
+        })
         .collect();
     if modes.length == Some(false) {
-        breaks.push((Some(first.line), text!("This moves with the length of the tool cancelled")));
+        breaks.push((
+            Some(first.line),
+            text!("This moves with the length of the tool cancelled"),
+        ));
     }
     // The spindle has a rule of its own.
-    let changed = |now: Modes| Modes { spindle: None, ..now } != Modes { spindle: None, ..modes };
-    let moved = case.followed.trace.changed.iter().filter(|(_, now)| changed(*now));
-    breaks
-        .extend(moved.map(|(line, _)| {
-            (Some(*line), text!("This moves after a mode was changed: units, plane, work offset or another"))
-        }));
+    let changed = |now: Modes| {
+        Modes {
+            spindle: None,
+            ..now
+        } != Modes {
+            spindle: None,
+            ..modes
+        }
+    };
+    let moved = case
+        .followed
+        .trace
+        .changed
+        .iter()
+        .filter(|(_, now)| changed(*now));
+    breaks.extend(moved.map(|(line, _)| {
+        (
+            Some(*line),
+            text!("This moves after a mode was changed: units, plane, work offset or another"),
+        )
+    }));
     breaks
 }
 
 fn spindle_off(case: &Case<'_>) -> Vec<Break> {
-    let Some(first) = case.steps().first() else { return Vec::new() };
+    let Some(first) = case.steps().first() else {
+        return Vec::new();
+    };
     let trace = &case.followed.trace;
     if trace.modes.spindle != Some(false) {
-        return vec![(Some(first.line), text!("This moves before the spindle is switched off"))];
+        return vec![(
+            Some(first.line),
+            text!("This moves before the spindle is switched off"),
+        )];
     }
-    trace.spun.into_iter().map(|line| (Some(line), text!("This switches the spindle on"))).collect()
+    trace
+        .spun
+        .into_iter()
+        .map(|line| (Some(line), text!("This switches the spindle on")))
+        .collect()
 }
 
 fn probe_asked(case: &Case<'_>) -> Vec<Break> {
-    let Some(touch) = case.steps().iter().find(|step| step.kind == Kind::Touch) else { return Vec::new() };
-    let run = Run { deflected: true, ..case.followed.begin };
+    let Some(touch) = case.steps().iter().find(|step| step.kind == Kind::Touch) else {
+        return Vec::new();
+    };
+    let run = Run {
+        deflected: true,
+        ..case.followed.begin
+    };
     match machine::deflected(&case.followed.script, run) {
         Ok(Ending::ControlStops) => Vec::new(),
-        Ok(Ending::Exit { strays: false, writes: false, .. }) => Vec::new(),
+        Ok(Ending::Exit {
+            strays: false,
+            writes: false,
+            ..
+        }) => Vec::new(),
         _ => {
-            vec![(Some(touch.line), text!("If the probe is deflected at the start, the program still comes to this touch"))]
+            vec![(
+                Some(touch.line),
+                text!(
+                    "If the probe is deflected at the start, the program still comes to this touch"
+                ),
+            )]
         }
     }
 }
 
 fn probe_free_again(case: &Case<'_>) -> Vec<Break> {
-    let ends = |ending: Ending| matches!(ending, Ending::ControlStops | Ending::Exit { strays: false, writes: false, .. });
+    let ends = |ending: Ending| {
+        matches!(
+            ending,
+            Ending::ControlStops
+                | Ending::Exit {
+                    strays: false,
+                    writes: false,
+                    ..
+                }
+        )
+    };
     case.steps()
         .iter()
         .filter(|step| step.stuck.is_some_and(|ending| !ends(ending)))
-        .map(|step| (Some(step.line), text!("With a probe that is still deflected the program makes this probing move")))
+        .map(|step| {
+            (
+                Some(step.line),
+                text!("With a probe that is still deflected the program makes this probing move"),
+            )
+        })
         .collect()
 }
 
 fn low_start(case: &Case<'_>) -> Vec<Break> {
-    let Some(first) = case.request.path.moves.first() else { return Vec::new() };
+    let Some(first) = case.request.path.moves.first() else {
+        return Vec::new();
+    };
     let says = || text!("This moves in the plane below the first position");
     let (tool, height) = (case.tool(), case.level(first.to));
     let low = |step: &&Step| {
-        let across = (0..3).any(|axis| axis != tool && step.known[axis] && step.from[axis] != step.to[axis]);
+        let across =
+            (0..3).any(|axis| axis != tool && step.known[axis] && step.from[axis] != step.to[axis]);
         across && step.to[tool] < height - case.digit()
     };
-    case.followed.below.iter().filter(low).map(|step| (Some(step.line), says())).collect()
+    case.followed
+        .below
+        .iter()
+        .filter(low)
+        .map(|step| (Some(step.line), says()))
+        .collect()
 }
 
 fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
@@ -461,11 +600,23 @@ fn positioning_watched(case: &Case<'_>) -> Vec<Break> {
             if step.kind == Kind::Watched || *i < first_way {
                 return false;
             }
-            let way = (0..3).map(|axis| (step.to[axis] - step.from[axis]).powi(2)).sum::<f64>().sqrt();
-            gone = if last.replace(*i) == i.checked_sub(1) { gone + way } else { way };
+            let way = (0..3)
+                .map(|axis| (step.to[axis] - step.from[axis]).powi(2))
+                .sum::<f64>()
+                .sqrt();
+            gone = if last.replace(*i) == i.checked_sub(1) {
+                gone + way
+            } else {
+                way
+            };
             gone.is_nan() || gone >= shortest
         })
-        .map(|(_, step)| (Some(step.line), text!("This move is not watched: a contact in it is not noticed")))
+        .map(|(_, step)| {
+            (
+                Some(step.line),
+                text!("This move is not watched: a contact in it is not noticed"),
+            )
+        })
         .collect()
 }
 
@@ -479,8 +630,14 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
         let free = !rises && met < top - case.digit();
         match step.contact {
             // As high as the path is within the last digit, a lift is neither needed nor harmful.
-            Ending::Exit { lifts, strays, writes, .. } => {
-                let known = !step.from[tool].is_nan() && (rises || (met - top).abs() > 2.0 * case.digit());
+            Ending::Exit {
+                lifts,
+                strays,
+                writes,
+                ..
+            } => {
+                let known =
+                    !step.from[tool].is_nan() && (rises || (met - top).abs() > 2.0 * case.digit());
                 strays || writes || (lifts != free && known)
             }
             Ending::ControlStops | Ending::GoesOn => true,
@@ -490,20 +647,37 @@ fn contact_lifts(case: &Case<'_>) -> Vec<Break> {
         .iter()
         .filter(|step| step.kind == Kind::Watched)
         .filter(bad)
-        .map(|step| (Some(step.line), text!("A contact in this move does not lead to an exit that lifts where up is free")))
+        .map(|step| {
+            (
+                Some(step.line),
+                text!(
+                    "A contact in this move does not lead to an exit that lifts where up is free"
+                ),
+            )
+        })
         .collect()
 }
 
 fn missed_touch_stops(case: &Case<'_>) -> Vec<Break> {
-    let loose = case.steps().iter().filter(|step| step.kind == Kind::Unchecked);
+    let loose = case
+        .steps()
+        .iter()
+        .filter(|step| step.kind == Kind::Unchecked);
     let mut breaks: Vec<Break> = loose
         .map(|step| {
             (Some(step.line), text!("This probing move has no check: the program continues with and without a contact"))
         })
         .collect();
-    let touches = case.steps().iter().filter(|step| step.kind == Kind::Touch).count();
+    let touches = case
+        .steps()
+        .iter()
+        .filter(|step| step.kind == Kind::Touch)
+        .count();
     if breaks.is_empty() && touches < case.request.path.touches.len() {
-        breaks.push((None, text!("Not every touch of the path is a touch of the program")));
+        breaks.push((
+            None,
+            text!("Not every touch of the path is a touch of the program"),
+        ));
     }
     breaks
 }
@@ -513,7 +687,12 @@ fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
     let top = case.level(case.request.highest());
     let tool = case.tool();
     let mut bad = |step: &&Step| match step.miss {
-        Ending::Exit { line, lifts, strays, writes } => {
+        Ending::Exit {
+            line,
+            lifts,
+            strays,
+            writes,
+        } => {
             let same = *exit.get_or_insert(line) == line;
             let free = step.to[tool] < top - case.digit();
             !same || strays || writes || lifts != free
@@ -524,7 +703,12 @@ fn missed_touch_lifts(case: &Case<'_>) -> Vec<Break> {
         .iter()
         .filter(|step| step.kind == Kind::Touch)
         .filter(|step| bad(step))
-        .map(|step| (Some(step.line), text!("A miss of this touch does not lead to the one exit that lifts")))
+        .map(|step| {
+            (
+                Some(step.line),
+                text!("A miss of this touch does not lead to the one exit that lifts"),
+            )
+        })
         .collect()
 }
 
@@ -532,7 +716,12 @@ fn feeds_stated(case: &Case<'_>) -> Vec<Break> {
     case.steps()
         .iter()
         .filter(|step| step.probes() && !step.own_feed)
-        .map(|step| (Some(step.line), text!("This probing block has no feed of its own")))
+        .map(|step| {
+            (
+                Some(step.line),
+                text!("This probing block has no feed of its own"),
+            )
+        })
         .collect()
 }
 
@@ -546,19 +735,42 @@ fn no_low_rapid(case: &Case<'_>) -> Vec<Break> {
     };
     case.positioning()
         .filter(|(_, step)| step.kind == Kind::Rapid && low(step))
-        .map(|(_, step)| (Some(step.line), text!("This rapid goes down or across below the clearance plane")))
+        .map(|(_, step)| {
+            (
+                Some(step.line),
+                text!("This rapid goes down or across below the clearance plane"),
+            )
+        })
         .collect()
 }
 
 fn offset_after_touches(case: &Case<'_>) -> Vec<Break> {
     let trace = &case.followed.trace;
-    let last = trace.steps.iter().rposition(|step| step.kind == Kind::Touch).map_or(0, |at| at + 1);
+    let last = trace
+        .steps
+        .iter()
+        .rposition(|step| step.kind == Kind::Touch)
+        .map_or(0, |at| at + 1);
     let early = trace.writes.iter().filter(|write| write.after < last);
-    let mut breaks: Vec<Break> =
-        early.map(|write| (Some(write.line), text!("This writes a work offset before the last touch"))).collect();
+    let mut breaks: Vec<Break> = early
+        .map(|write| {
+            (
+                Some(write.line),
+                text!("This writes a work offset before the last touch"),
+            )
+        })
+        .collect();
     let writes = |ending: Ending| matches!(ending, Ending::Exit { writes: true, .. });
-    let exits = trace.steps.iter().filter(|step| writes(step.contact) || writes(step.miss));
-    breaks.extend(exits.map(|step| (Some(step.line), text!("On the way to the exit a work offset is written"))));
+    let exits = trace
+        .steps
+        .iter()
+        .filter(|step| writes(step.contact) || writes(step.miss));
+    breaks.extend(exits.map(|step| {
+        (
+            Some(step.line),
+            text!("On the way to the exit a work offset is written"),
+        )
+    }));
     breaks
 }
 
@@ -568,9 +780,15 @@ fn one_write(case: &Case<'_>) -> Vec<Break> {
         .iter()
         .enumerate()
         .filter(|(i, write)| {
-            writes[..*i].iter().any(|before| before.axis == write.axis) || Some(write.number) != case.request.work_offset
+            writes[..*i].iter().any(|before| before.axis == write.axis)
+                || Some(write.number) != case.request.work_offset
         })
-        .map(|(_, write)| (Some(write.line), text!("This writes a value of a work offset again, or another work offset")))
+        .map(|(_, write)| {
+            (
+                Some(write.line),
+                text!("This writes a value of a work offset again, or another work offset"),
+            )
+        })
         .collect()
 }
 
@@ -588,31 +806,70 @@ fn answers(case: &Case<'_>, line: Option<usize>) -> Result<Vec<Answer>, Break> {
     let of = |question: Question| {
         let formula = &case.request.path.formula;
         let named = formula.code(&formula.results[question.result]).into_owned();
-        let found = case.followed.script.outputs().find(|(code, _)| code.eq_ignore_ascii_case(&named));
+        let found = case
+            .followed
+            .script
+            .outputs()
+            .find(|(code, _)| code.eq_ignore_ascii_case(&named));
         let Some((_, slot)) = found else {
             return Err((line, text!("{code} is no result of the program", named)));
         };
-        let unit = if question.angle { 1.0 } else { case.request.scale };
-        Ok(Answer { question, named, slot, wanted: question.wanted / unit, limit: question.limit / unit })
+        let unit = if question.angle {
+            1.0
+        } else {
+            case.request.scale
+        };
+        Ok(Answer {
+            question,
+            named,
+            slot,
+            wanted: question.wanted / unit,
+            limit: question.limit / unit,
+        })
     };
     case.request.questions().into_iter().map(of).collect()
 }
 
 /// What runs the end of the program again.
 fn endings<'s>(case: &Case<'s>) -> Option<Endings<'s, 's>> {
-    let Followed { script, tail, begin, .. } = case.followed;
+    let Followed {
+        script,
+        tail,
+        begin,
+        ..
+    } = case.followed;
     tail.ending(script, *begin)
 }
 
 /// The end of the program where one result, or each, is off by this share of its limit; the others are what they should be.
-fn outcome(endings: &mut Option<Endings<'_, '_>>, answers: &[Answer], off: Option<usize>, share: f64) -> Outcome {
+fn outcome(
+    endings: &mut Option<Endings<'_, '_>>,
+    answers: &[Answer],
+    off: Option<usize>,
+    share: f64,
+) -> Outcome {
     let value = |i: usize| {
-        let Answer { slot, wanted, limit, .. } = answers[i];
-        (slot, wanted + if off.is_none_or(|off| off == i) { limit * share } else { 0.0 })
+        let Answer {
+            slot,
+            wanted,
+            limit,
+            ..
+        } = answers[i];
+        (
+            slot,
+            wanted
+                + if off.is_none_or(|off| off == i) {
+                    limit * share
+                } else {
+                    0.0
+                },
+        )
     };
     // Two may be about one result: what one is tried with counts.
     let values = (0..answers.len()).chain(off).map(value);
-    endings.as_mut().map_or_else(Outcome::default, |endings| endings.outcome(values))
+    endings
+        .as_mut()
+        .map_or_else(Outcome::default, |endings| endings.outcome(values))
 }
 
 /// The shares of its limit that a result is tried with to be beyond it. A program that was edited is tried far beyond, too.
@@ -624,7 +881,9 @@ fn beyond(case: &Case<'_>) -> &'static [f64] {
 }
 
 fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
-    let Some(write) = case.followed.trace.writes.first() else { return Vec::new() };
+    let Some(write) = case.followed.trace.writes.first() else {
+        return Vec::new();
+    };
     let mut asked = match answers(case, Some(write.line)) {
         Ok(asked) => asked,
         Err(unknown) => return vec![unknown],
@@ -639,16 +898,30 @@ fn plausible_before_write(case: &Case<'_>) -> Vec<Break> {
     let mut breaks: Vec<Break> = Vec::new();
     for (i, answer) in asked.iter().enumerate() {
         if beyond(case).iter().any(|share| writes(Some(i), *share)) {
-            let message = text!("This writes though {code} is off by more than its limit", answer.named.clone());
+            let message = text!(
+                "This writes though {code} is off by more than its limit",
+                answer.named.clone()
+            );
             breaks.push((Some(write.line), message));
         }
     }
     if !asked.is_empty() && beyond(case).iter().any(|share| writes(None, *share)) {
-        breaks.push((Some(write.line), text!("This writes though every result is off by more than its limit")));
+        breaks.push((
+            Some(write.line),
+            text!("This writes though every result is off by more than its limit"),
+        ));
     }
-    if breaks.is_empty() && [-0.99, 0.99].iter().any(|share| !outcome(&mut endings, &asked, None, *share).ends) {
-        breaks
-            .push((Some(write.line), text!("The program does not come to this write though every result is within its limit")));
+    if breaks.is_empty()
+        && [-0.99, 0.99]
+            .iter()
+            .any(|share| !outcome(&mut endings, &asked, None, *share).ends)
+    {
+        breaks.push((
+            Some(write.line),
+            text!(
+                "The program does not come to this write though every result is within its limit"
+            ),
+        ));
     }
     breaks
 }
@@ -669,22 +942,36 @@ fn tolerance_obeyed(case: &Case<'_>) -> Vec<Break> {
         };
         // Just out of its tolerance: that may be implausible as well, and then the program stops.
         let implausible = |value: f64| {
-            let of_same = |other: &&Answer| other.slot == answer.slot && other.question.asked == Asked::Plausible;
-            writes && asked.iter().filter(of_same).any(|other| (value - other.wanted).abs() > other.limit)
+            let of_same = |other: &&Answer| {
+                other.slot == answer.slot && other.question.asked == Asked::Plausible
+            };
+            writes
+                && asked
+                    .iter()
+                    .filter(of_same)
+                    .any(|other| (value - other.wanted).abs() > other.limit)
         };
         let other = [-1.01, 1.01].iter().any(|share| {
             let outcome = outcome(&mut endings, &asked, Some(i), *share);
             let stops = stops || implausible(answer.wanted + answer.limit * share);
             if stops { !outcome.stops } else { !outcome.ends }
         });
-        let good = [-0.99, 0.99].iter().all(|share| outcome(&mut endings, &asked, Some(i), *share).ends);
+        let good = [-0.99, 0.99]
+            .iter()
+            .all(|share| outcome(&mut endings, &asked, Some(i), *share).ends);
         if !good {
-            let message = text!("The program stops though {code} is within its tolerance", answer.named.clone());
+            let message = text!(
+                "The program stops though {code} is within its tolerance",
+                answer.named.clone()
+            );
             breaks.push((None, message));
         } else if other {
             let code = answer.named.clone();
             let message = match stops {
-                true => text!("The program does not stop though {code} is out of its tolerance", code),
+                true => text!(
+                    "The program does not stop though {code} is out of its tolerance",
+                    code
+                ),
                 false => text!("The program stops though {code} is only to be marked", code),
             };
             breaks.push((None, message));
@@ -698,11 +985,23 @@ fn place_within_limit(case: &Case<'_>) -> Vec<Break> {
     let mut breaks = Vec::new();
     for (m, member) in path.members.iter().enumerate() {
         for question in path.asked_before(m, &case.request.limits) {
-            let stops = |share: &f64| case.followed.stops_before(case.request, m, (question.result, question.limit * share));
+            let stops = |share: &f64| {
+                case.followed.stops_before(
+                    case.request,
+                    m,
+                    (question.result, question.limit * share),
+                )
+            };
             if !beyond(case).iter().all(stops) {
-                let code = path.formula.code(&path.formula.results[question.result]).into_owned();
-                let message =
-                    text!("This goes to {cycle} though {code} is off by more than its limit", member.name.clone(), code);
+                let code = path
+                    .formula
+                    .code(&path.formula.results[question.result])
+                    .into_owned();
+                let message = text!(
+                    "This goes to {cycle} though {code} is off by more than its limit",
+                    member.name.clone(),
+                    code
+                );
                 breaks.push((None, message));
             }
         }
@@ -711,9 +1010,23 @@ fn place_within_limit(case: &Case<'_>) -> Vec<Break> {
 }
 
 fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
-    let Followed { script, trace, tail, begin, .. } = case.followed;
-    let (Some(write), Some(first)) = (trace.writes.first(), trace.steps.first()) else { return Vec::new() };
-    let block_of = |line: usize| script.blocks.iter().position(|block| block.line == line).unwrap_or(0);
+    let Followed {
+        script,
+        trace,
+        tail,
+        begin,
+        ..
+    } = case.followed;
+    let (Some(write), Some(first)) = (trace.writes.first(), trace.steps.first()) else {
+        return Vec::new();
+    };
+    let block_of = |line: usize| {
+        script
+            .blocks
+            .iter()
+            .position(|block| block.line == line)
+            .unwrap_or(0)
+    };
     let from = block_of(first.line);
     let mut touches: Vec<usize> = trace.touch_lines().collect();
     touches.sort_unstable();
@@ -724,7 +1037,11 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
             const BEFORE: usize = 6;
             let last = trace.writes.last().map_or(0, |write| block_of(write.line));
             let writing = block_of(write.line).saturating_sub(BEFORE).max(from)..=last;
-            let after = touches.first().into_iter().chain(touches.last()).map(|line| block_of(*line) + 1);
+            let after = touches
+                .first()
+                .into_iter()
+                .chain(touches.last())
+                .map(|line| block_of(*line) + 1);
             after.chain(writing).collect()
         }
     };
@@ -737,22 +1054,47 @@ fn restart_writes_nothing(case: &Case<'_>) -> Vec<Break> {
         }
     }
     // A program that comes to no end has left nothing.
-    let left = if left.len() == script.slots { left } else { empty.clone() };
+    let left = if left.len() == script.slots {
+        left
+    } else {
+        empty.clone()
+    };
     let mut budget = 4 * machine::BUDGET;
     let mut writes = |(i, block): &(usize, &usize)| {
         let left = script.vacant.map(|_| left.as_slice());
         // The longest way is gone with one of the two.
         let once = *i == 0 && case.restarts == Restarts::Telling && left.is_some();
         let mut values = left.into_iter().chain((!once).then_some(empty.as_slice()));
-        values.any(|values| machine::restarted(script, *begin, (trace, &touches), (**block, values), &mut budget))
+        values.any(|values| {
+            machine::restarted(
+                script,
+                *begin,
+                (trace, &touches),
+                (**block, values),
+                &mut budget,
+            )
+        })
     };
-    let bad: Vec<&usize> = starts.iter().enumerate().filter(|start| writes(start)).map(|(_, block)| block).collect();
+    let bad: Vec<&usize> = starts
+        .iter()
+        .enumerate()
+        .filter(|start| writes(start))
+        .map(|(_, block)| block)
+        .collect();
     if budget == 0 {
-        return vec![(Some(write.line), text!("The program is too long to be started again at each of its blocks"))];
+        return vec![(
+            Some(write.line),
+            text!("The program is too long to be started again at each of its blocks"),
+        )];
     }
     let bad = bad.into_iter().map(|block| script.blocks[*block].line);
-    bad.map(|line| (Some(line), text!("Started again at this line, the program writes though not every touch was made")))
-        .collect()
+    bad.map(|line| {
+        (
+            Some(line),
+            text!("Started again at this line, the program writes though not every touch was made"),
+        )
+    })
+    .collect()
 }
 
 fn ends_above(case: &Case<'_>) -> Vec<Break> {
@@ -760,13 +1102,23 @@ fn ends_above(case: &Case<'_>) -> Vec<Break> {
     if !trace.ends {
         return vec![(None, text!("The program has no end"))];
     }
-    let Some(last) = trace.steps.last() else { return Vec::new() };
+    let Some(last) = trace.steps.last() else {
+        return Vec::new();
+    };
     // 1411 may end where its last touch began: as high as the path itself does.
     let moves = &case.request.path.moves;
-    let shift = moves.len().checked_sub(1).map_or(Vec3::ZERO, |index| case.followed.shift(index));
-    let end = moves.last().map_or(f64::NEG_INFINITY, |step| case.level(step.to + shift));
+    let shift = moves
+        .len()
+        .checked_sub(1)
+        .map_or(Vec3::ZERO, |index| case.followed.shift(index));
+    let end = moves
+        .last()
+        .map_or(f64::NEG_INFINITY, |step| case.level(step.to + shift));
     if last.to[case.tool()] < end - case.digit() {
-        return vec![(Some(last.line), text!("The program ends lower than its path"))];
+        return vec![(
+            Some(last.line),
+            text!("The program ends lower than its path"),
+        )];
     }
     Vec::new()
 }

@@ -33,14 +33,25 @@ pub struct Trace {
 impl Trace {
     /// The lines of the touches, in order.
     pub fn touch_lines(&self) -> impl Iterator<Item = usize> {
-        self.steps.iter().filter(|step| step.kind == Kind::Touch).map(|step| step.line)
+        self.steps
+            .iter()
+            .filter(|step| step.kind == Kind::Touch)
+            .map(|step| step.line)
     }
 
     /// A block writes these axes of a work offset, and its rotation.
     pub fn wrote(&mut self, line: usize, number: i32, axes: [bool; 3], turn: bool) {
         let after = self.steps.len();
-        let own = (0..3).filter(|axis| axes[*axis]).map(Some).chain(turn.then_some(None));
-        self.writes.extend(own.map(|axis| Write { line, number, axis, after }));
+        let own = (0..3)
+            .filter(|axis| axes[*axis])
+            .map(Some)
+            .chain(turn.then_some(None));
+        self.writes.extend(own.map(|axis| Write {
+            line,
+            number,
+            axis,
+            after,
+        }));
     }
 }
 

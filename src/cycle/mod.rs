@@ -6,7 +6,10 @@ mod repeat;
 
 pub use repeat::{REPEAT, Repeat};
 
-pub use ency::{CODE_GROUPS, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT, Pick, Placement, code_of, only_angular};
+pub use ency::{
+    CODE_GROUPS, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, POINT, Pick, Placement, code_of,
+    only_angular,
+};
 
 use crate::form::{Checker, Field, Section, SubForm};
 use crate::formula::{Formula, ResultRow};
@@ -70,7 +73,10 @@ pub struct CycleDef {
     /// The steps of its documented list, in our words; index 0 is step 1.
     pub steps: &'static [&'static str],
     /// What is our reading and not the source's word, for the manual.
-    #[cfg_attr(not(test), allow(dead_code, reason = "the documents are generated from it"))]
+    #[cfg_attr(
+        not(test),
+        allow(dead_code, reason = "the documents are generated from it")
+    )]
     pub readings: &'static [&'static str],
     /// Where touches that are picked one by one put it, given its loose form; none where its touches cannot be picked.
     pub place: Option<PlaceBy>,
@@ -118,7 +124,14 @@ pub trait Cycle {
     fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>>;
 
     /// Adds what is more than arithmetic: verdicts, and rows that single touches give. `triggers` has one entry a touch.
-    fn judge(&self, _setup: &Setup, _path: &Path, _triggers: &[Option<Vec3>], _rows: &mut Vec<ResultRow>) {}
+    fn judge(
+        &self,
+        _setup: &Setup,
+        _path: &Path,
+        _triggers: &[Option<Vec3>],
+        _rows: &mut Vec<ResultRow>,
+    ) {
+    }
 
     /// Why the control's value of this result is off on a turned part, where it is.
     fn turned_error(&self, code: &str) -> Option<&'static str>;

@@ -16,4 +16,8 @@ form! {
 }
 
 /// The form that every cycle that touches may have besides its own.
-pub const REPEAT: SubForm = SubForm { key: "repeat", fields: Repeat::FIELDS, optional: true };
+pub const REPEAT: SubForm = SubForm {
+    key: "repeat",
+    fields: Repeat::FIELDS,
+    optional: true,
+};

@@ -106,8 +106,25 @@ pub struct RelationEntry {
 
 impl RelationEntry {
     fn of(def: &RelationDef) -> Self {
-        let RelationDef { key, label, says, places, least, most, results, .. } = *def;
-        RelationEntry { key, label, says, places, least, most, results }
+        let RelationDef {
+            key,
+            label,
+            says,
+            places,
+            least,
+            most,
+            results,
+            ..
+        } = *def;
+        RelationEntry {
+            key,
+            label,
+            says,
+            places,
+            least,
+            most,
+            results,
+        }
     }
 }
 
@@ -264,7 +281,13 @@ pub fn catalog() -> Catalog {
     Catalog {
         format: FORMAT as u8,
         cycles: CYCLES.iter().map(|def| cycle_entry(def)).collect(),
-        sections: SECTIONS.iter().map(|(path, fields)| SectionEntry { path, fields: entries(fields) }).collect(),
+        sections: SECTIONS
+            .iter()
+            .map(|(path, fields)| SectionEntry {
+                path,
+                fields: entries(fields),
+            })
+            .collect(),
         relations: RELATIONS.iter().map(RelationEntry::of).collect(),
         posts: POSTS
             .iter()
@@ -296,9 +319,23 @@ pub fn catalog() -> Catalog {
                     .collect(),
             })
             .collect(),
-        rules: RULES.iter().map(|rule| RuleEntry { name: rule.name, says: rule.says, why: rule.why }).collect(),
+        rules: RULES
+            .iter()
+            .map(|rule| RuleEntry {
+                name: rule.name,
+                says: rule.says,
+                why: rule.why,
+            })
+            .collect(),
         standing: STANDING,
-        code_groups: CODE_GROUPS.iter().map(|&(title, lowest, highest)| CodeGroup { title, lowest, highest }).collect(),
+        code_groups: CODE_GROUPS
+            .iter()
+            .map(|&(title, lowest, highest)| CodeGroup {
+                title,
+                lowest,
+                highest,
+            })
+            .collect(),
         rapid_rate: RAPID_RATE,
         max_touches: MAX_TOUCHES,
         longest_text: LONGEST_TEXT,
@@ -322,18 +359,28 @@ fn cycle_entry(def: &CycleDef) -> CycleEntry {
         sections: def
             .sections
             .iter()
-            .map(|s| CycleSectionEntry { key: s.key, optional: s.optional, fields: entries(s.fields) })
+            .map(|s| CycleSectionEntry {
+                key: s.key,
+                optional: s.optional,
+                fields: entries(s.fields),
+            })
             .collect(),
         steps: def.steps,
     }
 }
 
 fn choice_entry(choice: &Choice) -> ChoiceEntry {
-    ChoiceEntry { value: DefaultEntry::Text(choice.value), label: choice.label }
+    ChoiceEntry {
+        value: DefaultEntry::Text(choice.value),
+        label: choice.label,
+    }
 }
 
 fn code_entry(code: &Code) -> ChoiceEntry {
-    ChoiceEntry { value: DefaultEntry::Number(f64::from(code.value)), label: code.label }
+    ChoiceEntry {
+        value: DefaultEntry::Number(f64::from(code.value)),
+        label: code.label,
+    }
 }
 
 fn default_entry(default: Default) -> DefaultEntry {
@@ -376,8 +423,11 @@ fn entries(fields: &[Field]) -> Vec<FieldEntry> {
                 help: field.help,
                 kind,
                 unit,
-                range: matches!(kind, "number" | "count" | "point" | "nominal" | "nominalPoint")
-                    .then_some([field.hard.min, field.hard.max]),
+                range: matches!(
+                    kind,
+                    "number" | "count" | "point" | "nominal" | "nominalPoint"
+                )
+                .then_some([field.hard.min, field.hard.max]),
                 above: field.hard.above,
                 usual: field.usual.map(|(min, max)| [min, max]),
                 default: default_entry(field.default),

@@ -6,8 +6,8 @@ mod schema;
 mod table;
 
 pub use catalog::{
-    Catalog, ChoiceEntry, CodeGroup, CycleEntry, CycleSectionEntry, DefaultEntry, FieldEntry, PostEntry, RelationEntry,
-    RuleEntry, SectionEntry, SupportEntry, catalog,
+    Catalog, ChoiceEntry, CodeGroup, CycleEntry, CycleSectionEntry, DefaultEntry, FieldEntry,
+    PostEntry, RelationEntry, RuleEntry, SectionEntry, SupportEntry, catalog,
 };
 pub use schema::job_schema;
 pub use table::{export_table, export_table_with_calls};

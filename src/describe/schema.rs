@@ -7,8 +7,8 @@ use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, P
 use crate::form::{Field, Kind, Range, Value};
 use crate::formula::{self, Consequence};
 use crate::job::{
-    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS, RELATIONS, SECTIONS,
-    SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR, size_reach,
+    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS,
+    RELATIONS, SECTIONS, SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -22,10 +22,19 @@ pub fn job_schema() -> Value {
         match *path {
             "" => properties.extend(own),
             "part" => {
-                let sizes = map([("type", text("object")), ("additionalProperties", map([("type", text("number"))]))]);
-                properties.push(("part".to_owned(), object(own.chain([("sizes".to_owned(), sizes)]), &[])));
+                let sizes = map([
+                    ("type", text("object")),
+                    ("additionalProperties", map([("type", text("number"))])),
+                ]);
+                properties.push((
+                    "part".to_owned(),
+                    object(own.chain([("sizes".to_owned(), sizes)]), &[]),
+                ));
             }
-            "tool" => properties.push(("tool".to_owned(), object(own.chain([("frame".to_owned(), frame())]), &[]))),
+            "tool" => properties.push((
+                "tool".to_owned(),
+                object(own.chain([("frame".to_owned(), frame())]), &[]),
+            )),
             _ => properties.push(((*path).to_owned(), object(own, &[]))),
         }
     }
@@ -33,20 +42,50 @@ pub fn job_schema() -> Value {
     properties.push(("cycle".to_owned(), map([("oneOf", Value::List(cycles))])));
     properties.push((TOLERANCES.to_owned(), tolerances()));
     properties.extend(set_up());
-    let Value::Map(job) = object(properties, &["format"]) else { unreachable!("an object is a map") };
+    let Value::Map(job) = object(properties, &["format"]) else {
+        unreachable!("an object is a map")
+    };
     let head = [
-        ("$schema".to_owned(), text("https://json-schema.org/draft/2020-12/schema")),
-        ("$id".to_owned(), text(&format!("urn:touchpath:job:{}", decimal(FORMAT, 0)))),
+        (
+            "$schema".to_owned(),
+            text("https://json-schema.org/draft/2020-12/schema"),
+        ),
+        (
+            "$id".to_owned(),
+            text(&format!("urn:touchpath:job:{}", decimal(FORMAT, 0))),
+        ),
         ("title".to_owned(), text("A probing job")),
     ];
     let inch = object_of([("units", map([("const", text("inch"))]))], &["units"]);
-    let ends = [("if".to_owned(), inch), ("then".to_owned(), ranges(25.4)), ("else".to_owned(), ranges(1.0))];
+    let ends = [
+        ("if".to_owned(), inch),
+        ("then".to_owned(), ranges(25.4)),
+        ("else".to_owned(), ranges(1.0)),
+    ];
     let either = [
-        object_of([("format", map([("const", Value::Number(FORMAT))])), ("cycles", Value::Flag(false))], &["cycle"]),
-        object_of([("format", map([("const", Value::Number(SET_UP_FORMAT))])), ("cycle", Value::Flag(false))], &["cycles"]),
+        object_of(
+            [
+                ("format", map([("const", Value::Number(FORMAT))])),
+                ("cycles", Value::Flag(false)),
+            ],
+            &["cycle"],
+        ),
+        object_of(
+            [
+                ("format", map([("const", Value::Number(SET_UP_FORMAT))])),
+                ("cycle", Value::Flag(false)),
+            ],
+            &["cycles"],
+        ),
     ];
     let either = [("oneOf".to_owned(), Value::List(either.to_vec()))];
-    Value::Map(head.into_iter().chain(job).chain(either).chain(ends).collect())
+    Value::Map(
+        head.into_iter()
+            .chain(job)
+            .chain(either)
+            .chain(ends)
+            .collect(),
+    )
 }
 
 /// The tolerances of results: which results there are depends on the cycle.
@@ -59,7 +98,12 @@ fn tolerances() -> Value {
                 map([
                     ("type", text("string")),
                     ("maxLength", Value::Number(LONGEST_TOLERANCE as f64)),
-                    ("description", text("About the nominal value (H7, ±0.02, +0.021/0) or with it (25H7, 24.98..25.02).")),
+                    (
+                        "description",
+                        text(
+                            "About the nominal value (H7, ±0.02, +0.021/0) or with it (25H7, 24.98..25.02).",
+                        ),
+                    ),
                 ]),
             ),
             (
@@ -68,7 +112,9 @@ fn tolerances() -> Value {
                     ("enum", Value::List(actions)),
                     (
                         "description",
-                        text("What the program does with a result out of it: nothing, show it, or stop. Left out: go."),
+                        text(
+                            "What the program does with a result out of it: nothing, show it, or stop. Left out: go.",
+                        ),
                     ),
                 ]),
             ),
@@ -79,15 +125,25 @@ fn tolerances() -> Value {
     nullable(map([
         ("type", text("object")),
         ("additionalProperties", own),
-        ("description", text("The tolerance of each result by its code, as `diameter`; in a set-up `BORE.diameter`.")),
+        (
+            "description",
+            text(
+                "The tolerance of each result by its code, as `diameter`; in a set-up `BORE.diameter`.",
+            ),
+        ),
     ]))
 }
 
 /// The tool that is corrected by a size: a form inside.
 fn wear() -> Value {
     let own = WEAR.fields.iter().map(|f| (f.key.to_owned(), field(f)));
-    let Value::Map(mut own) = object(own, &["tool"]) else { unreachable!("an object is a map") };
-    own.push(("description".to_owned(), text("The tool that the macro of a Fanuc and its kin corrects by this size.")));
+    let Value::Map(mut own) = object(own, &["tool"]) else {
+        unreachable!("an object is a map")
+    };
+    own.push((
+        "description".to_owned(),
+        text("The tool that the macro of a Fanuc and its kin corrects by this size."),
+    ));
     nullable(Value::Map(own))
 }
 
@@ -95,23 +151,31 @@ fn wear() -> Value {
 fn following(mut cycle: Value, def: &CycleDef) -> Value {
     let inner = |value: &mut Value, key: &str, change: &dyn Fn(&mut Value)| {
         if let Value::Map(entries) = value {
-            entries.iter_mut().filter(|(known, _)| known == key).for_each(|(_, value)| change(value));
+            entries
+                .iter_mut()
+                .filter(|(known, _)| known == key)
+                .for_each(|(_, value)| change(value));
         }
     };
     let place = map([
         ("type", Value::List(["number", "string"].map(text).to_vec())),
         ("pattern", text("^ *=")),
         ("maxLength", Value::Number(LONGEST_PLACE as f64)),
-        ("description", text("A number, or a place that an earlier cycle measures with a number added: `=TOP.z-5`.")),
+        (
+            "description",
+            text(
+                "A number, or a place that an earlier cycle measures with a number added: `=TOP.z-5`.",
+            ),
+        ),
     ]);
     let or_text = |value: &mut Value, example: &str| {
         let Value::Map(entries) = value else { return };
         for (key, value) in entries.iter_mut() {
             match (key.as_str(), value) {
                 ("type", value) => *value = Value::List(["number", "string"].map(text).to_vec()),
-                ("description", Value::Text(help)) => {
-                    help.push_str(&format!(" It may follow a result of an earlier cycle: `{example}`."))
-                }
+                ("description", Value::Text(help)) => help.push_str(&format!(
+                    " It may follow a result of an earlier cycle: `{example}`."
+                )),
                 _ => {}
             }
         }
@@ -119,10 +183,20 @@ fn following(mut cycle: Value, def: &CycleDef) -> Value {
         entries.push(("maxLength".to_owned(), Value::Number(LONGEST_PLACE as f64)));
     };
     inner(&mut cycle, "properties", &|properties| {
-        inner(properties, "origin", &|origin| inner(origin, "items", &|items| items.clone_from(&place)));
-        inner(properties, "rotation", &|rotation| or_text(rotation, "=SIDE.rotation+90"));
-        for size in def.fields.iter().filter(|field| field.size && field.kind == Kind::Length) {
-            inner(properties, size.key, &|value| or_text(value, "=BORE.diameter-2"));
+        inner(properties, "origin", &|origin| {
+            inner(origin, "items", &|items| items.clone_from(&place))
+        });
+        inner(properties, "rotation", &|rotation| {
+            or_text(rotation, "=SIDE.rotation+90")
+        });
+        for size in def
+            .fields
+            .iter()
+            .filter(|field| field.size && field.kind == Kind::Length)
+        {
+            inner(properties, size.key, &|value| {
+                or_text(value, "=BORE.diameter-2")
+            });
         }
     });
     cycle
@@ -134,20 +208,34 @@ fn set_up() -> [(String, Value); 4] {
     let name = map([
         ("type", Value::List(vec![text("string"), text("null")])),
         ("pattern", text(&pattern)),
-        ("description", text("Its name, which programs print in front of its results. Left out: what it measures.")),
+        (
+            "description",
+            text(
+                "Its name, which programs print in front of its results. Left out: what it measures.",
+            ),
+        ),
     ]);
     let measures = CYCLES.iter().filter(|def| def.most_touches > 0);
-    let cycles = measures.map(|def| following(cycle(def, vec![("name".to_owned(), name.clone())]), def)).collect();
+    let cycles = measures
+        .map(|def| following(cycle(def, vec![("name".to_owned(), name.clone())]), def))
+        .collect();
     let list = map([
         ("type", text("array")),
         ("items", map([("oneOf", Value::List(cycles))])),
         ("minItems", Value::Number(1.0)),
         ("maxItems", Value::Number(MOST_CYCLES as f64)),
-        ("description", text("The cycles of one program, in their order. Format 2 has them in place of `cycle`.")),
+        (
+            "description",
+            text(
+                "The cycles of one program, in their order. Format 2 has them in place of `cycle`.",
+            ),
+        ),
     ]);
     let result = || nullable(map([("type", text("string"))]));
     let datum = object(DATUM.map(|key| (key.to_owned(), result())), &[]);
-    let Value::Map(mut datum) = datum else { unreachable!("an object is a map") };
+    let Value::Map(mut datum) = datum else {
+        unreachable!("an object is a map")
+    };
     datum.push((
         "description".to_owned(),
         text(
@@ -157,7 +245,10 @@ fn set_up() -> [(String, Value); 4] {
     let types = formula::RELATIONS.iter().map(|def| text(def.key)).collect();
     let relation = object(
         [
-            ("name".to_owned(), map([("type", text("string")), ("pattern", text(&pattern))])),
+            (
+                "name".to_owned(),
+                map([("type", text("string")), ("pattern", text(&pattern))]),
+            ),
             ("type".to_owned(), map([("enum", Value::List(types))])),
             (
                 "of".to_owned(),
@@ -168,7 +259,9 @@ fn set_up() -> [(String, Value); 4] {
                     ("maxItems", Value::Number(MOST_CYCLES as f64)),
                     (
                         "description",
-                        text("Names of cycles that measure a place; of a difference or mean, results as `BORE.diameter`."),
+                        text(
+                            "Names of cycles that measure a place; of a difference or mean, results as `BORE.diameter`.",
+                        ),
                     ),
                 ]),
             ),
@@ -210,30 +303,68 @@ fn ranges(scale: f64) -> Value {
         }
         if def.place.is_some() {
             let points = ends(&[POINT], scale);
-            own.push(("touches".to_owned(), map([("items", map([("properties", Value::Map(points))]))])));
+            own.push((
+                "touches".to_owned(),
+                map([("items", map([("properties", Value::Map(points))]))]),
+            ));
         }
         let kind = object_of([("type", map([("const", text(def.key))]))], &["type"]);
-        (!own.is_empty()).then(|| map([("if", kind), ("then", map([("properties", Value::Map(own))]))]))
+        (!own.is_empty()).then(|| {
+            map([
+                ("if", kind),
+                ("then", map([("properties", Value::Map(own))])),
+            ])
+        })
     };
     let cycles: Vec<Value> = CYCLES.iter().filter_map(cycle).collect();
-    properties.push(("cycle".to_owned(), map([("allOf", Value::List(cycles.clone()))])));
-    properties.push(("cycles".to_owned(), map([("items", map([("allOf", Value::List(cycles))]))])));
+    properties.push((
+        "cycle".to_owned(),
+        map([("allOf", Value::List(cycles.clone()))]),
+    ));
+    properties.push((
+        "cycles".to_owned(),
+        map([("items", map([("allOf", Value::List(cycles))]))]),
+    ));
     properties.extend(ends(&[CLEAR], scale));
-    let own = map([("properties", Value::Map(inside(WEAR.key.to_owned(), ends(WEAR.fields, scale)).into_iter().collect()))]);
+    let own = map([(
+        "properties",
+        Value::Map(
+            inside(WEAR.key.to_owned(), ends(WEAR.fields, scale))
+                .into_iter()
+                .collect(),
+        ),
+    )]);
     properties.push((TOLERANCES.to_owned(), map([("additionalProperties", own)])));
     let sizes = CYCLES.iter().map(|def| sizes(def, scale)).collect();
-    map([("properties", Value::Map(properties)), ("allOf", Value::List(sizes))])
+    map([
+        ("properties", Value::Map(properties)),
+        ("allOf", Value::List(sizes)),
+    ])
 }
 
 /// The sizes of the virtual part are those that its cycle has.
 fn sizes(def: &CycleDef, scale: f64) -> Value {
-    let reach: Vec<Field> = def.fields.iter().filter(|field| field.size).map(size_reach).collect();
-    let angles = reach.iter().filter(|field| field.kind == Kind::Angle).map(|f| (f.key.to_owned(), self::field(f)));
+    let reach: Vec<Field> = def
+        .fields
+        .iter()
+        .filter(|field| field.size)
+        .map(size_reach)
+        .collect();
+    let angles = reach
+        .iter()
+        .filter(|field| field.kind == Kind::Angle)
+        .map(|f| (f.key.to_owned(), self::field(f)));
     let own = Value::Map(ends(&reach, scale).into_iter().chain(angles).collect());
-    let sizes = map([("properties", own), ("additionalProperties", Value::Flag(false))]);
+    let sizes = map([
+        ("properties", own),
+        ("additionalProperties", Value::Flag(false)),
+    ]);
     let part = map([("properties", map([("sizes", sizes)]))]);
     let kind = object_of([("type", map([("const", text(def.key))]))], &["type"]);
-    map([("if", object_of([("cycle", kind)], &["cycle"])), ("then", map([("properties", map([("part", part)]))]))])
+    map([
+        ("if", object_of([("cycle", kind)], &["cycle"])),
+        ("then", map([("properties", map([("part", part)]))])),
+    ])
 }
 
 /// Fields of an object inside, where there are any to say something of.
@@ -247,20 +378,39 @@ fn ends(fields: &[Field], scale: f64) -> Vec<(String, Value)> {
         let Range { min, max, above } = field.hard;
         // As the check: what is converted may be beyond an end by the noise of its last decimal.
         let noise = if scale == 1.0 { 0.0 } else { Range::NOISE };
-        let low = if above { ("exclusiveMinimum", min) } else { ("minimum", min - noise) };
+        let low = if above {
+            ("exclusiveMinimum", min)
+        } else {
+            ("minimum", min - noise)
+        };
         map([low, ("maximum", max + noise)].map(|(word, end)| (word, Value::Number(end / scale))))
     };
     let of = |field: &Field| match field.kind {
         Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal => Some(range(field)),
         Kind::Point | Kind::NominalPoint => Some(map([("items", range(field))])),
-        Kind::Time | Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => None,
+        Kind::Time
+        | Kind::Angle
+        | Kind::Count
+        | Kind::Flag
+        | Kind::Choice(_)
+        | Kind::Code(_)
+        | Kind::Text(_) => None,
     };
-    fields.iter().filter_map(|field| Some((field.key.to_owned(), of(field)?))).collect()
+    fields
+        .iter()
+        .filter_map(|field| Some((field.key.to_owned(), of(field)?)))
+        .collect()
 }
 
 /// What holds where an object has these.
 fn object_of<const N: usize>(properties: [(&str, Value); N], required: &[&str]) -> Value {
-    map([("properties", map(properties)), ("required", Value::List(required.iter().map(|key| text(key)).collect()))])
+    map([
+        ("properties", map(properties)),
+        (
+            "required",
+            Value::List(required.iter().map(|key| text(key)).collect()),
+        ),
+    ])
 }
 
 /// The form of a cycle, with what it has beside it.
@@ -269,14 +419,33 @@ fn cycle(def: &CycleDef, more: Vec<(String, Value)>) -> Value {
     properties.extend(more);
     properties.extend(def.fields.iter().map(|f| (f.key.to_owned(), field(f))));
     for section in def.sections {
-        let inner = object(section.fields.iter().map(|f| (f.key.to_owned(), field(f))), &[]);
-        properties.push((section.key.to_owned(), if section.optional { nullable(inner) } else { inner }));
+        let inner = object(
+            section.fields.iter().map(|f| (f.key.to_owned(), field(f))),
+            &[],
+        );
+        properties.push((
+            section.key.to_owned(),
+            if section.optional {
+                nullable(inner)
+            } else {
+                inner
+            },
+        ));
     }
     if def.place.is_some() {
         let end = f64::from(LONGEST_VECTOR);
-        let component = map([("type", text("number")), ("minimum", Value::Number(-end)), ("maximum", Value::Number(end))]);
-        let touch =
-            object([("point".to_owned(), triple("number")), ("vector".to_owned(), three(component))], &["point", "vector"]);
+        let component = map([
+            ("type", text("number")),
+            ("minimum", Value::Number(-end)),
+            ("maximum", Value::Number(end)),
+        ]);
+        let touch = object(
+            [
+                ("point".to_owned(), triple("number")),
+                ("vector".to_owned(), three(component)),
+            ],
+            &["point", "vector"],
+        );
         let list = map([
             ("type", text("array")),
             ("items", touch),
@@ -288,12 +457,23 @@ fn cycle(def: &CycleDef, more: Vec<(String, Value)>) -> Value {
     if def.number.is_some() {
         let own = |kind: &str, value: Value| {
             let code = whole(1.0, HIGHEST_CODE);
-            let own = [("code", code), ("type", map([("const", text(kind))])), ("value", value)];
-            object(own.map(|(key, value)| (key.to_owned(), value)), &["code", "type", "value"])
+            let own = [
+                ("code", code),
+                ("type", map([("const", text(kind))])),
+                ("value", value),
+            ];
+            object(
+                own.map(|(key, value)| (key.to_owned(), value)),
+                &["code", "type", "value"],
+            )
         };
         let end = f64::from(i32::MAX);
         let of = |kind| map([("type", text(kind))]);
-        let kinds = vec![own("Int", whole(-end, end)), own("Flt", of("number")), own("Bol", of("boolean"))];
+        let kinds = vec![
+            own("Int", whole(-end, end)),
+            own("Flt", of("number")),
+            own("Bol", of("boolean")),
+        ];
         let list = map([
             ("type", text("array")),
             ("items", map([("oneOf", Value::List(kinds))])),
@@ -309,7 +489,11 @@ fn field(field: &Field) -> Value {
         let mut entries = vec![("type", text(kind))];
         match field.kind {
             Kind::Time | Kind::Angle | Kind::Count => {
-                let least = if field.hard.above { "exclusiveMinimum" } else { "minimum" };
+                let least = if field.hard.above {
+                    "exclusiveMinimum"
+                } else {
+                    "minimum"
+                };
                 entries.push((least, Value::Number(field.hard.min)));
                 entries.push(("maximum", Value::Number(field.hard.max)));
             }
@@ -320,17 +504,37 @@ fn field(field: &Field) -> Value {
     };
     let nominal = ["number", "string"].map(text).to_vec();
     let schema = match field.kind {
-        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => number("number"),
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => {
+            number("number")
+        }
         Kind::Count => number("integer"),
         Kind::Flag => map([("type", text("boolean"))]),
-        Kind::Choice(choices) => map([("enum", Value::List(choices.iter().map(|c| text(c.value)).collect()))]),
-        Kind::Code(codes) => map([("enum", Value::List(codes.iter().map(|c| Value::Number(f64::from(c.value))).collect()))]),
-        Kind::Text(longest) => map([("type", text("string")), ("maxLength", Value::Number(longest as f64))]),
+        Kind::Choice(choices) => map([(
+            "enum",
+            Value::List(choices.iter().map(|c| text(c.value)).collect()),
+        )]),
+        Kind::Code(codes) => map([(
+            "enum",
+            Value::List(
+                codes
+                    .iter()
+                    .map(|c| Value::Number(f64::from(c.value)))
+                    .collect(),
+            ),
+        )]),
+        Kind::Text(longest) => map([
+            ("type", text("string")),
+            ("maxLength", Value::Number(longest as f64)),
+        ]),
         Kind::Point => triple("number"),
         Kind::Nominal => map([("type", Value::List(nominal))]),
         Kind::NominalPoint => three(map([("type", Value::List(nominal))])),
     };
-    let Value::Map(mut entries) = (if field.null.is_some() { nullable(schema) } else { schema }) else {
+    let Value::Map(mut entries) = (if field.null.is_some() {
+        nullable(schema)
+    } else {
+        schema
+    }) else {
         unreachable!("a schema is a map")
     };
     entries.push(("title".to_owned(), text(field.label)));
@@ -339,12 +543,22 @@ fn field(field: &Field) -> Value {
 }
 
 fn whole(min: f64, max: f64) -> Value {
-    map([("type", text("integer")), ("minimum", Value::Number(min)), ("maximum", Value::Number(max))])
+    map([
+        ("type", text("integer")),
+        ("minimum", Value::Number(min)),
+        ("maximum", Value::Number(max)),
+    ])
 }
 
 fn frame() -> Value {
     let axis = || map([("enum", Value::List(["X", "Y", "Z"].map(text).to_vec()))]);
-    let turn = object([("rot".to_owned(), axis()), ("angle".to_owned(), field(&STEP_ANGLE))], &["rot", "angle"]);
+    let turn = object(
+        [
+            ("rot".to_owned(), axis()),
+            ("angle".to_owned(), field(&STEP_ANGLE)),
+        ],
+        &["rot", "angle"],
+    );
     let mirror = object([("mirror".to_owned(), axis())], &["mirror"]);
     map([
         ("type", text("array")),
@@ -358,11 +572,19 @@ fn text(text: &str) -> Value {
 }
 
 fn map<'a>(entries: impl IntoIterator<Item = (&'a str, Value)>) -> Value {
-    Value::Map(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect())
+    Value::Map(
+        entries
+            .into_iter()
+            .map(|(key, value)| (key.to_owned(), value))
+            .collect(),
+    )
 }
 
 fn nullable(schema: Value) -> Value {
-    map([("anyOf", Value::List(vec![schema, map([("type", text("null"))])]))])
+    map([(
+        "anyOf",
+        Value::List(vec![schema, map([("type", text("null"))])]),
+    )])
 }
 
 fn triple(of: &str) -> Value {
@@ -370,14 +592,22 @@ fn triple(of: &str) -> Value {
 }
 
 fn three(items: Value) -> Value {
-    map([("type", text("array")), ("items", items), ("minItems", Value::Number(3.0)), ("maxItems", Value::Number(3.0))])
+    map([
+        ("type", text("array")),
+        ("items", items),
+        ("minItems", Value::Number(3.0)),
+        ("maxItems", Value::Number(3.0)),
+    ])
 }
 
 fn object(properties: impl IntoIterator<Item = (String, Value)>, required: &[&str]) -> Value {
     map([
         ("type", text("object")),
         ("properties", Value::Map(properties.into_iter().collect())),
-        ("required", Value::List(required.iter().map(|key| text(key)).collect())),
+        (
+            "required",
+            Value::List(required.iter().map(|key| text(key)).collect()),
+        ),
         ("additionalProperties", Value::Flag(false)),
     ])
 }

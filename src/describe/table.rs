@@ -12,17 +12,35 @@ pub fn export_table(plan: &Plan, format: &str) -> Result<String, JobError> {
 }
 
 /// The same, in `csv` and `json` with the words of the control's own cycles that take each row, as [`calls`](crate::job::calls) has them.
-pub fn export_table_with_calls(plan: &Plan, calls: Option<&[Vec<String>]>, format: &str) -> Result<String, JobError> {
-    let call = |index: usize| calls.map(|calls| calls.get(index).map_or_else(String::new, |words| words.join(", ")));
+pub fn export_table_with_calls(
+    plan: &Plan,
+    calls: Option<&[Vec<String>]>,
+    format: &str,
+) -> Result<String, JobError> {
+    let call = |index: usize| {
+        calls.map(|calls| {
+            calls
+                .get(index)
+                .map_or_else(String::new, |words| words.join(", "))
+        })
+    };
     match format {
         "csv" => {
             // Of a set-up each row says its cycle.
             let several = !plan.cycles.is_empty();
-            let (call_heading, cycle_heading) =
-                (if calls.is_some() { ",call" } else { "" }, if several { ",cycle" } else { "" });
+            let (call_heading, cycle_heading) = (
+                if calls.is_some() { ",call" } else { "" },
+                if several { ",cycle" } else { "" },
+            );
             let mut text = format!("code,type,value,meaning{call_heading}{cycle_heading}\n");
             for (index, row) in plan.table.iter().enumerate() {
-                let cells = [row.code.as_str(), row.type_name, &value(row), &row.meaning.english()].map(cell);
+                let cells = [
+                    row.code.as_str(),
+                    row.type_name,
+                    &value(row),
+                    &row.meaning.english(),
+                ]
+                .map(cell);
                 text.push_str(&cells.join(","));
                 if let Some(call) = call(index) {
                     text.push(',');
@@ -36,14 +54,30 @@ pub fn export_table_with_calls(plan: &Plan, calls: Option<&[Vec<String>]>, forma
             }
             Ok(text)
         }
-        "text" => Ok(plan.table.iter().map(|row| format!("{} = {}\n", row.code, value(row))).collect()),
+        "text" => Ok(plan
+            .table
+            .iter()
+            .map(|row| format!("{} = {}\n", row.code, value(row)))
+            .collect()),
         "json" => {
-            let rows: Vec<String> = plan.table.iter().enumerate().map(|(index, row)| json_row(row, call(index))).collect();
+            let rows: Vec<String> = plan
+                .table
+                .iter()
+                .enumerate()
+                .map(|(index, row)| json_row(row, call(index)))
+                .collect();
             Ok(format!("[\n  {}\n]\n", rows.join(",\n  ")))
         }
         _ => {
             let message = text!("A table is exported as \"csv\", \"json\" or \"text\"");
-            Err(JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "format", message)] })
+            Err(JobError {
+                findings: vec![Finding::new(
+                    Level::Error,
+                    "unknown-value",
+                    "format",
+                    message,
+                )],
+            })
         }
     }
 }
@@ -60,13 +94,19 @@ fn value(row: &ParameterRow) -> String {
 
 /// A CSV cell: in quotes where it needs them (RFC 4180).
 fn cell(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
 }
 
 fn json_row(row: &ParameterRow, call: Option<String>) -> String {
     let number = match &row.value {
         ParameterValue::Text(text) => quoted(text),
-        ParameterValue::Whole(_) | ParameterValue::Flag(_) | ParameterValue::Number(_) => value(row),
+        ParameterValue::Whole(_) | ParameterValue::Flag(_) | ParameterValue::Number(_) => {
+            value(row)
+        }
     };
     let field = row.field.as_deref().map_or("null".to_owned(), quoted);
     let touch = row.touch.map_or("null".to_owned(), |k| k.to_string());

@@ -25,19 +25,32 @@ const MOST_FINDINGS: usize = 200;
 /// A checker for a job in mm; set `scale` and `unit` once the job's units are known.
 impl std::default::Default for Checker {
     fn default() -> Self {
-        Checker { scale: 1.0, unit: "mm", whole: words!("the job"), found: Vec::new() }
+        Checker {
+            scale: 1.0,
+            unit: "mm",
+            whole: words!("the job"),
+            found: Vec::new(),
+        }
     }
 }
 
 impl Checker {
     /// A checker for what belongs to a job whose units are known: so many mm, and the name.
     pub fn in_units(scale: f64, unit: &'static str) -> Self {
-        Checker { scale, unit, ..Checker::default() }
+        Checker {
+            scale,
+            unit,
+            ..Checker::default()
+        }
     }
 
     /// A section as it is called in a message.
     fn place(&self, path: &str) -> Part {
-        if path.is_empty() { Text::words(self.whole).into() } else { path.to_owned().into() }
+        if path.is_empty() {
+            Text::words(self.whole).into()
+        } else {
+            path.to_owned().into()
+        }
     }
 
     pub fn error(&mut self, code: &str, path: impl Into<String>, message: Text) {
@@ -93,9 +106,14 @@ impl Checker {
             more[i] = count - room[i];
             left -= room[i];
         }
-        let Some(gravest) = more.iter().position(|n| *n > 0) else { return self.found };
+        let Some(gravest) = more.iter().position(|n| *n > 0) else {
+            return self.found;
+        };
         self.found.retain(|f| {
-            let room = &mut room[LEVELS.iter().position(|l| *l == f.level).expect("there are three levels")];
+            let room = &mut room[LEVELS
+                .iter()
+                .position(|l| *l == f.level)
+                .expect("there are three levels")];
             let listed = *room > 0;
             *room -= usize::from(listed);
             listed
@@ -107,7 +125,8 @@ impl Checker {
             warnings,
             notes
         );
-        self.found.push(Finding::new(LEVELS[gravest], "more-findings", "", message));
+        self.found
+            .push(Finding::new(LEVELS[gravest], "more-findings", "", message));
         self.found
     }
 
@@ -119,10 +138,14 @@ impl Checker {
     /// Whether none of these paths (or anything inside or around them) has an error.
     pub fn is_clean(&self, paths: &[&str]) -> bool {
         let inside = |long: &str, short: &str| {
-            long.strip_prefix(short).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+            long.strip_prefix(short)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
         };
-        let touched =
-            |path: &str| self.found.iter().any(|f| f.level == Level::Error && (inside(&f.path, path) || inside(path, &f.path)));
+        let touched = |path: &str| {
+            self.found.iter().any(|f| {
+                f.level == Level::Error && (inside(&f.path, path) || inside(path, &f.path))
+            })
+        };
         !paths.iter().any(|path| touched(path))
     }
 
@@ -134,12 +157,16 @@ impl Checker {
     /// The unit of a kind of value, with a space before a word; empty where it has none.
     pub fn unit_of(&self, kind: Kind) -> String {
         match kind {
-            Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => format!(" {}", self.unit),
+            Kind::Length | Kind::Point | Kind::Nominal | Kind::NominalPoint => {
+                format!(" {}", self.unit)
+            }
             Kind::Feed => format!(" {}/min", self.unit),
             Kind::Acceleration => format!(" {}/s²", self.unit),
             Kind::Time => " ms".to_owned(),
             Kind::Angle => "°".to_owned(),
-            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => String::new(),
+            Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => {
+                String::new()
+            }
         }
     }
 
@@ -172,12 +199,20 @@ impl<'a, 'c> Section<'a, 'c> {
                 checker.error(
                     "wrong-type",
                     path,
-                    text!("{place} must be an object, not {given}", checker.place(path), other.noun()),
+                    text!(
+                        "{place} must be an object, not {given}",
+                        checker.place(path),
+                        other.noun()
+                    ),
                 );
                 None
             }
         };
-        Section { checker, value, path }
+        Section {
+            checker,
+            value,
+            path,
+        }
     }
 
     /// The object itself, where it is one.
@@ -204,7 +239,11 @@ impl<'a, 'c> Section<'a, 'c> {
 
     /// The full path of a key of this object.
     pub fn at(&self, key: &str) -> String {
-        if self.path.is_empty() { key.to_owned() } else { format!("{}.{key}", self.path) }
+        if self.path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.path)
+        }
     }
 
     /// Reports every key that is neither a field nor one of `others`.
@@ -215,12 +254,21 @@ impl<'a, 'c> Section<'a, 'c> {
         for (key, _) in entries {
             let known = fields.iter().any(|f| f.key == key) || others.contains(&key.as_str());
             if !known {
-                let names: Vec<&str> = fields.iter().map(|f| f.key).chain(others.iter().copied()).collect();
+                let names: Vec<&str> = fields
+                    .iter()
+                    .map(|f| f.key)
+                    .chain(others.iter().copied())
+                    .collect();
                 let shown = printable(key);
                 self.checker.error(
                     "unknown-key",
                     self.at(&shown),
-                    text!("{place} has no \"{key}\"; it knows {keys}", self.checker.place(self.path), shown, names.join(", ")),
+                    text!(
+                        "{place} has no \"{key}\"; it knows {keys}",
+                        self.checker.place(self.path),
+                        shown,
+                        names.join(", ")
+                    ),
                 );
             }
         }
@@ -234,21 +282,42 @@ impl<'a, 'c> Section<'a, 'c> {
             return None;
         };
         if !given.is_finite() {
-            self.checker.error("not-finite", path, text!("{label} must be a finite number", field.label));
+            self.checker.error(
+                "not-finite",
+                path,
+                text!("{label} must be a finite number", field.label),
+            );
             return None;
         }
         let scale = match field.kind {
-            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint => {
-                self.checker.scale
-            }
-            Kind::Time | Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Code(_) | Kind::Text(_) => 1.0,
+            Kind::Length
+            | Kind::Feed
+            | Kind::Acceleration
+            | Kind::Point
+            | Kind::Nominal
+            | Kind::NominalPoint => self.checker.scale,
+            Kind::Time
+            | Kind::Angle
+            | Kind::Count
+            | Kind::Flag
+            | Kind::Choice(_)
+            | Kind::Code(_)
+            | Kind::Text(_) => 1.0,
         };
         if matches!(field.kind, Kind::Count | Kind::Code(_)) && given.fract() != 0.0 {
-            self.checker.error("not-whole", path, text!("{label} must be a whole number", field.label));
+            self.checker.error(
+                "not-whole",
+                path,
+                text!("{label} must be a whole number", field.label),
+            );
             return None;
         }
         // The end of a range, said in inch, is not said to the last bit.
-        let inner = if scale == 1.0 { given } else { field.hard.snapped(given * scale) };
+        let inner = if scale == 1.0 {
+            given
+        } else {
+            field.hard.snapped(given * scale)
+        };
         let unit = self.checker.unit_of(field.kind);
         let number = |x: f64| decimal(x / scale, if scale == 1.0 { 4 } else { 5 });
         if !field.hard.holds(inner) {
@@ -256,7 +325,11 @@ impl<'a, 'c> Section<'a, 'c> {
             let inwards = |x: f64, way: f64| {
                 let shown = number(x);
                 let off = crate::num::read(&shown).map_or(0.0, |shown| (shown * scale - x) * way);
-                if off < 0.0 { number(x + way * 1e-5 * scale) } else { shown }
+                if off < 0.0 {
+                    number(x + way * 1e-5 * scale)
+                } else {
+                    shown
+                }
             };
             let (min, max) = (inwards(field.hard.min, 1.0), inwards(field.hard.max, -1.0));
             let allowed = if field.hard.above {
@@ -267,18 +340,34 @@ impl<'a, 'c> Section<'a, 'c> {
             let message = if field.reason.is_empty() {
                 text!("{label} must be {allowed}", field.label, allowed)
             } else {
-                text!("{label} must be {allowed}: {reason}", field.label, allowed, field.reason)
+                text!(
+                    "{label} must be {allowed}: {reason}",
+                    field.label,
+                    allowed,
+                    field.reason
+                )
             };
             self.checker.error("out-of-range", path, message);
             return None;
         }
         if let Some((min, max)) = field.usual
-            && !(Range { min, max, above: false }).nearly_holds(inner)
+            && !(Range {
+                min,
+                max,
+                above: false,
+            })
+            .nearly_holds(inner)
         {
             self.checker.warning(
                 "unusual",
                 path,
-                text!("{label} is usually from {min} to {max}{unit}", field.label, number(min), number(max), unit),
+                text!(
+                    "{label} is usually from {min} to {max}{unit}",
+                    field.label,
+                    number(min),
+                    number(max),
+                    unit
+                ),
             );
         }
         Some(inner)
@@ -298,7 +387,12 @@ impl<'a, 'c> Section<'a, 'c> {
                 let message = if said {
                     text!("{label}: {why}", field.label, why)
                 } else {
-                    text!("{label}: {why}. The forms are {forms}", field.label, why, tolerance::FORMS.to_owned())
+                    text!(
+                        "{label}: {why}. The forms are {forms}",
+                        field.label,
+                        why,
+                        tolerance::FORMS.to_owned()
+                    )
                 };
                 self.checker.error("not-a-value", path, message);
                 return None;
@@ -341,7 +435,9 @@ impl Checked for Option<f64> {
 impl Checked for f64 {
     #[inline(never)]
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
-        section.number_or_null(field).expect("a field that is a number has a number as default")
+        section
+            .number_or_null(field)
+            .expect("a field that is a number has a number as default")
     }
 
     fn shown(&self) -> Shown {
@@ -354,7 +450,9 @@ impl Checked for Nominal {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = match field.default {
             Default::Number(x) => Nominal::number(x),
-            Default::Null | Default::Flag(_) | Default::Text(_) | Default::Point(_) => Nominal::default(),
+            Default::Null | Default::Flag(_) | Default::Text(_) | Default::Point(_) => {
+                Nominal::default()
+            }
         };
         match section.get(field.key) {
             None => stand_in,
@@ -383,7 +481,11 @@ impl Checked for [Nominal; 3] {
                 point
             }
             Some(other) => {
-                let message = text!("{label} must be a list of three values, not {given}", field.label, other.noun());
+                let message = text!(
+                    "{label} must be a list of three values, not {given}",
+                    field.label,
+                    other.noun()
+                );
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
@@ -430,7 +532,11 @@ impl Checked for bool {
             Some(Value::Flag(b)) => *b,
             Some(other) => {
                 let path = section.at(field.key);
-                let message = text!("{label} must be true or false, not {given}", field.label, other.noun());
+                let message = text!(
+                    "{label} must be true or false, not {given}",
+                    field.label,
+                    other.noun()
+                );
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
@@ -454,7 +560,9 @@ impl Checked for Vec3 {
             Value::List(items) if items.len() == 3 => {
                 let mut point = [0.0; 3];
                 for (i, item) in items.iter().enumerate() {
-                    point[i] = section.number(item, field, &format!("{path}[{i}]")).unwrap_or(0.0);
+                    point[i] = section
+                        .number(item, field, &format!("{path}[{i}]"))
+                        .unwrap_or(0.0);
                 }
                 Vec3::from_array(point)
             }
@@ -463,7 +571,11 @@ impl Checked for Vec3 {
                     Value::List(items) => text!("a list of {count}", items.len()),
                     _ => other.noun(),
                 };
-                let message = text!("{label} must be a list of three numbers [X, Y, Z], not {what}", field.label, what);
+                let message = text!(
+                    "{label} must be a list of three numbers [X, Y, Z], not {what}",
+                    field.label,
+                    what
+                );
                 section.checker.error("wrong-type", path, message);
                 stand_in
             }
@@ -476,7 +588,9 @@ impl Checked for String {
     fn take(section: &mut Section<'_, '_>, field: &'static Field) -> Self {
         let stand_in = || match field.default {
             Default::Text(text) => text.to_owned(),
-            Default::Number(_) | Default::Flag(_) | Default::Point(_) | Default::Null => String::new(),
+            Default::Number(_) | Default::Flag(_) | Default::Point(_) | Default::Null => {
+                String::new()
+            }
         };
         let path = section.at(field.key);
         match (section.get(field.key), field.kind) {
@@ -485,22 +599,35 @@ impl Checked for String {
                 if choices.iter().any(|c| c.value == text) {
                     return text.clone();
                 }
-                let words: Vec<String> = choices.iter().map(|c| format!("\"{}\"", c.value)).collect();
-                let message =
-                    text!("{label} must be one of {words}, not \"{text}\"", field.label, words.join(", "), printable(text));
+                let words: Vec<String> =
+                    choices.iter().map(|c| format!("\"{}\"", c.value)).collect();
+                let message = text!(
+                    "{label} must be one of {words}, not \"{text}\"",
+                    field.label,
+                    words.join(", "),
+                    printable(text)
+                );
                 section.checker.error("unknown-value", path, message);
                 stand_in()
             }
             (Some(Value::Text(text)), _) => {
                 if text.chars().count() as f64 > field.hard.max {
-                    let message = text!("{label} may have {max} characters at most", field.label, decimal(field.hard.max, 0));
+                    let message = text!(
+                        "{label} may have {max} characters at most",
+                        field.label,
+                        decimal(field.hard.max, 0)
+                    );
                     section.checker.error("too-long", path, message);
                     return stand_in();
                 }
                 text.clone()
             }
             (Some(other), _) => {
-                let message = text!("{label} must be text, not {given}", field.label, other.noun());
+                let message = text!(
+                    "{label} must be text, not {given}",
+                    field.label,
+                    other.noun()
+                );
                 section.checker.error("wrong-type", path, message);
                 stand_in()
             }
@@ -512,14 +639,17 @@ impl Checked for String {
 fn not_a_number(value: &Value, field: &Field, scale: f64) -> Text {
     // `40x6` is a fit, `40x2` a product.
     let product = |text: &str| {
-        let sides = text.split_once(['x', 'X']).map(|(_, other)| other.trim().parse::<u32>());
+        let sides = text
+            .split_once(['x', 'X'])
+            .map(|(_, other)| other.trim().parse::<u32>());
         matches!(sides, Some(Ok(grade)) if !(4..=18).contains(&grade))
     };
     if let Value::Text(text) = value
         && !product(text)
         && let Some(nominal) = tolerance::toleranced(text)
     {
-        let zone = tolerance::zone(text, scale).filter(|[low, high]| field.size && *low > 0.0 && low < high);
+        let zone = tolerance::zone(text, scale)
+            .filter(|[low, high]| field.size && *low > 0.0 && low < high);
         let (text, nominal) = (printable(text), decimal(nominal, 6));
         if let Some([low, high]) = zone {
             return text!(
@@ -542,9 +672,17 @@ fn not_a_number(value: &Value, field: &Field, scale: f64) -> Text {
         return not_read(text.trim(), field.label);
     }
     if field.null.is_some() {
-        text!("{label} must be a number or null, not {given}", field.label, value.noun())
+        text!(
+            "{label} must be a number or null, not {given}",
+            field.label,
+            value.noun()
+        )
     } else {
-        text!("{label} must be a number, not {given}", field.label, value.noun())
+        text!(
+            "{label} must be a number, not {given}",
+            field.label,
+            value.noun()
+        )
     }
 }
 
@@ -557,7 +695,10 @@ fn not_read(text: &str, label: &'static str) -> Text {
     let plain = text.trim_start_matches(['+', '-', '\u{2212}']);
     let digits = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
     // `1,000` or `1.000`, where that is not the decimal sign.
-    if let Some((whole, zeros)) = plain.split_once([',', '.']).filter(|(whole, rest)| digits(whole) && *rest == "000") {
+    if let Some((whole, zeros)) = plain
+        .split_once([',', '.'])
+        .filter(|(whole, rest)| digits(whole) && *rest == "000")
+    {
         return text!(
             "{label} must be a number, not \"{text}\": it may be a thousand or a decimal, enter {thousands} or {whole}",
             label,
@@ -568,7 +709,9 @@ fn not_read(text: &str, label: &'static str) -> Text {
     }
     // `1-1/2`, as inches are read off a drawing, or as a difference.
     if let Some((whole, fraction)) = plain.split_once('-').filter(|(whole, _)| digits(whole))
-        && let Some((over, under)) = fraction.split_once('/').filter(|(over, under)| digits(over) && digits(under))
+        && let Some((over, under)) = fraction
+            .split_once('/')
+            .filter(|(over, under)| digits(over) && digits(under))
     {
         return text!(
             "{label} must be a number, not \"{text}\": it may be a mixed fraction or a difference, enter {mixed} or {difference}",
@@ -579,17 +722,32 @@ fn not_read(text: &str, label: &'static str) -> Text {
         );
     }
     if plain.ends_with("/0") {
-        return text!("{label} must be a number, not \"{text}\": it divides by zero", label, shown);
+        return text!(
+            "{label} must be a number, not \"{text}\": it divides by zero",
+            label,
+            shown
+        );
     }
-    if plain.split_once(['x', 'X']).is_some_and(|(one, other)| digits(one.trim()) && digits(other.trim())) {
-        return text!("{label} must be a number, not \"{text}\": enter * to multiply", label, shown);
+    if plain
+        .split_once(['x', 'X'])
+        .is_some_and(|(one, other)| digits(one.trim()) && digits(other.trim()))
+    {
+        return text!(
+            "{label} must be a number, not \"{text}\": enter * to multiply",
+            label,
+            shown
+        );
     }
     text!("{label} must be a number, not \"{text}\"", label, shown)
 }
 
 /// A user's text, short and without control characters, fit to stand in a message.
 pub(crate) fn printable(text: &str) -> String {
-    let mut shown: String = text.chars().take(40).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
+    let mut shown: String = text
+        .chars()
+        .take(40)
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect();
     if text.chars().nth(40).is_some() {
         shown.push('…');
     }

@@ -12,9 +12,18 @@ pub const STANDING: &[&str] = &[
 
 /// Code and meaning, in the order of the codes.
 pub const CODES: &[(&str, &str)] = &[
-    ("align-needs-confirm", "1411: aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121)."),
-    ("angle-rounded", "An angle has more decimals than the control's parameter takes; the program has it rounded."),
-    ("approach-beyond-wall", "A clearance is so large that the place in front of a touch is behind the opposite wall."),
+    (
+        "align-needs-confirm",
+        "1411: aligning the rotary axis (Q1126) needs the rotation confirmed (Q1121).",
+    ),
+    (
+        "angle-rounded",
+        "An angle has more decimals than the control's parameter takes; the program has it rounded.",
+    ),
+    (
+        "approach-beyond-wall",
+        "A clearance is so large that the place in front of a touch is behind the opposite wall.",
+    ),
     (
         "approach-not-watched",
         "The probe is not watched on the way to the first position, because the program does not know where the stylus starts.",
@@ -23,164 +32,479 @@ pub const CODES: &[(&str, &str)] = &[
         "arc-unsolved",
         "A spline, or an arc of a program whose centre or start is not known or whose end is not on its circle: it is drawn straight.",
     ),
-    ("ball-too-wide", "The ball does not fit between the walls, or into the hole."),
-    ("ball-unknown", "A dump says ball centres but not the ball's diameter: the default is taken."),
+    (
+        "ball-too-wide",
+        "The ball does not fit between the walls, or into the hole.",
+    ),
+    (
+        "ball-unknown",
+        "A dump says ball centres but not the ball's diameter: the default is taken.",
+    ),
     (
         "beyond-travel",
         "The path, or the search past a touch, leaves the travel of the machine that the portal's config states.",
     ),
-    ("block-to-type", "grbl: the block that states the work offset, to be typed before anything moves."),
+    (
+        "block-to-type",
+        "grbl: the block that states the work offset, to be typed before anything moves.",
+    ),
     (
         "block-too-long",
         "A block would be longer than the control reads: names of cycles, and sums of what is followed, make it long.",
     ),
-    ("branch-ends", "A branch whose condition is not known ends the program: the run continues as if it were not taken."),
-    ("circle-in-circle", "1411: one circle is wholly inside the other. Often a diameter in other units."),
-    ("clear-too-low", "A set-up: the height between the cycles is lower than where one of them begins or ends."),
-    ("clearance-height-too-low", "1411: the clearance height is not above the measuring height."),
-    ("clearance-too-small", "A clearance leaves less than 0.01 mm between ball and wall: the touch would begin in contact."),
+    (
+        "branch-ends",
+        "A branch whose condition is not known ends the program: the run continues as if it were not taken.",
+    ),
+    (
+        "circle-in-circle",
+        "1411: one circle is wholly inside the other. Often a diameter in other units.",
+    ),
+    (
+        "clear-too-low",
+        "A set-up: the height between the cycles is lower than where one of them begins or ends.",
+    ),
+    (
+        "clearance-height-too-low",
+        "1411: the clearance height is not above the measuring height.",
+    ),
+    (
+        "clearance-too-small",
+        "A clearance leaves less than 0.01 mm between ball and wall: the touch would begin in contact.",
+    ),
     ("code-twice", "A custom code is given more than once."),
-    ("collision", "A positioning move or a retract hits the feature, nominal or displaced."),
+    (
+        "collision",
+        "A positioning move or a retract hits the feature, nominal or displaced.",
+    ),
     (
         "contact-at-start",
         "A touch triggers so near to its start that the program takes it for a probe that is still deflected, and stops.",
     ),
-    ("converted", "Measured places were converted from machine coordinates; the message says by what."),
-    ("crossing-too-low", "The ball crosses the part below its top side, through the material."),
-    ("cycle-chooses-points", "The control's own cycle chooses its touches, so picked ones cannot be used."),
-    ("cycle-differs", "The moves of the control's own cycle differ from the documented ones shown."),
-    ("cycle-name", "A set-up: the name of a cycle is taken, or cannot be printed by a program."),
-    ("cycle-no-lift", "The control's own cycle that measures only does not lift between its touches."),
-    ("cycle-no-zone", "The control's own cycle needs a protection zone, and these clearances leave none."),
-    ("cycle-not-parallel", "The control's own cycle is called without a rotation, and this feature is turned."),
-    ("cycle-not-square", "The control's own cycle takes walls that are square to each other."),
-    ("cycle-one-path", "The control's own cycle has one measuring path for all walls."),
-    ("cycle-path-short", "The measuring path of the control's own cycle would be too short."),
-    ("cycle-plane", "No source at hand shows how the control's own cycle takes a plane other than G17."),
-    ("cycle-stops", "On the nominal part the control's own cycle would stop with an alarm."),
-    ("datum-apart", "A set-up: with a rotation, X and Y must come from the same cycle."),
-    ("datum-unknown", "A set-up: what is to be written is no result that can be written into this axis."),
-    ("dist-needed", "How far the touches search is a value of the control's probe table: this much is needed there."),
-    ("dist-too-short", "1411: DIST is shorter than the way to the contact, so that no touch reaches it."),
-    ("dry-run-unsupported", "A dry run is a program of moves: the control's own cycle touches by itself."),
-    ("edge-contact", "A touch contacts an edge or a rim instead of a face."),
-    ("extrusion-direction", "1493 along this axis would run off a round object."),
-    ("feeds-of-set-up", "A set-up: cycle 1411 takes the feeds of the job."),
-    ("field-unused", "A value is given that programs for this control, or of this form, do not use."),
-    ("form-unsupported", "The control does not take this cycle in this form; the message says why."),
-    ("given-incomplete", "1411: a given position (@) needs all three axes."),
-    ("given-position", "1411: an object's position is given, so it is not probed."),
-    ("header-unknown", "The header of a program has values that this cycle has no place for."),
-    ("header-unsound", "The job in a program's header has errors."),
-    ("implausible", "On this part a result is off by more than its limit: a program that writes stops with an alarm first."),
-    ("keep-out", "The ball, or what is known of the stylus above it, enters a keep-out zone of the portal's config."),
+    (
+        "converted",
+        "Measured places were converted from machine coordinates; the message says by what.",
+    ),
+    (
+        "crossing-too-low",
+        "The ball crosses the part below its top side, through the material.",
+    ),
+    (
+        "cycle-chooses-points",
+        "The control's own cycle chooses its touches, so picked ones cannot be used.",
+    ),
+    (
+        "cycle-differs",
+        "The moves of the control's own cycle differ from the documented ones shown.",
+    ),
+    (
+        "cycle-name",
+        "A set-up: the name of a cycle is taken, or cannot be printed by a program.",
+    ),
+    (
+        "cycle-no-lift",
+        "The control's own cycle that measures only does not lift between its touches.",
+    ),
+    (
+        "cycle-no-zone",
+        "The control's own cycle needs a protection zone, and these clearances leave none.",
+    ),
+    (
+        "cycle-not-parallel",
+        "The control's own cycle is called without a rotation, and this feature is turned.",
+    ),
+    (
+        "cycle-not-square",
+        "The control's own cycle takes walls that are square to each other.",
+    ),
+    (
+        "cycle-one-path",
+        "The control's own cycle has one measuring path for all walls.",
+    ),
+    (
+        "cycle-path-short",
+        "The measuring path of the control's own cycle would be too short.",
+    ),
+    (
+        "cycle-plane",
+        "No source at hand shows how the control's own cycle takes a plane other than G17.",
+    ),
+    (
+        "cycle-stops",
+        "On the nominal part the control's own cycle would stop with an alarm.",
+    ),
+    (
+        "datum-apart",
+        "A set-up: with a rotation, X and Y must come from the same cycle.",
+    ),
+    (
+        "datum-unknown",
+        "A set-up: what is to be written is no result that can be written into this axis.",
+    ),
+    (
+        "dist-needed",
+        "How far the touches search is a value of the control's probe table: this much is needed there.",
+    ),
+    (
+        "dist-too-short",
+        "1411: DIST is shorter than the way to the contact, so that no touch reaches it.",
+    ),
+    (
+        "dry-run-unsupported",
+        "A dry run is a program of moves: the control's own cycle touches by itself.",
+    ),
+    (
+        "edge-contact",
+        "A touch contacts an edge or a rim instead of a face.",
+    ),
+    (
+        "extrusion-direction",
+        "1493 along this axis would run off a round object.",
+    ),
+    (
+        "feeds-of-set-up",
+        "A set-up: cycle 1411 takes the feeds of the job.",
+    ),
+    (
+        "field-unused",
+        "A value is given that programs for this control, or of this form, do not use.",
+    ),
+    (
+        "form-unsupported",
+        "The control does not take this cycle in this form; the message says why.",
+    ),
+    (
+        "given-incomplete",
+        "1411: a given position (@) needs all three axes.",
+    ),
+    (
+        "given-position",
+        "1411: an object's position is given, so it is not probed.",
+    ),
+    (
+        "header-unknown",
+        "The header of a program has values that this cycle has no place for.",
+    ),
+    (
+        "header-unsound",
+        "The job in a program's header has errors.",
+    ),
+    (
+        "implausible",
+        "On this part a result is off by more than its limit: a program that writes stops with an alarm first.",
+    ),
+    (
+        "keep-out",
+        "The ball, or what is known of the stylus above it, enters a keep-out zone of the portal's config.",
+    ),
     (
         "length-not-along-tool-axis",
         "The tool length that the control uses does not act along the tool axis: the touches would be wrong by the stylus' length.",
     ),
-    ("length-to-centre", "The tool axis of a work offset is written: the length of the probe must end at the ball centre."),
-    ("lift-unused", "A lift is given, but the job is not a dry run."),
-    ("limit-stops", "A result that is off by more than its limit stops the control's own cycle with a message."),
-    ("limits-not-asked", "The control's own cycle writes what it measures without asking the limits."),
-    ("lines-differ", "The blocks of a program are those of its job, and lines between them were changed."),
-    ("lines-optional", "Lines of a program may be left out by the control (/): they are read."),
+    (
+        "length-to-centre",
+        "The tool axis of a work offset is written: the length of the probe must end at the ball centre.",
+    ),
+    (
+        "lift-unused",
+        "A lift is given, but the job is not a dry run.",
+    ),
+    (
+        "limit-stops",
+        "A result that is off by more than its limit stops the control's own cycle with a message.",
+    ),
+    (
+        "limits-not-asked",
+        "The control's own cycle writes what it measures without asking the limits.",
+    ),
+    (
+        "lines-differ",
+        "The blocks of a program are those of its job, and lines between them were changed.",
+    ),
+    (
+        "lines-optional",
+        "Lines of a program may be left out by the control (/): they are read.",
+    ),
     (
         "lines-skipped",
         "Lines of a program that jump, call, compute, run a cycle or are not understood, or its axes other than X, Y and Z, were not followed: its other moves are shown.",
     ),
-    ("locked", "The portal's config fixes this field at another value."),
-    ("low-crossing", "The ball crosses below the top side of a pocket: an island would be hit."),
-    ("low-rapid", "A rapid that nothing watches goes down or across below the clearance plane."),
-    ("low-start", "The source knows no top side, and the path begins and ends only a little above the touches."),
-    ("machine-places", "A program goes to places of the machine's own system: where that is in the work system is not known."),
+    (
+        "locked",
+        "The portal's config fixes this field at another value.",
+    ),
+    (
+        "low-crossing",
+        "The ball crosses below the top side of a pocket: an island would be hit.",
+    ),
+    (
+        "low-rapid",
+        "A rapid that nothing watches goes down or across below the clearance plane.",
+    ),
+    (
+        "low-start",
+        "The source knows no top side, and the path begins and ends only a little above the touches.",
+    ),
+    (
+        "machine-places",
+        "A program goes to places of the machine's own system: where that is in the work system is not known.",
+    ),
     (
         "macro-not-seen",
         "A macro that the program calls follows from the numbers of others: no source shows it on this control.",
     ),
-    ("macro-stops", "A macro of the control's own ends a run with an alarm."),
+    (
+        "macro-stops",
+        "A macro of the control's own ends a run with an alarm.",
+    ),
     ("missing", "Something that a job needs is not there."),
     ("missing-code", "A dump lacks a code: the default is taken."),
-    ("missing-parameter", "A program lacks a parameter: the form's default is taken."),
-    ("mixed-forms", "A text of measured values has several kinds of them: which ones count is not clear."),
+    (
+        "missing-parameter",
+        "A program lacks a parameter: the form's default is taken.",
+    ),
+    (
+        "mixed-forms",
+        "A text of measured values has several kinds of them: which ones count is not clear.",
+    ),
     ("more-findings", "More was found than is listed."),
-    ("moves-before-cycle", "A Klartext program moves before its cycle: the stylus then does not start where the job says."),
-    ("name-changed", "The job's name has characters that a program must not have; they are replaced there."),
-    ("needs-calibration", "The control's own cycle asks for another calibration of the probe."),
-    ("nested-too-deeply", "JSON has more levels than any job: it is not read."),
-    ("newer-format", "The job is of a newer format than this version reads."),
-    ("no-arc", "1411: the touches of a circle lie on one spot, or too near to each other."),
-    ("no-block", "grbl: no block for the work offset is given, since a result, the work offset or the position is not known."),
-    ("no-circle", "Fewer than three touches stand apart: they give no circle."),
-    ("no-contact", "A touch finds nothing before the end of its search on this part."),
-    ("no-direction", "1411: both circles are in one place, so the line through them has no direction."),
-    ("no-extrusion", "1493 with a length of 0 repeats every touch on one spot."),
-    ("no-job-in-program", "A program of moves holds no job: only its moves were read."),
+    (
+        "moves-before-cycle",
+        "A Klartext program moves before its cycle: the stylus then does not start where the job says.",
+    ),
+    (
+        "name-changed",
+        "The job's name has characters that a program must not have; they are replaced there.",
+    ),
+    (
+        "needs-calibration",
+        "The control's own cycle asks for another calibration of the probe.",
+    ),
+    (
+        "nested-too-deeply",
+        "JSON has more levels than any job: it is not read.",
+    ),
+    (
+        "newer-format",
+        "The job is of a newer format than this version reads.",
+    ),
+    (
+        "no-arc",
+        "1411: the touches of a circle lie on one spot, or too near to each other.",
+    ),
+    (
+        "no-block",
+        "grbl: no block for the work offset is given, since a result, the work offset or the position is not known.",
+    ),
+    (
+        "no-circle",
+        "Fewer than three touches stand apart: they give no circle.",
+    ),
+    (
+        "no-contact",
+        "A touch finds nothing before the end of its search on this part.",
+    ),
+    (
+        "no-direction",
+        "1411: both circles are in one place, so the line through them has no direction.",
+    ),
+    (
+        "no-extrusion",
+        "1493 with a length of 0 repeats every touch on one spot.",
+    ),
+    (
+        "no-job-in-program",
+        "A program of moves holds no job: only its moves were read.",
+    ),
     ("no-moves", "A text gives no move that can be read."),
-    ("no-results-in-program", "The control has no arithmetic: the program reports touches and computes nothing."),
-    ("no-retract", "1411: the probe is not retracted between touches or objects, against the manual's advice."),
-    ("no-touches", "A dump has no touch points: place and rotation of the feature are the defaults."),
-    ("no-units", "A program does not say its units, or says them only below its first moves."),
+    (
+        "no-results-in-program",
+        "The control has no arithmetic: the program reports touches and computes nothing.",
+    ),
+    (
+        "no-retract",
+        "1411: the probe is not retracted between touches or objects, against the manual's advice.",
+    ),
+    (
+        "no-touches",
+        "A dump has no touch points: place and rotation of the feature are the defaults.",
+    ),
+    (
+        "no-units",
+        "A program does not say its units, or says them only below its first moves.",
+    ),
     ("not-a-flag", "A value of a dump should be true or false."),
-    ("not-a-number", "A value that should be a number is not one."),
-    ("not-a-tolerance", "The tolerance of a result cannot be read, or its class does not exist for this size."),
-    ("not-a-value", "A nominal value is neither a number nor one of the texts that are known."),
-    ("not-allowed", "The portal's config does not allow this choice or this value."),
+    (
+        "not-a-number",
+        "A value that should be a number is not one.",
+    ),
+    (
+        "not-a-tolerance",
+        "The tolerance of a result cannot be read, or its class does not exist for this size.",
+    ),
+    (
+        "not-a-value",
+        "A nominal value is neither a number nor one of the texts that are known.",
+    ),
+    (
+        "not-allowed",
+        "The portal's config does not allow this choice or this value.",
+    ),
     (
         "not-at-feed",
         "A touch begins so close to its contact that the axes are still accelerating there: the probe was calibrated at the full feed.",
     ),
-    ("not-called", "A subroutine that nothing in its text calls is shown, with arguments that are not known."),
+    (
+        "not-called",
+        "A subroutine that nothing in its text calls is shown, with arguments that are not known.",
+    ),
     ("not-finite", "A number is infinite or NaN."),
-    ("not-in-dump", "Values that a dump does not give are defaults."),
-    ("not-in-program", "Values that a program does not give are defaults."),
+    (
+        "not-in-dump",
+        "Values that a dump does not give are defaults.",
+    ),
+    (
+        "not-in-program",
+        "Values that a program does not give are defaults.",
+    ),
     ("not-json", "The text is not JSON."),
-    ("not-known", "A program of moves needs a value that only the control has."),
-    ("not-on-one-circle", "Picked touches do not lie on one circle."),
+    (
+        "not-known",
+        "A program of moves needs a value that only the control has.",
+    ),
+    (
+        "not-on-one-circle",
+        "Picked touches do not lie on one circle.",
+    ),
     ("not-on-one-wall", "Picked touches do not lie on one wall."),
     (
         "not-proven",
         "A program of moves, read back, does not match its path and is refused. A fault in Touchpath: please report it.",
     ),
-    ("not-rectangular", "The variant with four touches has picked touches that are not at right angles."),
-    ("not-understood", "A line of a program is outside the part of the language read here."),
-    ("not-verified", "The program was not run on a control of this kind."),
+    (
+        "not-rectangular",
+        "The variant with four touches has picked touches that are not at right angles.",
+    ),
+    (
+        "not-understood",
+        "A line of a program is outside the part of the language read here.",
+    ),
+    (
+        "not-verified",
+        "The program was not run on a control of this kind.",
+    ),
     ("not-whole", "A number should be whole."),
-    ("nothing-switched", "The cycle is rows of the parameter table alone: its program switches nothing and moves nothing."),
+    (
+        "nothing-switched",
+        "The cycle is rows of the parameter table alone: its program switches nothing and moves nothing.",
+    ),
     ("nothing-to-import", "No job can be made of the text."),
-    ("nothing-to-write", "The cycle measures nothing that a work offset could take."),
-    ("number-protected", "A program number from 8000 to 9999 is usually protected on the control, or that of a macro."),
-    ("number-unused", "A program number is given for a control whose programs have none."),
-    ("offset-in-parts", "The control's own cycles write the axes of a work offset one after the other."),
+    (
+        "nothing-to-write",
+        "The cycle measures nothing that a work offset could take.",
+    ),
+    (
+        "number-protected",
+        "A program number from 8000 to 9999 is usually protected on the control, or that of a macro.",
+    ),
+    (
+        "number-unused",
+        "A program number is given for a control whose programs have none.",
+    ),
+    (
+        "offset-in-parts",
+        "The control's own cycles write the axes of a work offset one after the other.",
+    ),
     (
         "offset-measured-again",
         "The control's own cycle writes an axis that is measured again afterwards, in the system that it has moved.",
     ),
-    ("offset-one-direction", "A work offset gets more axes than the touches have directions: a shift across them is not seen."),
-    ("offset-optional", "The work offset is an option of the control: one without it raises an alarm."),
-    ("order-of-cycles", "A set-up: the height of the part is measured after features that hang on it."),
-    ("orient-unsupported", "The program of this control cannot turn the spindle to an angle."),
-    ("other-control", "The job names another control than the page around, or the option `--post`, asks for."),
-    ("other-form", "The control does not take the job in this form of program, and takes it in the other."),
-    ("other-units", "The job names other units than the page around asks for."),
+    (
+        "offset-one-direction",
+        "A work offset gets more axes than the touches have directions: a shift across them is not seen.",
+    ),
+    (
+        "offset-optional",
+        "The work offset is an option of the control: one without it raises an alarm.",
+    ),
+    (
+        "order-of-cycles",
+        "A set-up: the height of the part is measured after features that hang on it.",
+    ),
+    (
+        "orient-unsupported",
+        "The program of this control cannot turn the spindle to an angle.",
+    ),
+    (
+        "other-control",
+        "The job names another control than the page around, or the option `--post`, asks for.",
+    ),
+    (
+        "other-form",
+        "The control does not take the job in this form of program, and takes it in the other.",
+    ),
+    (
+        "other-units",
+        "The job names other units than the page around asks for.",
+    ),
     ("other-version", "Another version wrote the program."),
     ("out-of-range", "A number is outside the allowed range."),
-    ("out-of-tolerance", "On this part a result is out of a tolerance on which the program acts."),
-    ("overtravel-too-short", "The control's own cycle cannot search so little behind the contact."),
-    ("own-codes", "A dump has more custom codes than are kept, or one of them twice."),
-    ("own-moves", "The moves of macros of the control's own are those of one edition."),
-    ("own-path", "The moves shown are those of the control's own cycles."),
-    ("pairs-not-square", "The two pairs of picked walls are not square to each other."),
-    ("part-not-in-program", "A program does not contain the part's position: the nominal part is assumed."),
-    ("passed-over", "Blocks of a program that are not about the cycle were ignored."),
+    (
+        "out-of-tolerance",
+        "On this part a result is out of a tolerance on which the program acts.",
+    ),
+    (
+        "overtravel-too-short",
+        "The control's own cycle cannot search so little behind the contact.",
+    ),
+    (
+        "own-codes",
+        "A dump has more custom codes than are kept, or one of them twice.",
+    ),
+    (
+        "own-moves",
+        "The moves of macros of the control's own are those of one edition.",
+    ),
+    (
+        "own-path",
+        "The moves shown are those of the control's own cycles.",
+    ),
+    (
+        "pairs-not-square",
+        "The two pairs of picked walls are not square to each other.",
+    ),
+    (
+        "part-not-in-program",
+        "A program does not contain the part's position: the nominal part is assumed.",
+    ),
+    (
+        "passed-over",
+        "Blocks of a program that are not about the cycle were ignored.",
+    ),
     (
         "passes-close",
         "A positioning move passes the drawn part closely: on a part that is a little displaced, it makes contact.",
     ),
-    ("path-not-above", "The path would end below its highest point: one touch is too high compared with the others."),
-    ("picks-differ", "A size in the form differs from the one between the picked touches, which counts."),
-    ("picks-out-of-range", "Picked touches give a size outside of what is allowed."),
-    ("place-of-result", "A set-up: a place, rotation or size of a cycle is to follow a result that it cannot follow."),
-    ("place-too-far", "A set-up: on this part a result is so far off that the program stops before the cycle that follows it."),
+    (
+        "path-not-above",
+        "The path would end below its highest point: one touch is too high compared with the others.",
+    ),
+    (
+        "picks-differ",
+        "A size in the form differs from the one between the picked touches, which counts.",
+    ),
+    (
+        "picks-out-of-range",
+        "Picked touches give a size outside of what is allowed.",
+    ),
+    (
+        "place-of-result",
+        "A set-up: a place, rotation or size of a cycle is to follow a result that it cannot follow.",
+    ),
+    (
+        "place-too-far",
+        "A set-up: on this part a result is so far off that the program stops before the cycle that follows it.",
+    ),
     (
         "places-computed",
         "A program goes to places that the control computes, or along a tool whose length was changed: they are not known here, until a number is given.",
@@ -189,136 +513,393 @@ pub const CODES: &[(&str, &str)] = &[
         "places-transformed",
         "A program shifts, rotates, mirrors or scales its system, uses another work offset or compensates the radius of the tool: that is ignored, and later positions are as written.",
     ),
-    ("plane-from-dump", "The plane was found from the points of a dump."),
-    ("plane-unknown", "The points of a dump fit several planes, or none."),
-    ("plane-unsupported", "The control takes no program for this plane."),
+    (
+        "plane-from-dump",
+        "The plane was found from the points of a dump.",
+    ),
+    (
+        "plane-unknown",
+        "The points of a dump fit several planes, or none.",
+    ),
+    (
+        "plane-unsupported",
+        "The control takes no program for this plane.",
+    ),
     (
         "points-differ",
         "The used points of a dump (-100 and following) differ from the original ones (-200): the used ones are taken.",
     ),
     ("portal", "What the portal itself says of the job."),
-    ("positioning-not-watched", "A contact in a positioning move goes unnoticed."),
-    ("predefined", "A value is the control's own (PREDEF): the form's number stands in for the picture."),
-    ("probe-move-too-short", "Older interpreters of LinuxCNC refuse probe moves this short."),
-    ("probing-too-fast", "A probing move is not below the feed limit in a manual of the control's maker."),
-    ("program-differs", "A program is not the one that the job in its header makes."),
-    ("program-stops", "A program stops itself with a message or an alarm."),
-    ("protection-unsupported", "The control takes only programs whose positioning is watched."),
-    ("rapid-at-feed", "A rapid runs at a feed, because it is watched or goes down."),
-    ("reaction-unsupported", "A program of moves checks no tolerances, and so does not react to them (Q309)."),
+    (
+        "positioning-not-watched",
+        "A contact in a positioning move goes unnoticed.",
+    ),
+    (
+        "predefined",
+        "A value is the control's own (PREDEF): the form's number stands in for the picture.",
+    ),
+    (
+        "probe-move-too-short",
+        "Older interpreters of LinuxCNC refuse probe moves this short.",
+    ),
+    (
+        "probing-too-fast",
+        "A probing move is not below the feed limit in a manual of the control's maker.",
+    ),
+    (
+        "program-differs",
+        "A program is not the one that the job in its header makes.",
+    ),
+    (
+        "program-stops",
+        "A program stops itself with a message or an alarm.",
+    ),
+    (
+        "protection-unsupported",
+        "The control takes only programs whose positioning is watched.",
+    ),
+    (
+        "rapid-at-feed",
+        "A rapid runs at a feed, because it is watched or goes down.",
+    ),
+    (
+        "reaction-unsupported",
+        "A program of moves checks no tolerances, and so does not react to them (Q309).",
+    ),
     (
         "relation-not-computed",
         "A set-up: the program does not compute the relations. They are computed from its results, entered as measured values.",
     ),
-    ("relation-of", "A set-up: a relation is of something that it cannot be of."),
+    (
+        "relation-of",
+        "A set-up: a relation is of something that it cannot be of.",
+    ),
     (
         "repeat-unsupported",
         "Each point is to be touched several times, and neither a cycle of the control's own nor extrusion probing takes that.",
     ),
-    ("result-missing", "A text with results lacks some of the job's."),
+    (
+        "result-missing",
+        "A text with results lacks some of the job's.",
+    ),
     ("result-twice", "A text gives two values of one result."),
-    ("result-untrue", "On this part the control stores values that differ from what is true of it."),
-    ("rotary-unsupported", "A program of moves does not turn a rotary table."),
-    ("rotation-not-written", "A rotation is measured, and the work offset takes no rotation from it."),
-    ("rotation-unsupported", "The control cannot write this rotation into a work offset."),
-    ("row-activated", "A row of the preset table is written and activated, with what else stands in it."),
-    ("rule-broken", "A program breaks a safety rule that must hold: it is refused. A fault in Touchpath: please report it."),
+    (
+        "result-untrue",
+        "On this part the control stores values that differ from what is true of it.",
+    ),
+    (
+        "rotary-unsupported",
+        "A program of moves does not turn a rotary table.",
+    ),
+    (
+        "rotation-not-written",
+        "A rotation is measured, and the work offset takes no rotation from it.",
+    ),
+    (
+        "rotation-unsupported",
+        "The control cannot write this rotation into a work offset.",
+    ),
+    (
+        "row-activated",
+        "A row of the preset table is written and activated, with what else stands in it.",
+    ),
+    (
+        "rule-broken",
+        "A program breaks a safety rule that must hold: it is refused. A fault in Touchpath: please report it.",
+    ),
     (
         "search-too-short",
         "A touch searches so little past its nominal contact that the control could not tell its contact from its end.",
     ),
-    ("semi-automatic", "1411: the operator moves the probe to this object; no path can be shown."),
-    ("semi-automatic-unsupported", "A semi-automatic object needs the control's own cycle."),
-    ("set-up-too-long", "The probe table's SET_UP and the ball's radius are more than a clearance of the job."),
-    ("set-up-unsupported", "A set-up: a cycle, or the control, does not take part in one; the message says why."),
-    ("several-cycles", "The text holds several cycles: the first is taken."),
-    ("shank-collision", "The shank or the probe body above the ball hits the feature, nominal or displaced."),
-    ("short-arc", "1411: over so short an arc the centre is uncertain."),
-    ("small-hole", "1411: the hole is smaller than the set-up clearance; the control asks, and starts from its centre."),
-    ("start-in-feature", "The path would begin and end inside the feature; the message says the least feed distance."),
-    ("start-unknown", "Incremental moves of a program begin at a place that is not known: they are counted from 0."),
-    ("starts-disagree", "Picked touches and their clearances put the one start of the cycle at several places."),
-    ("stops-too-late", "At this feed the axes stop later after a contact than the stylus takes."),
-    ("stylus-from-dump", "The ball's diameter was found from the used and the original points of a dump."),
+    (
+        "semi-automatic",
+        "1411: the operator moves the probe to this object; no path can be shown.",
+    ),
+    (
+        "semi-automatic-unsupported",
+        "A semi-automatic object needs the control's own cycle.",
+    ),
+    (
+        "set-up-too-long",
+        "The probe table's SET_UP and the ball's radius are more than a clearance of the job.",
+    ),
+    (
+        "set-up-unsupported",
+        "A set-up: a cycle, or the control, does not take part in one; the message says why.",
+    ),
+    (
+        "several-cycles",
+        "The text holds several cycles: the first is taken.",
+    ),
+    (
+        "shank-collision",
+        "The shank or the probe body above the ball hits the feature, nominal or displaced.",
+    ),
+    (
+        "short-arc",
+        "1411: over so short an arc the centre is uncertain.",
+    ),
+    (
+        "small-hole",
+        "1411: the hole is smaller than the set-up clearance; the control asks, and starts from its centre.",
+    ),
+    (
+        "start-in-feature",
+        "The path would begin and end inside the feature; the message says the least feed distance.",
+    ),
+    (
+        "start-unknown",
+        "Incremental moves of a program begin at a place that is not known: they are counted from 0.",
+    ),
+    (
+        "starts-disagree",
+        "Picked touches and their clearances put the one start of the cycle at several places.",
+    ),
+    (
+        "stops-too-late",
+        "At this feed the axes stop later after a contact than the stylus takes.",
+    ),
+    (
+        "stylus-from-dump",
+        "The ball's diameter was found from the used and the original points of a dump.",
+    ),
     (
         "stylus-not-known",
         "The stylus above its ball, or the height of the part, is not known: whether shank and body clear the part is not checked.",
     ),
     ("text-too-long", "The text is longer than the limit."),
-    ("tolerance-beyond-limit", "A tolerance reaches beyond the limit of what is plausible."),
-    ("tolerance-elsewhere", "A tolerance says its own nominal value, and that of the result is another."),
-    ("tolerance-unknown", "A tolerance is of a result that this job does not have."),
-    ("tolerance-unsupported", "This result takes no tolerance, or the program cannot act on it."),
-    ("too-far", "A measured point is farther from its touch than the touch can reach."),
+    (
+        "tolerance-beyond-limit",
+        "A tolerance reaches beyond the limit of what is plausible.",
+    ),
+    (
+        "tolerance-elsewhere",
+        "A tolerance says its own nominal value, and that of the result is another.",
+    ),
+    (
+        "tolerance-unknown",
+        "A tolerance is of a result that this job does not have.",
+    ),
+    (
+        "tolerance-unsupported",
+        "This result takes no tolerance, or the program cannot act on it.",
+    ),
+    (
+        "too-far",
+        "A measured point is farther from its touch than the touch can reach.",
+    ),
     ("too-long", "A text is longer than its field takes."),
-    ("too-many-digits", "A place is so far away that its numbers need more digits than a control takes."),
-    ("too-many-registers", "The program would need more variables than the control has."),
-    ("too-many-touches", "More touches than the parameter table can hold."),
-    ("tool-axis-reversed", "The tool's first length acts against the tool axis."),
-    ("tool-by-name", "The tool is called by its name: its number is not known."),
-    ("tool-corrected", "What the macro makes of a tool offset on the virtual part."),
-    ("tool-length-unchecked", "The program does not check along which axis the length of the tool acts."),
+    (
+        "too-many-digits",
+        "A place is so far away that its numbers need more digits than a control takes.",
+    ),
+    (
+        "too-many-registers",
+        "The program would need more variables than the control has.",
+    ),
+    (
+        "too-many-touches",
+        "More touches than the parameter table can hold.",
+    ),
+    (
+        "tool-axis-reversed",
+        "The tool's first length acts against the tool axis.",
+    ),
+    (
+        "tool-by-name",
+        "The tool is called by its name: its number is not known.",
+    ),
+    (
+        "tool-corrected",
+        "What the macro makes of a tool offset on the virtual part.",
+    ),
+    (
+        "tool-length-unchecked",
+        "The program does not check along which axis the length of the tool acts.",
+    ),
     ("touch-above-top", "A picked touch is above the top side."),
-    ("touch-aside", "A touch is not straight in front of the middle that its cycle touches from."),
-    ("touch-askew", "A touch would run askew of its inverted target vector."),
-    ("touch-beyond-corner", "In a touch of a corner the ball would contact the other wall first."),
+    (
+        "touch-aside",
+        "A touch is not straight in front of the middle that its cycle touches from.",
+    ),
+    (
+        "touch-askew",
+        "A touch would run askew of its inverted target vector.",
+    ),
+    (
+        "touch-beyond-corner",
+        "In a touch of a corner the ball would contact the other wall first.",
+    ),
     (
         "touch-close",
         "A touch begins close to its nominal contact: on a part that is a little displaced, the move before it makes contact.",
     ),
-    ("touch-missed", "A log reports a touch without contact: results that need it are unknown."),
-    ("touch-missing", "A touch would not be in the path, or not once."),
-    ("touch-near-edge", "The ball is touched above its middle, at the edge of the top side."),
-    ("touch-too-short", "A touch would begin too near to its contact."),
+    (
+        "touch-missed",
+        "A log reports a touch without contact: results that need it are unknown.",
+    ),
+    (
+        "touch-missing",
+        "A touch would not be in the path, or not once.",
+    ),
+    (
+        "touch-near-edge",
+        "The ball is touched above its middle, at the edge of the top side.",
+    ),
+    (
+        "touch-too-short",
+        "A touch would begin too near to its contact.",
+    ),
     ("touches-coincide", "Two touches lie on one spot."),
-    ("touches-kept", "The touches of a dump are not those of its dimensions: they are kept as picked."),
-    ("touches-not-level", "Picked touches of one feature lie at different heights."),
-    ("touches-unsound", "The touches of a dump do not make its feature; the job has findings of its own about it."),
+    (
+        "touches-kept",
+        "The touches of a dump are not those of its dimensions: they are kept as picked.",
+    ),
+    (
+        "touches-not-level",
+        "Picked touches of one feature lie at different heights.",
+    ),
+    (
+        "touches-unsound",
+        "The touches of a dump do not make its feature; the job has findings of its own about it.",
+    ),
     (
         "turn-beyond-limit",
         "A set-up: a part that is turned by as much as the limit allows has a cycle farther off than its position may be.",
     ),
-    ("uncertain-result", "A result scatters by many times as much as a single touch."),
-    ("unclear-line", "A line of measured values could be one of them, and cannot be read as the others are."),
-    ("units-differ", "The blocks of a program are in other units than the job in its header, which was converted."),
+    (
+        "uncertain-result",
+        "A result scatters by many times as much as a single touch.",
+    ),
+    (
+        "unclear-line",
+        "A line of measured values could be one of them, and cannot be read as the others are.",
+    ),
+    (
+        "units-differ",
+        "The blocks of a program are in other units than the job in its header, which was converted.",
+    ),
     (
         "units-found",
         "A log does not say whether it is in mm or in inch: it is read in the one that is in reach of the touches.",
     ),
-    ("units-not-stated", "Programs of this control cannot state their units: the machine must be set to them."),
-    ("units-unclear", "Whether a log is in mm or in inch is not clear."),
-    ("units-unknown", "The text does not say its units: mm is taken."),
-    ("unknown-code", "A dump has a code that its cycle does not know."),
+    (
+        "units-not-stated",
+        "Programs of this control cannot state their units: the machine must be set to them.",
+    ),
+    (
+        "units-unclear",
+        "Whether a log is in mm or in inch is not clear.",
+    ),
+    (
+        "units-unknown",
+        "The text does not say its units: mm is taken.",
+    ),
+    (
+        "unknown-code",
+        "A dump has a code that its cycle does not know.",
+    ),
     ("unknown-key", "An object has a key that is not known."),
-    ("unknown-parameter", "A program has a parameter that its cycle does not know."),
-    ("unknown-result", "A text gives a result that the job does not have."),
-    ("unknown-type", "A dump has a type number that is not known."),
+    (
+        "unknown-parameter",
+        "A program has a parameter that its cycle does not know.",
+    ),
+    (
+        "unknown-result",
+        "A text gives a result that the job does not have.",
+    ),
+    (
+        "unknown-type",
+        "A dump has a type number that is not known.",
+    ),
     ("unknown-value", "The value is not one of those allowed."),
-    ("unreadable", "A value cannot be read at all, as a revoked proxy in JavaScript."),
-    ("unsafe-program", "A program moves unwatched, or lacks a check."),
-    ("unusable", "The form cannot show a job: the message says which part of it."),
+    (
+        "unreadable",
+        "A value cannot be read at all, as a revoked proxy in JavaScript.",
+    ),
+    (
+        "unsafe-program",
+        "A program moves unwatched, or lacks a check.",
+    ),
+    (
+        "unusable",
+        "The form cannot show a job: the message says which part of it.",
+    ),
     ("unusual", "A number is allowed, but unusual."),
-    ("vector-not-in-plane", "A target vector must lie in the working plane."),
+    (
+        "vector-not-in-plane",
+        "A target vector must lie in the working plane.",
+    ),
     ("vector-not-unit", "A target vector must have the length 1."),
-    ("vector-not-upwards", "A target vector must point along the tool axis."),
-    ("vector-wrong-way", "A target vector must point out of the material, towards the ball."),
-    ("vectors-not-opposite", "Touches that should be opposite have target vectors that are not."),
-    ("walls-parallel", "Walls of a corner are parallel, or nearly so."),
-    ("wear-off-middle", "A tool is corrected towards the nominal value, and that is not the middle of the tolerance."),
-    ("wear-unlimited", "A tool is corrected by a size that has no limit."),
-    ("wear-unsupported", "No tool can be corrected by this result, or on this control."),
-    ("words-twice", "A block of a program names two motions, or two places along an axis: the last is read."),
-    ("work-offset-needed", "A log has machine coordinates and does not say the work offset: the message says what to add."),
-    ("work-offset-unclear", "A log says two work offsets: which one the touches were made in is not clear."),
-    ("work-offset-unsupported", "The control cannot write a work offset from a program, or not this one."),
-    ("wrong-code", "A custom code must be a whole number above 0."),
-    ("wrong-count", "There are too few or too many of something: touches, points, numbers in a line."),
+    (
+        "vector-not-upwards",
+        "A target vector must point along the tool axis.",
+    ),
+    (
+        "vector-wrong-way",
+        "A target vector must point out of the material, towards the ball.",
+    ),
+    (
+        "vectors-not-opposite",
+        "Touches that should be opposite have target vectors that are not.",
+    ),
+    (
+        "walls-parallel",
+        "Walls of a corner are parallel, or nearly so.",
+    ),
+    (
+        "wear-off-middle",
+        "A tool is corrected towards the nominal value, and that is not the middle of the tolerance.",
+    ),
+    (
+        "wear-unlimited",
+        "A tool is corrected by a size that has no limit.",
+    ),
+    (
+        "wear-unsupported",
+        "No tool can be corrected by this result, or on this control.",
+    ),
+    (
+        "words-twice",
+        "A block of a program names two motions, or two places along an axis: the last is read.",
+    ),
+    (
+        "work-offset-needed",
+        "A log has machine coordinates and does not say the work offset: the message says what to add.",
+    ),
+    (
+        "work-offset-unclear",
+        "A log says two work offsets: which one the touches were made in is not clear.",
+    ),
+    (
+        "work-offset-unsupported",
+        "The control cannot write a work offset from a program, or not this one.",
+    ),
+    (
+        "wrong-code",
+        "A custom code must be a whole number above 0.",
+    ),
+    (
+        "wrong-count",
+        "There are too few or too many of something: touches, points, numbers in a line.",
+    ),
     ("wrong-type", "A value is not of its field's type."),
-    ("wrong-wall", "On this part a touch contacts another wall than its own."),
-    ("zone-beyond-clearance", "Even a part within tolerance is in the way where the ball goes down."),
-    ("zone-beyond-dist", "A part within tolerance can be beyond the search: a good part can be missed."),
+    (
+        "wrong-wall",
+        "On this part a touch contacts another wall than its own.",
+    ),
+    (
+        "zone-beyond-clearance",
+        "Even a part within tolerance is in the way where the ball goes down.",
+    ),
+    (
+        "zone-beyond-dist",
+        "A part within tolerance can be beyond the search: a good part can be missed.",
+    ),
 ];
 
 pub fn is_listed(code: &str) -> bool {
-    CODES.binary_search_by_key(&code, |(listed, _)| listed).is_ok()
+    CODES
+        .binary_search_by_key(&code, |(listed, _)| listed)
+        .is_ok()
 }

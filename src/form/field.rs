@@ -33,7 +33,10 @@ pub struct Field {
     /// The other field of its form, and the number that this must have for the field to count at all.
     pub when: Option<(&'static str, i32)>,
     /// Which view shows what it gives, where no dimension of its own does.
-    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "the page looks for the view"))]
+    #[cfg_attr(
+        not(target_arch = "wasm32"),
+        allow(dead_code, reason = "the page looks for the view")
+    )]
     pub seen: Option<Seen>,
 }
 
@@ -81,8 +84,19 @@ impl Kind {
     /// Whether values are converted with the units of the job.
     pub const fn is_metric(self) -> bool {
         match self {
-            Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Point | Kind::Nominal | Kind::NominalPoint => true,
-            Kind::Time | Kind::Angle | Kind::Count | Kind::Flag | Kind::Choice(_) | Kind::Text(_) | Kind::Code(_) => false,
+            Kind::Length
+            | Kind::Feed
+            | Kind::Acceleration
+            | Kind::Point
+            | Kind::Nominal
+            | Kind::NominalPoint => true,
+            Kind::Time
+            | Kind::Angle
+            | Kind::Count
+            | Kind::Flag
+            | Kind::Choice(_)
+            | Kind::Text(_)
+            | Kind::Code(_) => false,
         }
     }
 }
@@ -148,17 +162,32 @@ impl Range {
     /// inch.
     pub fn snapped(&self, x: f64) -> f64 {
         let inside = crate::num::within(x, self.min, self.max);
-        if (x - inside).abs() <= Self::NOISE { inside } else { x }
+        if (x - inside).abs() <= Self::NOISE {
+            inside
+        } else {
+            x
+        }
     }
 
     /// Whether a number lies inside. NaN does not.
     pub fn holds(&self, x: f64) -> bool {
-        x <= self.max && if self.above { x > self.min } else { x >= self.min }
+        x <= self.max
+            && if self.above {
+                x > self.min
+            } else {
+                x >= self.min
+            }
     }
 }
 
 impl Field {
-    const fn new(key: &'static str, label: &'static str, kind: Kind, default: Default, hard: Range) -> Self {
+    const fn new(
+        key: &'static str,
+        label: &'static str,
+        kind: Kind,
+        default: Default,
+        hard: Range,
+    ) -> Self {
         Field {
             key,
             label,
@@ -180,82 +209,194 @@ impl Field {
 
     /// A length, by default anywhere from −100 m to 100 m.
     pub const fn length(key: &'static str, label: &'static str, default: f64) -> Self {
-        let hard = Range { min: -100_000.0, max: 100_000.0, above: false };
+        let hard = Range {
+            min: -100_000.0,
+            max: 100_000.0,
+            above: false,
+        };
         Field::new(key, label, Kind::Length, Default::Number(default), hard)
     }
 
     /// A feed of at least 0.1 mm/min: less could be printed as 0.
     pub const fn feed(key: &'static str, label: &'static str, default: f64) -> Self {
-        let hard = Range { min: 0.1, max: 100_000.0, above: false };
+        let hard = Range {
+            min: 0.1,
+            max: 100_000.0,
+            above: false,
+        };
         Field::new(key, label, Kind::Feed, Default::Number(default), hard)
     }
 
     /// An acceleration, mm/s².
     pub const fn acceleration(key: &'static str, label: &'static str, default: f64) -> Self {
-        let hard = Range { min: 1.0, max: 1_000_000.0, above: false };
-        Field::new(key, label, Kind::Acceleration, Default::Number(default), hard)
+        let hard = Range {
+            min: 1.0,
+            max: 1_000_000.0,
+            above: false,
+        };
+        Field::new(
+            key,
+            label,
+            Kind::Acceleration,
+            Default::Number(default),
+            hard,
+        )
     }
 
     /// A time in milliseconds, 0 to a minute.
     pub const fn time(key: &'static str, label: &'static str, default: f64) -> Self {
-        let hard = Range { min: 0.0, max: 60_000.0, above: false };
+        let hard = Range {
+            min: 0.0,
+            max: 60_000.0,
+            above: false,
+        };
         Field::new(key, label, Kind::Time, Default::Number(default), hard)
     }
 
     /// An angle in degrees, −360 to 360.
     pub const fn angle(key: &'static str, label: &'static str, default: f64) -> Self {
-        let hard = Range { min: -360.0, max: 360.0, above: false };
+        let hard = Range {
+            min: -360.0,
+            max: 360.0,
+            above: false,
+        };
         Field::new(key, label, Kind::Angle, Default::Number(default), hard)
     }
 
     /// A whole number in a range.
-    pub const fn count(key: &'static str, label: &'static str, default: i32, min: i32, max: i32) -> Self {
-        let hard = Range { min: min as f64, max: max as f64, above: false };
-        Field::new(key, label, Kind::Count, Default::Number(default as f64), hard)
+    pub const fn count(
+        key: &'static str,
+        label: &'static str,
+        default: i32,
+        min: i32,
+        max: i32,
+    ) -> Self {
+        let hard = Range {
+            min: min as f64,
+            max: max as f64,
+            above: false,
+        };
+        Field::new(
+            key,
+            label,
+            Kind::Count,
+            Default::Number(default as f64),
+            hard,
+        )
     }
 
     pub const fn flag(key: &'static str, label: &'static str, default: bool) -> Self {
-        Field::new(key, label, Kind::Flag, Default::Flag(default), Range { min: 0.0, max: 1.0, above: false })
+        Field::new(
+            key,
+            label,
+            Kind::Flag,
+            Default::Flag(default),
+            Range {
+                min: 0.0,
+                max: 1.0,
+                above: false,
+            },
+        )
     }
 
-    pub const fn choice(key: &'static str, label: &'static str, choices: &'static [Choice]) -> Self {
-        let hard = Range { min: 0.0, max: 0.0, above: false };
-        Field::new(key, label, Kind::Choice(choices), Default::Text(choices[0].value), hard)
+    pub const fn choice(
+        key: &'static str,
+        label: &'static str,
+        choices: &'static [Choice],
+    ) -> Self {
+        let hard = Range {
+            min: 0.0,
+            max: 0.0,
+            above: false,
+        };
+        Field::new(
+            key,
+            label,
+            Kind::Choice(choices),
+            Default::Text(choices[0].value),
+            hard,
+        )
     }
 
     /// Text of at most `most` characters.
-    pub const fn text(key: &'static str, label: &'static str, default: &'static str, most: usize) -> Self {
-        let hard = Range { min: 0.0, max: most as f64, above: false };
+    pub const fn text(
+        key: &'static str,
+        label: &'static str,
+        default: &'static str,
+        most: usize,
+    ) -> Self {
+        let hard = Range {
+            min: 0.0,
+            max: most as f64,
+            above: false,
+        };
         Field::new(key, label, Kind::Text(most), Default::Text(default), hard)
     }
 
     /// One of some whole numbers.
-    pub const fn code_of(key: &'static str, label: &'static str, default: i32, codes: &'static [Code]) -> Self {
-        let hard = Range { min: codes[0].value as f64, max: codes[codes.len() - 1].value as f64, above: false };
-        Field::new(key, label, Kind::Code(codes), Default::Number(default as f64), hard)
+    pub const fn code_of(
+        key: &'static str,
+        label: &'static str,
+        default: i32,
+        codes: &'static [Code],
+    ) -> Self {
+        let hard = Range {
+            min: codes[0].value as f64,
+            max: codes[codes.len() - 1].value as f64,
+            above: false,
+        };
+        Field::new(
+            key,
+            label,
+            Kind::Code(codes),
+            Default::Number(default as f64),
+            hard,
+        )
     }
 
     /// A length or text with a tolerance.
     pub const fn nominal(key: &'static str, label: &'static str, default: f64) -> Self {
-        let hard = Range { min: -99_999.999_9, max: 99_999.999_9, above: false };
+        let hard = Range {
+            min: -99_999.999_9,
+            max: 99_999.999_9,
+            above: false,
+        };
         Field::new(key, label, Kind::Nominal, Default::Number(default), hard)
     }
 
     /// Three nominal values: X, Y, Z.
     pub const fn nominal_point(key: &'static str, label: &'static str, default: [f64; 3]) -> Self {
-        let hard = Range { min: -99_999.999_9, max: 99_999.999_9, above: false };
-        Field::new(key, label, Kind::NominalPoint, Default::Point(default), hard)
+        let hard = Range {
+            min: -99_999.999_9,
+            max: 99_999.999_9,
+            above: false,
+        };
+        Field::new(
+            key,
+            label,
+            Kind::NominalPoint,
+            Default::Point(default),
+            hard,
+        )
     }
 
     /// Three lengths: X, Y, Z.
     pub const fn point(key: &'static str, label: &'static str) -> Self {
-        let hard = Range { min: -100_000.0, max: 100_000.0, above: false };
+        let hard = Range {
+            min: -100_000.0,
+            max: 100_000.0,
+            above: false,
+        };
         Field::new(key, label, Kind::Point, Default::Point([0.0; 3]), hard)
     }
 
     /// With a help text, unless it is empty.
     pub const fn documented(self, help: &'static str) -> Self {
-        if help.is_empty() { self } else { self.help(help) }
+        if help.is_empty() {
+            self
+        } else {
+            self.help(help)
+        }
     }
 
     pub const fn help(mut self, help: &'static str) -> Self {
@@ -265,13 +406,21 @@ impl Field {
 
     /// Allowed from `min` to `max`, both included.
     pub const fn range(mut self, min: f64, max: f64) -> Self {
-        self.hard = Range { min, max, above: false };
+        self.hard = Range {
+            min,
+            max,
+            above: false,
+        };
         self
     }
 
     /// Allowed above `min`, up to and including `max`.
     pub const fn above(mut self, min: f64, max: f64) -> Self {
-        self.hard = Range { min, max, above: true };
+        self.hard = Range {
+            min,
+            max,
+            above: true,
+        };
         self
     }
 

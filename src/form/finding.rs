@@ -36,6 +36,12 @@ impl Finding {
     /// Its English `message` is made from `said`.
     pub fn new(level: Level, code: &str, path: impl Into<String>, said: Text) -> Self {
         debug_assert!(is_listed(code), "the code {code} stands in form/codes.rs");
-        Finding { level, code: code.to_owned(), path: path.into(), message: said.english(), said }
+        Finding {
+            level,
+            code: code.to_owned(),
+            path: path.into(),
+            message: said.english(),
+            said,
+        }
     }
 }

@@ -33,7 +33,11 @@ impl Value {
     /// The same, to be changed.
     pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Value> {
         match self {
-            Value::Map(entries) => entries.iter_mut().rev().find(|(k, _)| k == key).map(|(_, v)| v),
+            Value::Map(entries) => entries
+                .iter_mut()
+                .rev()
+                .find(|(k, _)| k == key)
+                .map(|(_, v)| v),
             _ => None,
         }
     }
@@ -71,7 +75,11 @@ impl From<&serde_json::Value> for Value {
             Json::Number(n) => Value::Number(n.as_f64().unwrap_or(f64::NAN)),
             Json::String(s) => Value::Text(s.clone()),
             Json::Array(items) => Value::List(items.iter().map(Value::from).collect()),
-            Json::Object(map) => Value::Map(map.iter().map(|(k, v)| (k.clone(), Value::from(v))).collect()),
+            Json::Object(map) => Value::Map(
+                map.iter()
+                    .map(|(k, v)| (k.clone(), Value::from(v)))
+                    .collect(),
+            ),
         }
     }
 }

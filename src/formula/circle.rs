@@ -52,20 +52,38 @@ pub fn fit_circle(points: &[Vec2]) -> Option<CircleFit> {
         let row = pull(*p, center).0;
         [inverse * row * row.x, inverse * row * row.y]
     });
-    let square = near.iter().map(|p| (p.distance(center) - radius).powi(2)).sum::<f64>();
+    let square = near
+        .iter()
+        .map(|p| (p.distance(center) - radius).powi(2))
+        .sum::<f64>();
     let residual = (square / near.len() as f64).sqrt();
-    Some(CircleFit { by_point: by_point.collect(), center: center + mean, radius, residual })
+    Some(CircleFit {
+        by_point: by_point.collect(),
+        center: center + mean,
+        radius,
+        residual,
+    })
 }
 
 /// The circle that minimises Σ(x² + y² − 2ax − 2by − c)², to start from. The points lie about the origin.
 fn algebraic(near: &[Vec2]) -> Option<(Vec2, f64)> {
     let sum = |f: &dyn Fn(Vec2) -> f64| near.iter().map(|p| f(*p)).sum::<f64>();
-    let (uu, vv, uv) = (sum(&|p| p.x * p.x), sum(&|p| p.y * p.y), sum(&|p| p.x * p.y));
-    let (uz, vz) = (sum(&|p| p.x * p.length_squared()), sum(&|p| p.y * p.length_squared()));
+    let (uu, vv, uv) = (
+        sum(&|p| p.x * p.x),
+        sum(&|p| p.y * p.y),
+        sum(&|p| p.x * p.y),
+    );
+    let (uz, vz) = (
+        sum(&|p| p.x * p.length_squared()),
+        sum(&|p| p.y * p.length_squared()),
+    );
     let det = 2.0 * (uu * vv - uv * uv);
     if near.len() < 3 || det.abs() <= 1e-14 * (uu + vv).powi(2) {
         return None;
     }
     let center = Vec2::new(vv * uz - uv * vz, uu * vz - uv * uz) / det;
-    Some((center, (center.length_squared() + (uu + vv) / near.len() as f64).sqrt()))
+    Some((
+        center,
+        (center.length_squared() + (uu + vv) / near.len() as f64).sqrt(),
+    ))
 }

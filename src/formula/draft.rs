@@ -4,7 +4,10 @@ use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Sub};
 
 use crate::formula::node::{Samples, Variable};
-use crate::formula::{Assignment, CirclePart, Datum, Formula, Function, MOST_SAMPLES, Name, Node, NodeId, Op, ResultDef, Role};
+use crate::formula::{
+    Assignment, CirclePart, Datum, Formula, Function, MOST_SAMPLES, Name, Node, NodeId, Op,
+    ResultDef, Role,
+};
 use crate::num::tidy;
 
 /// A formula that is being written. Its expressions put their nodes into it.
@@ -28,8 +31,15 @@ pub struct Value<'f> {
 impl Draft {
     /// An empty one, with room for what is usually computed from so many touches.
     pub fn with_room_for(touches: usize) -> Self {
-        let (nodes, assignments) = (Vec::with_capacity(64 * touches + 16), Vec::with_capacity(10 * touches + 8));
-        Draft(RefCell::new(Formula { nodes, assignments, ..Formula::default() }))
+        let (nodes, assignments) = (
+            Vec::with_capacity(64 * touches + 16),
+            Vec::with_capacity(10 * touches + 8),
+        );
+        Draft(RefCell::new(Formula {
+            nodes,
+            assignments,
+            ..Formula::default()
+        }))
     }
 
     /// One that continues where a formula ends.
@@ -39,7 +49,10 @@ impl Draft {
 
     /// The handle of a value that has its name.
     pub(super) fn known(&self, variable: Variable) -> Value<'_> {
-        Value { draft: self, variable }
+        Value {
+            draft: self,
+            variable,
+        }
     }
 
     /// A result that is stated.
@@ -52,7 +65,10 @@ impl Draft {
     pub(super) fn push(&self, node: Node) -> Expr<'_> {
         let nodes = &mut self.0.borrow_mut().nodes;
         nodes.push(node);
-        Expr { draft: self, node: NodeId(nodes.len() as u32 - 1) }
+        Expr {
+            draft: self,
+            node: NodeId(nodes.len() as u32 - 1),
+        }
     }
 
     /// A number without a unit.
@@ -68,26 +84,53 @@ impl Draft {
     /// Coordinate `axis` of the trigger of a sample.
     pub fn trigger(&self, sample: usize, axis: usize) -> Expr<'_> {
         debug_assert!(axis < 3, "axis {axis}");
-        self.push(Node::Trigger { sample: sample as u16, axis: axis as u8 })
+        self.push(Node::Trigger {
+            sample: sample as u16,
+            axis: axis as u8,
+        })
     }
 
     /// A part of the circle fitted to `count` samples from `first` on, in the plane of these axes.
-    pub fn circle(&self, (first, count): (usize, usize), axes: (usize, usize), part: CirclePart) -> Expr<'_> {
-        debug_assert!(first + count <= MOST_SAMPLES, "samples {first} and {count} more");
-        let samples = Samples { first: first as u16, count: count as u8, axes: (axes.0 as u8, axes.1 as u8) };
+    pub fn circle(
+        &self,
+        (first, count): (usize, usize),
+        axes: (usize, usize),
+        part: CirclePart,
+    ) -> Expr<'_> {
+        debug_assert!(
+            first + count <= MOST_SAMPLES,
+            "samples {first} and {count} more"
+        );
+        let samples = Samples {
+            first: first as u16,
+            count: count as u8,
+            axes: (axes.0 as u8, axes.1 as u8),
+        };
         self.push(Node::Circle(samples, part))
     }
 
     /// The sum of these, in their order; 0 of none.
     pub fn sum<'f, T: Into<Expr<'f>>>(&'f self, parts: impl Iterator<Item = T>) -> Expr<'f> {
-        parts.map(Into::into).reduce(|sum, part| sum + part).unwrap_or_else(|| self.number(0.0))
+        parts
+            .map(Into::into)
+            .reduce(|sum, part| sum + part)
+            .unwrap_or_else(|| self.number(0.0))
     }
 
     /// The component along a constant direction of the point (a, o): `a · along.0 + o · along.1`, with ±1 and 0 written plainly.
-    pub fn project<'f>(&'f self, a: impl Into<Expr<'f>>, o: impl Into<Expr<'f>>, along: (f64, f64)) -> Expr<'f> {
+    pub fn project<'f>(
+        &'f self,
+        a: impl Into<Expr<'f>>,
+        o: impl Into<Expr<'f>>,
+        along: (f64, f64),
+    ) -> Expr<'f> {
         let [a, o] = [(a.into(), tidy(along.0)), (o.into(), tidy(along.1))];
         let ((first, c1), (second, c2)) = if a.1 < 0.0 { (o, a) } else { (a, o) };
-        let begin = if c1 == 0.0 && c2 < 0.0 { self.length(0.0) } else { first * self.number(c1) };
+        let begin = if c1 == 0.0 && c2 < 0.0 {
+            self.length(0.0)
+        } else {
+            first * self.number(c1)
+        };
         let rest = second * self.number(c2.abs());
         if c2 < 0.0 { begin - rest } else { begin + rest }
     }
@@ -99,12 +142,26 @@ impl Draft {
 
     pub(super) fn assign(&self, name: Name, node: NodeId) -> Value<'_> {
         let assignments = &mut self.0.borrow_mut().assignments;
-        assignments.push(Assignment { name, cycle: 0, node });
-        Value { draft: self, variable: Variable(assignments.len() as u32 - 1) }
+        assignments.push(Assignment {
+            name,
+            cycle: 0,
+            node,
+        });
+        Value {
+            draft: self,
+            variable: Variable(assignments.len() as u32 - 1),
+        }
     }
 
     /// States a result; none where these touches cannot give it.
-    pub fn result(&self, code: &'static str, role: Role, meaning: &'static str, nominal: f64, value: Option<Value<'_>>) {
+    pub fn result(
+        &self,
+        code: &'static str,
+        role: Role,
+        meaning: &'static str,
+        nominal: f64,
+        value: Option<Value<'_>>,
+    ) {
         let (variable, nominal) = (value.map(|value| value.variable), tidy(nominal));
         self.0.borrow_mut().results.push(ResultDef {
             code,
@@ -135,7 +192,10 @@ impl Draft {
 
     /// The formula, and what a work offset is corrected by.
     pub fn finish(self, datum: Option<Datum>) -> Formula {
-        Formula { datum, ..self.0.into_inner() }
+        Formula {
+            datum,
+            ..self.0.into_inner()
+        }
     }
 
     /// Two expressions and what stands between them. What is plain is folded (0 · x, 1 · x, x + 0), so that an unturned feature reads as simply as
@@ -147,8 +207,12 @@ impl Draft {
             (Op::Add | Op::Subtract, _, b) if is(b, 0.0) => self.of(left),
             (Op::Add, a, _) if is(a, 0.0) => self.of(right),
             (Op::Add | Op::Subtract, Node::Length(a), Node::Length(b)) => self.length(op.of(a, b)),
-            (Op::Add, _, Node::Length(b)) if b < 0.0 => self.binary(Op::Subtract, left, self.length(-b).node),
-            (Op::Subtract, _, Node::Length(b)) if b < 0.0 => self.binary(Op::Add, left, self.length(-b).node),
+            (Op::Add, _, Node::Length(b)) if b < 0.0 => {
+                self.binary(Op::Subtract, left, self.length(-b).node)
+            }
+            (Op::Subtract, _, Node::Length(b)) if b < 0.0 => {
+                self.binary(Op::Add, left, self.length(-b).node)
+            }
             (Op::Multiply, a, b) if is(a, 0.0) || is(b, 1.0) => self.of(left),
             (Op::Multiply, a, b) if is(b, 0.0) || is(a, 1.0) => self.of(right),
             (Op::Multiply, Node::Number(a), Node::Number(b)) => self.number(a * b),
@@ -214,7 +278,10 @@ impl<'f> Expr<'f> {
     }
 
     fn binary(self, op: Op, other: Expr<'f>) -> Expr<'f> {
-        debug_assert!(std::ptr::eq(self.draft, other.draft), "an expression of another formula");
+        debug_assert!(
+            std::ptr::eq(self.draft, other.draft),
+            "an expression of another formula"
+        );
         self.draft.binary(op, self.node, other.node)
     }
 }
@@ -264,7 +331,10 @@ mod tests {
             (f.project(a, o, (1.0, 6e-17)), "t00"),
             (f.project(a, o, (-1e-16, 1.0)), "t01"),
             (f.project(a, o, (-1.0, 0.0)), "(Subtract Length(0.0) t00)"),
-            (f.project(a, o, (-0.6, 0.8)), "(Subtract (Multiply t01 Number(0.8)) (Multiply t00 Number(0.6)))"),
+            (
+                f.project(a, o, (-0.6, 0.8)),
+                "(Subtract (Multiply t01 Number(0.8)) (Multiply t00 Number(0.6)))",
+            ),
             (a + f.length(-3.0), "(Subtract t00 Length(3.0))"),
             (a - f.length(-3.0), "(Add t00 Length(3.0))"),
             (a * f.number(1.0) / f.number(1.0), "t00"),
@@ -273,7 +343,10 @@ mod tests {
             (f.number(0.0) - f.length(-3.0), "Length(3.0)"),
             (f.number(2.0) * f.number(-3.0), "Number(-6.0)"),
             // What is not plain is written as it stands, for a reader of the program.
-            (f.number(2.0) - f.number(3.0), "(Subtract Number(2.0) Number(3.0))"),
+            (
+                f.number(2.0) - f.number(3.0),
+                "(Subtract Number(2.0) Number(3.0))",
+            ),
         ] {
             assert_eq!(shown(&f, expr.node), text);
         }

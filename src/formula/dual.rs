@@ -19,18 +19,27 @@ pub struct Dual {
 impl Dual {
     /// A number that depends on no touch.
     pub const fn constant(value: f64) -> Self {
-        Dual { value, first: 0, by_touch: [0.0; MOST_SAMPLES], others: Vec::new() }
+        Dual {
+            value,
+            first: 0,
+            by_touch: [0.0; MOST_SAMPLES],
+            others: Vec::new(),
+        }
     }
 
     /// Its derivatives: the first of some samples, and those by them and the following ones.
     pub fn by_samples(&self) -> impl Iterator<Item = (usize, &[f64; MOST_SAMPLES])> {
-        let others = self.others.iter().map(|(first, by_touch)| (usize::from(*first), by_touch));
+        let others = self
+            .others
+            .iter()
+            .map(|(first, by_touch)| (usize::from(*first), by_touch));
         std::iter::once((usize::from(self.first), &self.by_touch)).chain(others)
     }
 
     /// Every derivative.
     fn slopes(&self) -> impl Iterator<Item = f64> {
-        self.by_samples().flat_map(|(_, by_touch)| by_touch.iter().copied())
+        self.by_samples()
+            .flat_map(|(_, by_touch)| by_touch.iter().copied())
     }
 
     /// The sum of the sizes of its derivatives: by so much it changes at most where each touch does by 1.
@@ -51,7 +60,10 @@ impl Dual {
     /// Becomes f of itself, by the chain rule.
     fn map(&mut self, value: f64, slope: f64) {
         self.value = value;
-        self.by_touch.iter_mut().chain(self.others.iter_mut().flat_map(|(_, slopes)| slopes)).for_each(|d| *d *= slope);
+        self.by_touch
+            .iter_mut()
+            .chain(self.others.iter_mut().flat_map(|(_, slopes)| slopes))
+            .for_each(|d| *d *= slope);
     }
 
     /// Becomes f of itself and another number, by the chain rule.
@@ -76,13 +88,19 @@ impl Dual {
             let own = if usize::from(self.first) == first {
                 &mut self.by_touch
             } else {
-                let at = self.others.iter().position(|(known, _)| usize::from(*known) == first).unwrap_or_else(|| {
-                    self.others.push((first as u16, [0.0; MOST_SAMPLES]));
-                    self.others.len() - 1
-                });
+                let at = self
+                    .others
+                    .iter()
+                    .position(|(known, _)| usize::from(*known) == first)
+                    .unwrap_or_else(|| {
+                        self.others.push((first as u16, [0.0; MOST_SAMPLES]));
+                        self.others.len() - 1
+                    });
                 &mut self.others[at].1
             };
-            own.iter_mut().zip(slopes).for_each(|(d, o)| *d += o * other_slope);
+            own.iter_mut()
+                .zip(slopes)
+                .for_each(|(d, o)| *d += o * other_slope);
         }
     }
 
@@ -91,7 +109,12 @@ impl Dual {
         let (value, by_a, by_b) = joined;
         if a.first == b.first && a.others.is_empty() && b.others.is_empty() {
             let by_touch = std::array::from_fn(|k| a.by_touch[k] * by_a + b.by_touch[k] * by_b);
-            return Dual { value, first: a.first, by_touch, others: Vec::new() };
+            return Dual {
+                value,
+                first: a.first,
+                by_touch,
+                others: Vec::new(),
+            };
         }
         let mut both = a.clone();
         both.join(b, joined);
@@ -157,12 +180,27 @@ impl Formula {
     }
 
     /// The same from the values of the first assignments on, up to one that is not evaluated any more.
-    pub fn evaluate_on(&self, known: &mut Vec<Dual>, until: usize, triggers: &[Option<Vec3>], directions: &[Vec3]) {
+    pub fn evaluate_on(
+        &self,
+        known: &mut Vec<Dual>,
+        until: usize,
+        triggers: &[Option<Vec3>],
+        directions: &[Vec3],
+    ) {
         let values = std::mem::take(known);
         let begin = values.len();
-        let mut run = Run { nodes: &self.nodes, values, triggers, directions, first: 0 };
+        let mut run = Run {
+            nodes: &self.nodes,
+            values,
+            triggers,
+            directions,
+            first: 0,
+        };
         for assignment in &self.assignments[begin..until] {
-            run.first = self.cycles.get(usize::from(assignment.cycle)).map_or(0, |cycle| cycle.first_sample);
+            run.first = self
+                .cycles
+                .get(usize::from(assignment.cycle))
+                .map_or(0, |cycle| cycle.first_sample);
             let mut value = Dual::constant(0.0);
             run.put(assignment.node, &mut value);
             run.values.push(value);
@@ -208,7 +246,11 @@ impl Run<'_> {
             Node::Circle(samples, part) => *out = self.circle(samples, part),
             Node::Atan2(y, x) => self.two(y, x, out, |y, x| {
                 let square = x * x + y * y;
-                (y.atan2(x).to_degrees(), (x / square).to_degrees(), (-y / square).to_degrees())
+                (
+                    y.atan2(x).to_degrees(),
+                    (x / square).to_degrees(),
+                    (-y / square).to_degrees(),
+                )
             }),
         }
     }
@@ -240,16 +282,29 @@ impl Run<'_> {
 
     /// A part of the circle fitted to these samples.
     fn circle(&self, samples: Samples, part: CirclePart) -> Dual {
-        let flat = |v: &Vec3| Vec2::new(v[usize::from(samples.axes.0)], v[usize::from(samples.axes.1)]);
-        let points: Option<Vec<Vec2>> = self.triggers[samples.range()].iter().map(|t| t.as_ref().map(flat)).collect();
-        let Some(fit) = points.as_deref().and_then(fit_circle) else { return Dual::constant(f64::NAN) };
+        let flat = |v: &Vec3| {
+            Vec2::new(
+                v[usize::from(samples.axes.0)],
+                v[usize::from(samples.axes.1)],
+            )
+        };
+        let points: Option<Vec<Vec2>> = self.triggers[samples.range()]
+            .iter()
+            .map(|t| t.as_ref().map(flat))
+            .collect();
+        let Some(fit) = points.as_deref().and_then(fit_circle) else {
+            return Dual::constant(f64::NAN);
+        };
         let row = match part {
             CirclePart::Abscissa => 0,
             CirclePart::Ordinate => 1,
             CirclePart::Radius => 2,
             CirclePart::Residual => return Dual::constant(fit.residual),
         };
-        let mut dual = Dual { first: self.first as u16, ..Dual::constant(fit.center.extend(fit.radius)[row]) };
+        let mut dual = Dual {
+            first: self.first as u16,
+            ..Dual::constant(fit.center.extend(fit.radius)[row])
+        };
         for (i, k) in samples.range().enumerate() {
             let d = flat(&self.directions[k]);
             let [by_first, by_second] = fit.by_point[i];
@@ -275,14 +330,25 @@ mod tests {
         f.set("root", (x * x + y * y).sqrt() / y);
         let formula = f.finish(None);
         let directions = [Vec3::X, Vec3::Y];
-        let at = |a: f64, b: f64| formula.evaluate(&[Some(Vec3::new(a, 2.0, 0.0)), Some(Vec3::new(1.0, b, 0.0))], &directions);
+        let at = |a: f64, b: f64| {
+            formula.evaluate(
+                &[Some(Vec3::new(a, 2.0, 0.0)), Some(Vec3::new(1.0, b, 0.0))],
+                &directions,
+            )
+        };
         let (a, b, h) = (3.0, 5.0, 1e-6);
-        let [exact, right, left, up, down] = [(a, b), (a + h, b), (a - h, b), (a, b + h), (a, b - h)].map(|(a, b)| at(a, b));
-        let slope = |high: &[Dual], low: &[Dual], i: usize| (high[i].value - low[i].value) / (2.0 * h);
+        let [exact, right, left, up, down] =
+            [(a, b), (a + h, b), (a - h, b), (a, b + h), (a, b - h)].map(|(a, b)| at(a, b));
+        let slope =
+            |high: &[Dual], low: &[Dual], i: usize| (high[i].value - low[i].value) / (2.0 * h);
         for (i, dual) in exact.iter().enumerate() {
             let by_quotient = [slope(&right, &left, i), slope(&up, &down, i)];
             for (touch, quotient) in by_quotient.iter().enumerate() {
-                assert!((dual.by_touch[touch] - quotient).abs() < 1e-6, "{i}: {} {quotient}", dual.by_touch[touch]);
+                assert!(
+                    (dual.by_touch[touch] - quotient).abs() < 1e-6,
+                    "{i}: {} {quotient}",
+                    dual.by_touch[touch]
+                );
             }
         }
     }
@@ -292,7 +358,9 @@ mod tests {
         let f = Draft::default();
         f.set("a", f.trigger(0, 0) + f.length(3.0));
         f.set("b", f.trigger(1, 0) + f.length(3.0));
-        let values = f.finish(None).evaluate(&[Some(Vec3::X), None], &[Vec3::X, Vec3::X]);
+        let values = f
+            .finish(None)
+            .evaluate(&[Some(Vec3::X), None], &[Vec3::X, Vec3::X]);
         assert_eq!(values[0].value, 4.0);
         assert!(values[1].value.is_nan());
     }

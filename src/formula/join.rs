@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 
 use crate::formula::node::{Samples, Variable};
-use crate::formula::{Assignment, CycleSamples, Datum, Formula, Function, Node, NodeId, Op, ResultDef};
+use crate::formula::{
+    Assignment, CycleSamples, Datum, Formula, Function, Node, NodeId, Op, ResultDef,
+};
 
 impl Formula {
     /// Adds the formula of the next cycle, with its name, and says how its variables are found in the whole: by so much later.
@@ -13,21 +15,39 @@ impl Formula {
         let moved = |id: NodeId| NodeId(id.0 + node);
         self.nodes.extend(own.nodes.iter().map(|one| match *one {
             Node::Variable(earlier) => Node::Variable(earlier.later_by(variable)),
-            Node::Trigger { sample, axis } => Node::Trigger { sample: sample + first_sample as u16, axis },
-            Node::Circle(samples, part) => {
-                Node::Circle(Samples { first: samples.first + first_sample as u16, ..samples }, part)
-            }
+            Node::Trigger { sample, axis } => Node::Trigger {
+                sample: sample + first_sample as u16,
+                axis,
+            },
+            Node::Circle(samples, part) => Node::Circle(
+                Samples {
+                    first: samples.first + first_sample as u16,
+                    ..samples
+                },
+                part,
+            ),
             Node::Binary(op, a, b) => Node::Binary(op, moved(a), moved(b)),
             Node::Call(function, a) => Node::Call(function, moved(a)),
             Node::Atan2(y, x) => Node::Atan2(moved(y), moved(x)),
             constant @ (Node::Number(_) | Node::Length(_)) => constant,
         }));
         let assignments = own.assignments.iter();
-        self.assignments.extend(assignments.map(|one| Assignment { cycle, node: moved(one.node), ..*one }));
+        self.assignments.extend(assignments.map(|one| Assignment {
+            cycle,
+            node: moved(one.node),
+            ..*one
+        }));
         let later = |known: Option<Variable>| known.map(|known| known.later_by(variable));
-        let results = own.results.iter().map(|one| ResultDef { cycle, variable: later(one.variable), ..one.clone() });
+        let results = own.results.iter().map(|one| ResultDef {
+            cycle,
+            variable: later(one.variable),
+            ..one.clone()
+        });
         self.results.extend(results);
-        self.cycles.push(CycleSamples { name: name.to_owned(), first_sample });
+        self.cycles.push(CycleSamples {
+            name: name.to_owned(),
+            first_sample,
+        });
         variable
     }
 
@@ -36,7 +56,9 @@ impl Formula {
         let (measured, nominal) = (self.results[result].variable?, self.results[result].nominal);
         let own = self.push(Node::Variable(measured));
         let wanted = (nominal != 0.0).then(|| self.push(Node::Length(nominal)));
-        let off = wanted.map_or(own, |wanted| self.push(Node::Binary(Op::Subtract, own, wanted)));
+        let off = wanted.map_or(own, |wanted| {
+            self.push(Node::Binary(Op::Subtract, own, wanted))
+        });
         Some(self.assign(name, self.cycles.len() as u16, off))
     }
 
@@ -60,22 +82,33 @@ impl Formula {
         let turn = self.within_half_a_turn(away);
         let angle = self.assign("turned_by", cycle, turn);
         let known = self.push(Node::Variable(angle));
-        let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| self.push(Node::Call(function, known)));
+        let [sine, cosine] =
+            [Function::Sin, Function::Cos].map(|function| self.push(Node::Call(function, known)));
         let one = self.push(Node::Number(1.0));
         let less = self.push(Node::Binary(Op::Subtract, cosine, one));
-        [angle, self.assign("sin", cycle, sine), self.assign("cos", cycle, less)]
+        [
+            angle,
+            self.assign("sin", cycle, sine),
+            self.assign("cos", cycle, less),
+        ]
     }
 
     /// A measured direction less its nominal value, degrees.
     fn off_direction(&mut self, direction: Variable, nominal: f64) -> NodeId {
-        let [measured, wanted] = [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
-        if nominal == 0.0 { measured } else { self.push(Node::Binary(Op::Subtract, measured, wanted)) }
+        let [measured, wanted] =
+            [Node::Variable(direction), Node::Number(nominal)].map(|node| self.push(node));
+        if nominal == 0.0 {
+            measured
+        } else {
+            self.push(Node::Binary(Op::Subtract, measured, wanted))
+        }
     }
 
     /// An angle within half a turn: near that a control may give it a whole turn away.
     fn within_half_a_turn(&mut self, away: Variable) -> NodeId {
         let angle = self.push(Node::Variable(away));
-        let [sine, cosine] = [Function::Sin, Function::Cos].map(|function| self.push(Node::Call(function, angle)));
+        let [sine, cosine] =
+            [Function::Sin, Function::Cos].map(|function| self.push(Node::Call(function, angle)));
         self.push(Node::Atan2(sine, cosine))
     }
 
@@ -85,14 +118,20 @@ impl Formula {
     }
 
     fn assign(&mut self, name: &'static str, cycle: u16, node: NodeId) -> Variable {
-        self.assignments.push(Assignment { name: name.into(), cycle, node });
+        self.assignments.push(Assignment {
+            name: name.into(),
+            cycle,
+            node,
+        });
         Variable(self.assignments.len() as u32 - 1)
     }
 
     /// The name of a result in a text: `center.x`, of a set-up `BORE.center.x`.
     pub fn code(&self, result: &ResultDef) -> Cow<'static, str> {
         match self.cycles.get(usize::from(result.cycle)) {
-            Some(cycle) if self.cycles.len() > 1 => Cow::Owned(format!("{}.{}", cycle.name, result.code)),
+            Some(cycle) if self.cycles.len() > 1 => {
+                Cow::Owned(format!("{}.{}", cycle.name, result.code))
+            }
             _ => Cow::Borrowed(result.code),
         }
     }
@@ -107,13 +146,18 @@ impl Formula {
 
     /// Whether a result has this name, in any case; that of its only cycle may be left out.
     pub fn is_named(&self, result: &ResultDef, name: &str) -> bool {
-        self.full_code(result).eq_ignore_ascii_case(name) || self.code(result).eq_ignore_ascii_case(name)
+        self.full_code(result).eq_ignore_ascii_case(name)
+            || self.code(result).eq_ignore_ascii_case(name)
     }
 
     /// Writes the name of the value of an assignment, by its index, at the end of a text: `center_x`, of a set-up `bore_center_x`.
     pub fn push_name(&self, index: usize, text: &mut String) {
         let assignment = &self.assignments[index];
-        if let Some(cycle) = self.cycles.get(usize::from(assignment.cycle)).filter(|_| self.cycles.len() > 1) {
+        if let Some(cycle) = self
+            .cycles
+            .get(usize::from(assignment.cycle))
+            .filter(|_| self.cycles.len() > 1)
+        {
             text.extend(cycle.name.chars().map(|c| c.to_ascii_lowercase()));
             text.push('_');
         }

@@ -62,8 +62,11 @@ pub enum Consequence {
 
 impl Consequence {
     /// Every one, with its word in a job.
-    pub const ALL: [(&'static str, Consequence); 3] =
-        [("go", Consequence::Go), ("mark", Consequence::Mark), ("stop", Consequence::Stop)];
+    pub const ALL: [(&'static str, Consequence); 3] = [
+        ("go", Consequence::Go),
+        ("mark", Consequence::Mark),
+        ("stop", Consequence::Stop),
+    ];
 }
 
 /// The tolerance of a result.
@@ -138,7 +141,9 @@ impl Question {
         let number = |x: f64| decimal(x / unit, 12);
         let (limit, wanted) = (self.limit, self.wanted);
         match self.asked {
-            Asked::Plausible | Asked::Leads => format!(", more than {} from {}", number(limit), number(wanted)),
+            Asked::Plausible | Asked::Leads => {
+                format!(", more than {} from {}", number(limit), number(wanted))
+            }
             Asked::Marks | Asked::Stops => {
                 let end = |x: f64| decimal(tidy(x / unit), 9);
                 format!(", not {} to {}", end(wanted - limit), end(wanted + limit))
@@ -194,7 +199,13 @@ impl Role {
     pub fn is_angle(self) -> bool {
         match self {
             Role::Angle | Role::Direction | Role::Turn => true,
-            Role::Abscissa | Role::Ordinate | Role::Size | Role::Height | Role::Level | Role::Reading | Role::Shift => false,
+            Role::Abscissa
+            | Role::Ordinate
+            | Role::Size
+            | Role::Height
+            | Role::Level
+            | Role::Reading
+            | Role::Shift => false,
             Role::Residual | Role::Spread => false,
         }
     }
@@ -271,25 +282,34 @@ pub struct Coordinate {
 impl Coordinate {
     /// A coordinate that was measured, and what it is to read.
     pub fn measured(value: Value<'_>, nominal: f64) -> Self {
-        Coordinate { measured: Some(value.variable), nominal }
+        Coordinate {
+            measured: Some(value.variable),
+            nominal,
+        }
     }
 }
 
 impl Datum {
     /// No rotation, and no results that say what is written.
     pub fn of(place: [Option<Coordinate>; 3]) -> Self {
-        Datum { place, rotation: None, in_results: false }
+        Datum {
+            place,
+            rotation: None,
+            in_results: false,
+        }
     }
 
     /// A measured point in the plane: abscissa and ordinate, each as measured and as nominal.
     pub fn point(abscissa: (Value<'_>, f64), ordinate: (Value<'_>, f64)) -> Self {
-        let [a, o] = [abscissa, ordinate].map(|(value, nominal)| Some(Coordinate::measured(value, nominal)));
+        let [a, o] =
+            [abscissa, ordinate].map(|(value, nominal)| Some(Coordinate::measured(value, nominal)));
         Datum::of([a, o, None])
     }
 
     /// Which of abscissa, ordinate and tool axis were measured.
     pub fn measured(&self) -> [bool; 3] {
-        self.place.map(|place| place.is_some_and(|place| place.measured.is_some()))
+        self.place
+            .map(|place| place.is_some_and(|place| place.measured.is_some()))
     }
 
     /// Whether there is anything to write.
@@ -342,7 +362,11 @@ impl Formula {
         let node = self.node(id);
         visit(node);
         match node {
-            Node::Number(_) | Node::Length(_) | Node::Variable(_) | Node::Trigger { .. } | Node::Circle(..) => {}
+            Node::Number(_)
+            | Node::Length(_)
+            | Node::Variable(_)
+            | Node::Trigger { .. }
+            | Node::Circle(..) => {}
             Node::Call(_, a) => self.each(a, visit),
             Node::Binary(_, a, b) | Node::Atan2(a, b) => {
                 self.each(a, visit);
@@ -364,7 +388,11 @@ impl Formula {
     /// The same computation in plain arithmetic: every circle is fitted by its normal equations, which are closed. They give
     /// the same circle where the points lie on one, and differ from the geometric fit by the square of their scatter.
     pub fn plain(self) -> Formula {
-        if !self.nodes.iter().any(|node| matches!(node, Node::Circle(..))) {
+        if !self
+            .nodes
+            .iter()
+            .any(|node| matches!(node, Node::Circle(..)))
+        {
             return self;
         }
         let draft = Draft::with_room_for(MOST_SAMPLES);
@@ -384,17 +412,32 @@ impl Formula {
 
     /// What a draft made of it, where its assignments stand there now.
     fn written(self, draft: Draft, variables: &[Variable]) -> Formula {
-        debug_assert!(self.cycles.is_empty(), "the cycles of a set-up are written before they are joined");
+        debug_assert!(
+            self.cycles.is_empty(),
+            "the cycles of a set-up are written before they are joined"
+        );
         let moved = |variable: Variable| variables[variable.index()];
         let datum = self.datum.map(|datum| Datum {
-            place: datum.place.map(|place| place.map(|place| Coordinate { measured: place.measured.map(moved), ..place })),
+            place: datum.place.map(|place| {
+                place.map(|place| Coordinate {
+                    measured: place.measured.map(moved),
+                    ..place
+                })
+            }),
             rotation: datum.rotation.map(moved),
             ..datum
         });
-        let results = self.results.iter().map(|result| ResultDef { variable: result.variable.map(moved), ..result.clone() });
+        let results = self.results.iter().map(|result| ResultDef {
+            variable: result.variable.map(moved),
+            ..result.clone()
+        });
         let turn = self.turn.map(|(turn, about)| (moved(turn), about));
         let drawn = draft.finish(datum);
-        Formula { results: results.chain(drawn.results.iter().cloned()).collect(), turn, ..drawn }
+        Formula {
+            results: results.chain(drawn.results.iter().cloned()).collect(),
+            turn,
+            ..drawn
+        }
     }
 
     /// What a program asks of its results before it writes. First whether they are plausible, in their order: each value that the touches give, and that
@@ -412,24 +455,49 @@ impl Formula {
                 // Not probed, or said by another result.
                 Role::Height | Role::Shift | Role::Turn => None,
             };
-            let (Some(limit), Some(variable)) = (limit, result.variable) else { continue };
-            let known = questions.iter().any(|question| question.variable == variable);
+            let (Some(limit), Some(variable)) = (limit, result.variable) else {
+                continue;
+            };
+            let known = questions
+                .iter()
+                .any(|question| question.variable == variable);
             if !known && result.reference.is_finite() && measured[variable.index()] {
                 let (wanted, angle) = (result.reference, result.role.is_angle());
                 // The middle of a tolerance zone may be off the nominal value by more than the limit.
                 let limit = limit + (result.reference - result.nominal).abs();
-                questions.push(Question { asked: Asked::Plausible, result: index, variable, wanted, limit, angle });
+                questions.push(Question {
+                    asked: Asked::Plausible,
+                    result: index,
+                    variable,
+                    wanted,
+                    limit,
+                    angle,
+                });
             }
         }
         questions.extend(self.results.iter().enumerate().filter_map(|(result, def)| {
-            let (Tolerance { limits: [low, high], action, .. }, variable) = (def.tolerance?, def.variable?);
+            let (
+                Tolerance {
+                    limits: [low, high],
+                    action,
+                    ..
+                },
+                variable,
+            ) = (def.tolerance?, def.variable?);
             let asked = match action {
                 Consequence::Go => return None,
                 Consequence::Mark => Asked::Marks,
                 Consequence::Stop => Asked::Stops,
             };
             let (wanted, limit) = ((low + high) / 2.0, (high - low) / 2.0);
-            Some(Question { asked, result, variable, wanted, limit, angle: def.role.is_angle() })
+            Some(Question {
+                asked,
+                result,
+                variable,
+                wanted,
+                limit,
+                angle: def.role.is_angle(),
+            })
         }));
         questions
     }
@@ -443,7 +511,14 @@ impl Formula {
             _ => limits.position,
         };
         let (variable, limit, angle) = (def.variable?, limit?, def.role.is_angle());
-        Some(Question { asked: Asked::Leads, result, variable, wanted: def.nominal, limit, angle })
+        Some(Question {
+            asked: Asked::Leads,
+            result,
+            variable,
+            wanted: def.nominal,
+            limit,
+            angle,
+        })
     }
 
     /// Of each assignment, whether it depends on a touch.
@@ -465,9 +540,21 @@ impl Formula {
 
     /// Whether another one computes the same results by the same arithmetic; what they nominally are may differ.
     pub fn computes_as(&self, other: &Formula) -> bool {
-        let results = |own: &Formula| own.results.iter().map(|result| result.variable).collect::<Vec<_>>();
-        let assignments = |own: &Formula| own.assignments.iter().map(|assignment| assignment.node).collect::<Vec<_>>();
-        self.nodes == other.nodes && results(self) == results(other) && assignments(self) == assignments(other)
+        let results = |own: &Formula| {
+            own.results
+                .iter()
+                .map(|result| result.variable)
+                .collect::<Vec<_>>()
+        };
+        let assignments = |own: &Formula| {
+            own.assignments
+                .iter()
+                .map(|assignment| assignment.node)
+                .collect::<Vec<_>>()
+        };
+        self.nodes == other.nodes
+            && results(self) == results(other)
+            && assignments(self) == assignments(other)
     }
 
     /// Which coordinates of the triggers are used at all.
@@ -481,8 +568,12 @@ impl Formula {
         };
         for assignment in &self.assignments {
             self.each(assignment.node, &mut |node| match node {
-                Node::Trigger { sample, axis } => mark(usize::from(sample)..usize::from(sample) + 1, 1 << axis),
-                Node::Circle(samples, _) => mark(samples.range(), 1 << samples.axes.0 | 1 << samples.axes.1),
+                Node::Trigger { sample, axis } => {
+                    mark(usize::from(sample)..usize::from(sample) + 1, 1 << axis)
+                }
+                Node::Circle(samples, _) => {
+                    mark(samples.range(), 1 << samples.axes.0 | 1 << samples.axes.1)
+                }
                 _ => {}
             });
         }
@@ -497,6 +588,8 @@ pub struct Used(Vec<u8>);
 impl Used {
     /// Whether coordinate `axis` of a sample is read.
     pub fn has(&self, sample: usize, axis: usize) -> bool {
-        self.0.get(sample).is_some_and(|axes| axes & (1 << axis) != 0)
+        self.0
+            .get(sample)
+            .is_some_and(|axes| axes & (1 << axis) != 0)
     }
 }

@@ -13,14 +13,22 @@ pub struct Name {
 
 impl From<&'static str> for Name {
     fn from(stem: &'static str) -> Self {
-        Name { stem, number: None, rest: "", index: None }
+        Name {
+            stem,
+            number: None,
+            rest: "",
+            index: None,
+        }
     }
 }
 
 impl Name {
     /// A stem and its number: `q1`.
     pub fn new(stem: &'static str, number: usize) -> Self {
-        Name { number: Some(number as u32), ..Name::from(stem) }
+        Name {
+            number: Some(number as u32),
+            ..Name::from(stem)
+        }
     }
 
     /// The same with something after it: `c1_det`.
@@ -30,7 +38,10 @@ impl Name {
 
     /// The same with a number at the very end: `c1_uu_4`.
     pub fn at(self, index: usize) -> Self {
-        Name { index: Some(index as u32), ..self }
+        Name {
+            index: Some(index as u32),
+            ..self
+        }
     }
 
     /// Writes it at the end of a text.
@@ -59,9 +70,16 @@ mod tests {
 
     #[test]
     fn names_as_programs_have_them() {
-        let names =
-            [Name::from("center_x"), Name::new("q", 1), Name::new("ss", 2).and("_").at(3), Name::new("c", 1).and("_uu_").at(4)];
-        assert_eq!(names.map(|name| name.to_string()), ["center_x", "q1", "ss2_3", "c1_uu_4"]);
+        let names = [
+            Name::from("center_x"),
+            Name::new("q", 1),
+            Name::new("ss", 2).and("_").at(3),
+            Name::new("c", 1).and("_uu_").at(4),
+        ];
+        assert_eq!(
+            names.map(|name| name.to_string()),
+            ["center_x", "q1", "ss2_3", "c1_uu_4"]
+        );
         assert_eq!(Name::new("c", 1).and("_det").to_string(), "c1_det");
     }
 }

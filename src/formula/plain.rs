@@ -19,9 +19,19 @@ impl<'f> Source<'f> for Touches {
 }
 
 /// Writes the assignments of a formula, after those of the touches and circles that they need. Where each of them stands now.
-pub(super) fn write<'f>(formula: &Formula, draft: &'f Draft, source: &dyn Source<'f>) -> Vec<Variable> {
+pub(super) fn write<'f>(
+    formula: &Formula,
+    draft: &'f Draft,
+    source: &dyn Source<'f>,
+) -> Vec<Variable> {
     let values = Vec::with_capacity(formula.assignments.len());
-    let mut plain = Plain { formula, draft, source, values, circles: Vec::new() };
+    let mut plain = Plain {
+        formula,
+        draft,
+        source,
+        values,
+        circles: Vec::new(),
+    };
     for assignment in &formula.assignments {
         let node = plain.node(assignment.node);
         plain.values.push(draft.assign(assignment.name, node));
@@ -45,7 +55,9 @@ impl<'f> Plain<'_, 'f> {
         let node = match self.formula.node(id) {
             Node::Variable(variable) => Node::Variable(self.values[variable.index()].variable),
             Node::Circle(samples, part) => Node::Variable(self.part(samples, part).variable),
-            Node::Trigger { sample, axis } => return self.trigger(usize::from(sample), usize::from(axis)).node,
+            Node::Trigger { sample, axis } => {
+                return self.trigger(usize::from(sample), usize::from(axis)).node;
+            }
             leaf @ (Node::Number(_) | Node::Length(_)) => leaf,
             Node::Call(function, a) => Node::Call(function, self.node(a)),
             Node::Binary(op, a, b) => Node::Binary(op, self.node(a), self.node(b)),
@@ -60,7 +72,11 @@ impl<'f> Plain<'_, 'f> {
 
     /// A part of a circle, which is written where it is needed first.
     fn part(&mut self, samples: Samples, part: CirclePart) -> Value<'f> {
-        let known = self.circles.iter().find(|(known, _)| *known == samples).map(|(_, values)| *values);
+        let known = self
+            .circles
+            .iter()
+            .find(|(known, _)| *known == samples)
+            .map(|(_, values)| *values);
         let [x, y, r, residual] = known.unwrap_or_else(|| {
             let [a, o] = [samples.axes.0, samples.axes.1].map(usize::from);
             let at = |k: usize, axis: usize| self.trigger(k, if axis == 0 { a } else { o });
@@ -107,17 +123,31 @@ pub(super) fn circle<'f>(
     }
     let [u, v, uu, vv, uv, uw, vw, ww] = sums.map(|sum| sum.expect("three points or more"));
     let w = f.set(own("_w"), uu + vv);
-    let central = |name: &'static str, sum: Value<'f>, p: Value<'f>, q: Value<'f>| f.set(own(name), sum - p * q / n());
-    let (cuu, cvv, cuv) = (central("_cuu", uu, u, u), central("_cvv", vv, v, v), central("_cuv", uv, u, v));
-    let (cuw, cvw, cww) = (central("_cuw", uw, u, w), central("_cvw", vw, v, w), central("_cww", ww, w, w));
+    let central = |name: &'static str, sum: Value<'f>, p: Value<'f>, q: Value<'f>| {
+        f.set(own(name), sum - p * q / n())
+    };
+    let (cuu, cvv, cuv) = (
+        central("_cuu", uu, u, u),
+        central("_cvv", vv, v, v),
+        central("_cuv", uv, u, v),
+    );
+    let (cuw, cvw, cww) = (
+        central("_cuw", uw, u, w),
+        central("_cvw", vw, v, w),
+        central("_cww", ww, w, w),
+    );
     let det = f.set(own("_det"), cuu * cvv - cuv * cuv);
     let twice_a = f.set(own("_2a"), (cvv * cuw - cuv * cvw) / det);
     let twice_o = f.set(own("_2o"), (cuu * cvw - cuv * cuw) / det);
-    let square = (w - twice_a * u - twice_o * v) / n() + (twice_a * twice_a + twice_o * twice_o) / f.number(4.0);
+    let square = (w - twice_a * u - twice_o * v) / n()
+        + (twice_a * twice_a + twice_o * twice_o) / f.number(4.0);
     let r = f.set(own("_r"), square.sqrt());
     let rest = f.set(own("_rest"), cww - twice_a * cuw - twice_o * cvw);
     // Rounding may leave less than nothing of it.
-    let residual = f.set(own("_residual"), (Expr::from(rest).abs() / n()).sqrt() / (f.number(2.0) * r));
+    let residual = f.set(
+        own("_residual"),
+        (Expr::from(rest).abs() / n()).sqrt() / (f.number(2.0) * r),
+    );
     let x = f.set(own("_a"), at(first, 0) + twice_a / f.number(2.0));
     let y = f.set(own("_o"), at(first, 1) + twice_o / f.number(2.0));
     [x, y, r, residual]

@@ -3,7 +3,9 @@
 use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;
 use crate::formula::plain;
-use crate::formula::{CircleFit, Coordinate, CycleSamples, Datum, Formula, Name, ResultDef, Role, fit_circle};
+use crate::formula::{
+    CircleFit, Coordinate, CycleSamples, Datum, Formula, Name, ResultDef, Role, fit_circle,
+};
 use crate::geom::Vec2;
 use crate::num::wrap_degrees;
 use crate::text::{Text, text, words};
@@ -64,7 +66,11 @@ pub static RELATIONS: [RelationDef; 5] = [
         most: None,
         results: &["center.x", "center.y"],
         write: middle,
-        values: |of, _| [0, 1].map(|axis| Some(of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64)).to_vec(),
+        values: |of, _| {
+            [0, 1]
+                .map(|axis| Some(of.iter().map(|place| place[axis]).sum::<f64>() / of.len() as f64))
+                .to_vec()
+        },
         problem: |_| None,
     },
     RelationDef {
@@ -79,7 +85,9 @@ pub static RELATIONS: [RelationDef; 5] = [
         values: |of, _| pitch_circle_of(of),
         problem: |of| {
             let flat = |radius: f64| radius.is_nan() || radius > 10_000.0;
-            fit(of).is_none_or(|fit| flat(fit.radius)).then(|| text!("These places lie on one line: they give no circle"))
+            fit(of)
+                .is_none_or(|fit| flat(fit.radius))
+                .then(|| text!("These places lie on one line: they give no circle"))
         },
     },
     RelationDef {
@@ -103,7 +111,12 @@ pub static RELATIONS: [RelationDef; 5] = [
         most: None,
         results: &["mean"],
         write: mean,
-        values: |of, directions| vec![Some(mean_of(&of.iter().map(|value| value[0]).collect::<Vec<_>>(), directions))],
+        values: |of, directions| {
+            vec![Some(mean_of(
+                &of.iter().map(|value| value[0]).collect::<Vec<_>>(),
+                directions,
+            ))]
+        },
         problem: |_| None,
     },
 ];
@@ -165,7 +178,12 @@ impl Formula {
     }
 
     /// Adds what is written behind it, as the next cycle with this name: its assignments, and its results that are stated.
-    pub(super) fn continued<T>(&mut self, name: &str, first_sample: usize, write: impl FnOnce(&Draft) -> T) -> T {
+    pub(super) fn continued<T>(
+        &mut self,
+        name: &str,
+        first_sample: usize,
+        write: impl FnOnce(&Draft) -> T,
+    ) -> T {
         let (assignments, results) = (self.assignments.len(), self.results.len());
         let cycle = self.cycles.len() as u16;
         let rest = (std::mem::take(&mut self.cycles), self.datum, self.turn);
@@ -173,17 +191,40 @@ impl Formula {
         let written = write(&draft);
         *self = draft.finish(rest.1);
         (self.cycles, self.turn) = (rest.0, rest.2);
-        self.assignments[assignments..].iter_mut().for_each(|assignment| assignment.cycle = cycle);
-        self.results[results..].iter_mut().for_each(|result| result.cycle = cycle);
-        self.cycles.push(CycleSamples { name: name.to_owned(), first_sample });
+        self.assignments[assignments..]
+            .iter_mut()
+            .for_each(|assignment| assignment.cycle = cycle);
+        self.results[results..]
+            .iter_mut()
+            .for_each(|result| result.cycle = cycle);
+        self.cycles.push(CycleSamples {
+            name: name.to_owned(),
+            first_sample,
+        });
         written
     }
 }
 
-fn write(f: &Draft, Relating { relation, of, heights }: &Relating) -> Option<Datum> {
+fn write(
+    f: &Draft,
+    Relating {
+        relation,
+        of,
+        heights,
+    }: &Relating,
+) -> Option<Datum> {
     let known = |result: usize| {
-        let ResultDef { nominal, role, variable, .. } = f.result_at(result);
-        Known { value: f.known(variable.unwrap_or(Variable(0))), nominal, role }
+        let ResultDef {
+            nominal,
+            role,
+            variable,
+            ..
+        } = f.result_at(result);
+        Known {
+            value: f.known(variable.unwrap_or(Variable(0))),
+            nominal,
+            role,
+        }
     };
     let place = |operand: &Operand| match *operand {
         Operand::Place(axes) => axes.map(known),
@@ -197,21 +238,34 @@ fn middle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Dat
     let count = of.len() as f64;
     let axis = |axis: usize, name: &'static str| {
         let sum = f.sum(of.iter().map(|place| place[axis].value));
-        (f.set(name, sum / f.number(count)), of.iter().map(|place| place[axis].nominal).sum::<f64>() / count)
+        (
+            f.set(name, sum / f.number(count)),
+            of.iter().map(|place| place[axis].nominal).sum::<f64>() / count,
+        )
     };
     let (x, y) = (axis(0, "center_x"), axis(1, "center_y"));
     Some(center(f, x, y))
 }
 
 fn pitch_circle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
-    let nominal: Vec<[f64; 2]> = of.iter().map(|place| place.map(|known| known.nominal)).collect();
-    let (middle, radius) = fit(&nominal).map_or((Vec2::NAN, f64::NAN), |fit| (fit.center, fit.radius));
+    let nominal: Vec<[f64; 2]> = of
+        .iter()
+        .map(|place| place.map(|known| known.nominal))
+        .collect();
+    let (middle, radius) =
+        fit(&nominal).map_or((Vec2::NAN, f64::NAN), |fit| (fit.center, fit.radius));
     let at = |k: usize, axis: usize| Expr::from(of[k][axis].value);
     let [x, y, r, residual] = plain::circle(f, 1, 0..of.len(), &at);
     let (x, y) = (f.set("center_x", x), f.set("center_y", y));
     let diameter = f.set("diameter", f.number(2.0) * r);
     let datum = center(f, (x, middle.x), (y, middle.y));
-    f.result("diameter", Role::Size, words!("Diameter of the pitch circle"), 2.0 * radius, Some(diameter));
+    f.result(
+        "diameter",
+        Role::Size,
+        words!("Diameter of the pitch circle"),
+        2.0 * radius,
+        Some(diameter),
+    );
     let meaning = words!("Root mean square distance of the places from the pitch circle");
     f.result("residual", Role::Residual, meaning, 0.0, Some(residual));
     Some(datum)
@@ -219,37 +273,76 @@ fn pitch_circle<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Opti
 
 /// The circle through places.
 fn fit(of: &[[f64; 2]]) -> Option<CircleFit> {
-    fit_circle(&of.iter().map(|[x, y]| Vec2::new(*x, *y)).collect::<Vec<_>>())
+    fit_circle(
+        &of.iter()
+            .map(|[x, y]| Vec2::new(*x, *y))
+            .collect::<Vec<_>>(),
+    )
 }
 
 fn pitch_circle_of(of: &[[f64; 2]]) -> Vec<Option<f64>> {
-    let Some(fit) = fit(of) else { return vec![None; 4] };
-    let off = of.iter().map(|[x, y]| (Vec2::new(*x, *y).distance(fit.center) - fit.radius).powi(2));
+    let Some(fit) = fit(of) else {
+        return vec![None; 4];
+    };
+    let off = of
+        .iter()
+        .map(|[x, y]| (Vec2::new(*x, *y).distance(fit.center) - fit.radius).powi(2));
     let residual = (off.sum::<f64>() / of.len() as f64).sqrt();
-    [fit.center.x, fit.center.y, 2.0 * fit.radius, residual].map(Some).to_vec()
+    [fit.center.x, fit.center.y, 2.0 * fit.radius, residual]
+        .map(Some)
+        .to_vec()
 }
 
 /// A place as results, and as what a work offset can be written from.
 fn center<'f>(f: &'f Draft, x: (Value<'f>, f64), y: (Value<'f>, f64)) -> Datum {
-    f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), x.1, Some(x.0));
-    f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), y.1, Some(y.0));
+    f.result(
+        "center.x",
+        Role::Abscissa,
+        words!("Centre, abscissa"),
+        x.1,
+        Some(x.0),
+    );
+    f.result(
+        "center.y",
+        Role::Ordinate,
+        words!("Centre, ordinate"),
+        y.1,
+        Some(y.0),
+    );
     Datum::point(x, y)
 }
 
 /// Distance, and the direction as nominal plus how far it is turned from that: near half a turn an angle may be said a whole turn away.
 fn line<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option<Datum> {
     let [from, to] = [of[0], of[1]];
-    let [dx, dy] = [("dx", 0), ("dy", 1)].map(|(name, axis)| f.set(name, to[axis].value - from[axis].value));
+    let [dx, dy] =
+        [("dx", 0), ("dy", 1)].map(|(name, axis)| f.set(name, to[axis].value - from[axis].value));
     let [nx, ny] = [0, 1].map(|axis| to[axis].nominal - from[axis].nominal);
     let length = nx.hypot(ny);
     let distance = f.set("distance", (dx * dx + dy * dy).sqrt());
     let (cos, sin) = (nx / length, ny / length);
     // An angle has an assignment of its own: a control may have to bring it into half a turn.
-    let turned = f.set("turned", f.project(dy, dx, (cos, -sin)).atan2(f.project(dx, dy, (cos, sin))));
+    let turned = f.set(
+        "turned",
+        f.project(dy, dx, (cos, -sin))
+            .atan2(f.project(dx, dy, (cos, sin))),
+    );
     let nominal = ny.atan2(nx).to_degrees();
     let rotation = f.set("rotation", turned + f.number(nominal));
-    f.result("distance", Role::Size, words!("Distance from the first place to the second"), length, Some(distance));
-    f.result("rotation", Role::Direction, words!("Direction from the first place to the second"), nominal, Some(rotation));
+    f.result(
+        "distance",
+        Role::Size,
+        words!("Distance from the first place to the second"),
+        length,
+        Some(distance),
+    );
+    f.result(
+        "rotation",
+        Role::Direction,
+        words!("Direction from the first place to the second"),
+        nominal,
+        Some(rotation),
+    );
     None
 }
 
@@ -259,18 +352,26 @@ fn apart(from: [f64; 2], to: [f64; 2]) -> f64 {
 
 fn line_of(of: &[[f64; 2]], _directions: bool) -> Vec<Option<f64>> {
     let [from, to] = [of[0], of[1]];
-    vec![Some(apart(from, to)), Some((to[1] - from[1]).atan2(to[0] - from[0]).to_degrees())]
+    vec![
+        Some(apart(from, to)),
+        Some((to[1] - from[1]).atan2(to[0] - from[0]).to_degrees()),
+    ]
 }
 
 /// How far a value is from its nominal one: of a direction within half a turn. `number` tells the names apart.
 fn off<'f>(f: &'f Draft, number: usize, known: Known<'f>) -> Expr<'f> {
-    let constant = if known.role.is_angle() { f.number(known.nominal) } else { f.length(known.nominal) };
+    let constant = if known.role.is_angle() {
+        f.number(known.nominal)
+    } else {
+        f.length(known.nominal)
+    };
     let off = known.value - constant;
     if known.role != Role::Direction || known.nominal.abs() <= 90.0 {
         return off;
     }
     let away = f.set(Name::new("away", number), off);
-    f.set(Name::new("turned", number), away.sin().atan2(away.cos())).into()
+    f.set(Name::new("turned", number), away.sin().atan2(away.cos()))
+        .into()
 }
 
 /// What is computed of single results keeps their kind: sizes give a size, other lengths a coordinate.
@@ -289,13 +390,29 @@ fn difference<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option
     if first.role.is_angle() {
         // Between directions the smaller turn counts.
         let directions = first.role == Role::Direction || second.role == Role::Direction;
-        let nominal = if directions { wrap_degrees(nominal) } else { nominal };
+        let nominal = if directions {
+            wrap_degrees(nominal)
+        } else {
+            nominal
+        };
         let value = off(f, 1, first) - off(f, 2, second) + f.number(nominal);
         let value = f.set("difference", value);
-        f.result("difference.angle", Role::Angle, words!("First angle less the second"), nominal, Some(value));
+        f.result(
+            "difference.angle",
+            Role::Angle,
+            words!("First angle less the second"),
+            nominal,
+            Some(value),
+        );
     } else {
         let value = f.set("difference", first.value - second.value);
-        f.result("difference", Role::Size, words!("First result less the second"), nominal, Some(value));
+        f.result(
+            "difference",
+            Role::Size,
+            words!("First result less the second"),
+            nominal,
+            Some(value),
+        );
     }
     None
 }
@@ -303,18 +420,42 @@ fn difference<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], _heights: bool) -> Option
 fn mean<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum> {
     let known: Vec<Known<'f>> = of.iter().map(|operand| operand[0]).collect();
     let count = known.len() as f64;
-    let nominal = mean_of(&known.iter().map(|known| known.nominal).collect::<Vec<_>>(), known[0].role == Role::Direction);
+    let nominal = mean_of(
+        &known.iter().map(|known| known.nominal).collect::<Vec<_>>(),
+        known[0].role == Role::Direction,
+    );
     let value = if known[0].role.is_angle() {
-        let sum = f.sum(known.iter().enumerate().map(|(i, known)| off(f, i + 1, *known)));
+        let sum = f.sum(
+            known
+                .iter()
+                .enumerate()
+                .map(|(i, known)| off(f, i + 1, *known)),
+        );
         let value = f.set("mean", sum / f.number(count) + f.number(nominal));
         let directions = known.iter().all(|known| known.role == Role::Direction);
-        let role = if directions { Role::Direction } else { Role::Angle };
-        f.result("mean.angle", role, words!("Mean of the angles"), nominal, Some(value));
+        let role = if directions {
+            Role::Direction
+        } else {
+            Role::Angle
+        };
+        f.result(
+            "mean.angle",
+            role,
+            words!("Mean of the angles"),
+            nominal,
+            Some(value),
+        );
         value
     } else {
         let sum = f.sum(known.iter().map(|known| known.value));
         let value = f.set("mean", sum / f.number(count));
-        f.result("mean", role_of(&known), words!("Mean of the results"), nominal, Some(value));
+        f.result(
+            "mean",
+            role_of(&known),
+            words!("Mean of the results"),
+            nominal,
+            Some(value),
+        );
         value
     };
     heights.then(|| Datum::of([None, None, Some(Coordinate::measured(value, nominal))]))
@@ -323,7 +464,13 @@ fn mean<'f>(f: &'f Draft, of: &[[Known<'f>; 2]], heights: bool) -> Option<Datum>
 /// The mean of values; of directions about the first, from which none is farther than half a turn.
 fn mean_of(values: &[f64], directions: bool) -> f64 {
     let first = values[0];
-    let near = |value: f64| if directions { first + wrap_degrees(value - first) } else { value };
+    let near = |value: f64| {
+        if directions {
+            first + wrap_degrees(value - first)
+        } else {
+            value
+        }
+    };
     let mean = values.iter().map(|value| near(*value)).sum::<f64>() / values.len() as f64;
     if directions { wrap_degrees(mean) } else { mean }
 }

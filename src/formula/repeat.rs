@@ -38,14 +38,24 @@ impl<'f> Source<'f> for Repeats<'f> {
 
 impl<'f> Repeats<'f> {
     pub(super) fn of(times: usize, along: &[Vec3], used: Used) -> Self {
-        Repeats { times, along: along.to_vec(), used, written: RefCell::default() }
+        Repeats {
+            times,
+            along: along.to_vec(),
+            used,
+            written: RefCell::default(),
+        }
     }
 
     /// The mean of a coordinate of a sample. What is computed of a sample is written where it is needed first: a control keeps its touches no longer than
     /// that.
     fn mean(&self, f: &'f Draft, sample: usize, axis: usize) -> Value<'f> {
-        let known =
-            |written: &Written<'f>| written.means.iter().find(|(key, _)| *key == (sample, axis)).map(|(_, value)| *value);
+        let known = |written: &Written<'f>| {
+            written
+                .means
+                .iter()
+                .find(|(key, _)| *key == (sample, axis))
+                .map(|(_, value)| *value)
+        };
         if let Some(value) = known(&self.written.borrow()) {
             return value;
         }
@@ -53,7 +63,10 @@ impl<'f> Repeats<'f> {
         for axis in (0..3).filter(|axis| self.used.has(sample, *axis)) {
             let sum = f.sum((0..self.times).map(|n| f.trigger(self.times * sample + n, axis)));
             let name = Name::new("mean", sample + 1).and(MEANS[axis]);
-            written.means.push(((sample, axis), f.set(name, sum / f.number(self.times as f64))));
+            written.means.push((
+                (sample, axis),
+                f.set(name, sum / f.number(self.times as f64)),
+            ));
         }
         let own = f.set(Name::new("apart", sample + 1), self.apart(f, sample));
         written.spread = Some(match written.spread {
@@ -79,7 +92,15 @@ impl<'f> Repeats<'f> {
             }
             let plane = f.project(trigger(0), trigger(1), (along[0], along[1]));
             let rest = trigger(2) * f.number(along[2].abs());
-            f.set(Name::new("along", touch + 1), if along[2] < 0.0 { plane - rest } else { plane + rest }).into()
+            f.set(
+                Name::new("along", touch + 1),
+                if along[2] < 0.0 {
+                    plane - rest
+                } else {
+                    plane + rest
+                },
+            )
+            .into()
         };
         let places: Vec<Expr<'f>> = (0..self.times).map(place).collect();
         let between = |a: usize, b: usize| (places[a] - places[b]).abs();
@@ -94,7 +115,13 @@ impl<'f> Repeats<'f> {
     pub(super) fn state(&self, f: &'f Draft, limit: Option<f64>) {
         let spread = self.written.borrow().spread;
         let meaning = words!("Largest distance between touches of the same point");
-        f.result("spread", Role::Spread, meaning, 0.0, spread.map(|(most, _)| most));
+        f.result(
+            "spread",
+            Role::Spread,
+            meaning,
+            0.0,
+            spread.map(|(most, _)| most),
+        );
         f.limited(limit);
     }
 }

@@ -35,7 +35,10 @@ struct Said {
 
 impl Called<'_> {
     fn get(&self, name: &str) -> Option<f64> {
-        self.arguments.iter().find(|(known, value)| known == name && value.is_finite()).map(|(_, value)| *value)
+        self.arguments
+            .iter()
+            .find(|(known, value)| known == name && value.is_finite())
+            .map(|(_, value)| *value)
     }
 
     /// The job; `None` where the call is not a documented cycle, or does not say enough for one without errors.
@@ -54,7 +57,11 @@ impl Called<'_> {
         said.origin.iter().all(|x| x.is_finite()).then_some(())?;
         let mut job = default_job_in(said.cycle, units)?;
         set(&mut job, "units", Value::Text(units.word().to_owned()));
-        set(&mut job, "cycle.origin", Value::List(said.origin.map(Value::Number).to_vec()));
+        set(
+            &mut job,
+            "cycle.origin",
+            Value::List(said.origin.map(Value::Number).to_vec()),
+        );
         for (key, value) in said.fields {
             set(&mut job, &format!("cycle.{key}"), Value::Number(value));
         }
@@ -66,14 +73,21 @@ impl Called<'_> {
         }
         // Of controls that take their own cycles alone.
         if self.post.is_some() || said.post == Some("heidenhain") {
-            set(&mut job, "control.form", Value::Text(Form::Cycle.word().to_owned()));
+            set(
+                &mut job,
+                "control.form",
+                Value::Text(Form::Cycle.word().to_owned()),
+            );
         }
         if let Some(offset) = said.offset {
             set(&mut job, "control.workOffset", Value::Number(offset));
         }
         let name = job_name(&job);
         set(&mut job, "name", Value::Text(name));
-        check(&job).iter().all(|finding| finding.level != Level::Error).then_some(job)
+        check(&job)
+            .iter()
+            .all(|finding| finding.level != Level::Error)
+            .then_some(job)
     }
 
     /// Renishaw's macros. That a feature is touched at Z, and from beside it, shows that it is outside, or entered from above where R is negative.
@@ -90,30 +104,57 @@ impl Called<'_> {
         let high = beside.map(|_| z + tip);
         // Of a surface across Z it is counted from the contact.
         let mut counted = radius;
-        let unknown = |shape| Probed { center, lifts, high, ..Probed::unknown(shape, inside) };
+        let unknown = |shape| Probed {
+            center,
+            lifts,
+            high,
+            ..Probed::unknown(shape, inside)
+        };
         let probed = match number {
-            "9814" => Probed { sizes: [self.get("D")?, f64::NAN], ..unknown(Shape::Bore) },
+            "9814" => Probed {
+                sizes: [self.get("D")?, f64::NAN],
+                ..unknown(Shape::Bore)
+            },
             "9812" => {
                 let (along_x, along_y) = (self.get("X"), self.get("Y"));
                 let axis = usize::from(along_x.is_none());
-                Probed { sizes: [along_x.xor(along_y)?, f64::NAN], axis, ..unknown(Shape::Width) }
+                Probed {
+                    sizes: [along_x.xor(along_y)?, f64::NAN],
+                    axis,
+                    ..unknown(Shape::Width)
+                }
             }
             "9811" => {
                 let axes = [self.get("X"), self.get("Y"), self.get("Z")];
-                let axis = axes.iter().position(Option::is_some).filter(|_| axes.iter().flatten().count() == 1)?;
+                let axis = axes
+                    .iter()
+                    .position(Option::is_some)
+                    .filter(|_| axes.iter().flatten().count() == 1)?;
                 let surface = axes[axis]?;
                 let away = self.place[axis] - surface + if axis == 2 { tip } else { 0.0 };
                 counted = if axis == 2 { radius - tip } else { radius };
                 clearance = away.abs();
                 let mut center = Vec3::from_array(self.place);
                 center[axis] = surface;
-                Probed { center, axis, towards: -away.signum(), ..Probed::unknown(Shape::Surface, false) }
+                Probed {
+                    center,
+                    axis,
+                    towards: -away.signum(),
+                    ..Probed::unknown(Shape::Surface, false)
+                }
             }
             _ => return None,
         };
-        let offset = self.get("S").filter(|s| s.fract() == 0.0 && (1.0..=6.0).contains(s));
+        let offset = self
+            .get("S")
+            .filter(|s| s.fract() == 0.0 && (1.0..=6.0).contains(s));
         let overtravel = self.get("Q").map(|q| q + counted);
-        Some(Said { overtravel, post: Some("fanuc"), offset, ..Said::of(&probed, clearance, depth, 0.0)? })
+        Some(Said {
+            overtravel,
+            post: Some("fanuc"),
+            offset,
+            ..Said::of(&probed, clearance, depth, 0.0)?
+        })
     }
 
     /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
@@ -121,15 +162,27 @@ impl Called<'_> {
     fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         let [x, y, z] = self.place;
         let variant = self.get("1")?;
-        let corrects = self.get("2").filter(|_| (variant / 100.0).trunc() % 10.0 == 1.0);
-        let offset = corrects.map(|n| n - 10_000.0).filter(|n| (1.0..=99.0).contains(n));
+        let corrects = self
+            .get("2")
+            .filter(|_| (variant / 100.0).trunc() % 10.0 == 1.0);
+        let offset = corrects
+            .map(|n| n - 10_000.0)
+            .filter(|n| (1.0..=99.0).contains(n));
         if number == "978" {
-            let (surface, axis) = (self.get("5")?, self.get("8").filter(|axis| (1.0..=3.0).contains(axis))? as usize - 1);
+            let (surface, axis) = (
+                self.get("5")?,
+                self.get("8").filter(|axis| (1.0..=3.0).contains(axis))? as usize - 1,
+            );
             let towards = if self.get("9")? == 1.0 { 1.0 } else { -1.0 };
             let mut center = Vec3::from_array(self.place);
             center[axis] = surface;
             let away = (surface - self.place[axis]) * towards;
-            let probed = Probed { center, axis, towards, ..Probed::unknown(Shape::Surface, false) };
+            let probed = Probed {
+                center,
+                axis,
+                towards,
+                ..Probed::unknown(Shape::Surface, false)
+            };
             return Some(Said {
                 overtravel: self.get("6"),
                 post: Some("sinumerik"),
@@ -140,7 +193,11 @@ impl Called<'_> {
         (number == "977").then_some(())?;
         let (kind, protected) = (variant % 10.0, variant >= 1000.0);
         let inside = ![2.0, 4.0, 6.0].contains(&kind);
-        let down = if protected || !inside { self.get("11")? } else { 0.0 };
+        let down = if protected || !inside {
+            self.get("11")?
+        } else {
+            0.0
+        };
         let path = self.get("8")?;
         // The centre that the offset is corrected to; of a groove or web its coordinate along the measuring axis.
         let across = self.get("14") == Some(2.0);
@@ -156,37 +213,72 @@ impl Called<'_> {
             1.0 | 2.0 => (Shape::Bore, [self.get("5")?, f64::NAN], 0),
             3.0 | 4.0 => {
                 self.get("14")?;
-                (Shape::Width, [self.get("5")?, f64::NAN], usize::from(across))
+                (
+                    Shape::Width,
+                    [self.get("5")?, f64::NAN],
+                    usize::from(across),
+                )
             }
             5.0 | 6.0 => (Shape::Rectangle, [self.get("6")?, self.get("7")?], 0),
             _ => return None,
         };
         let center = Vec3::new(centre[0], centre[1], z - down);
-        let probed = Probed { center, sizes, axis, lifts: protected, high: Some(z), ..Probed::unknown(shape, inside) };
+        let probed = Probed {
+            center,
+            sizes,
+            axis,
+            lifts: protected,
+            high: Some(z),
+            ..Probed::unknown(shape, inside)
+        };
         let feature = Said::of(&probed, path + radius, depth, self.get("10").unwrap_or(0.0))?;
-        Some(Said { overtravel: Some(path), post: Some("sinumerik"), offset, ..feature })
+        Some(Said {
+            overtravel: Some(path),
+            post: Some("sinumerik"),
+            offset,
+            ..feature
+        })
     }
 
     /// The cycles whose words are rows.
     fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         let probed = row(number.parse().ok()?)?.probed(|q| self.get(&format!("Q{q}")))?;
-        let clearance = probed.set_up.map_or(5.0 * radius / 3.0, |set_up| set_up + radius);
-        let offset = probed.row.filter(|row| (1.0..=99.0).contains(row) && row.fract() == 0.0);
-        Some(Said { post: Some("heidenhain"), offset, ..Said::of(&probed, clearance, depth, 0.0)? })
+        let clearance = probed
+            .set_up
+            .map_or(5.0 * radius / 3.0, |set_up| set_up + radius);
+        let offset = probed
+            .row
+            .filter(|row| (1.0..=99.0).contains(row) && row.fract() == 0.0);
+        Some(Said {
+            post: Some("heidenhain"),
+            offset,
+            ..Said::of(&probed, clearance, depth, 0.0)?
+        })
     }
 }
 
 impl Said {
     /// What is probed, as a documented cycle whose touches begin so far from their contacts and lie so deep below the top side, turned by so many degrees.
     fn of(probed: &Probed, clearance: f64, depth: f64, turn: f64) -> Option<Said> {
-        let Probed { shape, inside, center, sizes, axis, towards, high, lifts, .. } = *probed;
+        let Probed {
+            shape,
+            inside,
+            center,
+            sizes,
+            axis,
+            towards,
+            high,
+            lifts,
+            ..
+        } = *probed;
         let mut fields = vec![("depth", depth)];
         let top = center.z + depth;
-        let kinds = |inner: &'static str, over: &'static str, out: &'static str| match (inside, lifts) {
-            (true, false) => inner,
-            (true, true) => over,
-            (false, _) => out,
-        };
+        let kinds =
+            |inner: &'static str, over: &'static str, out: &'static str| match (inside, lifts) {
+                (true, false) => inner,
+                (true, true) => over,
+                (false, _) => out,
+            };
         let cycle = match shape {
             Shape::Surface => {
                 // The surface faces the touch.
@@ -196,29 +288,62 @@ impl Said {
                     _ if towards < 0.0 => None,
                     _ => return None,
                 };
-                fields = vec![("elevation", if axis == 2 { 90.0 } else { 0.0 }), ("clearance", clearance)];
+                fields = vec![
+                    ("elevation", if axis == 2 { 90.0 } else { 0.0 }),
+                    ("clearance", clearance),
+                ];
                 fields.extend(facing.map(|facing| ("rotation", facing)));
                 // From where the touch begins up to the clearance height.
-                let begins = if axis == 2 { center.z + clearance } else { center.z };
-                fields.extend(high.map(|high| ("feedDistance", high - begins)).filter(|(_, far)| *far >= 0.0));
+                let begins = if axis == 2 {
+                    center.z + clearance
+                } else {
+                    center.z
+                };
+                fields.extend(
+                    high.map(|high| ("feedDistance", high - begins))
+                        .filter(|(_, far)| *far >= 0.0),
+                );
                 let origin = center.to_array();
-                return Some(Said { cycle: "surface", fields, origin, overtravel: None, post: None, offset: None });
+                return Some(Said {
+                    cycle: "surface",
+                    fields,
+                    origin,
+                    overtravel: None,
+                    post: None,
+                    offset: None,
+                });
             }
             Shape::Bore => {
                 fields.extend([("diameter", sizes[0]), ("rotation", turn)]);
                 if probed.start != 0.0 || probed.step != 90.0 {
                     let (start, step, count) = (probed.start, probed.step, probed.count);
-                    fields.extend([("variant", 1.0), ("startAngle", start), ("angularStep", step), ("stepCount", count)]);
+                    fields.extend([
+                        ("variant", 1.0),
+                        ("startAngle", start),
+                        ("angularStep", step),
+                        ("stepCount", count),
+                    ]);
                 }
                 kinds("hole", "hole-protected", "boss")
             }
             Shape::Width => {
-                fields.extend([("width", sizes[0]), ("rotation", if axis == 1 { 90.0 } else { 0.0 } + turn)]);
+                fields.extend([
+                    ("width", sizes[0]),
+                    ("rotation", if axis == 1 { 90.0 } else { 0.0 } + turn),
+                ]);
                 kinds("groove", "groove-protected", "web")
             }
             Shape::Rectangle => {
-                fields.extend([("width1", sizes[0]), ("width2", sizes[1]), ("rotation", turn)]);
-                kinds("internal-rectangle", "internal-rectangle-protected", "external-rectangle")
+                fields.extend([
+                    ("width1", sizes[0]),
+                    ("width2", sizes[1]),
+                    ("rotation", turn),
+                ]);
+                kinds(
+                    "internal-rectangle",
+                    "internal-rectangle-protected",
+                    "external-rectangle",
+                )
             }
         };
         if let Some(high) = high.filter(|high| *high > top) {
@@ -229,11 +354,21 @@ impl Said {
             }
         }
         if !inside || lifts {
-            let sides: &[&str] =
-                if shape == Shape::Rectangle { &["sideClearance1", "sideClearance2"] } else { &["sideClearance"] };
+            let sides: &[&str] = if shape == Shape::Rectangle {
+                &["sideClearance1", "sideClearance2"]
+            } else {
+                &["sideClearance"]
+            };
             fields.extend(sides.iter().map(|side| (*side, clearance)));
         }
-        Some(Said { cycle, fields, origin: [center.x, center.y, top], overtravel: None, post: None, offset: None })
+        Some(Said {
+            cycle,
+            fields,
+            origin: [center.x, center.y, top],
+            overtravel: None,
+            post: None,
+            offset: None,
+        })
     }
 }
 
@@ -242,32 +377,82 @@ mod tests {
     use super::*;
 
     fn job(name: &str, arguments: &[(&str, f64)], place: [f64; 3]) -> Option<Value> {
-        let arguments: Vec<(String, f64)> = arguments.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-        Called { name, post: None, arguments: &arguments, place, metric: true }.job()
+        let arguments: Vec<(String, f64)> = arguments
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), *value))
+            .collect();
+        Called {
+            name,
+            post: None,
+            arguments: &arguments,
+            place,
+            metric: true,
+        }
+        .job()
     }
 
     fn touches(job: &Value) -> Vec<[f64; 3]> {
         let plan = crate::job::plan(job).unwrap();
         let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
-        plan.touches.iter().map(|touch| touch.point.map(round)).collect()
+        plan.touches
+            .iter()
+            .map(|touch| touch.point.map(round))
+            .collect()
     }
 
     /// By hand: a hole of 25 about (1, 2), touched where the stylus stands; a web of 30 along Y; a wall from the right.
     #[test]
     fn a_call_touches_where_its_job_does() {
-        let hole = job("G65 P9814", &[("D", 25.0), ("Q", 4.0), ("S", 2.0)], [1.0, 2.0, -5.0]).unwrap();
-        assert_eq!(touches(&hole), [[13.5, 2.0, -5.0], [-11.5, 2.0, -5.0], [1.0, 14.5, -5.0], [1.0, -10.5, -5.0]]);
+        let hole = job(
+            "G65 P9814",
+            &[("D", 25.0), ("Q", 4.0), ("S", 2.0)],
+            [1.0, 2.0, -5.0],
+        )
+        .unwrap();
+        assert_eq!(
+            touches(&hole),
+            [
+                [13.5, 2.0, -5.0],
+                [-11.5, 2.0, -5.0],
+                [1.0, 14.5, -5.0],
+                [1.0, -10.5, -5.0]
+            ]
+        );
         assert_eq!(hole.get("overtravel"), Some(&Value::Number(7.0)));
-        assert_eq!(hole.get("control").and_then(|c| c.get("workOffset")), Some(&Value::Number(2.0)));
-        let web = job("G65 P9812", &[("Y", 30.0), ("Z", -8.0), ("R", 4.0)], [0.0, 5.0, 12.0]).unwrap();
+        assert_eq!(
+            hole.get("control").and_then(|c| c.get("workOffset")),
+            Some(&Value::Number(2.0))
+        );
+        let web = job(
+            "G65 P9812",
+            &[("Y", 30.0), ("Z", -8.0), ("R", 4.0)],
+            [0.0, 5.0, 12.0],
+        )
+        .unwrap();
         assert_eq!(touches(&web), [[0.0, 20.0, -8.0], [0.0, -10.0, -8.0]]);
         let wall = job("G65 P9811", &[("X", 10.0)], [22.0, 3.0, -4.0]).unwrap();
         assert_eq!(touches(&wall), [[10.0, 3.0, -4.0]]);
-        let top =
-            job("TCH PROBE 417", &[("Q263", 7.0), ("Q264", -12.0), ("Q294", 0.0), ("Q320", 12.0)], [f64::NAN; 3]).unwrap();
+        let top = job(
+            "TCH PROBE 417",
+            &[
+                ("Q263", 7.0),
+                ("Q264", -12.0),
+                ("Q294", 0.0),
+                ("Q320", 12.0),
+            ],
+            [f64::NAN; 3],
+        )
+        .unwrap();
         assert_eq!(touches(&top), [[7.0, -12.0, 0.0]]);
-        let circle =
-            [("Q321", 5.0), ("Q322", 6.0), ("Q262", 40.0), ("Q261", -5.0), ("Q320", 4.0), ("Q260", 20.0), ("Q301", 0.0)];
+        let circle = [
+            ("Q321", 5.0),
+            ("Q322", 6.0),
+            ("Q262", 40.0),
+            ("Q261", -5.0),
+            ("Q320", 4.0),
+            ("Q260", 20.0),
+            ("Q301", 0.0),
+        ];
         let hole = job("TCH PROBE 412", &circle, [f64::NAN; 3]).unwrap();
         assert_eq!(touches(&hole)[0], [25.0, 6.0, -5.0]);
         // The example of a generator's own documents: hole of 32 with a zone of 5, 16 deep, turned by 11, G54, centre at X−3 Y15.
@@ -287,10 +472,12 @@ mod tests {
         ];
         let named = call.map(|(place, value)| {
             (
-                ["", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12"]
-                    .get(place)
-                    .copied()
-                    .unwrap_or(["27", "28", "29"][place.max(27) - 27]),
+                [
+                    "", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12",
+                ]
+                .get(place)
+                .copied()
+                .unwrap_or(["27", "28", "29"][place.max(27) - 27]),
                 value,
             )
         });
@@ -298,22 +485,41 @@ mod tests {
         let [x, y, z] = touches(&hole)[0];
         let eleven = 11f64.to_radians();
         assert!(
-            (x - (-3.0 + 16.0 * eleven.cos())).abs() < 1e-5 && (y - (15.0 + 16.0 * eleven.sin())).abs() < 1e-5 && z == -11.0,
+            (x - (-3.0 + 16.0 * eleven.cos())).abs() < 1e-5
+                && (y - (15.0 + 16.0 * eleven.sin())).abs() < 1e-5
+                && z == -11.0,
             "{x} {y} {z}"
         );
-        assert_eq!(hole.get("control").and_then(|c| c.get("workOffset")), Some(&Value::Number(1.0)));
+        assert_eq!(
+            hole.get("control").and_then(|c| c.get("workOffset")),
+            Some(&Value::Number(1.0))
+        );
         // `CYCLE978(0,,,1,-55,15,5,1,2,…)`: the surface at X−55, towards minus.
         let wall = job(
             "CYCLE978",
-            &[("1", 0.0), ("4", 1.0), ("5", -55.0), ("6", 15.0), ("7", 5.0), ("8", 1.0), ("9", 2.0)],
+            &[
+                ("1", 0.0),
+                ("4", 1.0),
+                ("5", -55.0),
+                ("6", 15.0),
+                ("7", 5.0),
+                ("8", 1.0),
+                ("9", 2.0),
+            ],
             [-45.0, 2.0, -3.0],
         )
         .unwrap();
         assert_eq!(touches(&wall), [[-55.0, 2.0, -3.0]]);
-        assert_eq!(crate::job::plan(&wall).unwrap().touches[0].vector, [1.0, 0.0, 0.0]);
+        assert_eq!(
+            crate::job::plan(&wall).unwrap().touches[0].vector,
+            [1.0, 0.0, 0.0]
+        );
         // No job comes of unknown values, of a cycle that is not documented, or of a wrong call.
         assert!(job("G65 P9814", &[("D", 25.0)], [f64::NAN, 2.0, 5.0]).is_none());
         assert!(job("G65 P9812", &[("X", 5.0), ("Y", 5.0)], [0.0; 3]).is_none());
-        assert!(job("G65 P9834", &[], [0.0; 3]).is_none() && job("G65 P9814", &[("D", 1.0)], [0.0; 3]).is_none());
+        assert!(
+            job("G65 P9834", &[], [0.0; 3]).is_none()
+                && job("G65 P9814", &[("D", 1.0)], [0.0; 3]).is_none()
+        );
     }
 }

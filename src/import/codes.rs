@@ -26,7 +26,11 @@ pub fn entries(text: &str) -> Vec<Entry> {
             && let Some((accessor, code)) = open
             && let Some(value) = cell(line, code)
         {
-            found.push(Entry { accessor, code, value });
+            found.push(Entry {
+                accessor,
+                code,
+                value,
+            });
             open = None;
         }
         while let Some((accessor, code, behind)) = next {
@@ -35,7 +39,11 @@ pub fn entries(text: &str) -> Vec<Entry> {
             let end = next.map_or(behind.len(), |(.., rest)| behind.len() - rest.len());
             let value = value(&behind[..end]);
             open = value.is_none().then_some((accessor, code));
-            found.extend(value.map(|value| Entry { accessor, code, value }));
+            found.extend(value.map(|value| Entry {
+                accessor,
+                code,
+                value,
+            }));
         }
     }
     found
@@ -45,7 +53,11 @@ pub fn entries(text: &str) -> Vec<Entry> {
 fn cell(line: &str, code: i32) -> Option<f64> {
     let line = typographic(line);
     let cell = line.trim().trim_matches('|').trim();
-    let kind = || cell.rsplit_once("value =").filter(|_| code == -1).and_then(|(_, kind)| whole(kind));
+    let kind = || {
+        cell.rsplit_once("value =")
+            .filter(|_| code == -1)
+            .and_then(|(_, kind)| whole(kind))
+    };
     whole(cell).or_else(kind)
 }
 
@@ -60,18 +72,30 @@ fn collect(json: &Value, depth: usize, found: &mut Vec<Entry>) {
     const DEEPEST: usize = 32;
     match json {
         _ if depth > DEEPEST => {}
-        Value::List(items) => items.iter().for_each(|item| collect(item, depth + 1, found)),
+        Value::List(items) => items
+            .iter()
+            .for_each(|item| collect(item, depth + 1, found)),
         Value::Map(entries) => {
             let named = match json.get("code") {
                 Some(Value::Text(code)) => next_code(code),
                 _ => None,
             };
-            if let (Some((accessor, code, _)), Some(value)) = (named, json.get("value").and_then(scalar)) {
-                return found.push(Entry { accessor, code, value });
+            if let (Some((accessor, code, _)), Some(value)) =
+                (named, json.get("value").and_then(scalar))
+            {
+                return found.push(Entry {
+                    accessor,
+                    code,
+                    value,
+                });
             }
             for (key, inner) in entries {
                 match (next_code(key), scalar(inner)) {
-                    (Some((accessor, code, _)), Some(value)) => found.push(Entry { accessor, code, value }),
+                    (Some((accessor, code, _)), Some(value)) => found.push(Entry {
+                        accessor,
+                        code,
+                        value,
+                    }),
                     _ => collect(inner, depth + 1, found),
                 }
             }
@@ -92,20 +116,30 @@ fn scalar(value: &Value) -> Option<f64> {
 
 /// Typographic minus signs and spaces as plain ones.
 fn typographic(text: &str) -> String {
-    text.replace(['\u{2212}', '\u{2013}'], "-").replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ")
+    text.replace(['\u{2212}', '\u{2013}'], "-")
+        .replace(['\u{a0}', '\u{202f}', '\u{2009}'], " ")
 }
 
 /// The next code of a text and what stands after its bracket.
 fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
     for (at, _) in text.match_indices('[') {
         let before = text[..at].trim_end().as_bytes();
-        let Some(start) = before.len().checked_sub(3) else { continue };
-        let accessor = Accessor::CMD_PRM.into_iter().find(|a| before[start..].eq_ignore_ascii_case(a.word().as_bytes()));
-        let whole = start == 0 || !(before[start - 1].is_ascii_alphanumeric() || before[start - 1] == b'_');
-        let Some(accessor) = accessor.filter(|_| whole) else { continue };
+        let Some(start) = before.len().checked_sub(3) else {
+            continue;
+        };
+        let accessor = Accessor::CMD_PRM
+            .into_iter()
+            .find(|a| before[start..].eq_ignore_ascii_case(a.word().as_bytes()));
+        let whole =
+            start == 0 || !(before[start - 1].is_ascii_alphanumeric() || before[start - 1] == b'_');
+        let Some(accessor) = accessor.filter(|_| whole) else {
+            continue;
+        };
         // No code is longer than a dozen characters.
         let after = &text[at + 1..];
-        let Some(end) = after.bytes().take(16).position(|b| b == b']') else { continue };
+        let Some(end) = after.bytes().take(16).position(|b| b == b']') else {
+            continue;
+        };
         let code = &after[..end];
         if let Ok(number) = code.trim().parse::<i32>() {
             return Some((accessor, number, &after[code.len() + 1..]));
@@ -119,10 +153,17 @@ fn next_code(text: &str) -> Option<(Accessor, i32, &str)> {
 fn value(text: &str) -> Option<f64> {
     let text = typographic(text);
     let text = text.trim_start_matches(['"', '\'', ' ']).trim_end();
-    if let Some(separator) = ['\t', '|', ';', ','].into_iter().find(|c| text.starts_with(*c)) {
-        return text.split(separator).find_map(|cell| whole(cell.trim().trim_matches(['"', '\''])));
+    if let Some(separator) = ['\t', '|', ';', ',']
+        .into_iter()
+        .find(|c| text.starts_with(*c))
+    {
+        return text
+            .split(separator)
+            .find_map(|cell| whole(cell.trim().trim_matches(['"', '\''])));
     }
-    let assigned = text.split_once('=').or_else(|| text.strip_prefix(':').map(|rest| ("", rest)));
+    let assigned = text
+        .split_once('=')
+        .or_else(|| text.strip_prefix(':').map(|rest| ("", rest)));
     if let Some((_, right)) = assigned {
         return whole(right.split(';').next().unwrap_or(right)).or_else(|| first(right));
     }
@@ -151,7 +192,9 @@ fn whole(text: &str) -> Option<f64> {
         whole.len() == 3 && whole.bytes().all(|b| b.is_ascii_digit()) && (last || whole == *group)
     });
     let plain = grouped.then(|| groups.concat().replace(',', "."))?;
-    crate::num::read(&plain).filter(|x| x.is_finite()).map(|x| sign * x)
+    crate::num::read(&plain)
+        .filter(|x| x.is_finite())
+        .map(|x| sign * x)
 }
 
 /// The first number or truth value of a text.
@@ -164,7 +207,10 @@ fn first(text: &str) -> Option<f64> {
         })
     };
     let truths = [(truth("true"), 1.0), (truth("false"), 0.0)];
-    let all = truths.into_iter().filter_map(|(at, value)| Some((at?, value))).chain(number(text));
+    let all = truths
+        .into_iter()
+        .filter_map(|(at, value)| Some((at?, value)))
+        .chain(number(text));
     all.min_by_key(|(at, _)| *at).map(|(_, value)| value)
 }
 
@@ -177,7 +223,11 @@ fn number(text: &str) -> Option<(usize, f64)> {
     if at > 0 && bytes[at - 1] == b'.' {
         at -= 1;
     }
-    let start = if at > 0 && matches!(bytes[at - 1], b'-' | b'+') { at - 1 } else { at };
+    let start = if at > 0 && matches!(bytes[at - 1], b'-' | b'+') {
+        at - 1
+    } else {
+        at
+    };
     let mut end = at;
     while digit(end) || (matches!(bytes.get(end), Some(b'.' | b',')) && digit(end + 1)) {
         end += 1;
@@ -211,7 +261,15 @@ mod tests {
             ("| CmdPrm.Flt[-50] | Double | 1.25e1 |", 12.5),
             ("Flt[-50]=.125E+2", 12.5),
         ] {
-            assert_eq!(entries(text), [Entry { accessor: Accessor::Flt, code: -50, value }], "{text}");
+            assert_eq!(
+                entries(text),
+                [Entry {
+                    accessor: Accessor::Flt,
+                    code: -50,
+                    value
+                }],
+                "{text}"
+            );
         }
         for (text, value) in [
             ("Flt[-50] (Width 1, from 2) = 64", 64.0),
@@ -221,37 +279,63 @@ mod tests {
             ("Flt[-50] = 1 064,5", 1064.5),
             ("Flt[-50] = 64 mm", 64.0),
         ] {
-            assert_eq!(entries(text), [Entry { accessor: Accessor::Flt, code: -50, value }], "{text}");
+            assert_eq!(
+                entries(text),
+                [Entry {
+                    accessor: Accessor::Flt,
+                    code: -50,
+                    value
+                }],
+                "{text}"
+            );
         }
         // As the pages of the documentation break their tables, with values put in.
         let page = "CmdPrm.Int[-1] |\nInteger |\nProbing cycle type: Internal rectangle probing protected value = 7 |\nCmdPrm. Flt [-50] |\nDouble |\nFeed distance, 1 of 2 |\n20,5 |\nCmdPrm.Flt[-51]\n12\n13\nCmdPrm.Flt[-53] |\nWidth 1 |\n";
-        let read: Vec<(i32, f64)> = entries(page).iter().map(|entry| (entry.code, entry.value)).collect();
+        let read: Vec<(i32, f64)> = entries(page)
+            .iter()
+            .map(|entry| (entry.code, entry.value))
+            .collect();
         assert_eq!(read, [(-1, 7.0), (-50, 20.5), (-51, 12.0)]);
         assert!(entries("TouchPoint[1] = 2.5").is_empty());
         assert_eq!(value(" = True"), Some(1.0));
         assert_eq!(value(",Boolean,false,On"), Some(0.0));
         assert_eq!(value("= -12"), Some(-12.0));
         assert_eq!(value(" | Double | Feed distance |"), None);
-        assert_eq!(entries("Int[-1]=7 Flt[-50]=3 Flt[x]=1 [-3] Flt[99999999999]=1").len(), 2);
+        assert_eq!(
+            entries("Int[-1]=7 Flt[-50]=3 Flt[x]=1 [-3] Flt[99999999999]=1").len(),
+            2
+        );
     }
 
     #[test]
     fn json_is_read_as_json() {
         let read = |text: &str| -> Vec<(i32, f64)> {
             let json = crate::job::from_json(text).unwrap();
-            let mut read: Vec<_> = json_entries(&json).iter().map(|e| (e.code, e.value)).collect();
+            let mut read: Vec<_> = json_entries(&json)
+                .iter()
+                .map(|e| (e.code, e.value))
+                .collect();
             // The order of an object's keys says nothing.
             read.sort_by_key(|(code, _)| -code);
             read
         };
         // A decimal comma inside a text is no end of the value; braces inside a text are none of the object.
-        assert_eq!(read(r#"[{ "code": "CmdPrm.Flt[-50]", "meaning": "a } b", "value": "12,5" }]"#), [(-50, 12.5)]);
-        assert_eq!(read(r#"{ "rows": [{ "a": { "code": "CmdPrm.Int[-1]", "value": 7 } }] }"#), [(-1, 7.0)]);
+        assert_eq!(
+            read(r#"[{ "code": "CmdPrm.Flt[-50]", "meaning": "a } b", "value": "12,5" }]"#),
+            [(-50, 12.5)]
+        );
+        assert_eq!(
+            read(r#"{ "rows": [{ "a": { "code": "CmdPrm.Int[-1]", "value": 7 } }] }"#),
+            [(-1, 7.0)]
+        );
         assert_eq!(
             read(r#"[{"code":"CmdPrm.Int[-1]","value":7},{"value":2.5,"code":"CmdPrm.Flt[-50]"}]"#),
             [(-1, 7.0), (-50, 2.5)]
         );
-        assert_eq!(read(r#"{"CmdPrm.Int[-1]":7,"CmdPrm.Bol[-3]":true}"#), [(-1, 7.0), (-3, 1.0)]);
+        assert_eq!(
+            read(r#"{"CmdPrm.Int[-1]":7,"CmdPrm.Bol[-3]":true}"#),
+            [(-1, 7.0), (-3, 1.0)]
+        );
         assert_eq!(read(r#"{"x":{"CmdPrm.Int[-1]":"x"}}"#), []);
     }
 }

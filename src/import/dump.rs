@@ -19,7 +19,8 @@ const SAME: f64 = 1e-6;
 
 /// Whether a text names a cycle type by its code.
 pub fn recognises(text: &str) -> bool {
-    crate::import::fits(text, crate::job::LONGEST_TEXT) && entries(text).iter().any(|e| e.code == -1)
+    crate::import::fits(text, crate::job::LONGEST_TEXT)
+        && entries(text).iter().any(|e| e.code == -1)
 }
 
 /// The cycles of a text. Where the last code of all is -1, every -1 ends a cycle; else every -1 begins one, and what stands before the
@@ -33,7 +34,11 @@ fn cycles(all: &[Entry]) -> Vec<Vec<Entry>> {
         let next = typed && (ends || entry.code == -1);
         if next {
             let mut begun = Vec::new();
-            if !ends && block.last().is_some_and(|e| e.code == -2 && block.iter().filter(|o| o.code == -2).count() > 1) {
+            if !ends
+                && block.last().is_some_and(|e| {
+                    e.code == -2 && block.iter().filter(|o| o.code == -2).count() > 1
+                })
+            {
                 begun.extend(block.pop());
             }
             blocks.push(begun);
@@ -50,20 +55,49 @@ fn cycles(all: &[Entry]) -> Vec<Vec<Entry>> {
 pub fn import(all: &[Entry]) -> Result<Imported, JobError> {
     let mut checker = Checker::default();
     let blocks = cycles(all);
-    let kind = |block: &[Entry]| block.iter().find(|e| e.code == -1).map_or(-1.0, |e| e.value);
-    let def_of = |block: &[Entry]| CYCLES.iter().copied().find(|c| c.number.is_some_and(|n| f64::from(n) == kind(block)));
+    let kind = |block: &[Entry]| {
+        block
+            .iter()
+            .find(|e| e.code == -1)
+            .map_or(-1.0, |e| e.value)
+    };
+    let def_of = |block: &[Entry]| {
+        CYCLES
+            .iter()
+            .copied()
+            .find(|c| c.number.is_some_and(|n| f64::from(n) == kind(block)))
+    };
     for block in blocks.iter().filter(|b| def_of(b).is_none()) {
-        let message = text!("Type {block} is not a known cycle: it is ignored", crate::num::in_full(kind(block)));
+        let message = text!(
+            "Type {block} is not a known cycle: it is ignored",
+            crate::num::in_full(kind(block))
+        );
         checker.warning("unknown-type", "cycle.type", message);
     }
-    let known: Vec<(&Vec<Entry>, &'static CycleDef)> = blocks.iter().filter_map(|b| Some((b, def_of(b)?))).collect();
-    let probing = known.iter().find(|(_, def)| def.place.is_some()).or(known.first());
+    let known: Vec<(&Vec<Entry>, &'static CycleDef)> = blocks
+        .iter()
+        .filter_map(|b| Some((b, def_of(b)?)))
+        .collect();
+    let probing = known
+        .iter()
+        .find(|(_, def)| def.place.is_some())
+        .or(known.first());
     let Some((block, def)) = probing else {
-        checker.error("nothing-to-import", "cycle.type", text!("This dump gives no job: it holds no cycle type that is known"));
-        return Err(JobError { findings: checker.findings() });
+        checker.error(
+            "nothing-to-import",
+            "cycle.type",
+            text!("This dump gives no job: it holds no cycle type that is known"),
+        );
+        return Err(JobError {
+            findings: checker.findings(),
+        });
     };
     if known.len() > 1 {
-        let message = text!("The dump holds {count} cycles: the first that probes, {title}, is taken", known.len(), def.title);
+        let message = text!(
+            "The dump holds {count} cycles: the first that probes, {title}, is taken",
+            known.len(),
+            def.title
+        );
         checker.warning("several-cycles", "", message);
     }
     Ok(build(block, def, checker))
@@ -81,7 +115,9 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
         used.push(-2);
     }
     for field in def.fields {
-        let Some((_, code)) = code_of(field) else { continue };
+        let Some((_, code)) = code_of(field) else {
+            continue;
+        };
         used.push(code);
         let value = read_field(block, field, code, &mut checker);
         if let Some(value) = value {
@@ -91,15 +127,25 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
     for section in def.sections {
         let mut any = false;
         for field in section.fields {
-            let Some((_, code)) = code_of(field) else { continue };
+            let Some((_, code)) = code_of(field) else {
+                continue;
+            };
             used.push(code);
             if let Some(value) = find(block, code) {
                 if !any {
-                    let all = section.fields.iter().map(|f| (f.key.to_owned(), Value::Null)).collect();
+                    let all = section
+                        .fields
+                        .iter()
+                        .map(|f| (f.key.to_owned(), Value::Null))
+                        .collect();
                     set(&mut job, &format!("cycle.{}", section.key), Value::Map(all));
                 }
                 any = true;
-                set(&mut job, &format!("cycle.{}.{}", section.key, field.key), Value::Number(value));
+                set(
+                    &mut job,
+                    &format!("cycle.{}.{}", section.key, field.key),
+                    Value::Number(value),
+                );
             }
         }
     }
@@ -110,13 +156,18 @@ fn build(block: &[Entry], def: &'static CycleDef, mut checker: Checker) -> Impor
     }
     let name = job_name(&job);
     set(&mut job, "name", Value::Text(name));
-    let silent = text!("A dump does not give feeds, overtravel, units, control and program name: the defaults are used (mm)");
+    let silent = text!(
+        "A dump does not give feeds, overtravel, units, control and program name: the defaults are used (mm)"
+    );
     checker.info("not-in-dump", "feeds", silent);
     if !checker.has("stylus-from-dump") {
         let silent = text!("A dump does not give the stylus: the default ball is used");
         checker.info("not-in-dump", "stylus", silent);
     }
-    Imported::Job { job, findings: checker.findings() }
+    Imported::Job {
+        job,
+        findings: checker.findings(),
+    }
 }
 
 fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) -> Option<Value> {
@@ -127,7 +178,11 @@ fn read_field(block: &[Entry], field: &Field, code: i32, checker: &mut Checker) 
         }
         let angular = only_angular(code, find(block, -59).unwrap_or(0.0));
         if field.kind != Kind::Flag && code != -2 && !angular {
-            let message = text!("The dump has no code {code} ({label}): the default is taken", code, field.label);
+            let message = text!(
+                "The dump has no code {code} ({label}): the default is taken",
+                code,
+                field.label
+            );
             checker.warning("missing-code", path, message);
         }
         return None;
@@ -160,13 +215,19 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
         } else if own.len() < MOST {
             own.push(*entry);
         } else {
-            let message = text!("The dump has more than {most} custom codes: the first {most} are kept", MOST);
+            let message = text!(
+                "The dump has more than {most} custom codes: the first {most} are kept",
+                MOST
+            );
             checker.warning("own-codes", "cycle.custom", message);
             break;
         }
     }
     if twice > 0 {
-        let message = text!("{twice} custom codes are given more than once: the last value of each is kept", twice);
+        let message = text!(
+            "{twice} custom codes are given more than once: the last value of each is kept",
+            twice
+        );
         checker.warning("own-codes", "cycle.custom", message);
     }
     if own.is_empty() {
@@ -195,8 +256,11 @@ fn keep_own_codes(block: &[Entry], job: &mut Value, checker: &mut Checker) {
 fn report_unknown(block: &[Entry], used: &[i32], checker: &mut Checker) {
     let touch = |code: i32| (-296..=-100).contains(&code);
     // The library's sort would be in the module for this list alone, 4 kB of WebAssembly; a heap is there already.
-    let unknown: BinaryHeap<i32> =
-        block.iter().map(|e| e.code).filter(|c| *c <= 0 && !touch(*c) && !used.contains(c)).collect();
+    let unknown: BinaryHeap<i32> = block
+        .iter()
+        .map(|e| e.code)
+        .filter(|c| *c <= 0 && !touch(*c) && !used.contains(c))
+        .collect();
     let mut unknown = unknown.into_sorted_vec();
     unknown.dedup();
     if !unknown.is_empty() {
@@ -210,11 +274,16 @@ fn report_unknown(block: &[Entry], used: &[i32], checker: &mut Checker) {
 fn touch(block: &[Entry], base: i32, k: usize) -> Option<Pick> {
     let first = base - 6 * k as i32;
     let at = |i: i32| find(block, first - i);
-    Some(Pick { point: Vec3::new(at(0)?, at(1)?, at(2)?), vector: Vec3::new(at(3)?, at(4)?, at(5)?) })
+    Some(Pick {
+        point: Vec3::new(at(0)?, at(1)?, at(2)?),
+        vector: Vec3::new(at(3)?, at(4)?, at(5)?),
+    })
 }
 
 fn touches(block: &[Entry], base: i32) -> Vec<Pick> {
-    (0..MAX_TOUCHES).map_while(|k| touch(block, base, k)).collect()
+    (0..MAX_TOUCHES)
+        .map_while(|k| touch(block, base, k))
+        .collect()
 }
 
 /// Seven decimals: what a form is written with, whatever arithmetic brought it back.
@@ -229,7 +298,13 @@ fn triple(v: Vec3) -> Value {
 
 /// Puts the feature where its touches are. Where its dimensions give these very touches, they alone are the job; else the touches
 /// are kept as picked.
-fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, job: &mut Value, checker: &mut Checker) {
+fn place_touches(
+    block: &[Entry],
+    def: &CycleDef,
+    place: crate::cycle::PlaceBy,
+    job: &mut Value,
+    checker: &mut Checker,
+) {
     let (used, original) = (touches(block, -100), touches(block, -200));
     if used.is_empty() && original.is_empty() {
         let message = text!(
@@ -238,7 +313,10 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         checker.warning("no-touches", "cycle.origin", message);
         return;
     }
-    let has_code = def.fields.iter().any(|f| code_of(f).is_some_and(|(_, code)| code == -66));
+    let has_code = def
+        .fields
+        .iter()
+        .any(|f| code_of(f).is_some_and(|(_, code)| code == -66));
     let compensated = has_code && find(block, -66) == Some(1.0);
     let mut picks = on_the_surface(used, original, compensated, job, checker);
     let explicit = Value::List(picks.iter().map(pick_value).collect());
@@ -252,7 +330,10 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
         .filter_map(|plane| Trial::of(def, place, &picks, plane, job))
         .collect();
     report_plane(trials.iter().filter(|trial| trial.fits), checker);
-    let possible = trials.iter().find(|trial| trial.possible).map(|trial| trial.plane);
+    let possible = trials
+        .iter()
+        .find(|trial| trial.possible)
+        .map(|trial| trial.plane);
     if let Some(fit) = trials.into_iter().find(|trial| trial.fits) {
         *job = fit.job;
         return;
@@ -261,12 +342,14 @@ fn place_touches(block: &[Entry], def: &CycleDef, place: crate::cycle::PlaceBy, 
     match possible {
         Some(plane) => {
             set(job, "plane", Value::Text(plane.word().to_owned()));
-            let message =
-                text!("The touch points are not those that the dimensions alone would give: they are kept as they were picked");
+            let message = text!(
+                "The touch points are not those that the dimensions alone would give: they are kept as they were picked"
+            );
             checker.info("touches-kept", "cycle.touches", message);
         }
         None => {
-            let message = text!("The touch points do not make this feature: see the job's own findings");
+            let message =
+                text!("The touch points do not make this feature: see the job's own findings");
             checker.warning("touches-unsound", "cycle.touches", message);
         }
     }
@@ -282,9 +365,16 @@ fn on_the_surface(
     checker: &mut Checker,
 ) -> Vec<Pick> {
     let both = !used.is_empty() && original.len() == used.len();
-    let radii: Vec<f64> = used.iter().zip(&original).map(|(u, o)| (u.point - o.point).dot(o.vector)).collect();
+    let radii: Vec<f64> = used
+        .iter()
+        .zip(&original)
+        .map(|(u, o)| (u.point - o.point).dot(o.vector))
+        .collect();
     let radius = tidy(radii.iter().sum::<f64>() / radii.len().max(1) as f64);
-    let apart = used.iter().zip(&original).any(|(u, o)| (u.point - o.point - o.vector * radius).length() > 1e-3);
+    let apart = used
+        .iter()
+        .zip(&original)
+        .any(|(u, o)| (u.point - o.point - o.vector * radius).length() > 1e-3);
     if used.is_empty() {
         return original;
     }
@@ -300,7 +390,9 @@ fn on_the_surface(
     }
     if compensated {
         let why = if both {
-            text!("The points are ball centres, and more than a ball away from the original ones (-200 and following)")
+            text!(
+                "The points are ball centres, and more than a ball away from the original ones (-200 and following)"
+            )
         } else {
             text!(
                 "The points are ball centres, and without the original ones (-200 and following) the dump does not say the ball"
@@ -317,18 +409,33 @@ fn on_the_surface(
             format!("{} mm", crate::num::in_full(diameter))
         );
         checker.warning("ball-unknown", "stylus.diameter", message);
-        return used.into_iter().map(|pick| Pick { point: pick.point - pick.vector * (diameter / 2.0), ..pick }).collect();
+        return used
+            .into_iter()
+            .map(|pick| Pick {
+                point: pick.point - pick.vector * (diameter / 2.0),
+                ..pick
+            })
+            .collect();
     }
-    if !original.is_empty() && original.iter().zip(&used).any(|(o, u)| o.point.distance(u.point) > SAME) {
-        let message =
-            text!("The used points (-100 and following) differ from the original ones (-200): the used ones are taken");
+    if !original.is_empty()
+        && original
+            .iter()
+            .zip(&used)
+            .any(|(o, u)| o.point.distance(u.point) > SAME)
+    {
+        let message = text!(
+            "The used points (-100 and following) differ from the original ones (-200): the used ones are taken"
+        );
         checker.info("points-differ", "cycle.touches", message);
     }
     used
 }
 
 fn pick_value(pick: &Pick) -> Value {
-    Value::Map(vec![("point".to_owned(), triple(pick.point)), ("vector".to_owned(), triple(pick.vector))])
+    Value::Map(vec![
+        ("point".to_owned(), triple(pick.point)),
+        ("vector".to_owned(), triple(pick.vector)),
+    ])
 }
 
 /// What touches come to in one plane.
@@ -344,16 +451,32 @@ struct Trial {
 
 impl Trial {
     /// None where the touches do not make the feature.
-    fn of(def: &CycleDef, place: crate::cycle::PlaceBy, picks: &[Pick], plane: Plane, job: &Value) -> Option<Trial> {
+    fn of(
+        def: &CycleDef,
+        place: crate::cycle::PlaceBy,
+        picks: &[Pick],
+        plane: Plane,
+        job: &Value,
+    ) -> Option<Trial> {
         let mut scratch = Checker::default();
         let mut section = Section::new(&mut scratch, job.get("cycle"), "cycle");
         let (placement, dimensioned) = place(&mut section, picks, plane)?;
-        let near = |(t, p): (&Pick, &Pick)| t.point.distance(p.point) < SAME && t.vector.distance(p.vector) < SAME;
+        let near = |(t, p): (&Pick, &Pick)| {
+            t.point.distance(p.point) < SAME && t.vector.distance(p.vector) < SAME
+        };
         let same = dimensioned.len() == picks.len() && dimensioned.iter().zip(picks).all(near);
         let mut trial = job.clone();
         set(&mut trial, "plane", Value::Text(plane.word().to_owned()));
-        set(&mut trial, "cycle.origin", triple(Vec3::from_array(placement.origin.to_array().map(tidy))));
-        set(&mut trial, "cycle.rotation", Value::Number(tidy(placement.rotation)));
+        set(
+            &mut trial,
+            "cycle.origin",
+            triple(Vec3::from_array(placement.origin.to_array().map(tidy))),
+        );
+        set(
+            &mut trial,
+            "cycle.rotation",
+            Value::Number(tidy(placement.rotation)),
+        );
         // A job says every size and place within its range: what cannot be said so stays as it was picked.
         let field = |key: &str| def.fields.iter().find(|f| f.key == key);
         let within = |x: &f64| field("origin").is_none_or(|f| f.hard.holds(tidy(*x)));
@@ -366,10 +489,19 @@ impl Trial {
                 set(&mut trial, &format!("cycle.{key}"), Value::Number(size));
             }
         }
-        let allowed =
-            |key: &str, x: f64| field(key).is_none_or(|f| f.hard.nearly_holds(if key == "angle" { x.abs() } else { x }));
+        let allowed = |key: &str, x: f64| {
+            field(key).is_none_or(|f| {
+                f.hard
+                    .nearly_holds(if key == "angle" { x.abs() } else { x })
+            })
+        };
         let possible = placement.sizes.iter().all(|(key, x)| allowed(key, *x));
-        Some(Trial { plane, job: trial, fits: same && sound, possible })
+        Some(Trial {
+            plane,
+            job: trial,
+            fits: same && sound,
+            possible,
+        })
     }
 }
 
@@ -379,12 +511,18 @@ fn report_plane<'a>(fits: impl Iterator<Item = &'a Trial>, checker: &mut Checker
     match planes.as_slice() {
         [] | ["G17"] => {}
         [one] => {
-            let message = text!("The target vectors fit a feature in {one}: that plane is used", (*one).to_owned());
+            let message = text!(
+                "The target vectors fit a feature in {one}: that plane is used",
+                (*one).to_owned()
+            );
             checker.info("plane-from-dump", "plane", message);
         }
         [first, ..] => {
-            let message =
-                text!("The touches fit this feature in {planes}: {first} is used", planes.join(", "), first.to_owned());
+            let message = text!(
+                "The touches fit this feature in {planes}: {first} is used",
+                planes.join(", "),
+                first.to_owned()
+            );
             checker.warning("plane-unknown", "plane", message);
         }
     }
@@ -399,10 +537,22 @@ mod tests {
         // Two cycles, each with its type last.
         let ascending = "Flt[-53]=30\nInt[-1]=9\nFlt[-53]=44\nInt[-1]=9\n";
         let blocks = cycles(&entries(ascending));
-        assert_eq!((blocks.len(), blocks[0][0].value, blocks[1][0].value), (2, 30.0, 44.0));
+        assert_eq!(
+            (blocks.len(), blocks[0][0].value, blocks[1][0].value),
+            (2, 30.0, 44.0)
+        );
         let begun = "Int[-2]=1\nInt[-1]=9\nFlt[-53]=30\nInt[-2]=2\nInt[-1]=9\nFlt[-53]=44\n";
         let blocks = cycles(&entries(begun));
-        let codes: Vec<Vec<(i32, f64)>> = blocks.iter().map(|b| b.iter().map(|e| (e.code, e.value)).collect()).collect();
-        assert_eq!(codes, [[(-2, 1.0), (-1, 9.0), (-53, 30.0)], [(-2, 2.0), (-1, 9.0), (-53, 44.0)]]);
+        let codes: Vec<Vec<(i32, f64)>> = blocks
+            .iter()
+            .map(|b| b.iter().map(|e| (e.code, e.value)).collect())
+            .collect();
+        assert_eq!(
+            codes,
+            [
+                [(-2, 1.0), (-1, 9.0), (-53, 30.0)],
+                [(-2, 2.0), (-1, 9.0), (-53, 44.0)]
+            ]
+        );
     }
 }

@@ -1,6 +1,8 @@
 //! Reads a program back: Klartext with cycles 1411 and 1493, and their ISO form.
 
-use crate::control::heidenhain::read::{Given, assignments, blocks, is_iso_word, moves, says, shown, transforms, wanted_iso};
+use crate::control::heidenhain::read::{
+    Given, assignments, blocks, is_iso_word, moves, says, shown, transforms, wanted_iso,
+};
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Field, Finding, Kind, Value};
 use crate::import::{Imported, program, set};
@@ -41,7 +43,11 @@ fn parameters(fields: &[Field]) -> Vec<Parameter> {
                 predefined,
             }));
         } else {
-            all.push(Parameter { number: first, key: field.key.to_owned(), predefined });
+            all.push(Parameter {
+                number: first,
+                key: field.key.to_owned(),
+                predefined,
+            });
         }
     }
     all
@@ -53,7 +59,12 @@ fn cycle() -> &'static CycleDef {
 
 /// The fields of 1493.
 fn extrusion_fields() -> &'static [Field] {
-    cycle().sections.iter().find(|section| section.key == EXTRUSION).expect("the cycle has the form").fields
+    cycle()
+        .sections
+        .iter()
+        .find(|section| section.key == EXTRUSION)
+        .expect("the cycle has the form")
+        .fields
 }
 
 /// Whether a text is a Klartext program.
@@ -63,20 +74,35 @@ pub fn recognises(text: &str) -> bool {
 
 /// Makes a job of a program whose header says it. Where its blocks were changed, what they say counts; the rest is the header's.
 pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
-    let Ok((mut job, said)) = program::read(text) else { return import(text) };
-    if !said.iter().any(|f| matches!(f.code.as_str(), "program-differs" | "header-unsound")) {
-        return Ok(Imported::Job { job, findings: said });
+    let Ok((mut job, said)) = program::read(text) else {
+        return import(text);
+    };
+    if !said
+        .iter()
+        .any(|f| matches!(f.code.as_str(), "program-differs" | "header-unsound"))
+    {
+        return Ok(Imported::Job {
+            job,
+            findings: said,
+        });
     }
     let mut checker = Checker::default();
     let of_header = Value::Text(TYPE.to_owned());
     if job.get("cycle").and_then(|cycle| cycle.get("type")) != Some(&of_header) {
         // A program of other cycles is the header's job; what differs is said.
-        return Ok(Imported::Job { job, findings: said });
+        return Ok(Imported::Job {
+            job,
+            findings: said,
+        });
     }
     let (read, notes) = read(text)?;
     // Blocks that do not say their units are in those of the header.
     let unsaid = notes.iter().any(|f| f.code == "units-unknown");
-    let units = if unsaid { Units::of(&job) } else { Units::of(&read) };
+    let units = if unsaid {
+        Units::of(&job)
+    } else {
+        Units::of(&read)
+    };
     if units != Units::of(&job) {
         job = convert_units(&job, units.word())?;
         let message = text!(
@@ -87,7 +113,12 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
     }
     let mut keys: Vec<String> = parameters(cycle().fields)
         .iter()
-        .flat_map(|one| [Some(one.key.split('[').next().unwrap_or(&one.key)), one.predefined])
+        .flat_map(|one| {
+            [
+                Some(one.key.split('[').next().unwrap_or(&one.key)),
+                one.predefined,
+            ]
+        })
         .flatten()
         .chain([EXTRUSION])
         .map(|key| format!("cycle.{key}"))
@@ -95,17 +126,26 @@ pub fn import_with_header(text: &str) -> Result<Imported, JobError> {
         .collect();
     keys.dedup();
     for key in keys {
-        let value = key.split('.').try_fold(&read, |value, key| value.get(key)).cloned();
+        let value = key
+            .split('.')
+            .try_fold(&read, |value, key| value.get(key))
+            .cloned();
         if let Some(value) = value {
             set(&mut job, &key, value);
         }
     }
-    let message = text!("The blocks differ from what the header's job makes: their values are used, the rest is the header's");
+    let message = text!(
+        "The blocks differ from what the header's job makes: their values are used, the rest is the header's"
+    );
     checker.warning("program-differs", "", message);
     let findings = checker
         .findings()
         .into_iter()
-        .chain(notes.into_iter().filter(|f| !matches!(f.code.as_str(), "not-in-program" | "units-unknown")))
+        .chain(
+            notes
+                .into_iter()
+                .filter(|f| !matches!(f.code.as_str(), "not-in-program" | "units-unknown")),
+        )
         .collect();
     Ok(Imported::Job { job, findings })
 }
@@ -119,7 +159,11 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
 /// The job of a program's blocks, and what must be reported of them.
 fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     let blocks = blocks(text);
-    let units = if says_inch(&blocks) { Units::Inch } else { Units::Mm };
+    let units = if says_inch(&blocks) {
+        Units::Inch
+    } else {
+        Units::Mm
+    };
     let mut job = default_job_in(TYPE, units).expect("the cycle is registered");
     set(&mut job, "units", Value::Text(units.word().to_owned()));
     let mut reader = Reader {
@@ -145,7 +189,9 @@ fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
 
 /// Whether the text says the name of its program.
 fn says_name(blocks: &[String]) -> bool {
-    let begins = |block: &String| block.to_ascii_uppercase().starts_with("BEGIN PGM") && block.split_whitespace().count() > 3;
+    let begins = |block: &String| {
+        block.to_ascii_uppercase().starts_with("BEGIN PGM") && block.split_whitespace().count() > 3
+    };
     blocks.iter().any(begins)
 }
 
@@ -183,7 +229,11 @@ impl Reader {
         if self.found == 0 && moves(&words) {
             self.moves.get_or_insert_with(|| shown(block));
         }
-        if self.found == 0 && words.iter().any(|word| matches!(*word, "M3" | "M03" | "M4" | "M04" | "M13" | "M14")) {
+        if self.found == 0
+            && words
+                .iter()
+                .any(|word| matches!(*word, "M3" | "M03" | "M4" | "M04" | "M13" | "M14"))
+        {
             self.spins.get_or_insert_with(|| shown(block));
         }
         match words.as_slice() {
@@ -200,7 +250,12 @@ impl Reader {
             ["TCH", "PROBE", "1411", ..] | ["G1411", ..] => self.two_circles(block),
             ["TCH", "PROBE", "1493", ..] | ["G1493", ..] => self.extrusion(block),
             // ISO words before the cycle: units are looked for beforehand, plane and tool here.
-            iso if self.found == 0 && iso.iter().all(|w| is_iso_word(w)) && iso.iter().any(|w| wanted_iso(w)) => self.iso(iso),
+            iso if self.found == 0
+                && iso.iter().all(|w| is_iso_word(w))
+                && iso.iter().any(|w| wanted_iso(w)) =>
+            {
+                self.iso(iso)
+            }
             other => {
                 if let Some((what, is)) = transforms(other).filter(|_| self.found == 0) {
                     self.transformed.retain(|known| *known != what);
@@ -217,16 +272,26 @@ impl Reader {
 
     fn tool_call(&mut self, words: &[&str]) {
         let first = words.first().copied().unwrap_or_default();
-        let speed = |word: &str| word.strip_prefix('S').is_some_and(|speed| crate::num::read(speed).is_some());
+        let speed = |word: &str| {
+            word.strip_prefix('S')
+                .is_some_and(|speed| crate::num::read(speed).is_some())
+        };
         match first.parse::<i32>() {
             // The empty tool is no probe.
             Ok(0) => {}
-            Ok(number) => set(&mut self.job, "control.tool", Value::Number(f64::from(number))),
+            Ok(number) => set(
+                &mut self.job,
+                "control.tool",
+                Value::Number(f64::from(number)),
+            ),
             // Only a tool axis or a spindle speed: the tool stays.
             Err(_) if matches!(first, "" | "X" | "Y" | "Z") || speed(first) => {}
             Err(_) => {
-                let message = text!("The tool is called by name: its number is unknown, so the job calls no tool");
-                self.checker.warning("tool-by-name", "control.tool", message);
+                let message = text!(
+                    "The tool is called by name: its number is unknown, so the job calls no tool"
+                );
+                self.checker
+                    .warning("tool-by-name", "control.tool", message);
             }
         }
         let plane = words.iter().find_map(|word| match *word {
@@ -244,11 +309,16 @@ impl Reader {
     fn two_circles(&mut self, block: &str) {
         self.found += 1;
         if self.found > 1 {
-            let message = text!("The program holds cycle 1411 more than once: the first one is taken");
+            let message =
+                text!("The program holds cycle 1411 more than once: the first one is taken");
             self.checker.warning("several-cycles", "", message);
             return;
         }
-        let mut form = self.job.get("cycle").cloned().expect("a default job has a cycle");
+        let mut form = self
+            .job
+            .get("cycle")
+            .cloned()
+            .expect("a default job has a cycle");
         fill(&mut form, block, cycle().fields, "1411", &mut self.checker);
         set(&mut self.job, "cycle", form);
     }
@@ -259,7 +329,13 @@ impl Reader {
             return;
         }
         self.extrusion = section_defaults_in(extrusion_fields(), self.units);
-        fill(&mut self.extrusion, block, extrusion_fields(), "1493", &mut self.checker);
+        fill(
+            &mut self.extrusion,
+            block,
+            extrusion_fields(),
+            "1493",
+            &mut self.checker,
+        );
     }
 
     fn iso(&mut self, words: &[&str]) {
@@ -270,19 +346,39 @@ impl Reader {
                     self.plane_said = true;
                 }
                 (_, Some(Ok(0))) => {}
-                (_, Some(Ok(tool))) => set(&mut self.job, "control.tool", Value::Number(f64::from(tool))),
+                (_, Some(Ok(tool))) => set(
+                    &mut self.job,
+                    "control.tool",
+                    Value::Number(f64::from(tool)),
+                ),
                 _ => {}
             }
         }
     }
 
     fn finish(self, blocks: &[String]) -> Result<(Value, Vec<Finding>), JobError> {
-        let Reader { mut job, units: _, mut checker, extrusion, found, passed_over, plane_said, transformed, moves, spins } =
-            self;
-        let states = |block: &str| block.starts_with("BEGIN PGM") && (block.ends_with(" MM") || block.ends_with(" INCH"));
-        let stated = blocks.iter().any(|block| states(&block.to_ascii_uppercase()));
+        let Reader {
+            mut job,
+            units: _,
+            mut checker,
+            extrusion,
+            found,
+            passed_over,
+            plane_said,
+            transformed,
+            moves,
+            spins,
+        } = self;
+        let states = |block: &str| {
+            block.starts_with("BEGIN PGM") && (block.ends_with(" MM") || block.ends_with(" INCH"))
+        };
+        let stated = blocks
+            .iter()
+            .any(|block| states(&block.to_ascii_uppercase()));
         if found > 0 && !stated && !says(blocks, "G70") && !says(blocks, "G71") {
-            let message = text!("The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken");
+            let message = text!(
+                "The text does not say its units (BEGIN PGM … MM or INCH, G70 or G71): mm is taken"
+            );
             checker.warning("units-unknown", "units", message);
         }
         if found == 0 {
@@ -290,7 +386,9 @@ impl Reader {
                 "This text gives no job: it is neither a job (JSON), nor a dump with CmdPrm.Int[-1], nor a program with cycle 1411, nor one that was written here"
             );
             checker.error("nothing-to-import", "", message);
-            return Err(JobError { findings: checker.findings() });
+            return Err(JobError {
+                findings: checker.findings(),
+            });
         }
         set(&mut job, "cycle.extrusion", extrusion);
         raise_start(&mut job);
@@ -310,10 +408,21 @@ impl Reader {
             checker.warning("moves-before-cycle", "cycle.start", message);
         }
         if let Some(block) = spins {
-            checker.warning("unsafe-program", "", text!("The spindle is switched on before the cycle: {block}", block));
+            checker.warning(
+                "unsafe-program",
+                "",
+                text!(
+                    "The spindle is switched on before the cycle: {block}",
+                    block
+                ),
+            );
         }
         if !plane_said {
-            checker.info("not-in-program", "plane", text!("This program does not say the tool axis: the plane G17 is taken"));
+            checker.info(
+                "not-in-program",
+                "plane",
+                text!("This program does not say the tool axis: the plane G17 is taken"),
+            );
         }
         if !transformed.is_empty() {
             let message = text!(
@@ -326,7 +435,9 @@ impl Reader {
         );
         checker.info("not-in-program", "stylus", unknown);
         if checker.failed() {
-            return Err(JobError { findings: checker.findings() });
+            return Err(JobError {
+                findings: checker.findings(),
+            });
         }
         Ok((job, checker.findings()))
     }
@@ -339,19 +450,33 @@ fn raise_start(job: &mut Value) {
         Some(Value::Text(plane)) if plane == "G19" => 0,
         _ => 2,
     };
-    let Some(cycle) = job.get("cycle") else { return };
-    let number = |value: Option<&Value>| if let Some(Value::Number(x)) = value { Some(*x) } else { None };
+    let Some(cycle) = job.get("cycle") else {
+        return;
+    };
+    let number = |value: Option<&Value>| {
+        if let Some(Value::Number(x)) = value {
+            Some(*x)
+        } else {
+            None
+        }
+    };
     let height = |value: Option<&Value>| match value {
         Some(Value::List(point)) => number(point.get(2)),
         _ => None,
     };
-    let Some(Value::List(start)) = cycle.get("start") else { return };
-    let Some(stands) = number(start.get(axis)) else { return };
+    let Some(Value::List(start)) = cycle.get("start") else {
+        return;
+    };
+    let Some(stands) = number(start.get(axis)) else {
+        return;
+    };
     let needed = match cycle.get("clearanceHeightPredef") {
         // The default is so far above the touches.
-        Some(Value::Flag(true)) => {
-            ["point1", "point2"].iter().filter_map(|p| height(cycle.get(p))).map(|w| w + stands).fold(stands, f64::max)
-        }
+        Some(Value::Flag(true)) => ["point1", "point2"]
+            .iter()
+            .filter_map(|p| height(cycle.get(p)))
+            .map(|w| w + stands)
+            .fold(stands, f64::max),
         _ => number(cycle.get("clearanceHeight")).unwrap_or(stands),
     };
     if needed > stands {
@@ -363,7 +488,9 @@ fn raise_start(job: &mut Value) {
 
 /// Whether a parameter is a position or a diameter. These have no default, and the control refuses a block without them.
 fn is_geometry(key: &str) -> bool {
-    ["point1", "point2", "diameter1", "diameter2"].iter().any(|name| key.starts_with(name))
+    ["point1", "point2", "diameter1", "diameter2"]
+        .iter()
+        .any(|name| key.starts_with(name))
 }
 
 /// Puts the parameters of a block into the form of its cycle. What the block does not give keeps the form's default; a position or a diameter must be there.
@@ -372,15 +499,33 @@ fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &
     let given = assignments(block);
     for (number, _) in &given {
         if !known.iter().any(|one| one.number == *number) {
-            let message =
-                text!("Cycle {cycle} has no parameter Q{number}: it is ignored", cycle.to_string(), number.to_string());
+            let message = text!(
+                "Cycle {cycle} has no parameter Q{number}: it is ignored",
+                cycle.to_string(),
+                number.to_string()
+            );
             checker.warning("unknown-parameter", "", message);
         }
     }
-    for Parameter { number, key, predefined } in known {
-        let path = format!("cycle.{}{key}", if cycle == "1493" { "extrusion." } else { "" });
+    for Parameter {
+        number,
+        key,
+        predefined,
+    } in known
+    {
+        let path = format!(
+            "cycle.{}{key}",
+            if cycle == "1493" { "extrusion." } else { "" }
+        );
         let default = || shown_value(form, &key);
-        match (given.iter().rev().find(|(n, _)| *n == number).map(|(_, value)| value), predefined) {
+        match (
+            given
+                .iter()
+                .rev()
+                .find(|(n, _)| *n == number)
+                .map(|(_, value)| value),
+            predefined,
+        ) {
             (Some(Given::Value(value)), _) => set(form, &key, value.clone()),
             (Some(Given::Predef), Some(flag)) => {
                 set(form, flag, Value::Flag(true));
@@ -391,7 +536,11 @@ fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &
                 checker.warning("predefined", path, message);
             }
             (Some(_), _) if is_geometry(&key) => {
-                let message = text!("Q{number} of cycle {cycle} is not a number", number.to_string(), cycle.to_owned());
+                let message = text!(
+                    "Q{number} of cycle {cycle} is not a number",
+                    number.to_string(),
+                    cycle.to_owned()
+                );
                 checker.error("not-a-number", path, message);
             }
             (None, _) if is_geometry(&key) => {
@@ -411,8 +560,11 @@ fn fill(form: &mut Value, block: &str, fields: &[Field], cycle: &str, checker: &
                 checker.warning("not-a-number", path, message);
             }
             (None, _) => {
-                let message =
-                    text!("Q{number} is not given: the form's default, {value}, is used", number.to_string(), default());
+                let message = text!(
+                    "Q{number} is not given: the form's default, {value}, is used",
+                    number.to_string(),
+                    default()
+                );
                 checker.warning("missing-parameter", path, message);
             }
         }
@@ -426,5 +578,9 @@ fn shown_value(form: &Value, key: &str) -> String {
         (Some(Value::List(items)), Ok(axis)) => items.get(axis),
         (value, _) => value,
     };
-    if let Some(Value::Number(x)) = value { crate::num::in_full(*x) } else { String::new() }
+    if let Some(Value::Number(x)) = value {
+        crate::num::in_full(*x)
+    } else {
+        String::new()
+    }
 }

@@ -72,7 +72,11 @@ pub fn import(text: &str) -> Result<Imported, JobError> {
 }
 
 fn check_length(text: &str) -> Result<(), JobError> {
-    if fits(text, LONGEST_TEXT) { Ok(()) } else { Err(too_long(length(text))) }
+    if fits(text, LONGEST_TEXT) {
+        Ok(())
+    } else {
+        Err(too_long(length(text)))
+    }
 }
 
 /// The length of a text as JavaScript counts it, in UTF-16 units.
@@ -100,7 +104,9 @@ fn millions(units: usize) -> String {
 }
 
 fn refused_as_too_long(message: Text) -> JobError {
-    JobError { findings: vec![Finding::new(Level::Error, "text-too-long", "", message)] }
+    JobError {
+        findings: vec![Finding::new(Level::Error, "text-too-long", "", message)],
+    }
 }
 
 /// The same of a text and of what it says as JSON, where it is JSON.
@@ -111,8 +117,13 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         let codes = codes::json_entries(json);
         let dump = codes.iter().any(|e| e.code == -1);
         // What says it is a job is taken as it is: nothing of a user's work is dropped, the check says what is wrong.
-        if matches!(json, Value::Map(_)) && (json.get("cycle").is_some() || json.get("cycles").is_some() || !dump) {
-            return Ok(Imported::Job { job: json.clone(), findings: crate::job::check(json) });
+        if matches!(json, Value::Map(_))
+            && (json.get("cycle").is_some() || json.get("cycles").is_some() || !dump)
+        {
+            return Ok(Imported::Job {
+                job: json.clone(),
+                findings: crate::job::check(json),
+            });
         }
         if dump {
             return dump::import(&codes);
@@ -122,7 +133,11 @@ pub fn import_with(text: &str, json: Option<&Value>) -> Result<Imported, JobErro
         program::check_signs(text)?;
     }
     if program::says_job(text) {
-        return if klartext::recognises(text) { klartext::import_with_header(text) } else { program::import(text) };
+        return if klartext::recognises(text) {
+            klartext::import_with_header(text)
+        } else {
+            program::import(text)
+        };
     }
     if dump::recognises(text) {
         return dump::import(&codes::entries(text));
@@ -136,7 +151,9 @@ fn has_place(def: &CycleDef, path: &str) -> bool {
     let mut plain = String::new();
     let mut rest = path;
     while let Some((before, inner)) = rest.split_once('[') {
-        let Some((index, after)) = inner.split_once(']') else { return false };
+        let Some((index, after)) = inner.split_once(']') else {
+            return false;
+        };
         let most = match before {
             "cycle.touches" => crate::path::MAX_TOUCHES,
             "cycle.custom" => 200,
@@ -155,19 +172,44 @@ fn has_place(def: &CycleDef, path: &str) -> bool {
     let plain = plain.as_str();
     let whole = plain.strip_suffix("[]").unwrap_or(plain);
     let known = |section: &str, fields: &[crate::form::Field]| {
-        let key = if section.is_empty() { Some(whole) } else { whole.strip_prefix(section).and_then(|k| k.strip_prefix('.')) };
+        let key = if section.is_empty() {
+            Some(whole)
+        } else {
+            whole
+                .strip_prefix(section)
+                .and_then(|k| k.strip_prefix('.'))
+        };
         key.is_some_and(|key| fields.iter().any(|f| f.key == key))
     };
-    SECTIONS.iter().any(|(section, fields)| *section != "part" && known(section, fields))
+    SECTIONS
+        .iter()
+        .any(|(section, fields)| *section != "part" && known(section, fields))
         || known("cycle", def.fields)
-        || def
-            .sections
-            .iter()
-            .any(|s| plain.strip_prefix("cycle.") == Some(s.key) || known(&format!("cycle.{}", s.key), s.fields))
-        || (def.place.is_some() && matches!(whole, "cycle.touches" | "cycle.touches[].point" | "cycle.touches[].vector"))
+        || def.sections.iter().any(|s| {
+            plain.strip_prefix("cycle.") == Some(s.key)
+                || known(&format!("cycle.{}", s.key), s.fields)
+        })
+        || (def.place.is_some()
+            && matches!(
+                whole,
+                "cycle.touches" | "cycle.touches[].point" | "cycle.touches[].vector"
+            ))
         || (def.number.is_some()
-            && matches!(plain, "cycle.custom" | "cycle.custom[].code" | "cycle.custom[].type" | "cycle.custom[].value"))
-        || matches!(plain, "cycle.type" | "tool.frame" | "tool.frame[].rot" | "tool.frame[].angle" | "tool.frame[].mirror")
+            && matches!(
+                plain,
+                "cycle.custom"
+                    | "cycle.custom[].code"
+                    | "cycle.custom[].type"
+                    | "cycle.custom[].value"
+            ))
+        || matches!(
+            plain,
+            "cycle.type"
+                | "tool.frame"
+                | "tool.frame[].rot"
+                | "tool.frame[].angle"
+                | "tool.frame[].mirror"
+        )
 }
 
 /// Sets a value at a path such as `cycle.touches[2].point[0]`, making what is not there. Nothing is set where the path leads
@@ -187,16 +229,21 @@ fn set(job: &mut Value, path: &str, value: Value) {
         }
         &mut items[index]
     } else if let Value::Map(entries) = job {
-        let at = entries.iter().position(|(k, _)| k == key).unwrap_or_else(|| {
-            entries.push((key.to_owned(), Value::Map(Vec::new())));
-            entries.len() - 1
-        });
+        let at = entries
+            .iter()
+            .position(|(k, _)| k == key)
+            .unwrap_or_else(|| {
+                entries.push((key.to_owned(), Value::Map(Vec::new())));
+                entries.len() - 1
+            });
         &mut entries[at].1
     } else {
         return;
     };
     if let Some(inner) = rest.strip_prefix('[') {
-        let Some((index, after)) = inner.split_once(']') else { return };
+        let Some((index, after)) = inner.split_once(']') else {
+            return;
+        };
         if !matches!(place, Value::List(_)) {
             *place = Value::List(Vec::new());
         }
@@ -223,10 +270,17 @@ mod tests {
         set(&mut job, "cycle.origin[0]", Value::Number(1.0));
         set(&mut job, "cycle.touches[99999].point", Value::Null);
         let touches = job.get("cycle").and_then(|c| c.get("touches")).unwrap();
-        let Value::List(items) = touches else { panic!("{touches:?}") };
+        let Value::List(items) = touches else {
+            panic!("{touches:?}")
+        };
         assert_eq!(items.len(), 2);
-        let Some(Value::List(point)) = items[1].get("point") else { panic!("{items:?}") };
+        let Some(Value::List(point)) = items[1].get("point") else {
+            panic!("{items:?}")
+        };
         assert_eq!(point[2], Value::Number(7.0));
-        assert_eq!(job.get("cycle").unwrap().get("origin"), Some(&Value::List(vec![Value::Number(1.0)])));
+        assert_eq!(
+            job.get("cycle").unwrap().get("origin"),
+            Some(&Value::List(vec![Value::Number(1.0)]))
+        );
     }
 }

@@ -4,7 +4,9 @@
 use serde::Serialize;
 
 use crate::control::header::{self, HeaderLines};
-use crate::control::iso::lex::{self, Token, after, comment_at, lines_of, tokens, trimmed, without_count, without_number};
+use crate::control::iso::lex::{
+    self, Token, after, comment_at, lines_of, tokens, trimmed, without_count, without_number,
+};
 use crate::control::iso::lines;
 use crate::control::iso::machine::{self, Met, Run};
 use crate::control::iso::script::Trouble;
@@ -15,7 +17,10 @@ use crate::cycle::{self, CycleDef};
 use crate::form::{self, Checker, Finding, Value, printable};
 use crate::import::signs::{self, Sign};
 use crate::import::{Imported, has_place, read_program, set, toolpath};
-use crate::job::{DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow, TOLERANCES, WEAR};
+use crate::job::{
+    DATUM, FORMAT, JobError, MOST_CYCLES, Plan, RELATIONS, RESULT_CODES, SECTIONS, SafetyRow,
+    TOLERANCES, WEAR,
+};
 use crate::text::{Text, text};
 
 /// How many lines that are not understood, or not safe, are listed.
@@ -47,10 +52,9 @@ pub struct TraceMove {
 
 /// Whether the header of a text says a job.
 pub fn says_job(text: &str) -> bool {
-    header::read(text)
-        .values
-        .iter()
-        .any(|(path, _)| path.eq_ignore_ascii_case("cycle.type") || path.eq_ignore_ascii_case("cycles[0].type"))
+    header::read(text).values.iter().any(|(path, _)| {
+        path.eq_ignore_ascii_case("cycle.type") || path.eq_ignore_ascii_case("cycles[0].type")
+    })
 }
 
 /// Refuses a text with what no control takes for a blank, whatever reads the rest of it.
@@ -59,10 +63,16 @@ pub fn check_signs(text: &str) -> Result<(), JobError> {
         return Ok(());
     }
     let mut checker = Checker::default();
-    for (line, _) in lines_of(text).enumerate().filter(|(_, full)| lex::hides(full)).take(MOST_LISTED) {
+    for (line, _) in lines_of(text)
+        .enumerate()
+        .filter(|(_, full)| lex::hides(full))
+        .take(MOST_LISTED)
+    {
         checker.error("not-understood", "", with_line(Some(line), lines::hidden()));
     }
-    Err(JobError { findings: checker.findings() })
+    Err(JobError {
+        findings: checker.findings(),
+    })
 }
 
 /// Makes a job of a program whose header says it.
@@ -75,14 +85,23 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     let mut checker = Checker::default();
     let said = header::read(text);
     let Some(mut job) = job_of(&said, &mut checker) else {
-        checker.error("nothing-to-import", "", text!("The header's job has a cycle that is not known here"));
-        return Err(JobError { findings: checker.findings() });
+        checker.error(
+            "nothing-to-import",
+            "",
+            text!("The header's job has a cycle that is not known here"),
+        );
+        return Err(JobError {
+            findings: checker.findings(),
+        });
     };
     if let Some(name) = said.name {
         set(&mut job, "name", Value::Text(name.to_owned()));
     }
     take_number(text, &mut job);
-    if let Some(version) = said.version.filter(|version| !version.eq_ignore_ascii_case(env!("CARGO_PKG_VERSION"))) {
+    if let Some(version) = said
+        .version
+        .filter(|version| !version.eq_ignore_ascii_case(env!("CARGO_PKG_VERSION")))
+    {
         let message = text!(
             "Version {version} wrote this program, and {own} reads it: blocks may differ only because of that",
             printable(version),
@@ -92,7 +111,9 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
     }
     let plan = crate::job::plan(&job);
     match crate::job::examine(&job, text) {
-        Some(Err(faults)) if faults.iter().any(|fault| !fault.understood) && written_for_another(&job, text) => {
+        Some(Err(faults))
+            if faults.iter().any(|fault| !fault.understood) && written_for_another(&job, text) =>
+        {
             let message = text!(
                 "The header's job is for another control than the program: the blocks cannot be compared with that job's, and may have been changed"
             );
@@ -101,13 +122,19 @@ pub fn read(text: &str) -> Result<(Value, Vec<Finding>), JobError> {
         }
         examined => {
             if !report_examined(examined, plan.as_ref().ok(), &mut checker) {
-                return Err(JobError { findings: checker.findings() });
+                return Err(JobError {
+                    findings: checker.findings(),
+                });
             }
         }
     }
     match plan {
         Ok(plan) => compare(text, &said, &plan, &mut checker),
-        Err(_) => checker.warning("header-unsound", "", text!("The header's job has errors: see its findings")),
+        Err(_) => checker.warning(
+            "header-unsound",
+            "",
+            text!("The header's job has errors: see its findings"),
+        ),
     }
     checker.info(
         "part-not-in-program",
@@ -125,22 +152,51 @@ fn report_examined(examined: Examined, plan: Option<&Plan>, checker: &mut Checke
     match examined {
         Some(Err(faults)) if faults.iter().all(|fault| fault.understood) => {
             for fault in faults.iter().take(MOST_LISTED) {
-                checker.warning("unsafe-program", "", with_line(fault.line, fault.message.clone()));
+                checker.warning(
+                    "unsafe-program",
+                    "",
+                    with_line(fault.line, fault.message.clone()),
+                );
             }
         }
         Some(Err(faults)) => {
-            for fault in faults.iter().filter(|fault| !fault.understood).take(MOST_LISTED) {
-                checker.error("not-understood", "", with_line(fault.line, fault.message.clone()));
+            for fault in faults
+                .iter()
+                .filter(|fault| !fault.understood)
+                .take(MOST_LISTED)
+            {
+                checker.error(
+                    "not-understood",
+                    "",
+                    with_line(fault.line, fault.message.clone()),
+                );
             }
             return false;
         }
         Some(Ok(rules)) => {
             // What the job itself asks for is no change.
-            let asked =
-                |rule: &str| plan.is_some_and(|p| p.safety.iter().any(|own| own.rule == rule && own.holds == Some(false)));
-            for rule in rules.iter().filter(|rule| rule.holds == Some(false) && !asked(rule.rule)).take(MOST_LISTED) {
-                let message = text!("{message} (rule {rule})", rule.message.clone(), rule.rule.to_owned());
-                checker.warning("unsafe-program", "", with_line(rule.lines.first().copied(), message));
+            let asked = |rule: &str| {
+                plan.is_some_and(|p| {
+                    p.safety
+                        .iter()
+                        .any(|own| own.rule == rule && own.holds == Some(false))
+                })
+            };
+            for rule in rules
+                .iter()
+                .filter(|rule| rule.holds == Some(false) && !asked(rule.rule))
+                .take(MOST_LISTED)
+            {
+                let message = text!(
+                    "{message} (rule {rule})",
+                    rule.message.clone(),
+                    rule.rule.to_owned()
+                );
+                checker.warning(
+                    "unsafe-program",
+                    "",
+                    with_line(rule.lines.first().copied(), message),
+                );
             }
         }
         None => {}
@@ -152,9 +208,12 @@ fn report_examined(examined: Examined, plan: Option<&Plan>, checker: &mut Checke
 fn take_number(text: &str, job: &mut Value) {
     const MOST: i32 = 9999;
     let own = |line: &str| i32::try_from(lex::program_number(line.trim().as_bytes())?).ok();
-    let Some(number) = lines_of(text).find_map(own) else { return };
-    let given = crate::job::planned(job)
-        .and_then(|planned| control::program_number(planned.job.post, planned.job.number, &planned.job.name));
+    let Some(number) = lines_of(text).find_map(own) else {
+        return;
+    };
+    let given = crate::job::planned(job).and_then(|planned| {
+        control::program_number(planned.job.post, planned.job.number, &planned.job.name)
+    });
     if given.is_some_and(|given| given != number) && (1..=MOST).contains(&number) {
         set(job, "control.number", Value::Number(f64::from(number)));
     }
@@ -178,10 +237,17 @@ fn written_for_another(job: &Value, text: &str) -> bool {
 
 /// The job that a header says: `job path=value path=value`.
 fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
-    let find = |path: &str| said.values.iter().find(|(p, _)| p.eq_ignore_ascii_case(path)).map(|(_, v)| *v);
+    let find = |path: &str| {
+        said.values
+            .iter()
+            .find(|(p, _)| p.eq_ignore_ascii_case(path))
+            .map(|(_, v)| *v)
+    };
     let type_at = |path: &str| cycle::find(&find(path)?.to_ascii_lowercase());
     // Of a set-up its cycles, each by its place in the list.
-    let defs: Vec<&CycleDef> = (0..MOST_CYCLES).map_while(|i| type_at(&format!("cycles[{i}].type"))).collect();
+    let defs: Vec<&CycleDef> = (0..MOST_CYCLES)
+        .map_while(|i| type_at(&format!("cycles[{i}].type")))
+        .collect();
     let def = match defs.first() {
         Some(def) => *def,
         None => type_at("cycle.type")?,
@@ -190,7 +256,11 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     let mut job = Value::Map(vec![("format".to_owned(), Value::Number(format))]);
     let mut unknown = 0;
     let mut tolerances = Vec::new();
-    for (path, text) in said.values.iter().filter(|(path, _)| !path.eq_ignore_ascii_case("format")) {
+    for (path, text) in said
+        .values
+        .iter()
+        .filter(|(path, _)| !path.eq_ignore_ascii_case("format"))
+    {
         if let Some((index, rest)) = in_cycle(path) {
             let alone = format!("cycle.{rest}");
             let Some(def) = defs.get(index) else {
@@ -198,12 +268,27 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
                 continue;
             };
             if rest.eq_ignore_ascii_case("name") {
-                set(&mut job, &format!("cycles[{index}].name"), Value::Text(small_letters(text)));
+                set(
+                    &mut job,
+                    &format!("cycles[{index}].name"),
+                    Value::Text(small_letters(text)),
+                );
                 continue;
             }
-            let alone = if has_place(def, &alone) { alone } else { spelled(def, &alone) };
-            match alone.strip_prefix("cycle.").filter(|_| has_place(def, &alone)) {
-                Some(own) => set(&mut job, &format!("cycles[{index}].{own}"), value(&word(def, &alone, text))),
+            let alone = if has_place(def, &alone) {
+                alone
+            } else {
+                spelled(def, &alone)
+            };
+            match alone
+                .strip_prefix("cycle.")
+                .filter(|_| has_place(def, &alone))
+            {
+                Some(own) => set(
+                    &mut job,
+                    &format!("cycles[{index}].{own}"),
+                    value(&word(def, &alone, text)),
+                ),
                 None => unknown += 1,
             }
             continue;
@@ -212,21 +297,41 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
             && let Some(key) = of_set_up(path)
         {
             let text = small_letters(text);
-            set(&mut job, &key, value(if text.eq_ignore_ascii_case("null") { "null" } else { &text }));
+            set(
+                &mut job,
+                &key,
+                value(if text.eq_ignore_ascii_case("null") {
+                    "null"
+                } else {
+                    &text
+                }),
+            );
             continue;
         }
-        if !defs.is_empty() && path.get(..RELATIONS.len()).is_some_and(|head| head.eq_ignore_ascii_case(RELATIONS)) {
+        if !defs.is_empty()
+            && path
+                .get(..RELATIONS.len())
+                .is_some_and(|head| head.eq_ignore_ascii_case(RELATIONS))
+        {
             set_relation(&mut job, &path.to_ascii_lowercase(), &small_letters(text));
             continue;
         }
         if let Some((code, key)) = of_tolerance(path) {
             let text = small_letters(text);
-            let given = if key.starts_with(WEAR.key) { value(&text.to_ascii_lowercase()) } else { Value::Text(text) };
+            let given = if key.starts_with(WEAR.key) {
+                value(&text.to_ascii_lowercase())
+            } else {
+                Value::Text(text)
+            };
             tolerances.push((code, key, given));
             continue;
         }
         // On controls that know no small letters all is in capitals.
-        let path = if has_place(def, path) { (*path).to_owned() } else { spelled(def, path) };
+        let path = if has_place(def, path) {
+            (*path).to_owned()
+        } else {
+            spelled(def, path)
+        };
         if has_place(def, &path) {
             set(&mut job, &path, value(&word(def, &path, text)));
         } else {
@@ -239,8 +344,10 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
         entries.push((TOLERANCES.to_owned(), grouped(tolerances)));
     }
     if unknown > 0 {
-        let message =
-            text!("The header has {unknown} values that a job of this cycle does not have: they are ignored", unknown);
+        let message = text!(
+            "The header has {unknown} values that a job of this cycle does not have: they are ignored",
+            unknown
+        );
         checker.warning("header-unknown", "", message);
     }
     Some(job)
@@ -248,21 +355,39 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
 
 /// The cycle that a path of a set-up is in, by its place in the list, and the path inside.
 fn in_cycle(path: &str) -> Option<(usize, &str)> {
-    let inner = path.get(..7).filter(|word| word.eq_ignore_ascii_case("cycles[")).and(path.get(7..))?;
+    let inner = path
+        .get(..7)
+        .filter(|word| word.eq_ignore_ascii_case("cycles["))
+        .and(path.get(7..))?;
     let (index, rest) = inner.split_once("].")?;
     Some((index.parse().ok()?, rest))
 }
 
 /// The result that a path gives the tolerance of, and which key of that: `tolerances.center.x.action`, `tolerances.width.wear.tool`.
 fn of_tolerance(path: &str) -> Option<(String, String)> {
-    path.get(..TOLERANCES.len()).filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
-    let (code, key) = path[TOLERANCES.len()..].strip_prefix('.')?.rsplit_once('.')?;
-    let (code, key) = match code.rsplit_once('.').filter(|(_, wear)| wear.eq_ignore_ascii_case(WEAR.key)) {
+    path.get(..TOLERANCES.len())
+        .filter(|head| head.eq_ignore_ascii_case(TOLERANCES))?;
+    let (code, key) = path[TOLERANCES.len()..]
+        .strip_prefix('.')?
+        .rsplit_once('.')?;
+    let (code, key) = match code
+        .rsplit_once('.')
+        .filter(|(_, wear)| wear.eq_ignore_ascii_case(WEAR.key))
+    {
         Some((code, _)) => {
-            let field = WEAR.fields.iter().find(|field| field.key.eq_ignore_ascii_case(key))?;
+            let field = WEAR
+                .fields
+                .iter()
+                .find(|field| field.key.eq_ignore_ascii_case(key))?;
             (code, format!("{}.{}", WEAR.key, field.key))
         }
-        None => (code, ["tolerance", "action"].into_iter().find(|known| known.eq_ignore_ascii_case(key))?.to_owned()),
+        None => (
+            code,
+            ["tolerance", "action"]
+                .into_iter()
+                .find(|known| known.eq_ignore_ascii_case(key))?
+                .to_owned(),
+        ),
     };
     let own = RESULT_CODES.iter().filter(|own| {
         let at = code.len().checked_sub(own.len());
@@ -271,13 +396,22 @@ fn of_tolerance(path: &str) -> Option<(String, String)> {
     });
     // `difference.angle` ends as `angle` does.
     let own = own.max_by_key(|own| own.len());
-    Some((own.map_or_else(|| code.to_owned(), |own| format!("{}{own}", &code[..code.len() - own.len()])), key))
+    Some((
+        own.map_or_else(
+            || code.to_owned(),
+            |own| format!("{}{own}", &code[..code.len() - own.len()]),
+        ),
+        key,
+    ))
 }
 
 /// A value of a relation: its name and its type are texts, and so is every item of its list, which stands whole or item by item.
 fn set_relation(job: &mut Value, path: &str, given: &str) {
     let text = |text: &str| Value::Text(text.to_owned());
-    let value = match given.strip_prefix('[').and_then(|inner| inner.strip_suffix(']')) {
+    let value = match given
+        .strip_prefix('[')
+        .and_then(|inner| inner.strip_suffix(']'))
+    {
         Some("") => Value::List(Vec::new()),
         Some(inner) => Value::List(inner.split(',').map(text).collect()),
         // A type has small letters only.
@@ -291,10 +425,13 @@ fn set_relation(job: &mut Value, path: &str, given: &str) {
 fn grouped(given: Vec<(String, String, Value)>) -> Value {
     let mut all: Vec<(String, Value)> = Vec::new();
     for (code, key, value) in given {
-        let at = all.iter().position(|(known, _)| *known == code).unwrap_or_else(|| {
-            all.push((code, Value::Map(Vec::new())));
-            all.len() - 1
-        });
+        let at = all
+            .iter()
+            .position(|(known, _)| *known == code)
+            .unwrap_or_else(|| {
+                all.push((code, Value::Map(Vec::new())));
+                all.len() - 1
+            });
         set(&mut all[at].1, &key, value);
     }
     Value::Map(all)
@@ -303,21 +440,35 @@ fn grouped(given: Vec<(String, String, Value)>) -> Value {
 /// What a set-up has beside its cycles, as it is spelled.
 fn of_set_up(path: &str) -> Option<String> {
     let datum = DATUM.iter().map(|key| format!("datum.{key}"));
-    std::iter::once("clear".to_owned()).chain(["datum".to_owned()]).chain(datum).find(|known| known.eq_ignore_ascii_case(path))
+    std::iter::once("clear".to_owned())
+        .chain(["datum".to_owned()])
+        .chain(datum)
+        .find(|known| known.eq_ignore_ascii_case(path))
 }
 
 /// A path as the fields spell it.
 fn spelled(def: &CycleDef, path: &str) -> String {
     let keys = || {
-        let sections =
-            SECTIONS.iter().flat_map(|(section, fields)| std::iter::once(*section).chain(fields.iter().map(|f| f.key)));
+        let sections = SECTIONS.iter().flat_map(|(section, fields)| {
+            std::iter::once(*section).chain(fields.iter().map(|f| f.key))
+        });
         let own = def.fields.iter().map(|f| f.key);
-        let inner = def.sections.iter().flat_map(|s| std::iter::once(s.key).chain(s.fields.iter().map(|f| f.key)));
-        const OTHERS: [&str; 11] =
-            ["cycle", "type", "touches", "point", "vector", "custom", "code", "value", "frame", "rot", "mirror"];
+        let inner = def
+            .sections
+            .iter()
+            .flat_map(|s| std::iter::once(s.key).chain(s.fields.iter().map(|f| f.key)));
+        const OTHERS: [&str; 11] = [
+            "cycle", "type", "touches", "point", "vector", "custom", "code", "value", "frame",
+            "rot", "mirror",
+        ];
         sections.chain(own).chain(inner).chain(OTHERS)
     };
-    let spelled = |word: &str| keys().find(|key| key.eq_ignore_ascii_case(word)).unwrap_or(word).to_owned();
+    let spelled = |word: &str| {
+        keys()
+            .find(|key| key.eq_ignore_ascii_case(word))
+            .unwrap_or(word)
+            .to_owned()
+    };
     let words = path.split('.').map(|word| match word.split_once('[') {
         Some((word, index)) => format!("{}[{index}", spelled(word)),
         None => spelled(word),
@@ -331,11 +482,20 @@ fn word(def: &CycleDef, path: &str, text: &str) -> String {
         return text.to_owned();
     }
     let choices = SECTIONS.iter().find_map(|(section, fields)| {
-        let key = if section.is_empty() { Some(path) } else { path.strip_prefix(section)?.strip_prefix('.') };
-        fields.iter().find(|f| Some(f.key) == key).map(|field| field.kind)
+        let key = if section.is_empty() {
+            Some(path)
+        } else {
+            path.strip_prefix(section)?.strip_prefix('.')
+        };
+        fields
+            .iter()
+            .find(|f| Some(f.key) == key)
+            .map(|field| field.kind)
     });
     if let Some(form::Kind::Choice(choices)) = choices
-        && let Some(choice) = choices.iter().find(|choice| choice.value.eq_ignore_ascii_case(text))
+        && let Some(choice) = choices
+            .iter()
+            .find(|choice| choice.value.eq_ignore_ascii_case(text))
     {
         return choice.value.to_owned();
     }
@@ -377,8 +537,18 @@ fn nested(text: &str, depth: usize) -> Value {
         "null" => Value::Null,
         "{}" => Value::Map(Vec::new()),
         "[]" => Value::List(Vec::new()),
-        _ => match text.strip_prefix('[').and_then(|inner| inner.strip_suffix(']')).filter(|_| depth > 0) {
-            Some(inner) => Value::List(inner.split(',').take(3).map(|item| nested(item, depth - 1)).collect()),
+        _ => match text
+            .strip_prefix('[')
+            .and_then(|inner| inner.strip_suffix(']'))
+            .filter(|_| depth > 0)
+        {
+            Some(inner) => Value::List(
+                inner
+                    .split(',')
+                    .take(3)
+                    .map(|item| nested(item, depth - 1))
+                    .collect(),
+            ),
             None => match crate::num::read(text) {
                 Some(x) if x.is_finite() => Value::Number(x),
                 _ => Value::Text(text.to_owned()),
@@ -391,11 +561,17 @@ fn nested(text: &str, depth: usize) -> Value {
 fn compare(text: &str, said: &HeaderLines<'_>, plan: &Plan, checker: &mut Checker) {
     let post = control::find(plan.program.post);
     let (given, wanted) = (blocks(post, text), blocks(post, &plan.program.text));
-    let differs = given.iter().zip(&wanted).find(|((_, a), (_, b))| a != b).map(|((line, _), _)| *line);
+    let differs = given
+        .iter()
+        .zip(&wanted)
+        .find(|((_, a), (_, b))| a != b)
+        .map(|((line, _), _)| *line);
     let line = differs.or_else(|| given.get(wanted.len()).map(|(line, _)| *line));
     let by_hash = match said.unchanged {
         Some(true) => {
-            text!(" The header's hash matches the blocks: the header was changed, or another version wrote them.")
+            text!(
+                " The header's hash matches the blocks: the header was changed, or another version wrote them."
+            )
         }
         Some(false) => text!(" The header's hash does not match the blocks: they were changed."),
         None => Text::words(""),
@@ -407,11 +583,16 @@ fn compare(text: &str, said: &HeaderLines<'_>, plan: &Plan, checker: &mut Checke
             by_hash
         ),
         None if given.len() < wanted.len() => {
-            text!("The end of the program is missing.{by_hash} The job is the header's", by_hash)
+            text!(
+                "The end of the program is missing.{by_hash} The job is the header's",
+                by_hash
+            )
         }
         None => {
             if said.unchanged == Some(false) {
-                let message = text!("The blocks match the job, but lines between them were changed: comments, or their order");
+                let message = text!(
+                    "The blocks match the job, but lines between them were changed: comments, or their order"
+                );
                 checker.info("lines-differ", "", message);
             }
             return;
@@ -426,7 +607,12 @@ fn blocks(post: Option<&PostDef>, text: &str) -> Vec<(usize, Vec<Token>)> {
     let mut begun = false;
     lines_of(text)
         .enumerate()
-        .map(|(line, full)| (line, tokens(without_count(without_number(trimmed(code(full, round)))))))
+        .map(|(line, full)| {
+            (
+                line,
+                tokens(without_count(without_number(trimmed(code(full, round))))),
+            )
+        })
         .filter(|(_, tokens)| !tokens.is_empty() && tokens[0] != Token::Sign(b'%'))
         // The number stands above the blocks.
         .filter(|(_, tokens)| std::mem::replace(&mut begun, true) || !is_program_number(tokens))
@@ -440,17 +626,27 @@ fn is_program_number(tokens: &[Token]) -> bool {
 
 /// A line without its comment. Some comments in brackets do something.
 fn code(line: &str, round: bool) -> &str {
-    let Some(at) = comment_at(line.as_bytes(), round) else { return line };
+    let Some(at) = comment_at(line.as_bytes(), round) else {
+        return line;
+    };
     let inner = trimmed(&line[at + 1..]);
-    let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"].iter().any(|word| after(inner, word).is_some());
+    let does = ["PRINT,", "ABORT,", "MSG,", "DEBUG,"]
+        .iter()
+        .any(|word| after(inner, word).is_some());
     // The text of an alarm belongs to its block.
     let alarm = trimmed(line).starts_with("#3000");
-    if round && line[at..].starts_with('(') && (does || alarm) { line } else { &line[..at] }
+    if round && line[at..].starts_with('(') && (does || alarm) {
+        line
+    } else {
+        &line[..at]
+    }
 }
 
 /// Whether a text probes.
 fn probes(text: &str) -> bool {
-    ["G38.", "G31", "MEAS=1", "$AC_MEA", "CYCLE977"].iter().any(|word| text.contains(word))
+    ["G38.", "G31", "MEAS=1", "$AC_MEA", "CYCLE977"]
+        .iter()
+        .any(|word| text.contains(word))
 }
 
 /// Reads the moves of a program that says no job: for the first control that understands all of it. None where the text is no program: it
@@ -461,32 +657,55 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let mut found: Option<(&PostDef, Trace)> = None;
     let sign = signs::of(text);
     if sign == Some(Sign::RepRap) {
-        checker.error("not-understood", "", text!("This is a program for RepRapFirmware, which is not known here"));
-        return Some(Err(JobError { findings: checker.findings() }));
+        checker.error(
+            "not-understood",
+            "",
+            text!("This is a program for RepRapFirmware, which is not known here"),
+        );
+        return Some(Err(JobError {
+            findings: checker.findings(),
+        }));
     }
     for post in POSTS.iter().filter(|post| may_be_for(post, sign, text)) {
         match followed(post, text) {
             Some(Ok(trace)) if !trace.ends && !probes(text) => {}
-            Some(Ok(trace)) if found.as_ref().is_none_or(|(_, before)| understands_more(&trace, before)) => {
+            Some(Ok(trace))
+                if found
+                    .as_ref()
+                    .is_none_or(|(_, before)| understands_more(&trace, before)) =>
+            {
                 found = Some((post, trace));
             }
-            Some(Err(troubles)) if least.as_ref().is_none_or(|(_, known)| troubles.len() < known.len()) => {
+            Some(Err(troubles))
+                if least
+                    .as_ref()
+                    .is_none_or(|(_, known)| troubles.len() < known.len()) =>
+            {
                 least = Some((post, troubles));
             }
             _ => {}
         }
     }
     if let Some((post, trace)) = found {
-        checker.info("no-job-in-program", "", text!("The program holds no job: its moves are read, but they give no job"));
+        checker.info(
+            "no-job-in-program",
+            "",
+            text!("The program holds no job: its moves are read, but they give no job"),
+        );
         let mut findings = checker.findings();
         // Both readers take places as they are written.
         findings.extend(
             read_program(text, None)
                 .findings
                 .into_iter()
-                .filter(|finding| finding.code == "places-transformed" || finding.code == "machine-places"),
+                .filter(|finding| {
+                    finding.code == "places-transformed" || finding.code == "machine-places"
+                }),
         );
-        return Some(Ok(Imported::Moves { trace: row(post, &trace), findings }));
+        return Some(Ok(Imported::Moves {
+            trace: row(post, &trace),
+            findings,
+        }));
     }
     let (post, troubles) = least.filter(|_| probes(text))?;
     let first = troubles.first()?;
@@ -500,15 +719,27 @@ pub fn trace(text: &str) -> Option<Result<Imported, JobError>> {
     let message = match others {
         0 => message,
         1 => text!("{message}. One other line cannot be read either", message),
-        _ => text!("{message}. {others} other lines cannot be read either", message, others),
+        _ => text!(
+            "{message}. {others} other lines cannot be read either",
+            message,
+            others
+        ),
     };
     checker.error("not-understood", "", message);
-    Some(Err(JobError { findings: checker.findings() }))
+    Some(Err(JobError {
+        findings: checker.findings(),
+    }))
 }
 
 /// Whether a reading knows more of what a program does than the one before it.
 fn understands_more(trace: &Trace, before: &Trace) -> bool {
-    let unchecked = |trace: &Trace| trace.steps.iter().filter(|step| step.kind == Kind::Unchecked).count();
+    let unchecked = |trace: &Trace| {
+        trace
+            .steps
+            .iter()
+            .filter(|step| step.kind == Kind::Unchecked)
+            .count()
+    };
     before.steps.is_empty() || unchecked(trace) < unchecked(before)
 }
 
@@ -530,7 +761,15 @@ fn followed(post: &PostDef, text: &str) -> Option<Result<Trace, Vec<Trouble>>> {
     let script = (post.read?)(text);
     Some(script.and_then(|script| {
         let (start, known) = (script.start.unwrap_or(ANYWHERE), script.start.is_some());
-        let run = Run { start, deflected: false, until: None, may_stop: false, known, highest: f64::INFINITY, strict: false };
+        let run = Run {
+            start,
+            deflected: false,
+            until: None,
+            may_stop: false,
+            known,
+            highest: f64::INFINITY,
+            strict: false,
+        };
         machine::run(&script, run, &mut |_| Met::Unknown).map_err(|trouble| vec![trouble])
     }))
 }
@@ -542,6 +781,13 @@ fn row(post: &PostDef, trace: &Trace) -> TraceRow {
         feed: step.feed,
         line: step.line,
     });
-    let units = trace.modes.metric.map(|metric| if metric { "mm" } else { "inch" });
-    TraceRow { control: post.key, units, moves: moves.collect() }
+    let units = trace
+        .modes
+        .metric
+        .map(|metric| if metric { "mm" } else { "inch" });
+    TraceRow {
+        control: post.key,
+        units,
+        moves: moves.collect(),
+    }
 }

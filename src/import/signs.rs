@@ -63,7 +63,9 @@ fn is_linuxcnc(code: &str) -> bool {
     if code.contains("#<") {
         return true;
     }
-    let Some(label) = trimmed(without_number(code)).strip_prefix(['o', 'O']) else { return false };
+    let Some(label) = trimmed(without_number(code)).strip_prefix(['o', 'O']) else {
+        return false;
+    };
     let number = label.trim_start_matches(|c: char| c.is_ascii_digit());
     label.starts_with('<')
         || number.len() < label.len() && {
@@ -87,7 +89,10 @@ fn probes(code: &str) -> Option<Sign> {
 /// The code of a line in front of the first comment or text in it; a comment at its beginning is passed by.
 fn code_of(line: &str) -> &str {
     let mut code = line;
-    while let Some((_, rest)) = code.strip_prefix('(').and_then(|inner| inner.split_once(')')) {
+    while let Some((_, rest)) = code
+        .strip_prefix('(')
+        .and_then(|inner| inner.split_once(')'))
+    {
         code = trimmed(rest);
     }
     &code[..memchr::memchr3(b'(', b';', b'"', code.as_bytes()).unwrap_or(code.len())]
@@ -114,7 +119,10 @@ mod tests {
             ("0  BEGIN PGM A MM\n", Some(Sign::Klartext)),
             ("if {param.X} > 3\n", Some(Sign::RepRap)),
             ("var x = param.X\n", Some(Sign::RepRap)),
-            ("G38 X1\nG310 X1\n(G38.2 #<x> {)\n; G31\n\"G31\"\nO100\nG1 X5\n", None),
+            (
+                "G38 X1\nG310 X1\n(G38.2 #<x> {)\n; G31\n\"G31\"\nO100\nG1 X5\n",
+                None,
+            ),
         ] {
             assert_eq!(of(text), sign, "{text}");
         }

@@ -26,16 +26,30 @@ pub fn calls(value: &Value) -> Option<Vec<Vec<String>>> {
     let planned = planned(&job)?;
     let base = words(&planned)?;
     let rows = table(&planned);
-    let walls = matches!(planned.path.feature, Feature::Surface(_) | Feature::Corner(_));
+    let walls = matches!(
+        planned.path.feature,
+        Feature::Surface(_) | Feature::Corner(_)
+    );
     let found = rows.iter().map(|row| {
-        let followed = row.field.as_deref().and_then(|field| following(&job, field, &base)).unwrap_or_default();
+        let followed = row
+            .field
+            .as_deref()
+            .and_then(|field| following(&job, field, &base))
+            .unwrap_or_default();
         // The place of a wall is a touch's.
         let place = match row.value {
-            ParameterValue::Length(mm) if walls && row.touch.is_some() && row.code > ORIGINAL => Some(mm),
+            ParameterValue::Length(mm) if walls && row.touch.is_some() && row.code > ORIGINAL => {
+                Some(mm)
+            }
             _ => None,
         };
-        let same = base.iter().filter(|word| word.measures && place.is_some_and(|mm| (word.value - mm).abs() < NEAR));
-        let mut names: Vec<String> = followed.into_iter().chain(same.map(|word| word.name.clone())).collect();
+        let same = base
+            .iter()
+            .filter(|word| word.measures && place.is_some_and(|mm| (word.value - mm).abs() < NEAR));
+        let mut names: Vec<String> = followed
+            .into_iter()
+            .chain(same.map(|word| word.name.clone()))
+            .collect();
         let mut seen = Vec::new();
         names.retain(|name| {
             !seen.contains(name) && {
@@ -68,14 +82,20 @@ fn words(planned: &Planned) -> Option<Vec<Word>> {
     let (own, cycles) = (planned.path.own.as_ref()?, planned.job.post.own?);
     let all = own.blocks.iter().flat_map(|(block, _)| {
         let measures = block.measures();
-        let of = |number: u32, name: String, value: f64| Word { name: (cycles.word)(number, &name), value, measures };
+        let of = |number: u32, name: String, value: f64| Word {
+            name: (cycles.word)(number, &name),
+            value,
+            measures,
+        };
         match block {
-            OwnBlock::Call(number, letters) => {
-                letters.iter().map(|(letter, x)| of(*number, letter.to_string(), x.value())).collect::<Vec<Word>>()
-            }
-            OwnBlock::Cycle(number, places) => {
-                places.iter().map(|(place, x)| of(u32::from(*number), place.to_string(), x.value())).collect()
-            }
+            OwnBlock::Call(number, letters) => letters
+                .iter()
+                .map(|(letter, x)| of(*number, letter.to_string(), x.value()))
+                .collect::<Vec<Word>>(),
+            OwnBlock::Cycle(number, places) => places
+                .iter()
+                .map(|(place, x)| of(u32::from(*number), place.to_string(), x.value()))
+                .collect(),
             OwnBlock::Goes(..) | OwnBlock::Keep(..) => Vec::new(),
         }
     });
@@ -85,7 +105,10 @@ fn words(planned: &Planned) -> Option<Vec<Word>> {
 /// The rows of the table as the cycle documents them.
 fn table(planned: &Planned) -> Vec<Parameter> {
     let documented: Path = planned.job.cycle.plan(&planned.job.setup);
-    planned.job.cycle.parameters(&planned.job.setup, &documented.touches)
+    planned
+        .job
+        .cycle
+        .parameters(&planned.job.setup, &documented.touches)
 }
 
 /// The words that follow a field of the job.
@@ -98,7 +121,10 @@ fn following(job: &Value, field: &str, base: &[Word]) -> Option<Vec<String>> {
     };
     let same = other.len() == base.len() && other.iter().zip(base).all(|(a, b)| a.name == b.name);
     same.then_some(())?;
-    let changed = other.iter().zip(base).filter(|(a, b)| (a.value - b.value).abs() > NEAR);
+    let changed = other
+        .iter()
+        .zip(base)
+        .filter(|(a, b)| (a.value - b.value).abs() > NEAR);
     Some(changed.map(|(word, _)| word.name.clone()).collect())
 }
 
@@ -118,13 +144,25 @@ fn twin(field: &str) -> Option<String> {
 
 /// The job with a number of it moved: a field, or the coordinate of one, `cycle.point1[0]`.
 fn moved(job: &Value, field: &str) -> Option<Value> {
-    let (field, index) = match field.strip_suffix(']').and_then(|field| field.split_once('[')) {
+    let (field, index) = match field
+        .strip_suffix(']')
+        .and_then(|field| field.split_once('['))
+    {
         Some((field, index)) => (field, index.parse::<usize>().ok()),
         None => (field, None),
     };
     let path: Vec<&str> = field.split('.').collect();
-    let step = |value: &Value| if let Value::Number(x) = value { Some(Value::Number(x + STEP)) } else { None };
-    let new = match (path.iter().try_fold(job, |value, key| value.get(key))?, index) {
+    let step = |value: &Value| {
+        if let Value::Number(x) = value {
+            Some(Value::Number(x + STEP))
+        } else {
+            None
+        }
+    };
+    let new = match (
+        path.iter().try_fold(job, |value, key| value.get(key))?,
+        index,
+    ) {
         (Value::List(places), Some(index)) => {
             let mut places = places.clone();
             let place = places.get_mut(index)?;
@@ -138,7 +176,9 @@ fn moved(job: &Value, field: &str) -> Option<Value> {
 
 /// The job with its feature elsewhere.
 fn aside(job: &Value) -> Value {
-    let Some(Value::List(origin)) = job.get("cycle").and_then(|cycle| cycle.get("origin")) else { return job.clone() };
+    let Some(Value::List(origin)) = job.get("cycle").and_then(|cycle| cycle.get("origin")) else {
+        return job.clone();
+    };
     let places = origin.iter().zip(ASIDE).map(|(place, by)| match place {
         Value::Number(x) => Value::Number(x + by),
         other => other.clone(),
@@ -148,8 +188,18 @@ fn aside(job: &Value) -> Value {
 
 /// A job with another value at a place that it has.
 fn with(value: &Value, path: &[&str], new: &Value) -> Value {
-    let ([key, rest @ ..], Value::Map(entries)) = (path, value) else { return new.clone() };
-    let inner =
-        |(known, value): &(String, Value)| (known.clone(), if known == key { with(value, rest, new) } else { value.clone() });
+    let ([key, rest @ ..], Value::Map(entries)) = (path, value) else {
+        return new.clone();
+    };
+    let inner = |(known, value): &(String, Value)| {
+        (
+            known.clone(),
+            if known == key {
+                with(value, rest, new)
+            } else {
+                value.clone()
+            },
+        )
+    };
     Value::Map(entries.iter().map(inner).collect())
 }

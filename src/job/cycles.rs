@@ -30,39 +30,56 @@ pub const RELATIONS: &str = "relations";
 
 /// Whether programs of every control can print it in front of a result.
 pub fn is_name(name: &str) -> bool {
-    let plain = name.starts_with(|c: char| c.is_ascii_alphabetic()) && name.chars().all(|c| c.is_ascii_alphanumeric());
-    plain && name.len() <= LONGEST_NAME && !RESERVED.iter().any(|word| name.eq_ignore_ascii_case(word))
+    let plain = name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(|c| c.is_ascii_alphanumeric());
+    plain
+        && name.len() <= LONGEST_NAME
+        && !RESERVED.iter().any(|word| name.eq_ignore_ascii_case(word))
 }
 
 /// Whether a job has several cycles.
 pub fn is_set_up(job: &Value) -> bool {
-    matches!(job.get("format"), Some(Value::Number(n)) if *n == SET_UP_FORMAT) || job.get("cycles").is_some()
+    matches!(job.get("format"), Some(Value::Number(n)) if *n == SET_UP_FORMAT)
+        || job.get("cycles").is_some()
 }
 
 /// The job that a cycle of a set-up would be alone; what is wrong with the set-up itself is not in it.
 pub fn alone(job: &Value, index: usize) -> Option<Value> {
-    let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else { return None };
-    let Value::Map(cycle) = cycles.get(index)? else { return None };
+    let (Value::Map(entries), Some(Value::List(cycles))) = (job, job.get("cycles")) else {
+        return None;
+    };
+    let Value::Map(cycle) = cycles.get(index)? else {
+        return None;
+    };
     let own = |(key, value): &(String, Value)| match key.as_str() {
         "format" | "cycle" | "cycles" | "clear" | "datum" | RELATIONS | TOLERANCES => None,
-        "part" if value.get("sizes").is_some() => Some((key.clone(), part_of(value, &name_of(cycles, index)))),
+        "part" if value.get("sizes").is_some() => {
+            Some((key.clone(), part_of(value, &name_of(cycles, index))))
+        }
         _ => Some((key.clone(), value.clone())),
     };
     let mut alone = vec![("format".to_owned(), Value::Number(crate::job::FORMAT))];
     alone.extend(entries.iter().filter_map(own));
-    let cycle = cycle.iter().filter(|(key, _)| key != "name").cloned().collect();
+    let cycle = cycle
+        .iter()
+        .filter(|(key, _)| key != "name")
+        .cloned()
+        .collect();
     alone.push(("cycle".to_owned(), Value::Map(cycle)));
     Some(Value::Map(alone))
 }
 
 /// The virtual part with the sizes of one cycle: `BORE.diameter` is its `diameter`.
 fn part_of(part: &Value, name: &str) -> Value {
-    let Value::Map(entries) = part else { return part.clone() };
+    let Value::Map(entries) = part else {
+        return part.clone();
+    };
     let of = |(key, value): &(String, Value)| match (key.as_str(), value) {
         ("sizes", Value::Map(sizes)) => {
             let own = sizes.iter().filter_map(|(size, value)| {
                 let (of, size) = size.split_once('.')?;
-                of.eq_ignore_ascii_case(name).then(|| (size.to_owned(), value.clone()))
+                of.eq_ignore_ascii_case(name)
+                    .then(|| (size.to_owned(), value.clone()))
             });
             (key.clone(), Value::Map(own.collect()))
         }
@@ -89,17 +106,32 @@ pub fn names(cycles: &[Value]) -> Vec<String> {
     let mut names: Vec<Option<String>> = cycles.iter().map(given).collect();
     // How far the numbers of each stem have come.
     let mut numbers: Vec<(&str, usize)> = Vec::new();
-    for (i, cycle) in cycles.iter().enumerate().filter(|(_, cycle)| given(cycle).is_none()) {
+    for (i, cycle) in cycles
+        .iter()
+        .enumerate()
+        .filter(|(_, cycle)| given(cycle).is_none())
+    {
         let stem = stem(cycle);
         let own: String = stem.chars().filter(char::is_ascii_alphanumeric).collect();
-        let at = numbers.iter().position(|(known, _)| *known == stem).unwrap_or_else(|| {
-            numbers.push((stem, 0));
-            numbers.len() - 1
-        });
+        let at = numbers
+            .iter()
+            .position(|(known, _)| *known == stem)
+            .unwrap_or_else(|| {
+                numbers.push((stem, 0));
+                numbers.len() - 1
+            });
         let name = loop {
             numbers[at].1 += 1;
-            let name = if numbers[at].1 == 1 { own.clone() } else { format!("{own}{}", numbers[at].1) };
-            if !names.iter().flatten().any(|taken| taken.eq_ignore_ascii_case(&name)) {
+            let name = if numbers[at].1 == 1 {
+                own.clone()
+            } else {
+                format!("{own}{}", numbers[at].1)
+            };
+            if !names
+                .iter()
+                .flatten()
+                .any(|taken| taken.eq_ignore_ascii_case(&name))
+            {
                 break name;
             }
         };

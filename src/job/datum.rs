@@ -22,20 +22,36 @@ struct Candidate {
 
 /// What is written into which axis: as the job says; what it leaves out is the first cycle that measures the axis, for abscissa and ordinate one that
 /// measures both. A rotation is written on request only.
-pub fn read(checker: &mut Checker, value: &Value, whole: &Planned, writes: bool) -> Option<DatumSource> {
+pub fn read(
+    checker: &mut Checker,
+    value: &Value,
+    whole: &Planned,
+    writes: bool,
+) -> Option<DatumSource> {
     let (path, members) = (&whole.path, &whole.members);
     let given = match value.get("datum") {
         None | Some(Value::Null) => None,
         Some(datum @ Value::Map(entries)) => {
-            for (key, _) in entries.iter().filter(|(key, _)| !DATUM.contains(&key.as_str())) {
+            for (key, _) in entries
+                .iter()
+                .filter(|(key, _)| !DATUM.contains(&key.as_str()))
+            {
                 let shown = crate::form::printable(key);
-                let message = text!("datum has no \"{key}\"; it knows {keys}", shown.clone(), DATUM.join(", "));
+                let message = text!(
+                    "datum has no \"{key}\"; it knows {keys}",
+                    shown.clone(),
+                    DATUM.join(", ")
+                );
                 checker.error("unknown-key", format!("datum.{shown}"), message);
             }
             Some(datum)
         }
         Some(other) => {
-            checker.error("wrong-type", "datum", text!("datum must be an object, not {given}", other.noun()));
+            checker.error(
+                "wrong-type",
+                "datum",
+                text!("datum must be an object, not {given}", other.noun()),
+            );
             return None;
         }
     };
@@ -46,21 +62,28 @@ pub fn read(checker: &mut Checker, value: &Value, whole: &Planned, writes: bool)
         let path_of = format!("datum.{key}");
         let said = given.and_then(|datum| datum.get(key));
         if said.is_none() && axis < 3 {
-            written.place[axis] = proposed(path, axis, if own { last..last + 1 } else { 0..last + 1 });
+            written.place[axis] =
+                proposed(path, axis, if own { last..last + 1 } else { 0..last + 1 });
             continue;
         }
         let found = match said {
             None | Some(Value::Null) => continue,
             Some(Value::Text(text)) => {
                 let mut all = candidates(path, axis);
-                let at = all.iter().position(|known| known.named.eq_ignore_ascii_case(text));
+                let at = all
+                    .iter()
+                    .position(|known| known.named.eq_ignore_ascii_case(text));
                 if at.is_none() {
                     checker.error("datum-unknown", path_of, unknown_datum(text, axis, &all));
                 }
                 at.map(|at| all.swap_remove(at))
             }
             Some(other) => {
-                let message = text!("{path} must be text, not {given}", path_of.clone(), other.noun());
+                let message = text!(
+                    "{path} must be text, not {given}",
+                    path_of.clone(),
+                    other.noun()
+                );
                 checker.error("wrong-type", path_of, message);
                 None
             }
@@ -70,7 +93,11 @@ pub fn read(checker: &mut Checker, value: &Value, whole: &Planned, writes: bool)
             _ => written.place[axis] = found.map(|found| found.of),
         }
     }
-    let name = |of: usize| path.measuring().nth(of).map_or_else(String::new, |own| own.name.to_owned());
+    let name = |of: usize| {
+        path.measuring()
+            .nth(of)
+            .map_or_else(String::new, |own| own.name.to_owned())
+    };
     if written.rotation.is_some() && written.place[0] != written.place[1] {
         let source = |axis: usize| written.place[axis].map_or_else(|| "-".to_owned(), name);
         let message = text!(
@@ -91,7 +118,11 @@ fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
     let members = &whole.members;
     let moves = members[0].job.post.moves();
     let name = |member: usize| whole.path.members[member].name.clone();
-    let early = written.place.iter().flatten().find(|member| **member + 1 < members.len());
+    let early = written
+        .place
+        .iter()
+        .flatten()
+        .find(|member| **member + 1 < members.len());
     if let Some(early) = early {
         let early = name(*early);
         let message = match moves {
@@ -107,9 +138,16 @@ fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
         checker.error("set-up-unsupported", "datum", message);
     }
     // What such a cycle measures it writes, whatever a job would rather have.
-    let measured = members[members.len() - 1].path.formula.datum.as_ref().map_or([false; 3], |datum| datum.measured());
+    let measured = members[members.len() - 1]
+        .path
+        .formula
+        .datum
+        .as_ref()
+        .map_or([false; 3], |datum| datum.measured());
     let axes = members[0].job.setup.plane.axes();
-    let unwanted = (0..3).filter(|i| measured[*i] && written.place[*i].is_none()).map(|i| AXIS_NAMES[axes[i]]);
+    let unwanted = (0..3)
+        .filter(|i| measured[*i] && written.place[*i].is_none())
+        .map(|i| AXIS_NAMES[axes[i]]);
     let unwanted: Vec<&str> = unwanted.collect();
     if !unwanted.is_empty() {
         let (name, axes) = (name(members.len() - 1), unwanted.join(", "));
@@ -130,9 +168,13 @@ fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
     if written.rotation.is_some() {
         let message = match moves {
             true => {
-                text!("The control's own cycles write no rotation that another cycle has measured: use the form \"moves\"")
+                text!(
+                    "The control's own cycles write no rotation that another cycle has measured: use the form \"moves\""
+                )
             }
-            false => text!("The control's own cycles write no rotation that another cycle has measured"),
+            false => {
+                text!("The control's own cycles write no rotation that another cycle has measured")
+            }
         };
         checker.error("set-up-unsupported", "datum.rotation", message);
     }
@@ -141,17 +183,35 @@ fn check_own(checker: &mut Checker, whole: &Planned, written: &DatumSource) {
 fn unknown_datum(text: &str, axis: usize, all: &[Candidate]) -> Text {
     let shown: String = text.chars().take(40).collect();
     let known: Vec<&str> = all.iter().map(|known| known.named.as_str()).collect();
-    let what = Text::words([words!("X"), words!("Y"), words!("Z"), words!("the rotation")][axis]);
+    let what = Text::words(
+        [
+            words!("X"),
+            words!("Y"),
+            words!("Z"),
+            words!("the rotation"),
+        ][axis],
+    );
     match known.is_empty() {
-        true => text!("Nothing that this set-up measures can be written into {axis}: \"{name}\" cannot either", what, shown),
-        false => text!("\"{name}\" cannot be written into {axis}: that takes {known}", shown, what, known.join(", ")),
+        true => text!(
+            "Nothing that this set-up measures can be written into {axis}: \"{name}\" cannot either",
+            what,
+            shown
+        ),
+        false => text!(
+            "\"{name}\" cannot be written into {axis}: that takes {known}",
+            shown,
+            what,
+            known.join(", ")
+        ),
     }
 }
 
 /// The results that an axis of the work offset, or its rotation, can be written from.
 fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
     let of = |(of, own): (usize, Measuring<'_>)| {
-        let measured = own.datum.and_then(|datum| datum.place.get(axis).copied().flatten()?.measured);
+        let measured = own
+            .datum
+            .and_then(|datum| datum.place.get(axis).copied().flatten()?.measured);
         let fits = move |index: &usize| {
             let result = &path.formula.results[*index];
             match axis {
@@ -161,52 +221,105 @@ fn candidates(path: &Path, axis: usize) -> Vec<Candidate> {
         };
         let found = own.results.filter(fits).map(|index| {
             let result = &path.formula.results[index];
-            Candidate { of, named: format!("{}.{}", own.name, result.code), result: index }
+            Candidate {
+                of,
+                named: format!("{}.{}", own.name, result.code),
+                result: index,
+            }
         });
         found.collect::<Vec<_>>()
     };
     // A control's own cycles write what they measure, and no relation.
-    let count = if path.own.is_some() { path.members.len() } else { usize::MAX };
-    path.measuring().take(count).enumerate().flat_map(of).collect()
+    let count = if path.own.is_some() {
+        path.members.len()
+    } else {
+        usize::MAX
+    };
+    path.measuring()
+        .take(count)
+        .enumerate()
+        .flat_map(of)
+        .collect()
 }
 
 /// The cycle that an axis is written from where the job does not say: the first of these that measures both of the plane, else the first that measures it.
 fn proposed(path: &Path, axis: usize, of: std::ops::Range<usize>) -> Option<usize> {
-    let all: Vec<[bool; 3]> =
-        path.measuring().map(|own| own.datum.as_ref().map_or([false; 3], crate::formula::Datum::measured)).collect();
+    let all: Vec<[bool; 3]> = path
+        .measuring()
+        .map(|own| {
+            own.datum
+                .as_ref()
+                .map_or([false; 3], crate::formula::Datum::measured)
+        })
+        .collect();
     let both = || of.clone().find(|i| all[*i][0] && all[*i][1]);
     let first = || of.clone().find(|i| all[*i][axis]);
-    let found = if axis < 2 { both().or_else(first) } else { first() };
+    let found = if axis < 2 {
+        both().or_else(first)
+    } else {
+        first()
+    };
     found.filter(|i| all[*i][axis])
 }
 
 /// Rows for what the program writes: how far the measured place and the rotation are off their nominal ones.
 pub fn written_rows(whole: &Planned, results: &[ResultRow]) -> Vec<ResultRow> {
     let (job, path) = (&whole.job, &whole.path);
-    let (Some(number), Some(datum)) = (job.work_offset, &path.formula.datum) else { return Vec::new() };
+    let (Some(number), Some(datum)) = (job.work_offset, &path.formula.datum) else {
+        return Vec::new();
+    };
     let offset = (job.post.work_offset_word)(number);
     let row = |result: usize| {
         let def = &path.formula.results[result];
-        results.iter().find(|row| Some(row.cycle) == path.measured_by(def) && row.code == def.code)
+        results
+            .iter()
+            .find(|row| Some(row.cycle) == path.measured_by(def) && row.code == def.code)
     };
     let mut rows: Vec<ResultRow> = Vec::new();
     for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
-        let Some(measured) = datum.place[i].and_then(|place| place.measured) else { continue };
-        let source = path.formula.results.iter().position(|result| result.variable == Some(measured));
-        let Some(source) = source.and_then(row) else { continue };
+        let Some(measured) = datum.place[i].and_then(|place| place.measured) else {
+            continue;
+        };
+        let source = path
+            .formula
+            .results
+            .iter()
+            .position(|result| result.variable == Some(measured));
+        let Some(source) = source.and_then(row) else {
+            continue;
+        };
         let axis = AXIS_NAMES[job.setup.plane.axes()[i]];
-        rows.push(shift(source, code, text!("Shift of {offset} in {axis} that the program writes", offset.clone(), axis)));
+        rows.push(shift(
+            source,
+            code,
+            text!(
+                "Shift of {offset} in {axis} that the program writes",
+                offset.clone(),
+                axis
+            ),
+        ));
     }
     if datum.rotation.is_some()
         && let Some(source) = path.datum_source.rotation.and_then(row)
     {
-        let turn = shift(source, "offset.rotation", text!("Rotation of {offset} that the program writes", offset));
+        let turn = shift(
+            source,
+            "offset.rotation",
+            text!("Rotation of {offset} that the program writes", offset),
+        );
         let at = |code: &str| rows.iter().position(|row| row.code == code);
         if let (Some(x), Some(y)) = (at("offset.x"), at("offset.y")) {
             let place = [0, 1].map(|i| {
                 let source = datum.place[i].and_then(|place| place.measured);
-                let source = path.formula.results.iter().position(|result| result.variable == source);
-                source.and_then(row).and_then(|row| row.nominal).unwrap_or(0.0)
+                let source = path
+                    .formula
+                    .results
+                    .iter()
+                    .position(|result| result.variable == source);
+                source
+                    .and_then(row)
+                    .and_then(|row| row.nominal)
+                    .unwrap_or(0.0)
             });
             for (i, at) in [x, y].into_iter().enumerate() {
                 turned(&mut rows[at], i, place, &turn);
@@ -225,7 +338,11 @@ fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) 
         let (sin, cos) = turn.to_radians().sin_cos();
         [x * cos - y * sin - x, x * sin + y * cos - y][axis]
     };
-    let less = |value: Option<f64>, turn: Option<f64>| value.zip(turn).map(|(value, turn)| tidy(value - moved(turn)));
+    let less = |value: Option<f64>, turn: Option<f64>| {
+        value
+            .zip(turn)
+            .map(|(value, turn)| tidy(value - moved(turn)))
+    };
     (row.value, row.truth) = (less(row.value, turn.value), less(row.truth, turn.truth));
     row.deviation = row.value;
     // Both scatter; from touches of one cycle they do so together, which rows do not tell.
@@ -240,9 +357,16 @@ fn turned(row: &mut ResultRow, axis: usize, [x, y]: [f64; 2], turn: &ResultRow) 
 
 /// How far a result is off its nominal value, as a row of its own.
 fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
-    let truth = source.truth.zip(source.nominal).map(|(truth, nominal)| tidy(truth - nominal));
+    let truth = source
+        .truth
+        .zip(source.nominal)
+        .map(|(truth, nominal)| tidy(truth - nominal));
     // A tolerance is of the place and not of the shift.
-    let verdict = source.said.verdict.clone().filter(|_| source.limits.is_none());
+    let verdict = source
+        .said
+        .verdict
+        .clone()
+        .filter(|_| source.limits.is_none());
     ResultRow {
         code: code.to_owned(),
         meaning: meaning.english(),
@@ -253,7 +377,11 @@ fn shift(source: &ResultRow, code: &str, meaning: Text) -> ResultRow {
         stored: None,
         limits: None,
         verdict: verdict.as_ref().map(Text::english),
-        said: ResultWords { meaning, verdict, note: None },
+        said: ResultWords {
+            meaning,
+            verdict,
+            note: None,
+        },
         ..source.clone()
     }
 }
@@ -271,7 +399,11 @@ pub fn datum_rows(whole: &Planned) -> Vec<DatumRow> {
             _ => source.place[i] == Some(known.of),
         };
         let from = all.iter().find(is).map(|known| known.named.clone());
-        DatumRow { axis, from, choices: all.into_iter().map(|known| known.named).collect() }
+        DatumRow {
+            axis,
+            from,
+            choices: all.into_iter().map(|known| known.named).collect(),
+        }
     };
     DATUM.into_iter().enumerate().map(row).collect()
 }

@@ -33,7 +33,11 @@ pub fn new_job(key: &str, units: Units) -> Option<Value> {
 
 /// The default job with lengths and feeds converted to `units`; its own `units` are still to be set.
 pub fn default_job_in(key: &str, units: Units) -> Option<Value> {
-    Some(named(complete_job(cycle::find(key)?, units, Inch::Converted)))
+    Some(named(complete_job(
+        cycle::find(key)?,
+        units,
+        Inch::Converted,
+    )))
 }
 
 /// The default of a field in a new job in inch, in inch: what the field gives, or its default with one digit, two where the first is 1.
@@ -54,7 +58,11 @@ fn typed(mm: f64) -> f64 {
         return 0.0;
     }
     let first = inch.abs().log10().floor();
-    let digits = if inch.abs() / 10f64.powf(first) < 2.0 { 1.0 } else { 0.0 };
+    let digits = if inch.abs() / 10f64.powf(first) < 2.0 {
+        1.0
+    } else {
+        0.0
+    };
     // Divided by a whole power of ten, a whole number is as near as a number can be.
     let places = digits - first;
     if places >= 0.0 {
@@ -66,9 +74,17 @@ fn typed(mm: f64) -> f64 {
 
 /// Whether a field has this value in a job that says nothing of it, in whichever units.
 pub fn is_default(field: &Field, value: &Value) -> bool {
-    let units =
-        [(Units::Mm, Inch::Exact), (Units::Inch, Inch::Exact), (Units::Inch, Inch::Converted), (Units::Inch, Inch::Typed)];
-    let same = |(units, inch)| default_values(std::slice::from_ref(field), units, inch).iter().all(|(_, known)| known == value);
+    let units = [
+        (Units::Mm, Inch::Exact),
+        (Units::Inch, Inch::Exact),
+        (Units::Inch, Inch::Converted),
+        (Units::Inch, Inch::Typed),
+    ];
+    let same = |(units, inch)| {
+        default_values(std::slice::from_ref(field), units, inch)
+            .iter()
+            .all(|(_, known)| known == value)
+    };
     units.into_iter().any(same)
 }
 
@@ -111,8 +127,16 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
     let mut entries = vec![("type".to_owned(), Value::Text(def.key.to_owned()))];
     entries.extend(default_values(def.fields));
     // A cycle that repeats nothing has no word for it: its programs are those that were written before there were repeats.
-    for section in def.sections.iter().filter(|section| section.key != REPEAT.key) {
-        let value = if section.optional { Value::Null } else { Value::Map(default_values(section.fields)) };
+    for section in def
+        .sections
+        .iter()
+        .filter(|section| section.key != REPEAT.key)
+    {
+        let value = if section.optional {
+            Value::Null
+        } else {
+            Value::Map(default_values(section.fields))
+        };
         entries.push((section.key.to_owned(), value));
     }
     job.push(("cycle".to_owned(), Value::Map(entries)));
@@ -124,22 +148,36 @@ pub fn resolved(job: &Value) -> Option<Value> {
     if is_set_up(job) {
         return resolved_set_up(job);
     }
-    let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { return None };
+    let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else {
+        return None;
+    };
     let units = Units::of(job);
     let def = cycle::find(key)?;
     let mut whole = complete_job(def, units, Inch::Exact);
     for section in def.sections {
         // A form inside the form that is there has all its fields.
-        if matches!(job.get("cycle").and_then(|c| c.get(section.key)), Some(Value::Map(_))) {
+        if matches!(
+            job.get("cycle").and_then(|c| c.get(section.key)),
+            Some(Value::Map(_))
+        ) {
             let values = Value::Map(default_values(section.fields, units, Inch::Exact));
-            overlay(&mut whole, &Value::Map(vec![("cycle".to_owned(), Value::Map(vec![(section.key.to_owned(), values)]))]));
+            overlay(
+                &mut whole,
+                &Value::Map(vec![(
+                    "cycle".to_owned(),
+                    Value::Map(vec![(section.key.to_owned(), values)]),
+                )]),
+            );
         }
     }
     overlay(&mut whole, job);
     if let Value::Map(entries) = &mut whole {
         entries.retain(|(key, _)| key != TOLERANCES);
         entries.extend(plain_tolerances(job));
-        entries.iter_mut().filter(|(key, _)| key == "control").for_each(|(_, control)| leave_usual(control));
+        entries
+            .iter_mut()
+            .filter(|(key, _)| key == "control")
+            .for_each(|(_, control)| leave_usual(control));
     }
     Some(whole)
 }
@@ -148,14 +186,21 @@ pub fn resolved(job: &Value) -> Option<Value> {
 fn leave_usual(control: &mut Value) {
     let Value::Map(entries) = control else { return };
     entries.retain(|(key, value)| !(key == "probeInput" && *value == Value::Number(1.0)));
-    if entries.iter().any(|(key, value)| key == "run" && *value == Value::Text(NORMAL_RUN.to_owned())) {
-        entries.retain(|(key, value)| key != "run" && !(key == "lift" && *value == Value::Number(0.0)));
+    if entries
+        .iter()
+        .any(|(key, value)| key == "run" && *value == Value::Text(NORMAL_RUN.to_owned()))
+    {
+        entries.retain(|(key, value)| {
+            key != "run" && !(key == "lift" && *value == Value::Number(0.0))
+        });
     }
 }
 
 /// The tolerances of a job in characters that a comment of any control takes; none where it has none.
 fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
-    let Some(Value::Map(entries)) = job.get(TOLERANCES).filter(|given| !matches!(given, Value::Map(none) if none.is_empty()))
+    let Some(Value::Map(entries)) = job
+        .get(TOLERANCES)
+        .filter(|given| !matches!(given, Value::Map(none) if none.is_empty()))
     else {
         return None;
     };
@@ -165,23 +210,35 @@ fn plain_tolerances(job: &Value) -> Option<(String, Value)> {
             entries.retain(|(key, value)| key != "wear" || !matches!(value, Value::Null));
         }
         if let Value::Map(entries) = &mut given
-            && let Some((_, Value::Text(text))) = entries.iter_mut().find(|(key, _)| key == "tolerance")
+            && let Some((_, Value::Text(text))) =
+                entries.iter_mut().find(|(key, _)| key == "tolerance")
         {
             *text = plain_of_result(text);
         }
         (key.clone(), given)
     };
-    Some((TOLERANCES.to_owned(), Value::Map(entries.iter().map(plain).collect())))
+    Some((
+        TOLERANCES.to_owned(),
+        Value::Map(entries.iter().map(plain).collect()),
+    ))
 }
 
 /// The same of a job with several cycles: each with its name and every value.
 fn resolved_set_up(job: &Value) -> Option<Value> {
-    let Some(Value::List(cycles)) = job.get("cycles") else { return None };
+    let Some(Value::List(cycles)) = job.get("cycles") else {
+        return None;
+    };
     let mut whole = None;
     let mut all = Vec::with_capacity(cycles.len());
     for (index, name) in names(cycles).into_iter().enumerate() {
-        let Value::Map(single) = resolved(&alone(job, index)?)? else { return None };
-        let Some((_, Value::Map(mut cycle))) = single.iter().find(|(key, _)| key == "cycle").cloned() else { return None };
+        let Value::Map(single) = resolved(&alone(job, index)?)? else {
+            return None;
+        };
+        let Some((_, Value::Map(mut cycle))) =
+            single.iter().find(|(key, _)| key == "cycle").cloned()
+        else {
+            return None;
+        };
         cycle.insert(0, ("name".to_owned(), Value::Text(name)));
         all.push(Value::Map(cycle));
         whole.get_or_insert(single);
@@ -195,12 +252,19 @@ fn resolved_set_up(job: &Value) -> Option<Value> {
         }
     }
     entries.retain(|(key, _)| key != "cycle");
-    entries.push(("clear".to_owned(), job.get("clear").cloned().unwrap_or(Value::Null)));
+    entries.push((
+        "clear".to_owned(),
+        job.get("clear").cloned().unwrap_or(Value::Null),
+    ));
     // No table of signs of a Fanuc has the braces of an empty one.
-    let datum = job.get("datum").filter(|datum| !matches!(datum, Value::Map(none) if none.is_empty()));
+    let datum = job
+        .get("datum")
+        .filter(|datum| !matches!(datum, Value::Map(none) if none.is_empty()));
     entries.extend(datum.map(|datum| ("datum".to_owned(), datum.clone())));
     entries.push(("cycles".to_owned(), Value::List(all)));
-    let relations = job.get(RELATIONS).filter(|given| matches!(given, Value::List(list) if !list.is_empty()));
+    let relations = job
+        .get(RELATIONS)
+        .filter(|given| matches!(given, Value::List(list) if !list.is_empty()));
     entries.extend(relations.map(|relations| (RELATIONS.to_owned(), relations.clone())));
     entries.extend(plain_tolerances(job));
     Some(Value::Map(entries))
@@ -229,12 +293,21 @@ fn default_values(fields: &[Field], units: Units, inch: Inch) -> Vec<(String, Va
         Default::Point(p) => Value::List(p.map(Value::Number).to_vec()),
         Default::Null => Value::Null,
     };
-    fields.iter().map(|field| (field.key.to_owned(), value(field))).collect()
+    fields
+        .iter()
+        .map(|field| (field.key.to_owned(), value(field)))
+        .collect()
 }
 
 /// The default of a field in `units`.
 fn default_of(field: &Field, units: Units, inch: Inch) -> Default {
-    let converted = |x: f64| if inch == Inch::Exact { x / units.scale() } else { default_in(x, units) };
+    let converted = |x: f64| {
+        if inch == Inch::Exact {
+            x / units.scale()
+        } else {
+            default_in(x, units)
+        }
+    };
     match field.default {
         _ if inch == Inch::Typed && units == Units::Inch => typed_in_inch(field),
         Default::Number(x) if field.kind.is_metric() => Default::Number(converted(x)),

@@ -27,7 +27,10 @@ pub fn examine(value: &Value, text: &str) -> Option<Result<Vec<SafetyRow>, Vec<F
             return None;
         }
         let rules = |followed: Followed<'_>| {
-            safety::check(request, &followed, Restarts::Every).into_iter().map(SafetyRow::of).collect()
+            safety::check(request, &followed, Restarts::Every)
+                .into_iter()
+                .map(SafetyRow::of)
+                .collect()
         };
         Some(prove::follow(request, text, Part::Unknown).map(rules))
     })?
@@ -45,9 +48,13 @@ pub fn released(planned: &Planned) -> Result<String, crate::control::release::Re
 /// Whether a text is proven to be the program of a job, its moves in these 0-based lines. None of a job with errors is.
 #[cfg(test)]
 pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
-    let lines: Vec<Option<usize>> = lines.iter().map(|line| usize::try_from(*line).ok()).collect();
+    let lines: Vec<Option<usize>> = lines
+        .iter()
+        .map(|line| usize::try_from(*line).ok())
+        .collect();
     let proven = about(value, false, |request| {
-        prove::follow(request, text, Part::Path).and_then(|followed| prove::prove(request, &followed, &lines))
+        prove::follow(request, text, Part::Path)
+            .and_then(|followed| prove::prove(request, &followed, &lines))
     });
     proven.is_some_and(|proof| proof.is_ok())
 }
@@ -56,7 +63,10 @@ pub fn proves(value: &Value, text: &str, lines: &[i32]) -> bool {
 /// program or the same troubles. None where it reads no program.
 #[doc(hidden)]
 pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
-    let read = crate::control::POSTS.iter().find(|known| known.key == post)?.read?;
+    let read = crate::control::POSTS
+        .iter()
+        .find(|known| known.key == post)?
+        .read?;
     let anew = crate::control::iso::memory::without(|| read(text));
     Some(read(text) == anew)
 }
@@ -67,18 +77,36 @@ pub fn reads_alike(post: &str, text: &str) -> Option<bool> {
 pub fn stages(value: &Value, rounds: u32, mut timed: impl FnMut(&'static str, &mut dyn FnMut())) {
     use std::hint::black_box;
     about(value, true, |request| {
-        let Some(read) = request.post.read else { return };
+        let Some(read) = request.post.read else {
+            return;
+        };
         let program = (request.post.emit)(request);
         let prove = || {
             let followed = prove::follow(request, &program.text, Part::Path)?;
             prove::prove(request, &followed, &program.move_lines).map(|_| followed)
         };
         // In this order: nothing was read before that is not to be counted.
-        timed("print", &mut || (0..rounds).for_each(|_| drop(black_box((request.post.emit)(request)))));
-        timed("read", &mut || (0..rounds).for_each(|_| drop(black_box(read(black_box(&program.text))))));
-        timed("prove", &mut || (0..rounds).for_each(|_| drop(black_box(prove()))));
+        timed("print", &mut || {
+            (0..rounds).for_each(|_| drop(black_box((request.post.emit)(request))))
+        });
+        timed("read", &mut || {
+            (0..rounds).for_each(|_| drop(black_box(read(black_box(&program.text)))))
+        });
+        timed("prove", &mut || {
+            (0..rounds).for_each(|_| drop(black_box(prove())))
+        });
         let Ok(followed) = prove() else { return };
-        timed("rules", &mut || (0..rounds).for_each(|_| drop(black_box(safety::check(request, &followed, Restarts::Telling)))));
-        timed("plan", &mut || (0..rounds).for_each(|_| drop(black_box(plan_with_path(black_box(value))))));
+        timed("rules", &mut || {
+            (0..rounds).for_each(|_| {
+                drop(black_box(safety::check(
+                    request,
+                    &followed,
+                    Restarts::Telling,
+                )))
+            })
+        });
+        timed("plan", &mut || {
+            (0..rounds).for_each(|_| drop(black_box(plan_with_path(black_box(value)))))
+        });
     });
 }

@@ -25,9 +25,16 @@ struct Sum<'t> {
 impl<'t> Sum<'t> {
     fn of(text: &'t str) -> Option<Sum<'t>> {
         // Other white space does not come back from a header.
-        let inner = text.trim_matches(' ').strip_prefix('=').filter(|_| text.len() <= LONGEST_PLACE)?;
+        let inner = text
+            .trim_matches(' ')
+            .strip_prefix('=')
+            .filter(|_| text.len() <= LONGEST_PLACE)?;
         let (name, added) = inner.split_at(inner.find(['+', '-']).unwrap_or(inner.len()));
-        let added: String = added.chars().filter(|c| *c != ' ').map(|c| if c == ',' { '.' } else { c }).collect();
+        let added: String = added
+            .chars()
+            .filter(|c| *c != ' ')
+            .map(|c| if c == ',' { '.' } else { c })
+            .collect();
         let digits = added.strip_prefix(['+', '-']).unwrap_or(&added);
         let added = match added.as_str() {
             "" => Some(0.0),
@@ -36,7 +43,11 @@ impl<'t> Sum<'t> {
             }
             _ => None,
         };
-        Some(Sum { name: name.trim_matches(' '), added: added? }).filter(|sum| !sum.name.is_empty())
+        Some(Sum {
+            name: name.trim_matches(' '),
+            added: added?,
+        })
+        .filter(|sum| !sum.name.is_empty())
     }
 }
 
@@ -45,7 +56,11 @@ pub fn convert(text: &str, change: impl Fn(f64) -> f64) -> Option<String> {
     let Sum { name, added } = Sum::of(text)?;
     let added = change(added);
     let sign = if added < 0.0 { "-" } else { "+" };
-    Some(if added == 0.0 { format!("={name}") } else { format!("={name}{sign}{}", decimal(added.abs(), 6)) })
+    Some(if added == 0.0 {
+        format!("={name}")
+    } else {
+        format!("={name}{sign}{}", decimal(added.abs(), 6))
+    })
 }
 
 /// What a cycle can follow.
@@ -69,7 +84,10 @@ pub fn followed(cycles: &[Value]) -> Vec<&str> {
         Value::List(list) => list.as_slice(),
         other => std::slice::from_ref(other),
     });
-    texts.filter_map(|text| Sum::of(result_text(text)?)).filter_map(|sum| sum.name.split('.').next()).collect()
+    texts
+        .filter_map(|text| Sum::of(result_text(text)?))
+        .filter_map(|sum| sum.name.split('.').next())
+        .collect()
 }
 
 /// What a cycle is to follow, with its sizes not yet tried.
@@ -82,13 +100,24 @@ pub struct Wanted {
 
 /// Puts the nominal value of each result that cycle `index` follows in its place. Reports what is wrong with it; the cycle is read on with a zero there,
 /// or with the size of the form.
-pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &Earlier<'_>) -> Wanted {
+pub fn take(
+    checker: &mut Checker,
+    single: &mut Value,
+    index: usize,
+    earlier: &Earlier<'_>,
+) -> Wanted {
     let mut wanted = Wanted::default();
-    let Some(entries) = cycle_of(single) else { return wanted };
-    let def = entries.iter().rev().find(|(key, _)| key == "type").and_then(|(_, value)| match value {
-        Value::Text(key) => crate::cycle::find(key),
-        _ => None,
-    });
+    let Some(entries) = cycle_of(single) else {
+        return wanted;
+    };
+    let def = entries
+        .iter()
+        .rev()
+        .find(|(key, _)| key == "type")
+        .and_then(|(_, value)| match value {
+            Value::Text(key) => crate::cycle::find(key),
+            _ => None,
+        });
     let fields = def.map_or(&[][..], |def| def.fields);
     let (mut places, mut rotates, mut unknown) = ([const { None }; 3], None, Vec::new());
     for (key, value) in entries.iter_mut() {
@@ -96,7 +125,9 @@ pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &E
         match value {
             Value::List(origin) if key == "origin" => {
                 for (axis, item) in origin.iter_mut().enumerate().take(3) {
-                    let Some(text) = result_text(item) else { continue };
+                    let Some(text) = result_text(item) else {
+                        continue;
+                    };
                     let path = format!("cycles[{index}].origin[{axis}]");
                     let found = one(checker, text, (Kind::Place(axis), &path), earlier);
                     *item = Value::Number(found.as_ref().map_or(0.0, |found| found.nominal));
@@ -104,14 +135,22 @@ pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &E
                 }
             }
             _ if key == "rotation" && field.is_some() => {
-                let Some(text) = result_text(value) else { continue };
+                let Some(text) = result_text(value) else {
+                    continue;
+                };
                 let path = format!("cycles[{index}].rotation");
                 let found = one(checker, text, (Kind::Rotation, &path), earlier);
-                *value = Value::Number(found.as_ref().map_or(0.0, |found| wrap_degrees(found.nominal)));
+                *value = Value::Number(
+                    found
+                        .as_ref()
+                        .map_or(0.0, |found| wrap_degrees(found.nominal)),
+                );
                 rotates = found;
             }
             _ if field.is_some_and(may_follow) => {
-                let Some(text) = result_text(value) else { continue };
+                let Some(text) = result_text(value) else {
+                    continue;
+                };
                 let path = format!("cycles[{index}].{key}");
                 let found = one(checker, text, (Kind::Size, &path), earlier);
                 // Where it is not known the cycle is read on with what the form begins with.
@@ -119,15 +158,20 @@ pub fn take(checker: &mut Checker, single: &mut Value, index: usize, earlier: &E
                 if found.is_none() {
                     unknown.push(key.clone());
                 }
-                wanted.sizes.extend(found.map(|found| (key.clone(), found.of)));
+                wanted
+                    .sizes
+                    .extend(found.map(|found| (key.clone(), found.of)));
             }
             _ => {}
         }
     }
     entries.retain(|(key, _)| !unknown.contains(key));
     wanted.follows.rotation = rotates.map(|found| found.of);
-    wanted.follows.place = places.each_ref().map(|found| found.as_ref().map(|found| found.of));
-    wanted.follows.about = Vec3::from_array(places.map(|found| found.map_or(f64::NAN, |found| found.place)));
+    wanted.follows.place = places
+        .each_ref()
+        .map(|found| found.as_ref().map(|found| found.of));
+    wanted.follows.about =
+        Vec3::from_array(places.map(|found| found.map_or(f64::NAN, |found| found.place)));
     wanted
 }
 
@@ -139,13 +183,17 @@ fn may_follow(field: &Field) -> bool {
 /// What a text that begins with a result says.
 fn result_text(value: &Value) -> Option<&str> {
     match value {
-        Value::Text(text) => Some(text.as_str()).filter(|text| text.trim_start_matches(' ').starts_with('=')),
+        Value::Text(text) => {
+            Some(text.as_str()).filter(|text| text.trim_start_matches(' ').starts_with('='))
+        }
         _ => None,
     }
 }
 
 fn cycle_of(single: &mut Value) -> Option<&mut Vec<(String, Value)>> {
-    let Value::Map(entries) = single else { return None };
+    let Value::Map(entries) = single else {
+        return None;
+    };
     let (_, cycle) = entries.iter_mut().rev().find(|(key, _)| key == "cycle")?;
     match cycle {
         Value::Map(entries) => Some(entries),
@@ -173,16 +221,27 @@ struct Found {
 }
 
 /// What one text follows, and what that is on the nominal part.
-fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &Earlier<'_>) -> Option<Found> {
+fn one(
+    checker: &mut Checker,
+    text: &str,
+    (kind, path): (Kind, &str),
+    earlier: &Earlier<'_>,
+) -> Option<Found> {
     let refuse = |checker: &mut Checker, message| {
         checker.error("place-of-result", path, message);
         None
     };
     let Some(Sum { name, added }) = Sum::of(text) else {
-        let given = printable(text).chars().take(LONGEST_PLACE).collect::<String>();
+        let given = printable(text)
+            .chars()
+            .take(LONGEST_PLACE)
+            .collect::<String>();
         let message = match kind {
             Kind::Place(_) => {
-                text!("\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5", given)
+                text!(
+                    "\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5",
+                    given
+                )
             }
             Kind::Rotation => {
                 text!(
@@ -201,44 +260,88 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         return None;
     }
     let (of, code) = name.split_once('.').unwrap_or((name, ""));
-    let short = ["x", "y", "z"].iter().position(|letter| code.eq_ignore_ascii_case(letter));
-    let is = |known: &Known| known.code.eq_ignore_ascii_case(code) || short.is_some_and(|letter| Some(letter) == known.letter);
-    let axes = earlier.first.map_or([0, 1, 2], |job| job.setup.plane.axes());
-    let source = earlier.path.measuring().find(|own| own.name.eq_ignore_ascii_case(of));
-    let own = source.as_ref().map_or_else(Vec::new, |own| known(&earlier.path.formula, own, axes, kind));
+    let short = ["x", "y", "z"]
+        .iter()
+        .position(|letter| code.eq_ignore_ascii_case(letter));
+    let is = |known: &Known| {
+        known.code.eq_ignore_ascii_case(code)
+            || short.is_some_and(|letter| Some(letter) == known.letter)
+    };
+    let axes = earlier
+        .first
+        .map_or([0, 1, 2], |job| job.setup.plane.axes());
+    let source = earlier
+        .path
+        .measuring()
+        .find(|own| own.name.eq_ignore_ascii_case(of));
+    let own = source.as_ref().map_or_else(Vec::new, |own| {
+        known(&earlier.path.formula, own, axes, kind)
+    });
     let mut found = own.into_iter().filter(is);
     let result = match (found.next(), found.next()) {
         (Some(one), None) => one,
         (None, _) => {
-            if let Some(error) = earlier.relations.lacks(earlier.path, of).filter(|_| source.is_none()) {
-                let message = text!("{name} cannot be computed before this cycle: {error}", printable(of), error);
+            if let Some(error) = earlier
+                .relations
+                .lacks(earlier.path, of)
+                .filter(|_| source.is_none())
+            {
+                let message = text!(
+                    "{name} cannot be computed before this cycle: {error}",
+                    printable(of),
+                    error
+                );
                 return refuse(checker, message);
             }
             let all = earlier.relations.with_all_ready(earlier.path);
             let codes = |own: Measuring<'_>| {
                 let known = known(&all.formula, &own, axes, kind).into_iter();
-                known.map(|known| format!("{}.{}", own.name, known.code)).collect::<Vec<_>>()
+                known
+                    .map(|known| format!("{}.{}", own.name, known.code))
+                    .collect::<Vec<_>>()
             };
             let names: Vec<String> = all.measuring().flat_map(codes).collect();
             let name = printable(name);
             let message = match (kind, names.is_empty()) {
-                (Kind::Place(_), true) => text!("No cycle before this one measures a place \"{name}\"", name),
-                (Kind::Rotation, true) => text!("No cycle before this one measures a direction \"{name}\"", name),
-                (Kind::Size, true) => text!("No cycle before this one measures a size \"{name}\"", name),
+                (Kind::Place(_), true) => {
+                    text!("No cycle before this one measures a place \"{name}\"", name)
+                }
+                (Kind::Rotation, true) => text!(
+                    "No cycle before this one measures a direction \"{name}\"",
+                    name
+                ),
+                (Kind::Size, true) => {
+                    text!("No cycle before this one measures a size \"{name}\"", name)
+                }
                 (Kind::Place(_), false) => {
-                    text!("No cycle before this one measures a place \"{name}\". There are {known}", name, names.join(", "))
+                    text!(
+                        "No cycle before this one measures a place \"{name}\". There are {known}",
+                        name,
+                        names.join(", ")
+                    )
                 }
                 (Kind::Rotation, false) => {
-                    text!("No cycle before this one measures a direction \"{name}\". There are {known}", name, names.join(", "))
+                    text!(
+                        "No cycle before this one measures a direction \"{name}\". There are {known}",
+                        name,
+                        names.join(", ")
+                    )
                 }
                 (Kind::Size, false) => {
-                    text!("No cycle before this one measures a size \"{name}\". There are {known}", name, names.join(", "))
+                    text!(
+                        "No cycle before this one measures a size \"{name}\". There are {known}",
+                        name,
+                        names.join(", ")
+                    )
                 }
             };
             return refuse(checker, message);
         }
         (Some(_), Some(_)) => {
-            let message = text!("\"{name}\" is more than one result: write its whole code", printable(name));
+            let message = text!(
+                "\"{name}\" is more than one result: write its whole code",
+                printable(name)
+            );
             return refuse(checker, message);
         }
     };
@@ -247,8 +350,12 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         && own != axis
     {
         let names = crate::geom::AXIS_NAMES;
-        let message =
-            text!("{name} is a place along {axis}, and this one is along {other}", printable(name), names[own], names[axis]);
+        let message = text!(
+            "{name} is a place along {axis}, and this one is along {other}",
+            printable(name),
+            names[own],
+            names[axis]
+        );
         return refuse(checker, message);
     }
     if several(job).is_some() || job.form == Form::Cycle {
@@ -264,7 +371,10 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
         return None;
     }
     if !job.post.computes {
-        let message = text!("{control} cannot compute: no cycle can follow a result there", job.post.title.to_owned());
+        let message = text!(
+            "{control} cannot compute: no cycle can follow a result there",
+            job.post.title.to_owned()
+        );
         checker.error("set-up-unsupported", path, message);
         return None;
     }
@@ -282,8 +392,16 @@ fn one(checker: &mut Checker, text: &str, (kind, path): (Kind, &str), earlier: &
     if let Some(message) = missing {
         return refuse(checker, message);
     }
-    let unit = if kind == Kind::Rotation { 1.0 } else { job.scale };
-    Some(Found { of: result.index, nominal: tidy(result.nominal / unit + added), place: result.nominal })
+    let unit = if kind == Kind::Rotation {
+        1.0
+    } else {
+        job.scale
+    };
+    Some(Found {
+        of: result.index,
+        nominal: tidy(result.nominal / unit + added),
+        place: result.nominal,
+    })
 }
 
 /// A result that a cycle measures, or a relation gives.
@@ -301,15 +419,26 @@ struct Known {
 
 /// Those results of a cycle or relation that are of this kind and measured. `axes` are abscissa, ordinate and tool axis.
 fn known(formula: &Formula, own: &Measuring<'_>, axes: [usize; 3], kind: Kind) -> Vec<Known> {
-    let datum = own.datum.map(|datum| datum.place.map(|place| place.and_then(|place| place.measured)));
-    let in_datum =
-        |variable: Option<Variable>| (0..3).find(|i| variable.is_some() && datum.is_some_and(|datum| datum[*i] == variable));
+    let datum = own.datum.map(|datum| {
+        datum
+            .place
+            .map(|place| place.and_then(|place| place.measured))
+    });
+    let in_datum = |variable: Option<Variable>| {
+        (0..3).find(|i| variable.is_some() && datum.is_some_and(|datum| datum[*i] == variable))
+    };
     let of = |index: usize| {
         let result = &formula.results[index];
         result.variable?;
         let own = |letter: Option<usize>| {
             let axis = letter.map(|letter| axes[letter]);
-            Some(Known { index, code: result.code, letter, axis, nominal: result.nominal })
+            Some(Known {
+                index,
+                code: result.code,
+                letter,
+                axis,
+                nominal: result.nominal,
+            })
         };
         match (kind, result.role) {
             (Kind::Place(_), Role::Abscissa) => own(Some(0)),
@@ -354,8 +483,13 @@ pub fn settle(
     if follows.rotation.is_some() {
         let arcs = path.moves.iter().any(|step| step.arc.is_some());
         if arcs || !path.formula.can_turn() {
-            let message = text!("This cycle cannot follow an angle: it writes an angle itself, or has arcs");
-            checker.error("place-of-result", format!("cycles[{index}].rotation"), message);
+            let message =
+                text!("This cycle cannot follow an angle: it writes an angle itself, or has arcs");
+            checker.error(
+                "place-of-result",
+                format!("cycles[{index}].rotation"),
+                message,
+            );
         }
         let arm = (origin[a] - follows.about[a]).hypot(origin[o] - follows.about[o]);
         let far = arm * job.limits.angle.unwrap_or(0.0).min(90.0).to_radians().sin();
@@ -366,7 +500,11 @@ pub fn settle(
                 checker.length(far),
                 checker.length(most)
             );
-            checker.info("turn-beyond-limit", format!("cycles[{index}].rotation"), message);
+            checker.info(
+                "turn-beyond-limit",
+                format!("cycles[{index}].rotation"),
+                message,
+            );
         }
     }
     if let (Some(_), Some((key, _))) = (follows.rotation, sizes.first()) {
@@ -407,7 +545,9 @@ pub fn settle(
         match Along::of(&paths[0], path, &paths[1], by) {
             Some(along) => follows.sizes.push((of, along)),
             None => {
-                let message = text!("This size cannot follow a result: the moves of the cycle do not go along with it evenly");
+                let message = text!(
+                    "This size cannot follow a result: the moves of the cycle do not go along with it evenly"
+                );
                 checker.error("place-of-result", field, message);
             }
         }
@@ -424,14 +564,25 @@ fn resized(single: &Value, key: &str, by: f64) -> Result<Path, Option<Text>> {
         }
     }
     let mut own = Checker::default();
-    let planned = Job::read(&mut own, &single).filter(|_| !own.failed()).map(Planned::of);
+    let planned = Job::read(&mut own, &single)
+        .filter(|_| !own.failed())
+        .map(Planned::of);
     let Some(Planned { path, job, .. }) = planned else {
-        let mut errors = own.findings().into_iter().filter(|finding| finding.level == Level::Error);
+        let mut errors = own
+            .findings()
+            .into_iter()
+            .filter(|finding| finding.level == Level::Error);
         return Err(errors.next().map(|finding| finding.said));
     };
     let run = part::run(&path, &path.surfaces, &job.setup);
-    let free = run.collision.is_none() && run.strays.is_empty() && run.triggers.iter().all(Option::is_some);
-    if free && path.touch_faults(job.setup.radius).is_empty() { Ok(path) } else { Err(None) }
+    let free = run.collision.is_none()
+        && run.strays.is_empty()
+        && run.triggers.iter().all(Option::is_some);
+    if free && path.touch_faults(job.setup.radius).is_empty() {
+        Ok(path)
+    } else {
+        Err(None)
+    }
 }
 
 /// Runs the cycles that follow results again, on the virtual part: where what the control measures there puts them. Before a cycle that would be put
@@ -447,17 +598,26 @@ pub fn run(whole: &mut Planned) {
             continue;
         }
         let values = part::numbers(&whole.path, &triggers(whole));
-        if let Some(question) = asked.iter().find(|question| !question.holds(values[question.variable.index()])) {
+        if let Some(question) = asked
+            .iter()
+            .find(|question| !question.holds(values[question.variable.index()]))
+        {
             for planned in &mut whole.members[m..] {
                 let triggers = vec![None; planned.path.touches.len()];
-                planned.run = Run { triggers, halt: Some((m, question.result)), ..Run::default() };
+                planned.run = Run {
+                    triggers,
+                    halt: Some((m, question.result)),
+                    ..Run::default()
+                };
             }
             return;
         }
         let begin = whole.path.members[m].moves.start;
         let by = |index: Option<usize>, place: Vec3| match index {
             Some(index) => shift(&whole.path.shifts_at(begin + index, place), &values),
-            None => begin.checked_sub(1).map_or(Vec3::ZERO, |way| shift(whole.path.shifts(way), &values)),
+            None => begin
+                .checked_sub(1)
+                .map_or(Vec3::ZERO, |way| shift(whole.path.shifts(way), &values)),
         };
         let moved = moved(&whole.members[m].path, by);
         let turn = turn(&whole.path, m, &values);
@@ -466,18 +626,30 @@ pub fn run(whole: &mut Planned) {
             planned.path.formula = planned.path.formula.turned(&turn);
         }
         let run = part::run(&moved, &planned.surfaces, &planned.job.setup);
-        planned.run = Run { ran: Some(Box::new(moved)), ..run };
+        planned.run = Run {
+            ran: Some(Box::new(moved)),
+            ..run
+        };
     }
 }
 
 /// The triggers of all cycles as they were run.
 fn triggers(whole: &Planned) -> Vec<Option<Vec3>> {
-    whole.members.iter().flat_map(|planned| planned.run.triggers.iter().copied()).collect()
+    whole
+        .members
+        .iter()
+        .flat_map(|planned| planned.run.triggers.iter().copied())
+        .collect()
 }
 
 /// By what a cycle is turned, by the values of the formula of all.
 fn turn(path: &Path, member: usize, values: &[f64]) -> Option<formula::Turn<f64>> {
-    Some(path.members[member].placing.turn()?.map(|known| values[known.index()]))
+    Some(
+        path.members[member]
+            .placing
+            .turn()?
+            .map(|known| values[known.index()]),
+    )
 }
 
 /// The path of a cycle that follows an angle, with the formula as these touches turn it.
@@ -486,7 +658,10 @@ pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option
     whole.path.members[member].placing.turn()?;
     let turn = turn(&whole.path, member, &part::numbers(&whole.path, points))?;
     // Where a control states its results there are no points: their uncertainty is that of the part of the drawing.
-    let nothing = formula::Turn { shift: turn.shift.map(|shift| shift.map(|_| 0.0)), ..turn.map(|_| 0.0) };
+    let nothing = formula::Turn {
+        shift: turn.shift.map(|shift| shift.map(|_| 0.0)),
+        ..turn.map(|_| 0.0)
+    };
     let turn = if turn.is_known() { turn } else { nothing };
     let mut path = whole.members[member].path.clone();
     let mut formula = nominal.turned(&turn);
@@ -500,7 +675,9 @@ pub fn turned(whole: &Planned, member: usize, points: &[Option<Vec3>]) -> Option
 /// How far a place is shifted, mm; not at all where that is not known.
 fn shift(shifts: &Shifts, values: &[f64]) -> Vec3 {
     let by = |term: &crate::path::Term| term.factor * values[term.by.index()];
-    let sum = shifts.each_ref().map(|terms| terms.iter().map(by).sum::<f64>());
+    let sum = shifts
+        .each_ref()
+        .map(|terms| terms.iter().map(by).sum::<f64>());
     Vec3::from_array(sum.map(|by| if by.is_finite() { by } else { 0.0 }))
 }
 
@@ -511,29 +688,53 @@ pub fn actual(whole: &Planned) -> Option<Path> {
     }
     let values = part::numbers(&whole.path, &triggers(whole));
     Some(moved(&whole.path, |index, place| {
-        index.map_or(Vec3::ZERO, |index| shift(&whole.path.shifts_at(index, place), &values))
+        index.map_or(Vec3::ZERO, |index| {
+            shift(&whole.path.shifts_at(index, place), &values)
+        })
     }))
 }
 
 /// Says before which cycle the program stops on the virtual part, and why.
 pub fn report(whole: &Planned, checker: &mut Checker) {
-    let Some((m, result)) = whole.run.halt else { return };
-    let Some(question) = whole.path.formula.leads(result, &whole.job.limits) else { return };
+    let Some((m, result)) = whole.run.halt else {
+        return;
+    };
+    let Some(question) = whole.path.formula.leads(result, &whole.job.limits) else {
+        return;
+    };
     // Where a touch meets nothing, that is said.
     let value = part::numbers(&whole.path, &whole.run.triggers)[question.variable.index()];
     if !value.is_finite() {
         return;
     }
-    let shown = |value: f64| if question.angle { format!("{}°", decimal(value, 4)) } else { checker.length(value) };
+    let shown = |value: f64| {
+        if question.angle {
+            format!("{}°", decimal(value, 4))
+        } else {
+            checker.length(value)
+        }
+    };
     let message = text!(
         "On this part the program stops before {cycle}: {result} is {value}, more than {limit} from {wanted}",
         whole.path.members[m].name.clone(),
-        whole.path.formula.full_code(&whole.path.formula.results[result]).into_owned(),
+        whole
+            .path
+            .formula
+            .full_code(&whole.path.formula.results[result])
+            .into_owned(),
         shown(value),
         shown(question.limit),
         shown(question.wanted)
     );
-    checker.warning("place-too-far", if whole.job.placement.nominal { "limits" } else { "part" }, message);
+    checker.warning(
+        "place-too-far",
+        if whole.job.placement.nominal {
+            "limits"
+        } else {
+            "part"
+        },
+        message,
+    );
 }
 
 /// Checks the ways of which one end follows a result and the other does not: the shift must neither turn a way down upwards, nor make one too short to be
@@ -542,7 +743,13 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = whole;
     let w = path.frame.w;
     let only = |shifts: &Shifts, tool: bool| {
-        [0, 1, 2].map(|axis| if (w[axis].abs() > 0.5) == tool { shifts[axis].clone() } else { Vec::new() })
+        [0, 1, 2].map(|axis| {
+            if (w[axis].abs() > 0.5) == tool {
+                shifts[axis].clone()
+            } else {
+                Vec::new()
+            }
+        })
     };
     for (index, pair) in path.moves.windows(2).enumerate() {
         let (before, now) = (path.shifts(index), path.shifts(index + 1));
@@ -551,16 +758,29 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
         let along = way.dot(w);
         // What is turned as a whole is as long as before.
         let member = path.member_of_move(index + 1).unwrap_or(0);
-        if path.members[member].placing.turn().is_some() && path.members[member].moves.contains(&index) {
+        if path.members[member].placing.turn().is_some()
+            && path.members[member].moves.contains(&index)
+        {
             continue;
         }
-        let ways = [(far(true), along.abs(), true), (far(false), (way - w * along).length(), job.protected)];
-        let short = ways.into_iter().enumerate().find(|(k, (far, length, asked))| {
-            let over = *k == 1 && *length <= ZERO_LENGTH;
-            *asked && *far > 0.0 && !over && *length < far + job.post.shortest_probe - 1e-9
-        });
-        let Some((k, (far, length, _))) = short else { continue };
-        let (name, least) = (path.members[member].name.clone(), checker.length(far + job.post.shortest_probe));
+        let ways = [
+            (far(true), along.abs(), true),
+            (far(false), (way - w * along).length(), job.protected),
+        ];
+        let short = ways
+            .into_iter()
+            .enumerate()
+            .find(|(k, (far, length, asked))| {
+                let over = *k == 1 && *length <= ZERO_LENGTH;
+                *asked && *far > 0.0 && !over && *length < far + job.post.shortest_probe - 1e-9
+            });
+        let Some((k, (far, length, _))) = short else {
+            continue;
+        };
+        let (name, least) = (
+            path.members[member].name.clone(),
+            checker.length(far + job.post.shortest_probe),
+        );
         let (number, length, far) = (index + 2, checker.length(length), checker.length(far));
         if k == 0 {
             let message = text!(
@@ -581,7 +801,11 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
             far,
             least
         );
-        return checker.error("place-of-result", format!("cycles[{member}].origin"), message);
+        return checker.error(
+            "place-of-result",
+            format!("cycles[{member}].origin"),
+            message,
+        );
     }
 }
 
@@ -594,7 +818,8 @@ fn moved(path: &Path, by: impl Fn(Option<usize>, Vec3) -> Vec3) -> Path {
         if let Purpose::Touch(k) = step.purpose {
             let touch = &mut path.touches[k];
             let at = by(Some(index), touch.point);
-            touch.vector = (touch.vector + by(Some(index), touch.point + touch.vector) - at).normalize();
+            touch.vector =
+                (touch.vector + by(Some(index), touch.point + touch.vector) - at).normalize();
             touch.point += at;
         }
         let to = step.to;

@@ -42,8 +42,13 @@ fn report_starts(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     if !feed_is_known(job, path) {
         return;
     }
-    let ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
-    let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < machine.run_up(feed)) else {
+    let ways = path
+        .searches()
+        .filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
+    let Some((k, way)) = ways
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .filter(|(_, way)| *way < machine.run_up(feed))
+    else {
         return;
     };
     let message = text!(
@@ -65,7 +70,9 @@ fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
     let (machine, path) = (job.machine, request.path);
     let mut from = path.start;
     for step in &path.moves {
-        let Some(rate) = watched_rate(job, request, from.replace(step.to), step) else { continue };
+        let Some(rate) = watched_rate(job, request, from.replace(step.to), step) else {
+            continue;
+        };
         let (way, field) = (machine.stopping_way(rate), field_of(path, step.feed));
         // What is said of the touches is said of every move at their feed.
         if way <= machine.deflection || checker.has_at("stops-too-late", field) {
@@ -85,7 +92,9 @@ fn report_positioning(job: &Job, request: &Request<'_>, checker: &mut Checker) {
 /// The feed of a positioning move that the program itself makes, mm/min. In a cycle of the control's own it makes the approach and the return.
 fn watched_rate(job: &Job, request: &Request<'_>, from: Option<Vec3>, step: &Move) -> Option<f64> {
     let made = job.form == Form::Moves || matches!(step.feed, Feed::Approach | Feed::Return);
-    (made && step.purpose == Purpose::Position).then(|| (job.post.rate)(request, from, step)).flatten()
+    (made && step.purpose == Purpose::Position)
+        .then(|| (job.post.rate)(request, from, step))
+        .flatten()
 }
 
 /// The path of the job's field that says a feed.

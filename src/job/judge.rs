@@ -17,7 +17,10 @@ pub fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Que
     off.retain(|question| {
         // A cycle may have added rows behind those of the formula.
         let row = rows.get_mut(question.result);
-        let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value))) else { return false };
+        let Some(row) = row.filter(|row| row.value.is_some_and(|value| !question.holds(value)))
+        else {
+            return false;
+        };
         if question.asked == Asked::Plausible {
             row.verdict = Some(text!("implausible"));
         }
@@ -27,11 +30,26 @@ pub fn judge(job: &Job, path: &Path, rows: &mut [formula::ResultRow]) -> Vec<Que
 }
 
 /// Results that are out of a tolerance on which the program acts, run on the virtual part.
-fn report_tolerances(job: &Job, rows: &[formula::ResultRow], off: &[Question], writes: bool, checker: &mut Checker) {
-    for question in off.iter().filter(|question| question.asked != Asked::Plausible) {
-        let Some(row) = rows.get(question.result) else { continue };
+fn report_tolerances(
+    job: &Job,
+    rows: &[formula::ResultRow],
+    off: &[Question],
+    writes: bool,
+    checker: &mut Checker,
+) {
+    for question in off
+        .iter()
+        .filter(|question| question.asked != Asked::Plausible)
+    {
+        let Some(row) = rows.get(question.result) else {
+            continue;
+        };
         let shown = |x: f64| {
-            if question.angle { format!("{}°", decimal(x, 4)) } else { checker.length(x) }
+            if question.angle {
+                format!("{}°", decimal(x, 4))
+            } else {
+                checker.length(x)
+            }
         };
         let what = text!(
             "{result} is {value}, not {low} to {high}",
@@ -41,11 +59,25 @@ fn report_tolerances(job: &Job, rows: &[formula::ResultRow], off: &[Question], w
             shown(tidy(question.wanted + question.limit))
         );
         let message = match (question.stops(writes), writes) {
-            (true, true) => text!("On this part the program stops with an alarm and writes nothing: {what}", what),
+            (true, true) => text!(
+                "On this part the program stops with an alarm and writes nothing: {what}",
+                what
+            ),
             (true, false) => text!("On this part the program stops with an alarm: {what}", what),
-            (false, _) => text!("On this part the program marks a result as out of tolerance: {what}", what),
+            (false, _) => text!(
+                "On this part the program marks a result as out of tolerance: {what}",
+                what
+            ),
         };
-        checker.warning("out-of-tolerance", if job.placement.nominal { "tolerances" } else { "part" }, message);
+        checker.warning(
+            "out-of-tolerance",
+            if job.placement.nominal {
+                "tolerances"
+            } else {
+                "part"
+            },
+            message,
+        );
         if question.stops(writes) {
             return;
         }
@@ -53,67 +85,157 @@ fn report_tolerances(job: &Job, rows: &[formula::ResultRow], off: &[Question], w
 }
 
 /// What a control's own cycle stops for on the virtual part, in its order; none where it goes on.
-fn stops_for(path: &Path, triggers: &[Option<Vec3>], rows: &[formula::ResultRow], checker: &Checker) -> Option<Text> {
+fn stops_for(
+    path: &Path,
+    triggers: &[Option<Vec3>],
+    rows: &[formula::ResultRow],
+    checker: &Checker,
+) -> Option<Text> {
     let results = &path.formula.results;
     let of = |code: &str| results.iter().zip(rows).find(|(def, _)| def.code == code);
     let off = |code: &str| of(code).and_then(|(def, row)| Some(row.value? - def.nominal));
-    let shown = |x: f64, angle: bool| if angle { format!("{}°", decimal(x, 3)) } else { checker.length(tidy(x)) };
+    let shown = |x: f64, angle: bool| {
+        if angle {
+            format!("{}°", decimal(x, 3))
+        } else {
+            checker.length(tidy(x))
+        }
+    };
     // Each cycle of a set-up is asked by itself.
     let own = path.own.iter().filter(|_| path.members.is_empty());
-    own.flat_map(|own| &own.guards).find_map(|Guard { codes, off: compared, limit }| match compared {
-        Off::Each => codes.iter().find_map(|code| {
-            let (def, row) = of(code).filter(|_| off(code).is_some_and(|off| off.abs() >= *limit))?;
-            let [value, limit, wanted] =
-                [row.value.unwrap_or(f64::NAN), *limit, def.nominal].map(|x| shown(x, def.role.is_angle()));
-            Some(text!("{result} is {value}, more than {limit} from {wanted}", row.meaning.clone(), value, limit, wanted))
-        }),
-        Off::Place => {
-            let far = codes.iter().filter_map(|code| off(code)).fold(0.0, f64::hypot);
-            let what = || text!("the measured place is {far} off, more than {limit}", shown(far, false), shown(*limit, false));
-            (far >= *limit).then(what)
-        }
-        Off::BothWalls => {
-            let turns = [0, 1].map(|group| wall_turn(path, triggers, group));
-            let both = turns.iter().all(|turn| turn.is_some_and(|turn| turn.abs() >= *limit));
-            both.then(|| text!("the directions of both walls are more than {limit} off", shown(*limit, true)))
-        }
-    })
+    own.flat_map(|own| &own.guards).find_map(
+        |Guard {
+             codes,
+             off: compared,
+             limit,
+         }| match compared {
+            Off::Each => codes.iter().find_map(|code| {
+                let (def, row) =
+                    of(code).filter(|_| off(code).is_some_and(|off| off.abs() >= *limit))?;
+                let [value, limit, wanted] = [row.value.unwrap_or(f64::NAN), *limit, def.nominal]
+                    .map(|x| shown(x, def.role.is_angle()));
+                Some(text!(
+                    "{result} is {value}, more than {limit} from {wanted}",
+                    row.meaning.clone(),
+                    value,
+                    limit,
+                    wanted
+                ))
+            }),
+            Off::Place => {
+                let far = codes
+                    .iter()
+                    .filter_map(|code| off(code))
+                    .fold(0.0, f64::hypot);
+                let what = || {
+                    text!(
+                        "the measured place is {far} off, more than {limit}",
+                        shown(far, false),
+                        shown(*limit, false)
+                    )
+                };
+                (far >= *limit).then(what)
+            }
+            Off::BothWalls => {
+                let turns = [0, 1].map(|group| wall_turn(path, triggers, group));
+                let both = turns
+                    .iter()
+                    .all(|turn| turn.is_some_and(|turn| turn.abs() >= *limit));
+                both.then(|| {
+                    text!(
+                        "the directions of both walls are more than {limit} off",
+                        shown(*limit, true)
+                    )
+                })
+            }
+        },
+    )
 }
 
 /// By how much a wall of two touches is turned, degrees.
 fn wall_turn(path: &Path, triggers: &[Option<Vec3>], group: usize) -> Option<f64> {
-    let of: Vec<usize> = (0..path.touches.len()).filter(|k| path.touches[*k].group == group).collect();
-    let [first, .., last] = of[..] else { return None };
+    let of: Vec<usize> = (0..path.touches.len())
+        .filter(|k| path.touches[*k].group == group)
+        .collect();
+    let [first, .., last] = of[..] else {
+        return None;
+    };
     let direction = |from: Vec3, to: Vec3| (to.y - from.y).atan2(to.x - from.x).to_degrees();
     let measured = direction((*triggers.get(first)?)?, (*triggers.get(last)?)?);
-    Some(wrap_degrees(measured - direction(path.touches[first].point, path.touches[last].point)))
+    Some(wrap_degrees(
+        measured - direction(path.touches[first].point, path.touches[last].point),
+    ))
 }
 
 /// What the program, run on the virtual part, makes of results that are implausible or out of tolerance. `off` is what [`judge`] gave.
-pub fn report_judged(planned: &Planned, rows: &[formula::ResultRow], off: &[Question], writes: bool, checker: &mut Checker) {
+pub fn report_judged(
+    planned: &Planned,
+    rows: &[formula::ResultRow],
+    off: &[Question],
+    writes: bool,
+    checker: &mut Checker,
+) {
     let Planned { job, path, run, .. } = planned;
-    let field = if job.placement.nominal { "limits" } else { "part" };
+    let field = if job.placement.nominal {
+        "limits"
+    } else {
+        "part"
+    };
     if let Some(what) = stops_for(path, &run.triggers, rows, checker) {
         let message = match writes {
-            true => text!("On this part the control's own cycle stops with a message before it writes: {what}", what),
-            false => text!("On this part the control's own cycle stops with a message: {what}", what),
+            true => text!(
+                "On this part the control's own cycle stops with a message before it writes: {what}",
+                what
+            ),
+            false => text!(
+                "On this part the control's own cycle stops with a message: {what}",
+                what
+            ),
         };
         return checker.warning("implausible", field, message);
     }
-    let Some(question) = off.first().filter(|question| question.asked == Asked::Plausible) else {
+    let Some(question) = off
+        .first()
+        .filter(|question| question.asked == Asked::Plausible)
+    else {
         return report_tolerances(job, rows, off, writes, checker);
     };
-    let Some(row) = rows.get(question.result) else { return };
-    let shown = |x: f64| {
-        if question.angle { format!("{}°", decimal(x, 3)) } else { checker.length(x) }
+    let Some(row) = rows.get(question.result) else {
+        return;
     };
-    let (value, wanted, limit) = (shown(row.value.unwrap_or(f64::NAN)), shown(question.wanted), shown(question.limit));
-    let what = text!("{result} is {value}, more than {limit} from {wanted}", row.meaning.clone(), value, limit, wanted);
+    let shown = |x: f64| {
+        if question.angle {
+            format!("{}°", decimal(x, 3))
+        } else {
+            checker.length(x)
+        }
+    };
+    let (value, wanted, limit) = (
+        shown(row.value.unwrap_or(f64::NAN)),
+        shown(question.wanted),
+        shown(question.limit),
+    );
+    let what = text!(
+        "{result} is {value}, more than {limit} from {wanted}",
+        row.meaning.clone(),
+        value,
+        limit,
+        wanted
+    );
     let asks = job.post.computes && job.form == Form::Moves;
     let message = match (asks, writes) {
-        (true, true) => text!("On this part the program stops with an alarm and writes nothing: {what}", what),
-        (true, false) => text!("On this part the program reports an implausible result: {what}", what),
-        (false, _) => text!("On this part a result is implausible, and the program does not ask: {what}", what),
+        (true, true) => text!(
+            "On this part the program stops with an alarm and writes nothing: {what}",
+            what
+        ),
+        (true, false) => text!(
+            "On this part the program reports an implausible result: {what}",
+            what
+        ),
+        (false, _) => text!(
+            "On this part a result is implausible, and the program does not ask: {what}",
+            what
+        ),
     };
     checker.warning("implausible", field, message);
 }
@@ -121,9 +243,17 @@ pub fn report_judged(planned: &Planned, rows: &[formula::ResultRow], off: &[Ques
 /// Judges results by their tolerances, with twice their uncertainty as guard band: what is that near to a limit is not known to be on its side of it.
 fn by_tolerances(path: &Path, rows: &mut [formula::ResultRow]) {
     for (row, def) in rows.iter_mut().zip(&path.formula.results) {
-        let Some(Tolerance { limits: [low, high], .. }) = def.tolerance else { continue };
+        let Some(Tolerance {
+            limits: [low, high],
+            ..
+        }) = def.tolerance
+        else {
+            continue;
+        };
         row.limits = Some((low, high));
-        row.verdict = row.value.map(|value| verdict(value, [low, high], 2.0 * row.uncertainty.unwrap_or(0.0)));
+        row.verdict = row
+            .value
+            .map(|value| verdict(value, [low, high], 2.0 * row.uncertainty.unwrap_or(0.0)));
     }
 }
 

@@ -11,12 +11,33 @@ pub const MOST_STEPS: usize = 50;
 /// The angle of a step, as a field.
 pub const STEP_ANGLE: Field = Field::angle("angle", "Angle", 0.0).range(-360_000.0, 360_000.0);
 
-const PLANES: &[Choice] =
-    &[Choice { value: "G17", label: "G17" }, Choice { value: "G18", label: "G18" }, Choice { value: "G19", label: "G19" }];
+const PLANES: &[Choice] = &[
+    Choice {
+        value: "G17",
+        label: "G17",
+    },
+    Choice {
+        value: "G18",
+        label: "G18",
+    },
+    Choice {
+        value: "G19",
+        label: "G19",
+    },
+];
 pub const LENGTH_TYPE: &[Code] = &[
-    Code { value: 0, label: "by tool type" },
-    Code { value: 1, label: "as for milling" },
-    Code { value: 2, label: "as for turning" },
+    Code {
+        value: 0,
+        label: "by tool type",
+    },
+    Code {
+        value: 1,
+        label: "as for milling",
+    },
+    Code {
+        value: 2,
+        label: "as for turning",
+    },
 ];
 
 form! {
@@ -43,13 +64,19 @@ form! {
 pub fn lentoax_query(value: &Value) -> Result<Query, JobError> {
     let mut checker = Checker::default();
     checker.whole = words!("the query");
-    let given = if matches!(value, Value::Null | Value::Other("undefined")) { None } else { Some(value) };
+    let given = if matches!(value, Value::Null | Value::Other("undefined")) {
+        None
+    } else {
+        Some(value)
+    };
     let mut section = Section::new(&mut checker, given, "");
     section.only(QueryForm::FIELDS, &["frame"]);
     let form = QueryForm::read(&mut section);
     let frame = read_frame(&mut section);
     if checker.failed() {
-        return Err(JobError { findings: checker.findings() });
+        return Err(JobError {
+            findings: checker.findings(),
+        });
     }
     Ok(Query {
         plane: Plane::named(&form.plane),
@@ -70,28 +97,49 @@ pub fn read_frame(section: &mut Section<'_, '_>) -> Vec<Step> {
         None => return Vec::new(),
         Some(Value::List(steps)) if steps.len() <= MOST_STEPS => steps,
         Some(_) => {
-            let message = text!("The frame must be a list of at most {most} steps { rot, angle } or { mirror }", MOST_STEPS);
+            let message = text!(
+                "The frame must be a list of at most {most} steps { rot, angle } or { mirror }",
+                MOST_STEPS
+            );
             section.checker.error("wrong-type", place, message);
             return Vec::new();
         }
     };
-    steps.iter().enumerate().filter_map(|(i, step)| read_step(section, step, &format!("{place}[{i}]"))).collect()
+    steps
+        .iter()
+        .enumerate()
+        .filter_map(|(i, step)| read_step(section, step, &format!("{place}[{i}]")))
+        .collect()
 }
 
 fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<Step> {
     let axis = |key: &str| match step.get(key) {
-        Some(Value::Text(name)) => Axis::ALL.into_iter().find(|axis| AXIS_NAMES[*axis as usize] == name),
+        Some(Value::Text(name)) => Axis::ALL
+            .into_iter()
+            .find(|axis| AXIS_NAMES[*axis as usize] == name),
         _ => None,
     };
     let Value::Map(entries) = step else {
-        section.checker.error("wrong-type", path, text!("A frame step is { rot, angle } or { mirror }"));
+        section.checker.error(
+            "wrong-type",
+            path,
+            text!("A frame step is { rot, angle } or { mirror }"),
+        );
         return None;
     };
     let mut known = true;
-    for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "rot" | "angle" | "mirror")) {
+    for (key, _) in entries
+        .iter()
+        .filter(|(key, _)| !matches!(key.as_str(), "rot" | "angle" | "mirror"))
+    {
         let key = printable(key);
-        let message = text!("A frame step has rot and angle, or mirror, and no \"{key}\"", key.clone());
-        section.checker.error("unknown-key", format!("{path}.{key}"), message);
+        let message = text!(
+            "A frame step has rot and angle, or mirror, and no \"{key}\"",
+            key.clone()
+        );
+        section
+            .checker
+            .error("unknown-key", format!("{path}.{key}"), message);
         known = false;
     }
     if !known {
@@ -105,7 +153,11 @@ fn read_step(section: &mut Section<'_, '_>, step: &Value, path: &str) -> Option<
         }
         (None, Some(axis), 1) => Some(Step::Mirror { axis }),
         _ => {
-            section.checker.error("wrong-type", path, text!("A frame step is { rot, angle } or { mirror }; axes are X, Y, Z"));
+            section.checker.error(
+                "wrong-type",
+                path,
+                text!("A frame step is { rot, angle } or { mirror }; axes are X, Y, Z"),
+            );
             None
         }
     }

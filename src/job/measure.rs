@@ -35,17 +35,26 @@ pub fn of(planned: &Planned, value: &Value, checker: Checker) -> Result<Measurem
     part::check_measured(&mut own, &measured, &expected(job, path));
     if own.failed() {
         let findings = checker.findings().into_iter().chain(own.findings());
-        return Err(JobError { findings: findings.collect() });
+        return Err(JobError {
+            findings: findings.collect(),
+        });
     }
     let points = match measured.results {
         Some(_) => vec![None; path.touches.len()],
         None => measured.points.clone(),
     };
     let (results, plausible) = evaluated(planned, path, &points, measured.results.as_deref());
-    let block = measured.stand.as_ref().and_then(|stand| block(planned, &points, stand, plausible, &mut own));
+    let block = measured
+        .stand
+        .as_ref()
+        .and_then(|stand| block(planned, &points, stand, plausible, &mut own));
     Ok(Measurement {
         results,
-        points: measured.points.iter().map(|point| point.map(|point| triple(point, job.scale))).collect(),
+        points: measured
+            .points
+            .iter()
+            .map(|point| point.map(|point| triple(point, job.scale)))
+            .collect(),
         block,
         findings: own.findings(),
     })
@@ -66,7 +75,9 @@ fn evaluated(
             None => part::evaluate(path, points, job.scatter()),
         };
         judge_touches(job, path, points, &mut rows);
-        let plausible = judge(job, path, &mut rows).iter().all(|question| question.asked != Asked::Plausible);
+        let plausible = judge(job, path, &mut rows)
+            .iter()
+            .all(|question| question.asked != Asked::Plausible);
         return (result_rows(job, path, rows), plausible);
     }
     let (mut results, mut plausible) = (Vec::new(), true);
@@ -94,12 +105,18 @@ fn evaluated(
 pub fn points(planned: &Planned, text: &str) -> Vec<(usize, Vec3)> {
     let Planned { job, path, .. } = planned;
     let mut checker = Checker::in_units(job.scale, job.unit);
-    let measured = part::read_measured(&mut checker, &Value::Text(text.to_owned()), &expected(job, path));
+    let measured = part::read_measured(
+        &mut checker,
+        &Value::Text(text.to_owned()),
+        &expected(job, path),
+    );
     if checker.failed() {
         return Vec::new();
     }
     let points = measured.points.into_iter().enumerate();
-    points.filter_map(|(touch, point)| Some((touch, point? / job.scale))).collect()
+    points
+        .filter_map(|(touch, point)| Some((touch, point? / job.scale)))
+        .collect()
 }
 
 fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
@@ -113,24 +130,48 @@ fn expected<'a>(job: &'a Job, path: &'a Path) -> Expected<'a> {
 }
 
 /// The block to type, where the control's program cannot write a work offset and the log says enough; else why there is none.
-fn block(planned: &Planned, points: &[Option<Vec3>], stand: &Stand, plausible: bool, checker: &mut Checker) -> Option<String> {
+fn block(
+    planned: &Planned,
+    points: &[Option<Vec3>],
+    stand: &Stand,
+    plausible: bool,
+    checker: &mut Checker,
+) -> Option<String> {
     let Planned { job, path, .. } = planned;
     let typed = job.post.typed_write?;
-    let datum = path.formula.datum.as_ref().filter(|datum| datum.measured() != [false; 3])?;
+    let datum = path
+        .formula
+        .datum
+        .as_ref()
+        .filter(|datum| datum.measured() != [false; 3])?;
     let feeds = path.feeds.unwrap_or(job.feeds);
     let measured = part::datum(path, points);
-    let missing = datum.measured().iter().zip(&measured).any(|(wanted, value)| *wanted && value.is_none());
+    let missing = datum
+        .measured()
+        .iter()
+        .zip(&measured)
+        .any(|(wanted, value)| *wanted && value.is_none());
     let why = match (&stand.away, stand.offset) {
         _ if missing => Err(text!("a result that it needs is unknown")),
         _ if !plausible => Err(text!("a result is off by more than its limit")),
-        (Some(away), _) => Err(text!("the machine may not be where the program ends ({reason})", away.clone())),
-        (None, None) => {
-            Err(text!("the log does not say which work offset the program ran in. Write it as the first line: G54 … G59"))
-        }
+        (Some(away), _) => Err(text!(
+            "the machine may not be where the program ends ({reason})",
+            away.clone()
+        )),
+        (None, None) => Err(text!(
+            "the log does not say which work offset the program ran in. Write it as the first line: G54 … G59"
+        )),
         (None, Some(offset)) => Ok(offset),
     };
     let no_block = |checker: &mut Checker, why: Text| {
-        checker.warning("no-block", "measured", text!("There is no block to type for the work offset: {reason}", why));
+        checker.warning(
+            "no-block",
+            "measured",
+            text!(
+                "There is no block to type for the work offset: {reason}",
+                why
+            ),
+        );
     };
     let offset = match why {
         Ok(offset) => offset,
@@ -145,7 +186,11 @@ fn block(planned: &Planned, points: &[Option<Vec3>], stand: &Stand, plausible: b
         block.clone()
     );
     checker.info("block-to-type", "measured", message);
-    let turned = path.formula.results.iter().any(|result| result.role == Role::Direction && result.variable.is_some());
+    let turned = path
+        .formula
+        .results
+        .iter()
+        .any(|result| result.role == Role::Direction && result.variable.is_some());
     if turned {
         let message = text!(
             "The rotation that is measured is not written, since {control} has no rotation: the work offset is right at the measured place only",

@@ -17,27 +17,48 @@ pub fn misfit(job: &Value) -> Option<Text> {
         return Some(text!("The job must be an object"));
     }
     if is_set_up(job) {
-        let Some(Value::List(cycles)) = job.get("cycles") else { return must_be(false, "", "cycles", LIST) };
+        let Some(Value::List(cycles)) = job.get("cycles") else {
+            return must_be(false, "", "cycles", LIST);
+        };
         if cycles.is_empty() {
-            return Some(text!("A set-up has 1 to {most} cycles, not {count}", MOST_CYCLES, 0));
+            return Some(text!(
+                "A set-up has 1 to {most} cycles, not {count}",
+                MOST_CYCLES,
+                0
+            ));
         }
         let own = |index: usize| match alone(job, index) {
             Some(alone) => misfit(&alone),
-            None => Some(text!("{path} must be {what}", format!("cycles[{index}]"), OBJECT)),
+            None => Some(text!(
+                "{path} must be {what}",
+                format!("cycles[{index}]"),
+                OBJECT
+            )),
         };
         return (0..cycles.len()).find_map(own);
     }
-    let Some(cycle @ Value::Map(_)) = job.get("cycle") else { return Some(text!("cycle must be an object")) };
+    let Some(cycle @ Value::Map(_)) = job.get("cycle") else {
+        return Some(text!("cycle must be an object"));
+    };
     let def = match cycle.get("type") {
         Some(Value::Text(key)) => cycle::find(key),
         _ => None,
     };
-    let Some(def) = def else { return Some(text!("cycle.type must name a cycle that is known here")) };
-    let sections = SECTIONS
-        .iter()
-        .map(|(key, fields)| if key.is_empty() { leaves(job, "", fields) } else { section(job, "", key, fields) });
-    let cycles = std::iter::once_with(|| leaves(cycle, "cycle.", def.fields))
-        .chain(def.sections.iter().map(|inner| section(cycle, "cycle.", inner.key, inner.fields)));
+    let Some(def) = def else {
+        return Some(text!("cycle.type must name a cycle that is known here"));
+    };
+    let sections = SECTIONS.iter().map(|(key, fields)| {
+        if key.is_empty() {
+            leaves(job, "", fields)
+        } else {
+            section(job, "", key, fields)
+        }
+    });
+    let cycles = std::iter::once_with(|| leaves(cycle, "cycle.", def.fields)).chain(
+        def.sections
+            .iter()
+            .map(|inner| section(cycle, "cycle.", inner.key, inner.fields)),
+    );
     let lists = [
         (
             cycle,
@@ -46,19 +67,42 @@ pub fn misfit(job: &Value) -> Option<Text> {
             is_touch as fn(&Value) -> bool,
             words!("a list of touches, each with a point and a vector of three numbers"),
         ),
-        (cycle, "cycle.", "custom", is_map, words!("a list of custom codes")),
-        (job.get("tool").unwrap_or(&Value::Null), "tool.", "frame", is_map, words!("a list of steps, each a turn or a mirror")),
+        (
+            cycle,
+            "cycle.",
+            "custom",
+            is_map,
+            words!("a list of custom codes"),
+        ),
+        (
+            job.get("tool").unwrap_or(&Value::Null),
+            "tool.",
+            "frame",
+            is_map,
+            words!("a list of steps, each a turn or a mirror"),
+        ),
     ];
-    let lists = lists.into_iter().map(|(place, prefix, key, fits, what)| match place.get(key) {
-        Some(Value::List(items)) if items.iter().all(fits) => None,
-        value => must_be(is_out(value), prefix, key, what),
-    });
+    let lists = lists
+        .into_iter()
+        .map(|(place, prefix, key, fits, what)| match place.get(key) {
+            Some(Value::List(items)) if items.iter().all(fits) => None,
+            value => must_be(is_out(value), prefix, key, what),
+        });
     let sizes = || {
         let sizes = job.get("part").and_then(|part| part.get("sizes"));
         let fits = matches!(sizes, Some(Value::Map(entries)) if entries.iter().all(|(_, size)| is_scalar(size)));
-        must_be(fits || is_out(sizes), "part.", "sizes", words!("an object of numbers"))
+        must_be(
+            fits || is_out(sizes),
+            "part.",
+            "sizes",
+            words!("an object of numbers"),
+        )
     };
-    sections.chain(cycles).chain(lists).chain(std::iter::once_with(sizes)).find_map(|problem| problem)
+    sections
+        .chain(cycles)
+        .chain(lists)
+        .chain(std::iter::once_with(sizes))
+        .find_map(|problem| problem)
 }
 
 fn must_be(holds: bool, prefix: &str, key: &str, what: &'static str) -> Option<Text> {
@@ -104,7 +148,10 @@ fn is_point(value: &Value) -> bool {
 }
 
 fn is_touch(value: &Value) -> bool {
-    matches!(value, Value::Other(_)) || ["point", "vector"].iter().all(|key| value.get(key).is_some_and(is_point))
+    matches!(value, Value::Other(_))
+        || ["point", "vector"]
+            .iter()
+            .all(|key| value.get(key).is_some_and(is_point))
 }
 
 #[cfg(test)]
@@ -113,40 +160,83 @@ mod tests {
 
     #[test]
     fn a_job_fits_whose_sections_and_lists_are_what_they_are() {
-        let said = |text: &str| misfit(&crate::job::from_json(text).unwrap()).map(|text| text.english());
+        let said =
+            |text: &str| misfit(&crate::job::from_json(text).unwrap()).map(|text| text.english());
         let of = |rest: &str| said(&format!(r#"{{ "cycle": {{ "type": "hole" }}, {rest} }}"#));
-        for fits in
-            [r#""name": 5"#, r#""feeds": null"#, r#""feeds": { "work": "x" }"#, r#""part": { "sizes": { "depth": "" } }"#]
-        {
+        for fits in [
+            r#""name": 5"#,
+            r#""feeds": null"#,
+            r#""feeds": { "work": "x" }"#,
+            r#""part": { "sizes": { "depth": "" } }"#,
+        ] {
             assert_eq!(of(fits), None, "{fits}");
         }
         for (broken, why) in [
             (r#""name": []"#, "name must be a single value"),
             (r#""feeds": 7"#, "feeds must be an object"),
-            (r#""feeds": { "work": {} }"#, "feeds.work must be a single value"),
-            (r#""part": { "offset": [1, 2] }"#, "part.offset must be a list of three numbers"),
-            (r#""part": { "sizes": { "depth": [] } }"#, "part.sizes must be an object of numbers"),
-            (r#""tool": { "frame": [1] }"#, "tool.frame must be a list of steps, each a turn or a mirror"),
+            (
+                r#""feeds": { "work": {} }"#,
+                "feeds.work must be a single value",
+            ),
+            (
+                r#""part": { "offset": [1, 2] }"#,
+                "part.offset must be a list of three numbers",
+            ),
+            (
+                r#""part": { "sizes": { "depth": [] } }"#,
+                "part.sizes must be an object of numbers",
+            ),
+            (
+                r#""tool": { "frame": [1] }"#,
+                "tool.frame must be a list of steps, each a turn or a mirror",
+            ),
         ] {
             assert_eq!(of(broken).as_deref(), Some(why), "{broken}");
         }
         for (broken, why) in [
             ("[]", "The job must be an object"),
             (r#"{ "cycle": 5 }"#, "cycle must be an object"),
-            (r#"{ "cycle": { "type": "well" } }"#, "cycle.type must name a cycle that is known here"),
-            (r#"{ "cycle": { "type": "hole", "custom": {} } }"#, "cycle.custom must be a list of custom codes"),
+            (
+                r#"{ "cycle": { "type": "well" } }"#,
+                "cycle.type must name a cycle that is known here",
+            ),
+            (
+                r#"{ "cycle": { "type": "hole", "custom": {} } }"#,
+                "cycle.custom must be a list of custom codes",
+            ),
             (
                 r#"{ "cycle": { "type": "hole", "touches": [{ "point": [0, 0, 0] }] } }"#,
                 "cycle.touches must be a list of touches, each with a point and a vector of three numbers",
             ),
-            (r#"{ "cycle": { "type": "hole", "properties": [] } }"#, "cycle.properties must be an object"),
+            (
+                r#"{ "cycle": { "type": "hole", "properties": [] } }"#,
+                "cycle.properties must be an object",
+            ),
         ] {
             assert_eq!(said(broken).as_deref(), Some(why), "{broken}");
         }
-        let touch = |point: Value| Value::Map(vec![("point".to_owned(), point.clone()), ("vector".to_owned(), point)]);
+        let touch = |point: Value| {
+            Value::Map(vec![
+                ("point".to_owned(), point.clone()),
+                ("vector".to_owned(), point),
+            ])
+        };
         let cut = || Value::Other("more than a job can hold");
-        let touches = vec![touch(Value::List(vec![cut(), cut(), cut()])), touch(cut()), cut()];
-        let cycle = [("type".to_owned(), Value::Text("hole".to_owned())), ("touches".to_owned(), Value::List(touches))];
-        assert_eq!(misfit(&Value::Map(vec![("cycle".to_owned(), Value::Map(cycle.to_vec()))])), None);
+        let touches = vec![
+            touch(Value::List(vec![cut(), cut(), cut()])),
+            touch(cut()),
+            cut(),
+        ];
+        let cycle = [
+            ("type".to_owned(), Value::Text("hole".to_owned())),
+            ("touches".to_owned(), Value::List(touches)),
+        ];
+        assert_eq!(
+            misfit(&Value::Map(vec![(
+                "cycle".to_owned(),
+                Value::Map(cycle.to_vec())
+            )])),
+            None
+        );
     }
 }

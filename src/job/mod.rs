@@ -41,8 +41,8 @@ pub use measure::Measurement;
 pub use naming::job_name;
 pub use picture::svg;
 pub use rows::{
-    Arc, DatumRow, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, RESULT_CODES, ResultRow, ResultWords,
-    SafetyRow, TouchPoint, Triple,
+    Arc, DatumRow, Move, ParameterRow, ParameterValue, Plan, ProgramText, ProofRow, RESULT_CODES,
+    ResultRow, ResultWords, SafetyRow, TouchPoint, Triple,
 };
 pub use sections::{FORMAT, Units};
 pub use units::convert_units;
@@ -50,7 +50,9 @@ pub use units::convert_units;
 /// Where a picture is looked at from.
 pub use crate::view::scene::Projection;
 
-pub(crate) use cycles::{CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_set_up};
+pub(crate) use cycles::{
+    CLEAR, DATUM, LONGEST_NAME, MOST_CYCLES, RELATIONS, SET_UP_FORMAT, alone, is_set_up,
+};
 pub(crate) use defaults::{default_job_in, resolved, section_defaults_in, typed_in_inch};
 pub(crate) use examine::examine;
 #[cfg(test)]
@@ -96,7 +98,10 @@ pub struct JobError {
 }
 
 fn first_error(findings: &[Finding]) -> String {
-    let errors: Vec<&Finding> = findings.iter().filter(|f| f.level == crate::form::Level::Error).collect();
+    let errors: Vec<&Finding> = findings
+        .iter()
+        .filter(|f| f.level == crate::form::Level::Error)
+        .collect();
     match errors.as_slice() {
         [] => "the job has no error".to_owned(),
         [one] => one.message.clone(),
@@ -131,7 +136,9 @@ pub fn evaluate(value: &Value, measured: &Value) -> Result<Vec<ResultRow>, JobEr
 pub fn measure(value: &Value, measured: &Value) -> Result<Measurement, JobError> {
     let mut checker = Checker::default();
     let Some(planned) = plan::read(&mut checker, value) else {
-        return Err(JobError { findings: checker.findings() });
+        return Err(JobError {
+            findings: checker.findings(),
+        });
     };
     measure::of(&planned, measured, checker)
 }
@@ -147,7 +154,9 @@ pub fn from_json(text: &str) -> Result<Value, JobError> {
                 "",
                 crate::text::text!("This is not JSON: {error}", error.to_string()),
             );
-            Err(JobError { findings: vec![finding] })
+            Err(JobError {
+                findings: vec![finding],
+            })
         }
     }
 }

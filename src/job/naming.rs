@@ -15,11 +15,20 @@ pub fn job_name(job: &Value) -> String {
         return format!("SETUP-{}", cycles.len());
     }
     let cycle = job.get("cycle");
-    let Some(Value::Text(key)) = cycle.and_then(|cycle| cycle.get("type")) else { return "PROBE".to_owned() };
-    let Some(def) = cycle::find(key) else { return "PROBE".to_owned() };
-    let sizes =
-        def.fields.iter().filter(|field| field.size).map(|field| size(field, cycle.and_then(|cycle| cycle.get(field.key))));
-    let Some(mut sizes) = sizes.collect::<Option<Vec<String>>>() else { return def.name.to_owned() };
+    let Some(Value::Text(key)) = cycle.and_then(|cycle| cycle.get("type")) else {
+        return "PROBE".to_owned();
+    };
+    let Some(def) = cycle::find(key) else {
+        return "PROBE".to_owned();
+    };
+    let sizes = def
+        .fields
+        .iter()
+        .filter(|field| field.size)
+        .map(|field| size(field, cycle.and_then(|cycle| cycle.get(field.key))));
+    let Some(mut sizes) = sizes.collect::<Option<Vec<String>>>() else {
+        return def.name.to_owned();
+    };
     sizes.dedup();
     match sizes.is_empty() {
         true => def.name.to_owned(),
@@ -34,7 +43,12 @@ fn size(field: &Field, value: Option<&Value>) -> Option<String> {
         Value::Text(text) => tolerance::parse(text, 1.0).ok()?.nominal?,
         _ => return None,
     };
-    let written = (size.is_finite() && size.abs() < 1e5).then(|| decimal(size.abs(), DECIMALS).replace('.', "_"))?;
+    let written = (size.is_finite() && size.abs() < 1e5)
+        .then(|| decimal(size.abs(), DECIMALS).replace('.', "_"))?;
     let round = field.kind != Kind::Angle && field.key.starts_with("diameter");
-    Some(if round { format!("D{written}") } else { written })
+    Some(if round {
+        format!("D{written}")
+    } else {
+        written
+    })
 }

@@ -15,7 +15,10 @@ pub struct Picture {
     /// What each dimension and angle is called, by its field's path: the form's label, and the value in the job's units.
     pub names: Vec<(&'static str, String)>,
     /// The name of the work offset; empty where none is written.
-    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "the canvas shows it"))]
+    #[cfg_attr(
+        not(target_arch = "wasm32"),
+        allow(dead_code, reason = "the canvas shows it")
+    )]
     pub offset: String,
     /// Whether the virtual part lies other than the drawing says: else its walls are the nominal ones.
     pub deviates: bool,
@@ -30,7 +33,13 @@ impl Planned {
     /// The job, its path and what happens on the virtual part, looked at from one side. What deviates is drawn `magnify` times as large as it is. Of a
     /// set-up all cycles are drawn, the one in hand with its dimensions, the others pale; all are in hand where `hand` is none.
     pub fn picture(&self, view: Projection, magnify: f64, hand: Option<usize>) -> Picture {
-        let Planned { job, path, run, members, .. } = self;
+        let Planned {
+            job,
+            path,
+            run,
+            members,
+            ..
+        } = self;
         let mut scene = if members.is_empty() {
             self.scene(view, magnify)
         } else {
@@ -38,65 +47,128 @@ impl Planned {
             let mut scene = scene::between(path, &job.setup, &feeds, run.collision, view);
             for (i, (own, member)) in members.iter().zip(&path.members).enumerate() {
                 let pale = hand.is_some_and(|hand| hand != i);
-                scene.take(own.scene(view, magnify), &member.name, member.moves.start, pale);
+                scene.take(
+                    own.scene(view, magnify),
+                    &member.name,
+                    member.moves.start,
+                    pale,
+                );
             }
             scene
         };
         scene.unit = Some(job.scale);
         scene.stylus = scene::stylus::outlines(&job.shape, job.setup.radius, job.setup.plane, view);
-        let names = self.in_hand(hand.unwrap_or(usize::MAX)).names(&scene, |_| None);
+        let names = self
+            .in_hand(hand.unwrap_or(usize::MAX))
+            .names(&scene, |_| None);
         scene.name(&names);
         Picture {
             names,
-            offset: job.work_offset.map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
-            deviates: !job.placement.nominal || members.iter().any(|own| !own.job.placement.nominal),
+            offset: job
+                .work_offset
+                .map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
+            deviates: !job.placement.nominal
+                || members.iter().any(|own| !own.job.placement.nominal),
             scene,
         }
     }
 
     /// The scene of one cycle.
     fn scene(&self, view: Projection, magnify: f64) -> Scene {
-        let Planned { job, path, surfaces, run, .. } = self;
+        let Planned {
+            job,
+            path,
+            surfaces,
+            run,
+            ..
+        } = self;
         let rigid = &job.placement.rigid;
         let actual = Actual {
             surfaces,
             run,
             origin: rigid.point(path.frame.origin),
             direction: rigid.direction(path.frame.u),
-            line: path.feature.two_circles().and_then(|c| c.line).map(|line| line.map(|p| rigid.point(p))),
+            line: path
+                .feature
+                .two_circles()
+                .and_then(|c| c.line)
+                .map(|line| line.map(|p| rigid.point(p))),
             magnify,
         };
-        scene::build(path, &job.setup, &path.feeds.unwrap_or(job.feeds), &actual, view)
+        scene::build(
+            path,
+            &job.setup,
+            &path.feeds.unwrap_or(job.feeds),
+            &actual,
+            view,
+        )
     }
 
     /// Whether a view shows a field's dimension or angle in true size, or the place, height or turn that it gives.
-    #[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "the page looks for the view"))]
+    #[cfg_attr(
+        not(target_arch = "wasm32"),
+        allow(dead_code, reason = "the page looks for the view")
+    )]
     pub fn shows(&self, field: &str, view: Projection) -> bool {
         let (path, plane) = (&self.path, self.job.setup.plane);
         // Of a point `cycle.origin[0]` and so on.
-        let (whole, axis) = field.strip_suffix(']').and_then(|field| field.split_once('[')).unwrap_or((field, ""));
-        let whole = whole.strip_prefix("cycle.").and_then(|key| self.job.def.fields.iter().find(|field| field.key == key));
+        let (whole, axis) = field
+            .strip_suffix(']')
+            .and_then(|field| field.split_once('['))
+            .unwrap_or((field, ""));
+        let whole = whole
+            .strip_prefix("cycle.")
+            .and_then(|key| self.job.def.fields.iter().find(|field| field.key == key));
         let flat = |along: Vec3| view.place(plane, along).length() > 0.999;
         let seen = match whole.and_then(|field| field.seen) {
             Some(Seen::Turning) => view == Projection::Top,
             Some(Seen::Upright) => flat(path.frame.w),
-            Some(Seen::Placed) => Vec3::AXES.into_iter().zip(["0", "1", "2"]).any(|(along, name)| name == axis && flat(along)),
+            Some(Seen::Placed) => Vec3::AXES
+                .into_iter()
+                .zip(["0", "1", "2"])
+                .any(|(along, name)| name == axis && flat(along)),
             None => false,
         };
-        seen || scene::drawn(path, plane, view).iter().any(|dimension| dimension.field == field)
-            || scene::drawn_angles(path, plane, view).iter().any(|angle| angle.field == field)
+        seen || scene::drawn(path, plane, view)
+            .iter()
+            .any(|dimension| dimension.field == field)
+            || scene::drawn_angles(path, plane, view)
+                .iter()
+                .any(|angle| angle.field == field)
     }
 
     /// What each dimension and angle is called, by its field's path: its label, the form's where `label` has no other, and its value in the job's
     /// units.
-    pub fn names<'l>(&self, scene: &Scene, label: impl Fn(&str) -> Option<&'l str>) -> Vec<(&'static str, String)> {
+    pub fn names<'l>(
+        &self,
+        scene: &Scene,
+        label: impl Fn(&str) -> Option<&'l str>,
+    ) -> Vec<(&'static str, String)> {
         let named = |field: &'static str, value: String| {
             let key = field.strip_prefix("cycle.").unwrap_or(field);
-            let own = || self.job.def.fields.iter().find(|field| field.key == key).map_or("", |field| field.label);
-            (field, format!("{} {value}", label(field).unwrap_or_else(own)))
+            let own = || {
+                self.job
+                    .def
+                    .fields
+                    .iter()
+                    .find(|field| field.key == key)
+                    .map_or("", |field| field.label)
+            };
+            (
+                field,
+                format!("{} {value}", label(field).unwrap_or_else(own)),
+            )
         };
-        let dimensions = scene.dimensions.iter().map(|d| named(d.field, decimal(d.length / self.job.scale, 4)));
-        let angles = scene.angles.iter().map(|a| named(a.field, format!("{}°", decimal(a.turns[1].abs().to_degrees(), 4))));
+        let dimensions = scene
+            .dimensions
+            .iter()
+            .map(|d| named(d.field, decimal(d.length / self.job.scale, 4)));
+        let angles = scene.angles.iter().map(|a| {
+            named(
+                a.field,
+                format!("{}°", decimal(a.turns[1].abs().to_degrees(), 4)),
+            )
+        });
         dimensions.chain(angles).collect()
     }
 }
@@ -106,6 +178,10 @@ pub fn svg(value: &Value, view: Projection) -> Result<String, JobError> {
     let (planned, _) = plan_with_path(value)?;
     let picture = planned.picture(view, 1.0, None);
     let (name, cycle) = (&planned.job.name, planned.job.def.title);
-    let legend = Legend { title: &format!("{name}: {cycle}"), names: &picture.names, deviates: picture.deviates };
+    let legend = Legend {
+        title: &format!("{name}: {cycle}"),
+        names: &picture.names,
+        deviates: picture.deviates,
+    };
     Ok(view::svg(&picture.scene, &legend))
 }

@@ -15,25 +15,40 @@ use crate::job::defaults::{is_default, overlay};
 use crate::job::inertia::report_inertia;
 use crate::job::judge::{judge, report_judged};
 use crate::job::planned::{Planned, judge_touches};
-use crate::job::rows::{Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows, triple};
+use crate::job::rows::{
+    Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows,
+    triple,
+};
 use crate::job::stylus::{report_stylus, report_unknown};
-use crate::job::{Job, JobError, SECTIONS, datum, follows, relations, resolved, set_up, tolerances, wear};
+use crate::job::{
+    Job, JobError, SECTIONS, datum, follows, relations, resolved, set_up, tolerances, wear,
+};
 use crate::num::{decimal, tidy};
 use crate::part;
-use crate::path::{Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault};
+use crate::path::{
+    Feature, Feeds, MOST_ASKEW, Path, Purpose, RAPID_RATE, SHORTEST_TOUCH, TouchFault,
+};
 use crate::text::{Text, text};
 
 /// Reads a job and plans its path, or those of its cycles. Reports everything; none where anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let planned = read_in_its_form(checker, value);
     if checker.has_at("form-unsupported", "control.form") && is_taken_in(value, Form::Cycle) {
-        checker.info("other-form", "control.form", text!("The control takes this job in the form \"cycle\""));
+        checker.info(
+            "other-form",
+            "control.form",
+            text!("The control takes this job in the form \"cycle\""),
+        );
     }
     planned
 }
 
 fn read_in_its_form(checker: &mut Checker, value: &Value) -> Option<Planned> {
-    let read = if is_set_up(value) { set_up::read(checker, value) } else { Job::read(checker, value).map(Planned::of) };
+    let read = if is_set_up(value) {
+        set_up::read(checker, value)
+    } else {
+        Job::read(checker, value).map(Planned::of)
+    };
     let mut planned = read?;
     tolerances::read(checker, value, &mut planned);
     report_unused(&planned.job, value, checker);
@@ -44,12 +59,29 @@ fn read_in_its_form(checker: &mut Checker, value: &Value) -> Option<Planned> {
 fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
     let post = job.post;
     // A program number has a finding of its own.
-    let of_control = post.unused.iter().filter(|key| **key != "number").map(|key| ("control", *key));
-    let of_cycles = post.unused_by_cycles.iter().filter(|_| job.form == Form::Cycle).filter_map(|path| path.split_once('.'));
+    let of_control = post
+        .unused
+        .iter()
+        .filter(|key| **key != "number")
+        .map(|key| ("control", *key));
+    let of_cycles = post
+        .unused_by_cycles
+        .iter()
+        .filter(|_| job.form == Form::Cycle)
+        .filter_map(|path| path.split_once('.'));
     for (section, key) in of_control.chain(of_cycles) {
-        let Some(given) = value.get(section).and_then(|entries| entries.get(key)) else { continue };
-        let fields = SECTIONS.iter().find(|(path, _)| *path == section).map_or(&[][..], |(_, fields)| *fields);
-        let Some(field) = fields.iter().find(|field| field.key == key).filter(|field| !is_default(field, given)) else {
+        let Some(given) = value.get(section).and_then(|entries| entries.get(key)) else {
+            continue;
+        };
+        let fields = SECTIONS
+            .iter()
+            .find(|(path, _)| *path == section)
+            .map_or(&[][..], |(_, fields)| *fields);
+        let Some(field) = fields
+            .iter()
+            .find(|field| field.key == key)
+            .filter(|field| !is_default(field, given))
+        else {
             continue;
         };
         let message = match post.unused.contains(&key) {
@@ -58,7 +90,10 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
                 post.title.to_owned(),
                 Text::words(field.label)
             ),
-            false => text!("The control's own cycles do not use \"{field}\": it changes nothing", Text::words(field.label)),
+            false => text!(
+                "The control's own cycles do not use \"{field}\": it changes nothing",
+                Text::words(field.label)
+            ),
         };
         checker.info("field-unused", format!("{section}.{key}"), message);
     }
@@ -67,22 +102,35 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
 /// Whether the control takes a job in this form.
 fn is_taken_in(value: &Value, form: Form) -> bool {
     let mut value = value.clone();
-    let form = Value::Map(vec![("form".to_owned(), Value::Text(form.word().to_owned()))]);
+    let form = Value::Map(vec![(
+        "form".to_owned(),
+        Value::Text(form.word().to_owned()),
+    )]);
     overlay(&mut value, &Value::Map(vec![("control".to_owned(), form)]));
     let planned = read_in_its_form(&mut Checker::default(), &value);
-    planned.is_some_and(|planned| planned.refused.is_empty() && planned.members.iter().all(|cycle| cycle.refused.is_empty()))
+    planned.is_some_and(|planned| {
+        planned.refused.is_empty() && planned.members.iter().all(|cycle| cycle.refused.is_empty())
+    })
 }
 
 /// What the whole path must hold, whatever cycle it is of.
 fn check_path(job: &Job, path: &Path, checker: &mut Checker) {
     // The first touch of a point speaks for those that repeat it.
-    for (k, fault) in path.touch_faults(job.setup.radius).into_iter().filter(|(k, _)| k % job.times() == 0) {
+    for (k, fault) in path
+        .touch_faults(job.setup.radius)
+        .into_iter()
+        .filter(|(k, _)| k % job.times() == 0)
+    {
         let field = picked(job, path, k);
         let n = k + 1;
         let (code, message) = match fault {
-            TouchFault::Missing => {
-                ("touch-missing", text!("Touch {touch} must be in the path exactly once, to assign its trigger", n))
-            }
+            TouchFault::Missing => (
+                "touch-missing",
+                text!(
+                    "Touch {touch} must be in the path exactly once, to assign its trigger",
+                    n
+                ),
+            ),
             TouchFault::Short(way) => (
                 "touch-too-short",
                 text!(
@@ -118,8 +166,13 @@ const NEAR: f64 = 0.5;
 fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
     // A touch scatters by six sigma at most.
     let least = NEAR.max(6.0 * job.repeatability);
-    let ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
-    let Some((k, way)) = ways.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, way)| *way < least - 1e-9) else {
+    let ways = path
+        .searches()
+        .filter_map(|(k, from, step)| Some((k, from?.distance(step.to))));
+    let Some((k, way)) = ways
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .filter(|(_, way)| *way < least - 1e-9)
+    else {
         return;
     };
     let (n, far) = (k + 1, checker.length(way));
@@ -141,12 +194,19 @@ fn report_close(job: &Job, path: &Path, checker: &mut Checker) {
 
 /// The place in the job that says where a touch is: its pick, or the cycle.
 fn picked(job: &Job, path: &Path, k: usize) -> String {
-    if path.picked { format!("cycle.touches[{}]", k / job.times()) } else { "cycle".to_owned() }
+    if path.picked {
+        format!("cycle.touches[{}]", k / job.times())
+    } else {
+        "cycle".to_owned()
+    }
 }
 
 /// A positioning move that passes the drawn part closely: on a part displaced by that much, it makes contact.
 fn report_passes(job: &Job, path: &Path, checker: &mut Checker) {
-    let Some((index, gap)) = part::passes(path, &path.surfaces, job.setup.radius, NEAR - 1e-9) else { return };
+    let Some((index, gap)) = part::passes(path, &path.surfaces, job.setup.radius, NEAR - 1e-9)
+    else {
+        return;
+    };
     let message = text!(
         "Move {move} passes the part at a distance of only {gap}: on a part displaced by that much, it makes contact",
         index + 1,
@@ -157,24 +217,41 @@ fn report_passes(job: &Job, path: &Path, checker: &mut Checker) {
 
 /// What the safety rules say of what the job asks for, and the rest of the findings does not.
 fn report_rules(job: &Job, verdicts: &[Verdict], checker: &mut Checker) {
-    let broken = |rule: &str| verdicts.iter().any(|verdict| verdict.rule == rule && verdict.holds == Some(false));
+    let broken = |rule: &str| {
+        verdicts
+            .iter()
+            .any(|verdict| verdict.rule == rule && verdict.holds == Some(false))
+    };
     if job.protected && broken(WATCHED) {
-        let message = text!("Some positioning moves are too short to be watched: a contact there goes unnoticed");
+        let message = text!(
+            "Some positioning moves are too short to be watched: a contact there goes unnoticed"
+        );
         checker.warning("positioning-not-watched", "control.protection", message);
     }
     if broken(NO_LOW_RAPID) {
-        let message = text!("A rapid goes down or across below the clearance plane, and nothing watches it");
+        let message =
+            text!("A rapid goes down or across below the clearance plane, and nothing watches it");
         checker.warning("low-rapid", "feeds", message);
     }
 }
 
 /// A rotation that is measured and not written.
 fn report_rotation(job: &Job, path: &Path, checker: &mut Checker) {
-    let measured = path.formula.results.iter().any(|result| result.role == Role::Direction && result.variable.is_some());
-    let written = path.formula.datum.as_ref().filter(|datum| datum.writes()).is_none_or(|datum| datum.rotation.is_some());
+    let measured = path
+        .formula
+        .results
+        .iter()
+        .any(|result| result.role == Role::Direction && result.variable.is_some());
+    let written = path
+        .formula
+        .datum
+        .as_ref()
+        .filter(|datum| datum.writes())
+        .is_none_or(|datum| datum.rotation.is_some());
     if job.work_offset.is_some() && measured && !written {
-        let message =
-            text!("The rotation that is measured is not written: the work offset is right at the measured place only");
+        let message = text!(
+            "The rotation that is measured is not written: the work offset is right at the measured place only"
+        );
         checker.info("rotation-not-written", "control.workOffset", message);
     }
 }
@@ -185,23 +262,51 @@ fn report_at_start(job: &Job, path: &Path, run: &part::Run, checker: &mut Checke
         let way = (run.triggers[k]? - from).abs();
         (way.x + way.y + way.z <= job.post.nearest_trigger).then_some(way.length())
     };
-    let found = run.ran.as_deref().unwrap_or(path).searches().find_map(|(k, from, _)| Some((k, near(k, from?)?)));
-    let Some((k, way)) = found.filter(|_| job.form == Form::Moves) else { return };
+    let found = run
+        .ran
+        .as_deref()
+        .unwrap_or(path)
+        .searches()
+        .find_map(|(k, from, _)| Some((k, near(k, from?)?)));
+    let Some((k, way)) = found.filter(|_| job.form == Form::Moves) else {
+        return;
+    };
     let message = text!(
         "Touch {touch} triggers {way} after its start: the program takes a contact within {least} of the start for a probe that is still deflected, and stops with an alarm",
         k + 1,
         checker.length(way),
         checker.length(job.post.nearest_trigger)
     );
-    checker.warning("contact-at-start", if job.placement.nominal { "cycle" } else { "part" }, message);
+    checker.warning(
+        "contact-at-start",
+        if job.placement.nominal {
+            "cycle"
+        } else {
+            "part"
+        },
+        message,
+    );
 }
 
 /// Whose path is shown where cycles of the control's own make it, and that an offset is written in parts.
 fn report_own(path: &Path, checker: &mut Checker) {
-    let Some(own) = path.own.as_ref().filter(|_| !path.moves.is_empty()) else { return };
-    let calls = own.blocks.iter().filter(|(block, _)| block.measures()).count();
-    let writes = own.blocks.iter().filter(|(block, _)| block.writes()).count();
-    let twice = path.moves.iter().any(|step| matches!(step.purpose, Purpose::Search(_)));
+    let Some(own) = path.own.as_ref().filter(|_| !path.moves.is_empty()) else {
+        return;
+    };
+    let calls = own
+        .blocks
+        .iter()
+        .filter(|(block, _)| block.measures())
+        .count();
+    let writes = own
+        .blocks
+        .iter()
+        .filter(|(block, _)| block.writes())
+        .count();
+    let twice = path
+        .moves
+        .iter()
+        .any(|step| matches!(step.purpose, Purpose::Search(_)));
     let message = if twice {
         text!(
             "The moves shown are those of the control's own cycles (measuring calls: {calls}): they watch positioning, touch twice, and choose the order and their feeds",
@@ -235,12 +340,21 @@ fn report_still(path: &Path, checker: &mut Checker) {
 /// Reports the values that the control itself has.
 fn report_predefined(job: &Job, checker: &mut Checker) {
     for (field, label) in job.cycle.set_on_the_control() {
-        let what = text!("The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here", label);
+        let what = text!(
+            "The {label} is PREDEF: its value is in the control's GLOBAL DEF and not known here",
+            label
+        );
         if job.form == Form::Moves {
-            let message = text!("{what}. A program of moves needs the value: clear the flag and give it", what);
+            let message = text!(
+                "{what}. A program of moves needs the value: clear the flag and give it",
+                what
+            );
             checker.error("not-known", field, message);
         } else {
-            let message = text!("{what}. Moves, triggers and collisions are shown with the form's number in its place", what);
+            let message = text!(
+                "{what}. Moves, triggers and collisions are shown with the form's number in its place",
+                what
+            );
             checker.warning("predefined", field, message);
         }
     }
@@ -248,7 +362,11 @@ fn report_predefined(job: &Job, checker: &mut Checker) {
 
 /// What the control will have stored, for the virtual part. A run that ends in the part ends before the results: nothing is stored. `writes`: whether an
 /// implausible result keeps the program from writing. `None` if the program stops before it asks.
-fn predicted(planned: &Planned, writes: Option<bool>, checker: &mut Checker) -> Vec<formula::ResultRow> {
+fn predicted(
+    planned: &Planned,
+    writes: Option<bool>,
+    checker: &mut Checker,
+) -> Vec<formula::ResultRow> {
     let Planned { job, path, run, .. } = planned;
     let mut rows = part::evaluate(path, &run.triggers, job.scatter());
     let actual_formula = job.actual.as_deref().map(|cycle| cycle.formula(&job.setup));
@@ -306,11 +424,15 @@ fn report_results(planned: &Planned, results: &[ResultRow], checker: &mut Checke
 
 /// Checks the path of a job, and of each cycle of a set-up, and predicts the results.
 fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>, JobError> {
-    let Planned { job, path, members, .. } = planned;
+    let Planned {
+        job, path, members, ..
+    } = planned;
     if members.is_empty() {
         report_path(planned, checker);
         if checker.failed() {
-            return Err(JobError { findings: std::mem::take(checker).findings() });
+            return Err(JobError {
+                findings: std::mem::take(checker).findings(),
+            });
         }
         let asks = planned.dry.is_none().then(|| planned.writes());
         let mut rows = predicted(planned, asks, checker);
@@ -323,7 +445,11 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
         }
         return Ok(results);
     }
-    let names: Vec<String> = path.members.iter().map(|member| member.name.clone()).collect();
+    let names: Vec<String> = path
+        .members
+        .iter()
+        .map(|member| member.name.clone())
+        .collect();
     let mut merged = set_up::Merged::new(&names);
     let mut own: Vec<Checker> = Vec::with_capacity(members.len());
     for member in members {
@@ -335,7 +461,10 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     set_up::report_crossing(planned, checker);
     let failed = checker.failed() || own.iter().any(Checker::failed);
     // Where the program stops in a cycle, or before one, the cycles in front of it have measured.
-    let collides = planned.run.collision.map(|(index, _)| path.member_of_move(index).unwrap_or(0));
+    let collides = planned
+        .run
+        .collision
+        .map(|(index, _)| path.member_of_move(index).unwrap_or(0));
     let measured = match (planned.run.halt, collides) {
         _ if planned.dry.is_some() => 0,
         (Some((before, _)), within) => before.min(within.unwrap_or(before)),
@@ -345,7 +474,8 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     let mut results = Vec::new();
     for (i, (member, mut checker)) in members.iter().zip(own).enumerate() {
         if !failed {
-            let asks = (planned.run.halt.is_none() && planned.dry.is_none()).then(|| planned.writes());
+            let asks =
+                (planned.run.halt.is_none() && planned.dry.is_none()).then(|| planned.writes());
             let mut rows = predicted(member, asks, &mut checker);
             if i >= measured {
                 rows.iter_mut().for_each(unknown);
@@ -366,15 +496,22 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     if !failed {
         (job.post.check)(&request(planned, &feeds, None), &mut whole);
     }
-    let said: Vec<Finding> = whole.findings().into_iter().filter(|finding| !merged.has(&finding.code)).collect();
+    let said: Vec<Finding> = whole
+        .findings()
+        .into_iter()
+        .filter(|finding| !merged.has(&finding.code))
+        .collect();
     merged.give(checker);
-    said.into_iter().for_each(|finding| checker.adopt(set_up::of_whole(finding)));
+    said.into_iter()
+        .for_each(|finding| checker.adopt(set_up::of_whole(finding)));
     if planned.dry.is_none() {
         report_rotation(job, path, checker);
         follows::report(planned, checker);
     }
     if checker.failed() {
-        return Err(JobError { findings: std::mem::take(checker).findings() });
+        return Err(JobError {
+            findings: std::mem::take(checker).findings(),
+        });
     }
     if !path.relations.is_empty() {
         let mut rows = part::evaluate(path, &planned.run.triggers, job.scatter());
@@ -385,7 +522,11 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     }
     if planned.dry.is_none() {
         let written = datum::written_rows(planned, &results);
-        results.extend(written.into_iter().map(|row| if stopped { row.without_value() } else { row }));
+        results.extend(
+            written
+                .into_iter()
+                .map(|row| if stopped { row.without_value() } else { row }),
+        );
     }
     Ok(results)
 }
@@ -395,17 +536,25 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
     let Planned { job, path, run, .. } = planned;
     let feeds = path.feeds.unwrap_or(job.feeds);
     let results = results_of(planned, &mut checker)?;
-    let whole = if job.header == Header::Full { resolved(value) } else { None };
+    let whole = if job.header == Header::Full {
+        resolved(value)
+    } else {
+        None
+    };
     let request = request(planned, &feeds, whole.as_ref());
     if planned.members.is_empty() {
         (job.post.check)(&request, &mut checker);
         if checker.failed() {
-            return Err(JobError { findings: checker.findings() });
+            return Err(JobError {
+                findings: checker.findings(),
+            });
         }
     }
     let released = release(&request, (job.post.emit)(&request)).map_err(|refusal| {
         report_refusal(refusal, &mut checker);
-        JobError { findings: std::mem::take(&mut checker).findings() }
+        JobError {
+            findings: std::mem::take(&mut checker).findings(),
+        }
     })?;
     let (program, proof, verdicts) = released.into_parts();
     report_rules(job, &verdicts, &mut checker);
@@ -427,18 +576,33 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
             .moves
             .iter()
             .enumerate()
-            .map(|(i, m)| Move { cycle: path.member_of_move(i).unwrap_or(0), ..move_row(job, &feeds, m) })
+            .map(|(i, m)| Move {
+                cycle: path.member_of_move(i).unwrap_or(0),
+                ..move_row(job, &feeds, m)
+            })
             .collect(),
-        cycles: path.members.iter().map(|member| member.name.clone()).collect(),
+        cycles: path
+            .members
+            .iter()
+            .map(|member| member.name.clone())
+            .collect(),
         datum: datum::datum_rows(planned),
-        relations: path.relations.iter().map(|relation| relation.name.clone()).collect(),
+        relations: path
+            .relations
+            .iter()
+            .map(|relation| relation.name.clone())
+            .collect(),
         length,
         time,
         program: ProgramText {
             post: job.post.key,
             extension: job.post.extension,
             text: program.text,
-            move_lines: program.move_lines.iter().map(|line| line.map_or(-1, |n| n as i32)).collect(),
+            move_lines: program
+                .move_lines
+                .iter()
+                .map(|line| line.map_or(-1, |n| n as i32))
+                .collect(),
             writes: request.writes(),
             does: does.english(),
             said: does,
@@ -448,7 +612,11 @@ pub fn make(planned: &Planned, value: &Value, mut checker: Checker) -> Result<Pl
         safety: verdicts.into_iter().map(SafetyRow::of).collect(),
         table: Vec::new(),
         results,
-        triggers: run.triggers.iter().map(|t| t.map(|t| triple(t, job.scale))).collect(),
+        triggers: run
+            .triggers
+            .iter()
+            .map(|t| t.map(|t| triple(t, job.scale)))
+            .collect(),
         findings: checker.findings(),
     })
 }
@@ -471,7 +639,10 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
                         line + 1,
                         fault_text
                     ),
-                    None => text!("The program is refused: read back, it differs from the path. {fault}", fault_text),
+                    None => text!(
+                        "The program is refused: read back, it differs from the path. {fault}",
+                        fault_text
+                    ),
                 };
                 checker.error("not-proven", "control.post", message);
             }
@@ -485,8 +656,11 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
         }
         Refusal::Broken(verdicts) => {
             for verdict in verdicts.iter().take(MOST) {
-                let message =
-                    text!("The program breaks the rule {rule}: {message}", verdict.rule.to_owned(), verdict.message.clone());
+                let message = text!(
+                    "The program breaks the rule {rule}: {message}",
+                    verdict.rule.to_owned(),
+                    verdict.message.clone()
+                );
                 checker.error("rule-broken", "control.post", message);
             }
         }
@@ -497,7 +671,9 @@ fn report_refusal(refusal: Refusal, checker: &mut Checker) {
 pub fn plan_with_path(value: &Value) -> Result<(Planned, Plan), JobError> {
     let mut checker = Checker::default();
     let Some(planned) = read(&mut checker, value) else {
-        return Err(JobError { findings: checker.findings() });
+        return Err(JobError {
+            findings: checker.findings(),
+        });
     };
     let plan = make(&planned, value, checker)?;
     Ok((planned, plan))
@@ -515,7 +691,11 @@ pub fn writes_any(planned: &Planned) -> bool {
 }
 
 /// What a program is to be written for.
-pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<&'a Value>) -> Request<'a> {
+pub(super) fn request<'a>(
+    planned: &'a Planned,
+    feeds: &'a Feeds,
+    whole: Option<&'a Value>,
+) -> Request<'a> {
     let Planned { job, path, dry, .. } = planned;
     let measures = dry.is_none();
     Request {
@@ -547,8 +727,18 @@ pub(super) fn request<'a>(planned: &'a Planned, feeds: &'a Feeds, whole: Option<
 /// What happens on the part. A collision with the drawn one is an error: its program is good for nothing. One with a virtual part that lies elsewhere
 /// is a warning: the program is that of the drawing, and the part a trial.
 fn report_run(planned: &Planned, checker: &mut Checker) {
-    let Planned { job, path, surfaces, run, .. } = planned;
-    let field = if job.placement.nominal { "cycle" } else { "part" };
+    let Planned {
+        job,
+        path,
+        surfaces,
+        run,
+        ..
+    } = planned;
+    let field = if job.placement.nominal {
+        "cycle"
+    } else {
+        "part"
+    };
     if job.placement.nominal {
         report_stylus(job, path, run, None, checker);
     } else {
@@ -576,8 +766,18 @@ fn report_run(planned: &Planned, checker: &mut Checker) {
         Purpose::Position | Purpose::Touch(_) | Purpose::Back(_) => None,
     });
     match path.own.is_some() {
-        true => report_missed(path, made.filter(|(_, trigger)| trigger.is_none()).take(1), field, checker),
-        false => report_missed(path, run.triggers.iter().copied().enumerate(), field, checker),
+        true => report_missed(
+            path,
+            made.filter(|(_, trigger)| trigger.is_none()).take(1),
+            field,
+            checker,
+        ),
+        false => report_missed(
+            path,
+            run.triggers.iter().copied().enumerate(),
+            field,
+            checker,
+        ),
     }
     for &k in &run.edges {
         let message = text!(
@@ -607,7 +807,9 @@ fn report_collision(
     checker: &mut Checker,
 ) {
     let step = &path.moves[index];
-    let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
+    let place: Vec<String> = (0..3)
+        .map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i])))
+        .collect();
     let what = match step.purpose {
         Purpose::Position => text!("positioning"),
         Purpose::Back(k) => text!("back from touch {touch}", k + 1),
@@ -623,19 +825,28 @@ fn report_collision(
     if field == "cycle" {
         checker.error("collision", field, message);
     } else {
-        let message =
-            text!("{message}. The program is that of the nominal part; on this one the control stores no results", message);
+        let message = text!(
+            "{message}. The program is that of the nominal part; on this one the control stores no results",
+            message
+        );
         checker.warning("collision", field, message);
     }
-    let made = path.moves[..index].iter().filter_map(|step| match step.purpose {
-        Purpose::Touch(k) => Some(k),
-        Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
-    });
+    let made = path.moves[..index]
+        .iter()
+        .filter_map(|step| match step.purpose {
+            Purpose::Touch(k) => Some(k),
+            Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
+        });
     report_missed(path, made.map(|k| (k, triggers[k])), field, checker);
 }
 
 /// Says which touches meet nothing.
-fn report_missed(path: &Path, triggers: impl Iterator<Item = (usize, Option<Vec3>)>, field: &str, checker: &mut Checker) {
+fn report_missed(
+    path: &Path,
+    triggers: impl Iterator<Item = (usize, Option<Vec3>)>,
+    field: &str,
+    checker: &mut Checker,
+) {
     for (k, trigger) in triggers {
         if trigger.is_none() {
             let message = text!(
@@ -657,18 +868,32 @@ fn report_untrue(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         let size = off.abs() * if row.unit == "deg" { 1.0 } else { job.scale };
         (size > MISLEADING).then_some((size, off))
     };
-    let untrue: Vec<(&ResultRow, (f64, f64))> = results.iter().filter_map(|row| Some((row, off(row)?))).collect();
+    let untrue: Vec<(&ResultRow, (f64, f64))> = results
+        .iter()
+        .filter_map(|row| Some((row, off(row)?)))
+        .collect();
     // The first of those that are off by most.
     let worse = |a: &(f64, f64), b: &(f64, f64)| a.0 > b.0;
-    let Some((worst, (_, off))) = untrue.iter().reduce(|worst, row| if worse(&row.1, &worst.1) { row } else { worst }) else {
+    let Some((worst, (_, off))) = untrue
+        .iter()
+        .reduce(|worst, row| if worse(&row.1, &worst.1) { row } else { worst })
+    else {
         return;
     };
-    let unit = if worst.unit == "deg" { "°".to_owned() } else { format!(" {}", worst.unit) };
+    let unit = if worst.unit == "deg" {
+        "°".to_owned()
+    } else {
+        format!(" {}", worst.unit)
+    };
     let places = if job.scale == 1.0 { 3 } else { 4 };
     let shown = |x: f64| format!("{}{unit}", decimal(x, places));
     let others = match untrue.len() {
         1 => Text::words(""),
-        n => text!(" ({count} of the results are off by more than {limit})", n, checker.length(MISLEADING)),
+        n => text!(
+            " ({count} of the results are off by more than {limit})",
+            n,
+            checker.length(MISLEADING)
+        ),
     };
     let message = text!(
         "On this part the control stores {value} as {result} (true: {truth}): off by {off}{others}",
@@ -691,9 +916,17 @@ fn report_uncertain(job: &Job, results: &[ResultRow], checker: &mut Checker) {
         let [whole, runout] = [row.uncertainty, row.uncertainty_runout].map(|x| x.unwrap_or(0.0));
         (whole * whole - runout * runout).max(0.0).sqrt()
     };
-    let times = |row: &ResultRow| if row.unit == "deg" { 0.0 } else { sigma(row) / single };
+    let times = |row: &ResultRow| {
+        if row.unit == "deg" {
+            0.0
+        } else {
+            sigma(row) / single
+        }
+    };
     let worst = results.iter().max_by(|a, b| times(a).total_cmp(&times(b)));
-    let Some(worst) = worst.filter(|row| single > 0.0 && times(row) > DOUBTFUL) else { return };
+    let Some(worst) = worst.filter(|row| single > 0.0 && times(row) > DOUBTFUL) else {
+        return;
+    };
     // It is said of the arc already.
     if checker.has("short-arc") {
         return;
@@ -721,18 +954,25 @@ fn length_and_time(job: &Job, request: &Request<'_>) -> (f64, f64) {
 pub fn minutes(planned: &Planned) -> Vec<f64> {
     let feeds = planned.path.feeds.unwrap_or(planned.job.feeds);
     let request = request(planned, &feeds, None);
-    ways(&planned.job, &request).map(|(_, minutes)| minutes).collect()
+    ways(&planned.job, &request)
+        .map(|(_, minutes)| minutes)
+        .collect()
 }
 
 /// The way of each move, mm, and its minutes. The way to a first place that is not said from where counts nothing.
 fn ways<'a>(job: &'a Job, request: &'a Request<'_>) -> impl Iterator<Item = (f64, f64)> + 'a {
     let mut at = request.path.start;
     request.path.moves.iter().map(move |step| {
-        let Some(from) = at.replace(step.to) else { return (0.0, 0.0) };
+        let Some(from) = at.replace(step.to) else {
+            return (0.0, 0.0);
+        };
         let way = match step.arc {
             Some(arc) => from.distance(arc.center) * arc.sweep.abs(),
             None => from.distance(step.to),
         };
-        (way, way / (job.post.rate)(request, Some(from), step).unwrap_or(RAPID_RATE))
+        (
+            way,
+            way / (job.post.rate)(request, Some(from), step).unwrap_or(RAPID_RATE),
+        )
     })
 }

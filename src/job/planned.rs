@@ -34,17 +34,27 @@ fn path_of(job: &Job) -> Path {
 }
 
 /// What a ball meets of these surfaces, as the control's own cycles ask.
-fn meets<'s>(surfaces: &'s [Surface], up: Vec3, radius: f64) -> impl Fn(Vec3, Vec3) -> Option<Met> + 's {
+fn meets<'s>(
+    surfaces: &'s [Surface],
+    up: Vec3,
+    radius: f64,
+) -> impl Fn(Vec3, Vec3) -> Option<Met> + 's {
     let obstacles = part::Obstacles::of(surfaces, up);
     move |from, to| {
         let contact = obstacles.first_contact(radius, from, to)?;
-        Some(Met { center: contact.center, surface: contact.surface, edge: contact.edge })
+        Some(Met {
+            center: contact.center,
+            surface: contact.surface,
+            edge: contact.edge,
+        })
     }
 }
 
 /// The path that the control's own cycles make of a documented one, where a job asks for them; else that one, and why.
 fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
-    let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else { return (path, Vec::new()) };
+    let Some(cycles) = job.post.own.filter(|_| job.form == Form::Cycle) else {
+        return (path, Vec::new());
+    };
     let request = OwnRequest {
         path: &path,
         setup: &job.setup,
@@ -64,7 +74,10 @@ fn own_path(job: &Job, path: Path, clear: Option<f64>) -> (Path, Refused) {
         wear: &job.wear,
         takes_moves: (job.post.serves)(job.def.probes, Form::Moves).is_ok(),
     };
-    let own = (cycles.plan)(&request, &meets(&path.surfaces, path.frame.w, job.setup.radius));
+    let own = (cycles.plan)(
+        &request,
+        &meets(&path.surfaces, path.frame.w, job.setup.radius),
+    );
     match own {
         Ok(own) => (own, Vec::new()),
         Err(refused) => (path, refused),
@@ -78,7 +91,10 @@ pub fn judge_touches(job: &Job, path: &Path, triggers: &[Option<Vec3>], rows: &m
         return job.cycle.judge(&job.setup, path, triggers, rows);
     }
     let mean = |same: &[Option<Vec3>]| {
-        let sum = same.iter().copied().try_fold(Vec3::ZERO, |sum, trigger| Some(sum + trigger?));
+        let sum = same
+            .iter()
+            .copied()
+            .try_fold(Vec3::ZERO, |sum, trigger| Some(sum + trigger?));
         sum.map(|sum| sum / times as f64)
     };
     let means: Vec<Option<Vec3>> = triggers.chunks(times).map(mean).collect();
@@ -86,13 +102,25 @@ pub fn judge_touches(job: &Job, path: &Path, triggers: &[Option<Vec3>], rows: &m
 }
 
 /// Runs the calls of a path on the actual part.
-fn own_run(path: &Path, own: &Own, cycles: &OwnCycles, surfaces: &[Surface], radius: f64) -> part::Run {
+fn own_run(
+    path: &Path,
+    own: &Own,
+    cycles: &OwnCycles,
+    surfaces: &[Surface],
+    radius: f64,
+) -> part::Run {
     let (made, alarm) = (cycles.rerun)(own, radius, &meets(surfaces, path.frame.w, radius));
-    let mut run = part::Run { triggers: vec![None; path.touches.len()], ..part::Run::default() };
+    let mut run = part::Run {
+        triggers: vec![None; path.touches.len()],
+        ..part::Run::default()
+    };
     // A move that the nominal part does not ask for is not part of the path.
     let index = |count: usize| own.counts.partition_point(|known| *known < count) + 1;
     for made in &made {
-        let step = path.moves.get(index(made.count)).filter(|_| own.counts.binary_search(&made.count).is_ok());
+        let step = path
+            .moves
+            .get(index(made.count))
+            .filter(|_| own.counts.binary_search(&made.count).is_ok());
         if let (Some(Purpose::Touch(k)), Some(met)) = (step.map(|step| step.purpose), made.met) {
             run.triggers[k] = Some(met.center);
             if met.surface != path.touches[k].group {
@@ -107,7 +135,9 @@ fn own_run(path: &Path, own: &Own, cycles: &OwnCycles, surfaces: &[Surface], rad
     if let (Some(alarm), Some(last)) = (alarm, made.last())
         && alarm != Alarm::NotFound
     {
-        run.collision = last.met.map(|met| (index(last.count).min(path.moves.len() - 1), met.center));
+        run.collision = last
+            .met
+            .map(|met| (index(last.count).min(path.moves.len() - 1), met.center));
     }
     run
 }
@@ -148,12 +178,22 @@ impl Planned {
             _ => part::run(&path, &surfaces, &job.setup),
         };
         let dry = job.dry.map(|lift| path.dry(lift));
-        Planned { job, path, surfaces, run, refused, members: Vec::new(), dry }
+        Planned {
+            job,
+            path,
+            surfaces,
+            run,
+            refused,
+            members: Vec::new(),
+            dry,
+        }
     }
 
     /// Whether the program writes a work offset.
     pub fn writes(&self) -> bool {
-        self.dry.is_none() && self.job.work_offset.is_some() && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
+        self.dry.is_none()
+            && self.job.work_offset.is_some()
+            && self.path.formula.datum.as_ref().is_some_and(Datum::writes)
     }
 
     /// The parameter table, in the job's units.
@@ -170,7 +210,11 @@ impl Planned {
                 field: row.field.map(field),
                 ..row
             };
-            planned.table().into_iter().map(in_whole).collect::<Vec<_>>()
+            planned
+                .table()
+                .into_iter()
+                .map(in_whole)
+                .collect::<Vec<_>>()
         };
         if !self.members.is_empty() {
             return self.members.iter().enumerate().flat_map(of).collect();
@@ -178,10 +222,19 @@ impl Planned {
         // Of the cycle as it is documented, whoever makes it, and however often. A row is of the first touch of its point.
         let times = self.job.times();
         let documented = (self.path.own.is_some() || times > 1).then(|| path_of(&self.job));
-        let touches = documented.as_ref().map_or(&self.path.touches, |path| &path.touches);
+        let touches = documented
+            .as_ref()
+            .map_or(&self.path.touches, |path| &path.touches);
         let parameters = self.job.cycle.parameters(&self.job.setup, touches);
         let row = |parameter| parameter_row(&self.job, parameter);
-        parameters.into_iter().map(row).map(|row| ParameterRow { touch: row.touch.map(|k| k * times), ..row }).collect()
+        parameters
+            .into_iter()
+            .map(row)
+            .map(|row| ParameterRow {
+                touch: row.touch.map(|k| k * times),
+                ..row
+            })
+            .collect()
     }
 }
 

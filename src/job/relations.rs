@@ -32,7 +32,12 @@ pub struct Relations<'v> {
 
 impl<'v> Relations<'v> {
     /// The list of a job, of which cycles follow those with these names. Reports what is no list.
-    pub fn of(checker: &mut Checker, value: &'v Value, cycles: &'v [String], followed: &[&str]) -> Self {
+    pub fn of(
+        checker: &mut Checker,
+        value: &'v Value,
+        cycles: &'v [String],
+        followed: &[&str],
+    ) -> Self {
         let list = match value.get(RELATIONS) {
             None | Some(Value::Null) => &[],
             Some(Value::List(list)) => list.as_slice(),
@@ -43,21 +48,34 @@ impl<'v> Relations<'v> {
             }
         };
         if list.len() > MOST_CYCLES {
-            let message = text!("A set-up has at most {most} relations, not {count}", MOST_CYCLES, list.len());
+            let message = text!(
+                "A set-up has at most {most} relations, not {count}",
+                MOST_CYCLES,
+                list.len()
+            );
             checker.error("wrong-count", RELATIONS, message);
         }
         let list = if list.len() > MOST_CYCLES { &[] } else { list };
         let mut early = vec![false; list.len()];
         for name in followed {
-            named(list, name).into_iter().for_each(|index| early[index] = true);
+            named(list, name)
+                .into_iter()
+                .for_each(|index| early[index] = true);
         }
         // A relation is only of earlier ones: going backwards meets each before those that it is of.
         for index in (0..list.len()).rev() {
             if early[index] {
-                heads(&list[index]).filter_map(|head| named(&list[..index], head)).for_each(|earlier| early[earlier] = true);
+                heads(&list[index])
+                    .filter_map(|head| named(&list[..index], head))
+                    .for_each(|earlier| early[earlier] = true);
             }
         }
-        Relations { list, cycles, added: vec![false; list.len()], early }
+        Relations {
+            list,
+            cycles,
+            added: vec![false; list.len()],
+            early,
+        }
     }
 
     /// Adds the relations that cycles follow, where all that they are of is measured.
@@ -89,7 +107,12 @@ impl<'v> Relations<'v> {
     /// The path with every relation that can be computed of its cycles, whether one follows it or not.
     pub fn with_all_ready(&self, path: &Path) -> Path {
         let mut path = path.clone();
-        let mut all = Relations { list: self.list, cycles: self.cycles, added: self.added.clone(), early: Vec::new() };
+        let mut all = Relations {
+            list: self.list,
+            cycles: self.cycles,
+            added: self.added.clone(),
+            early: Vec::new(),
+        };
         for index in 0..all.list.len() {
             if all.is_ready(&path, index) {
                 all.add(&mut Checker::default(), &mut path, index);
@@ -102,12 +125,18 @@ impl<'v> Relations<'v> {
     pub fn lacks(&self, path: &Path, name: &str) -> Option<Text> {
         let mut own = Checker::default();
         self.read(&mut own, path, named(self.list, name)?);
-        own.findings().into_iter().next().map(|finding| finding.said)
+        own.findings()
+            .into_iter()
+            .next()
+            .map(|finding| finding.said)
     }
 
     /// Whether all that a relation is of is measured.
     fn is_ready(&self, path: &Path, index: usize) -> bool {
-        heads(&self.list[index]).all(|head| path.measuring_before(index).any(|own| own.name.eq_ignore_ascii_case(head)))
+        heads(&self.list[index]).all(|head| {
+            path.measuring_before(index)
+                .any(|own| own.name.eq_ignore_ascii_case(head))
+        })
     }
 
     fn add(&mut self, checker: &mut Checker, path: &mut Path, index: usize) {
@@ -120,9 +149,18 @@ impl<'v> Relations<'v> {
         }
     }
 
-    fn read(&self, checker: &mut Checker, path: &Path, index: usize) -> Option<(String, formula::Relating)> {
+    fn read(
+        &self,
+        checker: &mut Checker,
+        path: &Path,
+        index: usize,
+    ) -> Option<(String, formula::Relating)> {
         let measuring = path.measuring_before(index).collect();
-        let known = Known { formula: &path.formula, measuring, alone: self.cycles.len() == 1 };
+        let known = Known {
+            formula: &path.formula,
+            measuring,
+            alone: self.cycles.len() == 1,
+        };
         read_one(checker, (self.list, index), self.cycles, &known)
     }
 }
@@ -153,26 +191,47 @@ fn read_one(
 ) -> Option<(String, formula::Relating)> {
     let given = &list[i];
     let Value::Map(entries) = given else {
-        let message = text!("relations[{index}] must be an object, not {given}", i, given.noun());
+        let message = text!(
+            "relations[{index}] must be an object, not {given}",
+            i,
+            given.noun()
+        );
         checker.error("wrong-type", format!("{RELATIONS}[{i}]"), message);
         return None;
     };
-    for (key, _) in entries.iter().filter(|(key, _)| !["name", "type", "of"].contains(&key.as_str())) {
+    for (key, _) in entries
+        .iter()
+        .filter(|(key, _)| !["name", "type", "of"].contains(&key.as_str()))
+    {
         let shown = printable(key);
-        let message = text!("A relation has no \"{key}\"; it knows name, type and of", shown.clone());
+        let message = text!(
+            "A relation has no \"{key}\"; it knows name, type and of",
+            shown.clone()
+        );
         checker.error("unknown-key", format!("{RELATIONS}[{i}].{shown}"), message);
     }
-    let taken = list[..i].iter().filter_map(|other| match other.get("name") {
-        Some(Value::Text(name)) => Some(name),
-        _ => None,
-    });
+    let taken = list[..i]
+        .iter()
+        .filter_map(|other| match other.get("name") {
+            Some(Value::Text(name)) => Some(name),
+            _ => None,
+        });
     let taken: Vec<&String> = cycles.iter().chain(taken).collect();
     let name = read_name(checker, given, &taken, i);
     let relation = read_type(checker, given, i);
     let (name, relation) = (name?, relation?);
     let of = read_of(checker, given, known, (i, relation))?;
-    let heights = of.iter().all(|operand| matches!(*operand, Operand::Result(index) if known.is_height(index)));
-    Some((name, formula::Relating { relation, of, heights }))
+    let heights = of
+        .iter()
+        .all(|operand| matches!(*operand, Operand::Result(index) if known.is_height(index)));
+    Some((
+        name,
+        formula::Relating {
+            relation,
+            of,
+            heights,
+        },
+    ))
 }
 
 fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) -> Option<String> {
@@ -180,11 +239,22 @@ fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) 
     let name = match given.get("name") {
         Some(Value::Text(name)) => name,
         Some(other) => {
-            checker.error("wrong-type", at, text!("The name of a relation must be text, not {given}", other.noun()));
+            checker.error(
+                "wrong-type",
+                at,
+                text!(
+                    "The name of a relation must be text, not {given}",
+                    other.noun()
+                ),
+            );
             return None;
         }
         None => {
-            checker.error("missing", at, text!("A relation needs a name, which stands in front of its results"));
+            checker.error(
+                "missing",
+                at,
+                text!("A relation needs a name, which stands in front of its results"),
+            );
             return None;
         }
     };
@@ -198,7 +268,10 @@ fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) 
         return None;
     }
     if taken.iter().any(|other| other.eq_ignore_ascii_case(name)) {
-        let message = text!("Another cycle or relation is called {name}, too", name.clone());
+        let message = text!(
+            "Another cycle or relation is called {name}, too",
+            name.clone()
+        );
         checker.error("cycle-name", at, message);
         return None;
     }
@@ -207,42 +280,84 @@ fn read_name(checker: &mut Checker, given: &Value, taken: &[&String], i: usize) 
 
 fn read_type(checker: &mut Checker, given: &Value, i: usize) -> Option<Relation> {
     let at = format!("{RELATIONS}[{i}].type");
-    let known = || formula::RELATIONS.each_ref().map(|def| format!("\"{}\"", def.key)).join(", ");
+    let known = || {
+        formula::RELATIONS
+            .each_ref()
+            .map(|def| format!("\"{}\"", def.key))
+            .join(", ")
+    };
     match given.get("type") {
         Some(Value::Text(word)) => {
             let found = RelationDef::find(word);
             if found.is_none() {
-                checker.error("unknown-value", at, text!("The type of a relation must be one of {known}", known()));
+                checker.error(
+                    "unknown-value",
+                    at,
+                    text!("The type of a relation must be one of {known}", known()),
+                );
             }
             found
         }
         Some(other) => {
-            checker.error("wrong-type", at, text!("The type of a relation must be text, not {given}", other.noun()));
+            checker.error(
+                "wrong-type",
+                at,
+                text!(
+                    "The type of a relation must be text, not {given}",
+                    other.noun()
+                ),
+            );
             None
         }
         None => {
-            checker.error("missing", at, text!("The type of a relation must be one of {known}", known()));
+            checker.error(
+                "missing",
+                at,
+                text!("The type of a relation must be one of {known}", known()),
+            );
             None
         }
     }
 }
 
 /// What a relation is of: cycles that measure a place, or results.
-fn read_of(checker: &mut Checker, given: &Value, known: &Known<'_>, (i, relation): (usize, Relation)) -> Option<Vec<Operand>> {
+fn read_of(
+    checker: &mut Checker,
+    given: &Value,
+    known: &Known<'_>,
+    (i, relation): (usize, Relation),
+) -> Option<Vec<Operand>> {
     let at = format!("{RELATIONS}[{i}].of");
     let list = match given.get("of") {
         Some(Value::List(list)) => list.as_slice(),
         None => &[],
         Some(other) => {
-            checker.error("wrong-type", at.clone(), text!("{path} must be a list, not {given}", at, other.noun()));
+            checker.error(
+                "wrong-type",
+                at.clone(),
+                text!("{path} must be a list, not {given}", at, other.noun()),
+            );
             return None;
         }
     };
-    let RelationDef { least, most, places, .. } = *relation;
+    let RelationDef {
+        least,
+        most,
+        places,
+        ..
+    } = *relation;
     if !(least..=most.unwrap_or(MOST_CYCLES)).contains(&list.len()) {
         let message = match most {
-            Some(most) if most == least => text!("This relation is of exactly {wanted}, not of {count}", most, list.len()),
-            _ => text!("This relation is of at least {least}, not of {count}", least, list.len()),
+            Some(most) if most == least => text!(
+                "This relation is of exactly {wanted}, not of {count}",
+                most,
+                list.len()
+            ),
+            _ => text!(
+                "This relation is of at least {least}, not of {count}",
+                least,
+                list.len()
+            ),
         };
         checker.error("wrong-count", at, message);
         return None;
@@ -251,22 +366,46 @@ fn read_of(checker: &mut Checker, given: &Value, known: &Known<'_>, (i, relation
     for (k, given) in list.iter().enumerate() {
         let at = format!("{at}[{k}]");
         let Value::Text(name) = given else {
-            checker.error("wrong-type", at.clone(), text!("{path} must be text, not {given}", at, given.noun()));
+            checker.error(
+                "wrong-type",
+                at.clone(),
+                text!("{path} must be text, not {given}", at, given.noun()),
+            );
             continue;
         };
-        match if places { known.place(name) } else { known.single(name) } {
+        match if places {
+            known.place(name)
+        } else {
+            known.single(name)
+        } {
             Some(operand) if of.contains(&operand) => {
-                checker.error("relation-of", at, text!("{name} is named twice", name.clone()));
+                checker.error(
+                    "relation-of",
+                    at,
+                    text!("{name} is named twice", name.clone()),
+                );
             }
             Some(operand) => of.push(operand),
             None => {
-                let known = if places { known.places() } else { known.results() };
+                let known = if places {
+                    known.places()
+                } else {
+                    known.results()
+                };
                 let message = match places {
                     true => {
-                        text!("\"{name}\" measures no place in the plane. These do: {known}", printable(name), known.join(", "))
+                        text!(
+                            "\"{name}\" measures no place in the plane. These do: {known}",
+                            printable(name),
+                            known.join(", ")
+                        )
                     }
                     false => {
-                        text!("There is no measured result \"{name}\". There are {known}", printable(name), known.join(", "))
+                        text!(
+                            "There is no measured result \"{name}\". There are {known}",
+                            printable(name),
+                            known.join(", ")
+                        )
                     }
                 };
                 checker.error("relation-of", at, message);
@@ -280,7 +419,13 @@ fn read_of(checker: &mut Checker, given: &Value, known: &Known<'_>, (i, relation
 }
 
 /// Whether the operands give what the relation says.
-fn check_kinds(checker: &mut Checker, formula: &Formula, of: &[Operand], relation: Relation, at: String) -> bool {
+fn check_kinds(
+    checker: &mut Checker,
+    formula: &Formula,
+    of: &[Operand],
+    relation: Relation,
+    at: String,
+) -> bool {
     let result = |index: usize| &formula.results[index];
     let nominal = |operand: &Operand| match *operand {
         Operand::Place(axes) => axes.map(|index| result(index).nominal),
@@ -288,7 +433,9 @@ fn check_kinds(checker: &mut Checker, formula: &Formula, of: &[Operand], relatio
     };
     let angle = |operand: &Operand| matches!(*operand, Operand::Result(index) if result(index).role.is_angle());
     let problem = match of.iter().any(|one| angle(one) != angle(&of[0])) {
-        true => Some(text!("A length and an angle have neither a difference nor a mean")),
+        true => Some(text!(
+            "A length and an angle have neither a difference nor a mean"
+        )),
         false => relation.problem(&of.iter().map(nominal).collect::<Vec<_>>()),
     };
     let good = problem.is_none();
@@ -301,11 +448,16 @@ fn check_kinds(checker: &mut Checker, formula: &Formula, of: &[Operand], relatio
 impl Known<'_> {
     /// The place that a cycle or an earlier relation measures in the plane.
     fn place(&self, name: &str) -> Option<Operand> {
-        let own = self.measuring.iter().find(|own| own.name.eq_ignore_ascii_case(name))?;
+        let own = self
+            .measuring
+            .iter()
+            .find(|own| own.name.eq_ignore_ascii_case(name))?;
         let place = own.datum?.place;
         let index = |axis: usize| {
             let measured = place[axis]?.measured;
-            own.results.clone().find(|index| measured.is_some() && self.formula.results[*index].variable == measured)
+            own.results.clone().find(|index| {
+                measured.is_some() && self.formula.results[*index].variable == measured
+            })
         };
         Some(Operand::Place([index(0)?, index(1)?]))
     }
@@ -313,14 +465,20 @@ impl Known<'_> {
     /// A measured result by its name.
     fn single(&self, name: &str) -> Option<Operand> {
         let is = |result: &ResultDef| {
-            self.formula.full_code(result).eq_ignore_ascii_case(name) || self.alone && result.code.eq_ignore_ascii_case(name)
+            self.formula.full_code(result).eq_ignore_ascii_case(name)
+                || self.alone && result.code.eq_ignore_ascii_case(name)
         };
-        self.measured().find(|index| is(&self.formula.results[*index])).map(Operand::Result)
+        self.measured()
+            .find(|index| is(&self.formula.results[*index]))
+            .map(Operand::Result)
     }
 
     /// Whether a result is a height that a work offset could be written from.
     fn is_height(&self, index: usize) -> bool {
-        let own = self.measuring.iter().find(|own| own.results.contains(&index));
+        let own = self
+            .measuring
+            .iter()
+            .find(|own| own.results.contains(&index));
         let height = own.and_then(|own| own.datum?.place[2]?.measured);
         height.is_some() && self.formula.results[index].variable == height
     }
@@ -333,28 +491,53 @@ impl Known<'_> {
     /// The names that a place can have.
     fn places(&self) -> Vec<String> {
         let names = self.measuring.iter().map(|own| own.name);
-        names.filter(|name| self.place(name).is_some()).map(str::to_owned).collect()
+        names
+            .filter(|name| self.place(name).is_some())
+            .map(str::to_owned)
+            .collect()
     }
 
     fn results(&self) -> Vec<String> {
-        self.measured().map(|index| self.formula.full_code(&self.formula.results[index]).into_owned()).collect()
+        self.measured()
+            .map(|index| {
+                self.formula
+                    .full_code(&self.formula.results[index])
+                    .into_owned()
+            })
+            .collect()
     }
 }
 
 /// Relations that have a residual on the nominal part, as a pitch circle whose places are on none: its diameter is of another circle than the drawing's, and
 /// the program always stops there.
 pub fn check_circles(checker: &mut Checker, whole: &Planned) {
-    let (path, Some(limit)) = (&whole.path, whole.job.limits.residual) else { return };
+    let (path, Some(limit)) = (&whole.path, whole.job.limits.residual) else {
+        return;
+    };
     for relation in &path.relations {
         let nominal = |index: usize| Some(path.formula.results[index].nominal);
-        let Some(residual) = relation.own.relation.results.iter().position(|code| *code == "residual") else { continue };
-        let Some(off) = path.related(relation, nominal)[residual].filter(|off| *off > limit) else { continue };
+        let Some(residual) = relation
+            .own
+            .relation
+            .results
+            .iter()
+            .position(|code| *code == "residual")
+        else {
+            continue;
+        };
+        let Some(off) = path.related(relation, nominal)[residual].filter(|off| *off > limit) else {
+            continue;
+        };
         let message = text!(
             "The nominal places are {off} off one circle, more than limits.residual, {limit}",
             checker.length(off),
             checker.length(limit)
         );
-        checker.error("relation-of", format!("relations[{}].of", relation.index), message);
+        checker.error(
+            "relation-of",
+            format!("relations[{}].of", relation.index),
+            message,
+        );
     }
 }
 
@@ -367,8 +550,15 @@ pub fn add_rows(
 ) -> bool {
     let off = judge(&whole.job, &whole.path, &mut evaluated);
     let relations = &whole.path.relations;
-    let of_relations = |result: usize| relations.iter().any(|relation| relation.results.contains(&result));
-    let off: Vec<_> = off.into_iter().filter(|question| of_relations(question.result)).collect();
+    let of_relations = |result: usize| {
+        relations
+            .iter()
+            .any(|relation| relation.results.contains(&result))
+    };
+    let off: Vec<_> = off
+        .into_iter()
+        .filter(|question| of_relations(question.result))
+        .collect();
     if let Some(checker) = checker {
         report_judged(whole, &evaluated, &off, whole.writes(), checker);
     }
@@ -376,19 +566,34 @@ pub fn add_rows(
         let truth = |index: usize| {
             let def = &whole.path.formula.results[index];
             let of = whole.path.measured_by(def);
-            results.iter().find(|row| Some(row.cycle) == of && row.code == def.code)?.truth
+            results
+                .iter()
+                .find(|row| Some(row.cycle) == of && row.code == def.code)?
+                .truth
         };
         let truths = whole.path.related(relation, truth);
-        for (row, truth) in evaluated[relation.results.clone()].iter().cloned().zip(truths) {
+        for (row, truth) in evaluated[relation.results.clone()]
+            .iter()
+            .cloned()
+            .zip(truths)
+        {
             let angle = row.unit == formula::Unit::Angle;
-            let mut row = ResultRow { cycle: whole.members.len() + i, ..result_row(&whole.job, row, None, None) };
+            let mut row = ResultRow {
+                cycle: whole.members.len() + i,
+                ..result_row(&whole.job, row, None, None)
+            };
             // A direction may be said a whole turn farther.
-            let turn = |truth: f64| row.value.map_or(truth, |value| truth + ((value - truth) / 360.0).round() * 360.0);
+            let turn = |truth: f64| {
+                row.value.map_or(truth, |value| {
+                    truth + ((value - truth) / 360.0).round() * 360.0
+                })
+            };
             // How far true places are from their circle is not what touches are off it.
             let truth = truth.filter(|_| row.code != "residual");
             row.truth = truth.map(|truth| tidy(if angle { turn(truth) } else { truth }));
             results.push(row);
         }
     }
-    off.iter().all(|question| question.asked != formula::Asked::Plausible)
+    off.iter()
+        .all(|question| question.asked != formula::Asked::Plausible)
 }

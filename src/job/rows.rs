@@ -89,7 +89,11 @@ pub struct ProofRow {
 
 impl ProofRow {
     pub(super) fn of(proof: Proof) -> Self {
-        ProofRow { moves: proof.moves(), touches: proof.touches(), arithmetic: proof.arithmetic() }
+        ProofRow {
+            moves: proof.moves(),
+            touches: proof.touches(),
+            arithmetic: proof.arithmetic(),
+        }
     }
 }
 
@@ -238,8 +242,19 @@ pub struct ResultRow {
 impl ResultRow {
     /// The same where the control never comes to store it.
     pub fn without_value(self) -> Self {
-        let said = ResultWords { verdict: None, ..self.said };
-        ResultRow { value: None, deviation: None, uncertainty: None, uncertainty_runout: None, verdict: None, said, ..self }
+        let said = ResultWords {
+            verdict: None,
+            ..self.said
+        };
+        ResultRow {
+            value: None,
+            deviation: None,
+            uncertainty: None,
+            uncertainty_runout: None,
+            verdict: None,
+            said,
+            ..self
+        }
     }
 }
 
@@ -278,18 +293,37 @@ pub const RESULT_CODES: &[&str] = &[
     "preset.table", "preset.x", "preset.y", "preset.z", "preset.rotation", "table.turn",
 ];
 
-pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::ResultRow>) -> Vec<ResultRow> {
+pub(super) fn result_rows(
+    job: &Job,
+    path: &Path,
+    mut rows: Vec<crate::formula::ResultRow>,
+) -> Vec<ResultRow> {
     if let Some(n) = job.work_offset {
-        part::write_offset(&mut rows, &path.formula, job.setup.plane, &(job.post.work_offset_word)(n));
+        part::write_offset(
+            &mut rows,
+            &path.formula,
+            job.setup.plane,
+            &(job.post.work_offset_word)(n),
+        );
     }
     let own = path.own.as_ref().zip(job.post.own);
     let stored = |code: &str| {
         let (own, cycles) = own?;
-        own.stored.iter().find(|(known, _)| *known == code).map(|(_, stored)| (cycles.name)(*stored))
+        own.stored
+            .iter()
+            .find(|(known, _)| *known == code)
+            .map(|(_, stored)| (cycles.name)(*stored))
     };
     let note = |row: &crate::formula::ResultRow| {
-        let off = row.value.zip(row.truth).map(|(value, truth)| value - truth).filter(|off| off.abs() > 1e-6)?;
-        let reason = job.cycle.turned_error(&row.code).filter(|_| job.placement.turn != 0.0)?;
+        let off = row
+            .value
+            .zip(row.truth)
+            .map(|(value, truth)| value - truth)
+            .filter(|off| off.abs() > 1e-6)?;
+        let reason = job
+            .cycle
+            .turned_error(&row.code)
+            .filter(|_| job.placement.turn != 0.0)?;
         let sign = if off > 0.0 { "+" } else { "" };
         let off = format!("{sign}{} {}", decimal(off / job.scale, 5), job.unit);
         Some(text!("{off} from the truth: {reason}", off, reason))
@@ -303,8 +337,17 @@ pub(super) fn result_rows(job: &Job, path: &Path, mut rows: Vec<crate::formula::
 }
 
 /// One result, in the job's units.
-pub(super) fn result_row(job: &Job, row: crate::formula::ResultRow, note: Option<Text>, stored: Option<String>) -> ResultRow {
-    debug_assert!(RESULT_CODES.contains(&&*row.code), "{} is no code of RESULT_CODES", row.code);
+pub(super) fn result_row(
+    job: &Job,
+    row: crate::formula::ResultRow,
+    note: Option<Text>,
+    stored: Option<String>,
+) -> ResultRow {
+    debug_assert!(
+        RESULT_CODES.contains(&&*row.code),
+        "{} is no code of RESULT_CODES",
+        row.code
+    );
     let (scale, unit) = match row.unit {
         Unit::Length => (job.scale, job.unit),
         Unit::Angle => (1.0, "deg"),
@@ -320,13 +363,19 @@ pub(super) fn result_row(job: &Job, row: crate::formula::ResultRow, note: Option
         deviation: convert(row.deviation),
         uncertainty: convert(row.uncertainty),
         uncertainty_runout: convert(row.uncertainty_runout),
-        limits: row.limits.map(|(low, high)| [low, high].map(|x| tidy(x / scale))),
+        limits: row
+            .limits
+            .map(|(low, high)| [low, high].map(|x| tidy(x / scale))),
         verdict: row.verdict.as_ref().map(Text::english),
         truth: convert(row.truth),
         note: note.as_ref().map(Text::english),
         stored,
         cycle: 0,
-        said: ResultWords { meaning: row.meaning, verdict: row.verdict, note },
+        said: ResultWords {
+            meaning: row.meaning,
+            verdict: row.verdict,
+            note,
+        },
     }
 }
 
@@ -345,8 +394,19 @@ pub(super) fn move_row(job: &Job, feeds: &Feeds, step: &path::Move) -> Move {
         Feed::Retract => "retract",
         Feed::Return => "return",
     };
-    let arc = step.arc.map(|arc| Arc { center: triple(arc.center, job.scale), sweep: tidy(arc.sweep.to_degrees()) });
-    Move { to: triple(step.to, job.scale), feed, kind, step: step.step, touch, arc, cycle: 0 }
+    let arc = step.arc.map(|arc| Arc {
+        center: triple(arc.center, job.scale),
+        sweep: tidy(arc.sweep.to_degrees()),
+    });
+    Move {
+        to: triple(step.to, job.scale),
+        feed,
+        kind,
+        step: step.step,
+        touch,
+        arc,
+        cycle: 0,
+    }
 }
 
 pub(super) fn parameter_row(job: &Job, parameter: path::Parameter) -> ParameterRow {

@@ -38,7 +38,9 @@ impl Units {
 
     /// The units with this word, `mm` or `inch`; none for any other.
     pub fn named(word: &str) -> Option<Units> {
-        [Units::Mm, Units::Inch].into_iter().find(|units| units.word() == word)
+        [Units::Mm, Units::Inch]
+            .into_iter()
+            .find(|units| units.word() == word)
     }
 
     /// The units of a loose job; mm where it names none.
@@ -75,50 +77,108 @@ impl Protection {
 }
 
 pub const UNITS: &[Choice] = &[
-    Choice { value: Units::Mm.word(), label: Units::Mm.word() },
-    Choice { value: Units::Inch.word(), label: Units::Inch.word() },
+    Choice {
+        value: Units::Mm.word(),
+        label: Units::Mm.word(),
+    },
+    Choice {
+        value: Units::Inch.word(),
+        label: Units::Inch.word(),
+    },
 ];
 const PLANES: &[Choice] = &[
-    Choice { value: "G17", label: "G17 (XY, tool axis Z)" },
-    Choice { value: "G18", label: "G18 (ZX, tool axis Y)" },
-    Choice { value: "G19", label: "G19 (YZ, tool axis X)" },
+    Choice {
+        value: "G17",
+        label: "G17 (XY, tool axis Z)",
+    },
+    Choice {
+        value: "G18",
+        label: "G18 (ZX, tool axis Y)",
+    },
+    Choice {
+        value: "G19",
+        label: "G19 (YZ, tool axis X)",
+    },
 ];
 pub const POST_CHOICES: &[Choice] = &post_choices();
 
 const fn post_choices() -> [Choice; POSTS.len()] {
-    let mut choices = [Choice { value: "", label: "" }; POSTS.len()];
+    let mut choices = [Choice {
+        value: "",
+        label: "",
+    }; POSTS.len()];
     let mut i = 0;
     while i < POSTS.len() {
-        choices[i] = Choice { value: POSTS[i].key, label: POSTS[i].title };
+        choices[i] = Choice {
+            value: POSTS[i].key,
+            label: POSTS[i].title,
+        };
         i += 1;
     }
     choices
 }
 
 const FORMS: &[Choice] = &[
-    Choice { value: Form::Moves.word(), label: "Plain moves" },
-    Choice { value: Form::Cycle.word(), label: "The control's own cycle" },
+    Choice {
+        value: Form::Moves.word(),
+        label: "Plain moves",
+    },
+    Choice {
+        value: Form::Cycle.word(),
+        label: "The control's own cycle",
+    },
 ];
 
-const HEADERS: &[Choice] =
-    &[Choice { value: Header::Full.word(), label: "The whole job" }, Choice { value: Header::Short.word(), label: "Short" }];
+const HEADERS: &[Choice] = &[
+    Choice {
+        value: Header::Full.word(),
+        label: "The whole job",
+    },
+    Choice {
+        value: Header::Short.word(),
+        label: "Short",
+    },
+];
 
 const PROTECTIONS: &[Choice] = &[
-    Choice { value: Protection::Checked.word(), label: "Watched and checked" },
-    Choice { value: Protection::None.word(), label: "Not watched" },
+    Choice {
+        value: Protection::Checked.word(),
+        label: "Watched and checked",
+    },
+    Choice {
+        value: Protection::None.word(),
+        label: "Not watched",
+    },
 ];
 
-const RUNS: &[Choice] =
-    &[Choice { value: NORMAL_RUN, label: "Normal" }, Choice { value: DRY_RUN, label: "Dry run: measures and writes nothing" }];
+const RUNS: &[Choice] = &[
+    Choice {
+        value: NORMAL_RUN,
+        label: "Normal",
+    },
+    Choice {
+        value: DRY_RUN,
+        label: "Dry run: measures and writes nothing",
+    },
+];
 
 /// The run that measures, and the one that tries the moves.
 pub const NORMAL_RUN: &str = "normal";
 const DRY_RUN: &str = "dry";
 
 const REPORTS: &[Choice] = &[
-    Choice { value: Report::Screen.word(), label: "On the screen" },
-    Choice { value: Report::Log.word(), label: "In a log" },
-    Choice { value: Report::None.word(), label: "In variables only" },
+    Choice {
+        value: Report::Screen.word(),
+        label: "On the screen",
+    },
+    Choice {
+        value: Report::Log.word(),
+        label: "In a log",
+    },
+    Choice {
+        value: Report::None.word(),
+        label: "In variables only",
+    },
 ];
 
 form! {
@@ -330,20 +390,33 @@ impl PartForm {
 
 impl Stylus {
     fn shape(&self) -> Shape {
-        Shape { length: self.length, shank: self.shank, body: self.body }
+        Shape {
+            length: self.length,
+            shank: self.shank,
+            body: self.body,
+        }
     }
 }
 
 impl LimitsForm {
     fn limits(&self) -> Limits {
-        Limits { position: self.position, size: self.size, angle: self.angle, residual: self.residual }
+        Limits {
+            position: self.position,
+            size: self.size,
+            angle: self.angle,
+            residual: self.residual,
+        }
     }
 }
 
 impl MachineForm {
     /// The latency in seconds.
     fn machine(&self) -> Machine {
-        Machine { acceleration: self.acceleration, latency: self.latency / 1000.0, deflection: self.deflection }
+        Machine {
+            acceleration: self.acceleration,
+            latency: self.latency / 1000.0,
+            deflection: self.deflection,
+        }
     }
 }
 
@@ -364,18 +437,27 @@ impl FeedForm {
 impl Job {
     /// What makes results uncertain. A spindle that is turned to the angle of calibration has the ball's eccentricity in that.
     pub fn scatter(&self) -> Scatter {
-        Scatter { repeatability: self.repeatability, runout: self.runout.filter(|_| self.orient.is_none()) }
+        Scatter {
+            repeatability: self.repeatability,
+            runout: self.runout.filter(|_| self.orient.is_none()),
+        }
     }
 
     /// How often each point is touched.
     pub fn times(&self) -> usize {
-        self.repeat.as_ref().map_or(1, |repeat| repeat.times as usize)
+        self.repeat
+            .as_ref()
+            .map_or(1, |repeat| repeat.times as usize)
     }
 
     /// Reads and checks a job. Reports everything; gives the job only if nothing is an error.
     pub fn read(checker: &mut Checker, value: &Value) -> Option<Job> {
         if !matches!(value, Value::Map(_)) {
-            checker.error("wrong-type", "", text!("A job must be an object, not {given}", value.noun()));
+            checker.error(
+                "wrong-type",
+                "",
+                text!("A job must be an object, not {given}", value.noun()),
+            );
             return None;
         }
         read_format(checker, value);
@@ -384,40 +466,97 @@ impl Job {
         let mut root = Section::new(checker, Some(value), "");
         root.only(
             General::FIELDS,
-            &["format", "stylus", "feeds", "limits", "machine", "cycle", "control", "tool", "part", TOLERANCES],
+            &[
+                "format", "stylus", "feeds", "limits", "machine", "cycle", "control", "tool",
+                "part", TOLERANCES,
+            ],
         );
         let general = General::read(&mut root);
-        let stylus: Stylus = read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
-        let feeds: FeedForm = read_section(checker, value, "feeds", FeedForm::FIELDS, &[], FeedForm::read);
-        let limits: LimitsForm = read_section(checker, value, "limits", LimitsForm::FIELDS, &[], LimitsForm::read);
-        let machine: MachineForm = read_section(checker, value, "machine", MachineForm::FIELDS, &[], MachineForm::read);
-        let control: Control = read_section(checker, value, "control", Control::FIELDS, &[], Control::read);
+        let stylus: Stylus =
+            read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
+        let feeds: FeedForm = read_section(
+            checker,
+            value,
+            "feeds",
+            FeedForm::FIELDS,
+            &[],
+            FeedForm::read,
+        );
+        let limits: LimitsForm = read_section(
+            checker,
+            value,
+            "limits",
+            LimitsForm::FIELDS,
+            &[],
+            LimitsForm::read,
+        );
+        let machine: MachineForm = read_section(
+            checker,
+            value,
+            "machine",
+            MachineForm::FIELDS,
+            &[],
+            MachineForm::read,
+        );
+        let control: Control = read_section(
+            checker,
+            value,
+            "control",
+            Control::FIELDS,
+            &[],
+            Control::read,
+        );
         let length = read_tool(checker, value, &general.plane);
-        let part: PartForm = read_section(checker, value, "part", PartForm::FIELDS, &["sizes"], PartForm::read);
+        let part: PartForm = read_section(
+            checker,
+            value,
+            "part",
+            PartForm::FIELDS,
+            &["sizes"],
+            PartForm::read,
+        );
         let plane = Plane::named(&general.plane);
-        let setup = Setup { plane, radius: stylus.diameter / 2.0, overtravel: general.overtravel };
+        let setup = Setup {
+            plane,
+            radius: stylus.diameter / 2.0,
+            overtravel: general.overtravel,
+        };
         let cycle = read_cycle(checker, value);
         if let Some((_, cycle, _)) = &cycle {
             cycle.rules(&setup, checker);
         }
         let post = control::find(&control.post).expect("a checked choice is a post");
-        check_control(checker, post, &control, cycle.as_ref().map(|(def, ..)| *def));
+        check_control(
+            checker,
+            post,
+            &control,
+            cycle.as_ref().map(|(def, ..)| *def),
+        );
         check_length(checker, post, &length);
         check_name(checker, post, &general.name);
-        let repeats = cycle.as_ref().is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1));
+        let repeats = cycle
+            .as_ref()
+            .is_some_and(|(.., repeat)| repeat.as_ref().is_some_and(|repeat| repeat.times > 1));
         if repeats && Form::named(&control.form) == Form::Cycle {
-            let takes_moves = cycle.as_ref().is_some_and(|(def, ..)| (post.serves)(def.probes, Form::Moves).is_ok());
+            let takes_moves = cycle
+                .as_ref()
+                .is_some_and(|(def, ..)| (post.serves)(def.probes, Form::Moves).is_ok());
             let message = match takes_moves {
                 true => text!(
                     "The control's own cycles touch each point as often as the control is set to. Use the form \"moves\", or touch each point once"
                 ),
                 false => {
-                    text!("The control's own cycles touch each point as often as the control is set to: touch each point once")
+                    text!(
+                        "The control's own cycles touch each point as often as the control is set to: touch each point once"
+                    )
                 }
             };
             checker.error("repeat-unsupported", "cycle.repeat", message);
         }
-        let extruded = matches!(value.get("cycle").and_then(|cycle| cycle.get("extrusion")), Some(Value::Map(_)));
+        let extruded = matches!(
+            value.get("cycle").and_then(|cycle| cycle.get("extrusion")),
+            Some(Value::Map(_))
+        );
         if repeats && extruded {
             let message = text!(
                 "Extrusion probing touches each point at several heights already: use that or repeated touches, not both"
@@ -480,9 +619,17 @@ fn read_format(checker: &mut Checker, value: &Value) {
     match value.get("format") {
         Some(Value::Number(n)) if *n == FORMAT => {}
         Some(Value::Number(n)) if *n > FORMAT => {
-            checker.error("newer-format", "format", text!("This job has a newer format than 2: it needs a newer Touchpath"));
+            checker.error(
+                "newer-format",
+                "format",
+                text!("This job has a newer format than 2: it needs a newer Touchpath"),
+            );
         }
-        None => checker.error("missing", "format", text!("The job must say its format: 1, or 2 with a list of cycles")),
+        None => checker.error(
+            "missing",
+            "format",
+            text!("The job must say its format: 1, or 2 with a list of cycles"),
+        ),
         Some(_) => checker.error("unknown-value", "format", text!("The format must be 1")),
     }
 }
@@ -491,37 +638,71 @@ fn read_format(checker: &mut Checker, value: &Value) {
 type Read = (&'static CycleDef, Box<dyn Cycle>, Option<Repeat>);
 
 fn read_cycle(checker: &mut Checker, value: &Value) -> Option<Read> {
-    let known = || CYCLES.iter().map(|c| format!("\"{}\"", c.key)).collect::<Vec<_>>().join(", ");
+    let known = || {
+        CYCLES
+            .iter()
+            .map(|c| format!("\"{}\"", c.key))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
     let Some(given) = value.get("cycle") else {
         checker.error("missing", "cycle", text!("The job must have a cycle"));
         return None;
     };
     if !matches!(given, Value::Map(_)) {
-        checker.error("wrong-type", "cycle", text!("cycle must be an object, not {given}", given.noun()));
+        checker.error(
+            "wrong-type",
+            "cycle",
+            text!("cycle must be an object, not {given}", given.noun()),
+        );
         return None;
     }
     let def = match given.get("type") {
         Some(Value::Text(key)) => cycle::find(key),
         Some(other) => {
-            checker.error("wrong-type", "cycle.type", text!("The cycle's type must be text, not {given}", other.noun()));
+            checker.error(
+                "wrong-type",
+                "cycle.type",
+                text!("The cycle's type must be text, not {given}", other.noun()),
+            );
             return None;
         }
         None => {
-            checker.error("missing", "cycle.type", text!("The cycle must say its type: one of {known}", known()));
+            checker.error(
+                "missing",
+                "cycle.type",
+                text!("The cycle must say its type: one of {known}", known()),
+            );
             return None;
         }
     };
     let Some(def) = def else {
-        checker.error("unknown-value", "cycle.type", text!("The cycle's type must be one of {known}", known()));
+        checker.error(
+            "unknown-value",
+            "cycle.type",
+            text!("The cycle's type must be one of {known}", known()),
+        );
         return None;
     };
     let mut section = Section::new(checker, Some(given), "cycle");
     let own = def.number.map(|_| "custom");
-    let touches = def.place.is_some().then_some("touches").into_iter().chain(own);
-    let others: Vec<&str> = std::iter::once("type").chain(def.sections.iter().map(|s| s.key)).chain(touches).collect();
+    let touches = def
+        .place
+        .is_some()
+        .then_some("touches")
+        .into_iter()
+        .chain(own);
+    let others: Vec<&str> = std::iter::once("type")
+        .chain(def.sections.iter().map(|s| s.key))
+        .chain(touches)
+        .collect();
     section.only(def.fields, &others);
     let cycle = (def.read)(def, &mut section);
-    let repeat = if def.sections.iter().any(|form| form.key == REPEAT.key) { section.sub(&REPEAT, Repeat::read) } else { None };
+    let repeat = if def.sections.iter().any(|form| form.key == REPEAT.key) {
+        section.sub(&REPEAT, Repeat::read)
+    } else {
+        None
+    };
     Some((def, cycle, repeat))
 }
 
@@ -543,14 +724,21 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
                     other
                 )
             }
-            _ => text!("{title} does not take this cycle in the form \"{form}\": {why}", title, form, why),
+            _ => text!(
+                "{title} does not take this cycle in the form \"{form}\": {why}",
+                title,
+                form,
+                why
+            ),
         };
         checker.error("form-unsupported", "control.form", message);
     }
     if control.run == DRY_RUN && Form::named(&control.form) == Form::Cycle {
         let message = match def.map_or(Ok(()), |def| (post.serves)(def.probes, Form::Moves)) {
             Ok(()) => {
-                text!("The control's own cycle touches by itself: a dry run is a program of moves. Use the form \"moves\"")
+                text!(
+                    "The control's own cycle touches by itself: a dry run is a program of moves. Use the form \"moves\""
+                )
             }
             Err(_) => text!(
                 "The control's own cycle touches by itself, and {title} takes no moves: it has no dry run",
@@ -560,15 +748,26 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         checker.error("dry-run-unsupported", "control.run", message);
     }
     if control.run != DRY_RUN && control.lift != 0.0 {
-        checker.info("lift-unused", "control.lift", text!("Only a dry run is lifted: this height changes nothing"));
+        checker.info(
+            "lift-unused",
+            "control.lift",
+            text!("Only a dry run is lifted: this height changes nothing"),
+        );
     }
     if control.number.is_some() && post.unused.contains(&"number") {
-        let message = text!("Programs for {title} have no number: it is ignored", post.title.to_owned());
+        let message = text!(
+            "Programs for {title} have no number: it is ignored",
+            post.title.to_owned()
+        );
         checker.info("number-unused", "control.number", message);
     }
     if let Some(n) = control.work_offset {
         if post.work_offsets == 0 {
-            checker.error("work-offset-unsupported", "control.workOffset", post.says(post.no_work_offset));
+            checker.error(
+                "work-offset-unsupported",
+                "control.workOffset",
+                post.says(post.no_work_offset),
+            );
         } else if n > post.work_offsets {
             let last = (post.work_offset_word)(post.work_offsets);
             let message = text!(
@@ -630,9 +829,15 @@ fn check_name(checker: &mut Checker, post: &PostDef, name: &str) {
     let written = (post.name)(name);
     if written != name {
         let message = if name.starts_with(&written) {
-            text!("In the program the name is written \"{written}\": it is too long for a line", written)
+            text!(
+                "In the program the name is written \"{written}\": it is too long for a line",
+                written
+            )
         } else {
-            text!("In the program the name is written \"{written}\": some characters could break a comment or a line", written)
+            text!(
+                "In the program the name is written \"{written}\": some characters could break a comment or a line",
+                written
+            )
         };
         checker.info("name-changed", "name", message);
     }
@@ -647,11 +852,20 @@ pub fn size_reach(field: &Field) -> Field {
 }
 
 /// The cycle resized to the actual part; none where all sizes are nominal.
-fn read_sizes(checker: &mut Checker, value: &Value, cycle: Option<&Read>, setup: &Setup) -> Option<Box<dyn Cycle>> {
+fn read_sizes(
+    checker: &mut Checker,
+    value: &Value,
+    cycle: Option<&Read>,
+    setup: &Setup,
+) -> Option<Box<dyn Cycle>> {
     let (def, cycle, _) = cycle?;
     let sizes = value.get("part")?.get("sizes")?;
     let Value::Map(entries) = sizes else {
-        checker.error("wrong-type", "part.sizes", text!("part.sizes must be an object, not {given}", sizes.noun()));
+        checker.error(
+            "wrong-type",
+            "part.sizes",
+            text!("part.sizes must be an object, not {given}", sizes.noun()),
+        );
         return None;
     };
     let fields: Vec<Field> = def.fields.iter().filter(|f| f.size).copied().collect();
@@ -672,9 +886,17 @@ fn read_sizes(checker: &mut Checker, value: &Value, cycle: Option<&Read>, setup:
         if delta == 0.0 || !checker.is_clean(&["cycle"]) {
             continue;
         }
-        match actual.as_deref().unwrap_or(&**cycle).resized(setup, key, delta) {
+        match actual
+            .as_deref()
+            .unwrap_or(&**cycle)
+            .resized(setup, key, delta)
+        {
             Some(resized) => actual = Some(resized),
-            None => checker.error("out-of-range", path, text!("Nothing would be left of {label}", field.label)),
+            None => checker.error(
+                "out-of-range",
+                path,
+                text!("Nothing would be left of {label}", field.label),
+            ),
         }
     }
     actual

@@ -15,14 +15,20 @@ use crate::job::rows::ResultRow;
 use crate::job::sections::TOLERANCES;
 use crate::job::{Job, datum, wear};
 use crate::part::{self, Run};
-use crate::path::{Feature, Feed, Feeds, OwnBlock, Path, Purpose, Reaches, STATED_RAPID, WAY, WayBlock};
+use crate::path::{
+    Feature, Feed, Feeds, OwnBlock, Path, Purpose, Reaches, STATED_RAPID, WAY, WayBlock,
+};
 use crate::text::text;
 
 /// How far below the height between cycles a cycle begins at least that follows a height, mm: longer than the shortest move that can be watched. Ours.
 const SHORTEST_WAY: f64 = 1.0;
 
 /// What a set-up is called in a program.
-static WHOLE: CycleDef = CycleDef { title: "Set-up", source: "Touchpath", ..crate::cycle::NONE };
+static WHOLE: CycleDef = CycleDef {
+    title: "Set-up",
+    source: "Touchpath",
+    ..crate::cycle::NONE
+};
 
 /// Plans the cycles of a set-up, each joined to those before it as soon as it is read. Reports what the cycles are refused for, each at its place in the
 /// list; none where anything is an error.
@@ -36,17 +42,33 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let (mut whole, mut sound, mut settled) = (None, true, Checker::default());
     for (i, name) in names.iter().enumerate() {
         let Some(mut single) = alone(value, i) else {
-            let message = text!("cycles[{index}] must be an object, not {given}", i, cycles[i].noun());
+            let message = text!(
+                "cycles[{index}] must be an object, not {given}",
+                i,
+                cycles[i].noun()
+            );
             checker.error("wrong-type", format!("cycles[{i}]"), message);
             sound = false;
             continue;
         };
         if let Value::Map(entries) = &mut single {
-            entries.push((TOLERANCES.to_owned(), wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1)));
+            entries.push((
+                TOLERANCES.to_owned(),
+                wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1),
+            ));
         }
         let first = members.first().map(|planned| &planned.job);
-        let wanted =
-            follows::take(checker, &mut single, i, &Earlier { path: &path, relations: &relations, first, broken: !sound });
+        let wanted = follows::take(
+            checker,
+            &mut single,
+            i,
+            &Earlier {
+                path: &path,
+                relations: &relations,
+                first,
+                broken: !sound,
+            },
+        );
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
         if i == 0 {
@@ -57,16 +79,23 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
         if let Some(job) = &job
             && job.def.most_touches == 0
         {
-            let message = text!("{cycle} measures nothing: a set-up takes only cycles that touch the part", name.clone());
+            let message = text!(
+                "{cycle} measures nothing: a set-up takes only cycles that touch the part",
+                name.clone()
+            );
             own.error("set-up-unsupported", "cycle.type", message);
         }
         sound &= job.is_some() && !own.failed();
         merged.take(i, own.findings());
-        let Some(job) = job.filter(|_| sound) else { continue };
+        let Some(job) = job.filter(|_| sound) else {
+            continue;
+        };
         let title = format!("{}: {}", job.def.source, job.def.title);
         let placed = (job.setup.plane.axes(), reaches(&job));
         // One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
-        let work_offset = job.work_offset.filter(|_| several(&job).is_some() && i + 1 == names.len());
+        let work_offset = job
+            .work_offset
+            .filter(|_| several(&job).is_some() && i + 1 == names.len());
         let planned = Planned::of(Job { work_offset, ..job });
         let follows = follows::settle(&mut settled, wanted, (i, &single), &planned, &path.formula);
         path.add_cycle((name.clone(), title), planned.path.clone(), follows, placed);
@@ -76,32 +105,53 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     merged.give(checker);
     check_sizes(checker, value, &names);
     let clear = read_clear(checker, value);
-    settled.findings().into_iter().for_each(|finding| checker.adopt(finding));
+    settled
+        .findings()
+        .into_iter()
+        .for_each(|finding| checker.adopt(finding));
     if sound {
         relations.add_all(checker, &mut path);
     }
     if checker.failed() {
         return None;
     }
-    let job = Job { def: &WHOLE, repeat: None, ..whole? };
+    let job = Job {
+        def: &WHOLE,
+        repeat: None,
+        ..whole?
+    };
     let several = several(&job);
     if let Some(Err(why)) = several {
-        let message = text!("A set-up of the control's own cycles: {why}", job.post.says(why));
+        let message = text!(
+            "A set-up of the control's own cycles: {why}",
+            job.post.says(why)
+        );
         checker.error("set-up-unsupported", "cycles", message);
         return None;
     }
     if let Some(Ok(several)) = several {
-        let own_program = members.iter().position(|planned| planned.path.own.is_none() && planned.refused.is_empty());
+        let own_program = members
+            .iter()
+            .position(|planned| planned.path.own.is_none() && planned.refused.is_empty());
         if let Some(i) = own_program {
-            let message = text!("{cycle}: this cycle has a program of its own: it cannot be one of several", names[i].clone());
+            let message = text!(
+                "{cycle}: this cycle has a program of its own: it cannot be one of several",
+                names[i].clone()
+            );
             checker.error("set-up-unsupported", format!("cycles[{i}].type"), message);
             return None;
         }
         if several.comes_itself {
-            let highest = members.iter().flat_map(|planned| ends(&planned.path)).fold(f64::NEG_INFINITY, f64::max);
+            let highest = members
+                .iter()
+                .flat_map(|planned| ends(&planned.path))
+                .fold(f64::NEG_INFINITY, f64::max);
             check_clear(checker, clear.unwrap_or(highest), highest);
             let at = Some(clear.unwrap_or(highest));
-            members = members.into_iter().map(|planned| Planned::at(planned.job, at)).collect();
+            members = members
+                .into_iter()
+                .map(|planned| Planned::at(planned.job, at))
+                .collect();
         }
     }
     if checker.failed() {
@@ -119,8 +169,17 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     }
     follows::run(&mut whole);
     whole.run = run(&whole, On::Actual);
-    if let Some(Ok(Several { kept: (first, last), .. })) = several {
-        let kept = whole.path.own.iter().flat_map(|own| &own.blocks).filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
+    if let Some(Ok(Several {
+        kept: (first, last),
+        ..
+    })) = several
+    {
+        let kept = whole
+            .path
+            .own
+            .iter()
+            .flat_map(|own| &own.blocks)
+            .filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
         let (kept, room) = (kept.count(), last + 1 - first);
         if kept > room {
             let message = text!(
@@ -137,17 +196,31 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
 
 /// How far the results that cycles follow may be off, by the limits of a job.
 fn reaches(job: &Job) -> Reaches {
-    let [position, size, angle] = [job.limits.position, job.limits.size, job.limits.angle].map(|limit| limit.unwrap_or(0.0));
-    Reaches { position, size, angle, unit: job.scale }
+    let [position, size, angle] =
+        [job.limits.position, job.limits.size, job.limits.angle].map(|limit| limit.unwrap_or(0.0));
+    Reaches {
+        position,
+        size,
+        angle,
+        unit: job.scale,
+    }
 }
 
 fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]> {
     match value.get("format") {
         Some(Value::Number(n)) if *n == SET_UP_FORMAT => {}
         Some(Value::Number(n)) if *n > SET_UP_FORMAT => {
-            checker.error("newer-format", "format", text!("This job has a newer format than 2: it needs a newer Touchpath"));
+            checker.error(
+                "newer-format",
+                "format",
+                text!("This job has a newer format than 2: it needs a newer Touchpath"),
+            );
         }
-        _ => checker.error("unknown-value", "format", text!("A job with a list of cycles must say format 2")),
+        _ => checker.error(
+            "unknown-value",
+            "format",
+            text!("A job with a list of cycles must say format 2"),
+        ),
     }
     if value.get("cycle").is_some() {
         let message = text!("A job has either a cycle or a list of cycles, not both");
@@ -156,16 +229,28 @@ fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]>
     match value.get("cycles") {
         Some(Value::List(cycles)) if (1..=MOST_CYCLES).contains(&cycles.len()) => Some(cycles),
         Some(Value::List(cycles)) => {
-            let message = text!("A set-up has 1 to {most} cycles, not {count}", MOST_CYCLES, cycles.len());
+            let message = text!(
+                "A set-up has 1 to {most} cycles, not {count}",
+                MOST_CYCLES,
+                cycles.len()
+            );
             checker.error("wrong-count", "cycles", message);
             None
         }
         Some(other) => {
-            checker.error("wrong-type", "cycles", text!("cycles must be a list, not {given}", other.noun()));
+            checker.error(
+                "wrong-type",
+                "cycles",
+                text!("cycles must be a list, not {given}", other.noun()),
+            );
             None
         }
         None => {
-            checker.error("missing", "cycles", text!("A job of format 2 must have a list of cycles"));
+            checker.error(
+                "missing",
+                "cycles",
+                text!("A job of format 2 must have a list of cycles"),
+            );
             None
         }
     }
@@ -174,8 +259,18 @@ fn read_list<'v>(checker: &mut Checker, value: &'v Value) -> Option<&'v [Value]>
 fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
     for (i, name) in names.iter().enumerate() {
         let path = || format!("cycles[{i}].name");
-        if let Some(other) = cycles[i].get("name").filter(|given| !matches!(given, Value::Text(_) | Value::Null)) {
-            checker.error("wrong-type", path(), text!("The name of a cycle must be text, not {given}", other.noun()));
+        if let Some(other) = cycles[i]
+            .get("name")
+            .filter(|given| !matches!(given, Value::Text(_) | Value::Null))
+        {
+            checker.error(
+                "wrong-type",
+                path(),
+                text!(
+                    "The name of a cycle must be text, not {given}",
+                    other.noun()
+                ),
+            );
         }
         if !is_name(name) {
             let shown: String = name.chars().take(40).collect();
@@ -185,8 +280,16 @@ fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
                 LONGEST_NAME
             );
             checker.error("cycle-name", path(), message);
-        } else if let Some(first) = names[..i].iter().position(|other| other.eq_ignore_ascii_case(name)) {
-            let message = text!("Cycles {one} and {other} are both called {name}", first + 1, i + 1, name.clone());
+        } else if let Some(first) = names[..i]
+            .iter()
+            .position(|other| other.eq_ignore_ascii_case(name))
+        {
+            let message = text!(
+                "Cycles {one} and {other} are both called {name}",
+                first + 1,
+                i + 1,
+                name.clone()
+            );
             checker.error("cycle-name", path(), message);
         }
     }
@@ -194,7 +297,9 @@ fn check_names(checker: &mut Checker, cycles: &[Value], names: &[String]) {
 
 /// Sizes of the virtual part of cycles that are not there.
 fn check_sizes(checker: &mut Checker, value: &Value, names: &[String]) {
-    let Some(Value::Map(sizes)) = value.get("part").and_then(|part| part.get("sizes")) else { return };
+    let Some(Value::Map(sizes)) = value.get("part").and_then(|part| part.get("sizes")) else {
+        return;
+    };
     for (key, _) in sizes {
         let of = key.split_once('.').map_or("", |(of, _)| of);
         if !names.iter().any(|name| name.eq_ignore_ascii_case(of)) {
@@ -220,15 +325,23 @@ fn read_clear(checker: &mut Checker, value: &Value) -> Option<f64> {
 /// The heights at which a cycle begins and ends, along the tool axis.
 fn ends(path: &Path) -> impl Iterator<Item = f64> {
     let w = path.frame.w;
-    let ends =
-        path.start.into_iter().chain(path.moves.first().map(|step| step.to)).chain(path.moves.last().map(|step| step.to));
+    let ends = path
+        .start
+        .into_iter()
+        .chain(path.moves.first().map(|step| step.to))
+        .chain(path.moves.last().map(|step| step.to));
     ends.map(move |place| place.dot(w))
 }
 
 /// The whole of these cycles with the ways between them, not run yet. `path` has what they measure.
 fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f64>) -> Planned {
-    let several = several(&job).and_then(Result::ok).filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
-    if let Some(Several { kept: (first, _), .. }) = several {
+    let several = several(&job)
+        .and_then(Result::ok)
+        .filter(|_| members.iter().all(|planned| planned.path.own.is_some()));
+    if let Some(Several {
+        kept: (first, _), ..
+    }) = several
+    {
         let (mut kept, count) = (0, members.len());
         for (i, planned) in members.iter_mut().enumerate() {
             if let Some(own) = &mut planned.path.own {
@@ -244,23 +357,49 @@ fn connect(job: Job, mut path: Path, mut members: Vec<Planned>, clear: Option<f6
         if planned.path.own.is_some() {
             member.path.clone_from(&planned.path);
         }
-        let higher = if member.placing.follows.iter().any(|follow| follow.axis == Some(tool)) { margin } else { 0.0 };
-        highest = ends(&planned.path).map(|end| end + higher).fold(highest, f64::max);
+        let higher = if member
+            .placing
+            .follows
+            .iter()
+            .any(|follow| follow.axis == Some(tool))
+        {
+            margin
+        } else {
+            0.0
+        };
+        highest = ends(&planned.path)
+            .map(|end| end + higher)
+            .fold(highest, f64::max);
     }
     let own = members.iter().find_map(|planned| planned.path.feeds);
     let feeds = match (several, own) {
         (Some(_), Some(own)) => own,
         // A cycle with feeds of its own takes those of the job in a set-up, but for its rapid.
-        (_, own) => Feeds { rapid: own.and_then(|feeds| feeds.rapid), ..job.feeds },
+        (_, own) => Feeds {
+            rapid: own.and_then(|feeds| feeds.rapid),
+            ..job.feeds
+        },
     };
     let rate = feeds.rate(Feed::Approach).unwrap_or(STATED_RAPID);
     let radius = job.setup.radius;
-    let way = several.map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
+    let way = several
+        .map(|several| move |to, axes| (several.way)(to, axes, radius, (Feed::Approach, rate)));
     let way = way.as_ref().map(|way| way as WayBlock<'_>);
     path.connect(clear.unwrap_or(highest), feeds, way);
-    let surfaces = members.iter().flat_map(|planned| planned.surfaces.iter().copied()).collect();
+    let surfaces = members
+        .iter()
+        .flat_map(|planned| planned.surfaces.iter().copied())
+        .collect();
     let dry = job.dry.map(|lift| path.dry(lift));
-    Planned { job, path, surfaces, run: Run::default(), refused: Vec::new(), members, dry }
+    Planned {
+        job,
+        path,
+        surfaces,
+        run: Run::default(),
+        refused: Vec::new(),
+        members,
+        dry,
+    }
 }
 
 /// Which part a path is run on.
@@ -276,7 +415,9 @@ impl Planned {
     /// What happens to a cycle of a set-up on a part.
     fn run_on(&self, on: On) -> Run {
         match on {
-            On::Nominal if !self.job.placement.nominal => part::run(&self.path, &self.path.surfaces, &self.job.setup),
+            On::Nominal if !self.job.placement.nominal => {
+                part::run(&self.path, &self.path.surfaces, &self.job.setup)
+            }
             On::Nominal | On::Actual => self.run.clone(),
         }
     }
@@ -290,16 +431,26 @@ fn run(whole: &Planned, on: On) -> Run {
         let own = planned.run_on(on);
         all.triggers.extend(own.triggers);
         let (touch, surface) = (member.touches.start, member.surfaces.start);
-        all.strays.extend(own.strays.iter().map(|(k, other)| (k + touch, other + surface)));
+        all.strays.extend(
+            own.strays
+                .iter()
+                .map(|(k, other)| (k + touch, other + surface)),
+        );
         all.edges.extend(own.edges.iter().map(|k| k + touch));
-        all.collision = all.collision.or(own.collision.map(|(index, center)| (index + member.moves.start, center)));
+        all.collision = all.collision.or(own
+            .collision
+            .map(|(index, center)| (index + member.moves.start, center)));
     }
     let crossing = crossing(whole, on);
     all.collision = match (all.collision, crossing) {
         (Some(own), Some(other)) => Some(if other.0 < own.0 { other } else { own }),
         (own, other) => own.or(other),
     };
-    all.halt = whole.members.iter().find_map(|planned| planned.run.halt).filter(|_| on == On::Actual);
+    all.halt = whole
+        .members
+        .iter()
+        .find_map(|planned| planned.run.halt)
+        .filter(|_| on == On::Actual);
     if let Some((index, _)) = all.collision {
         // Nothing after it is run.
         for step in &path.moves[index..] {
@@ -321,9 +472,14 @@ fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
         }
         On::Actual => {
             let shifted = follows::actual(whole);
-            let (path, halt) = (shifted.as_ref().unwrap_or(&whole.path), whole.members.iter().find_map(|own| own.run.halt));
+            let (path, halt) = (
+                shifted.as_ref().unwrap_or(&whole.path),
+                whole.members.iter().find_map(|own| own.run.halt),
+            );
             // A cycle that the program does not reach cannot collide.
-            let reached = |found: &(usize, Vec3)| halt.is_none_or(|(m, _)| path.member_of_move(found.0) < Some(m));
+            let reached = |found: &(usize, Vec3)| {
+                halt.is_none_or(|(m, _)| path.member_of_move(found.0) < Some(m))
+            };
             part::crossing(path, &whole.surfaces, radius).filter(reached)
         }
     }
@@ -331,11 +487,19 @@ fn crossing(whole: &Planned, on: On) -> Option<(usize, Vec3)> {
 
 /// What the whole set-up must hold beside its cycles.
 pub fn check(whole: &Planned, checker: &mut Checker) {
-    let Planned { job, path, members, .. } = whole;
+    let Planned {
+        job, path, members, ..
+    } = whole;
     let (w, radius) = (path.frame.w, job.setup.radius);
-    let least = members.iter().flat_map(|planned| ends(&planned.path).chain(planned.path.top.map(|top| top + radius)));
+    let least = members
+        .iter()
+        .flat_map(|planned| ends(&planned.path).chain(planned.path.top.map(|top| top + radius)));
     let least = least.fold(f64::NEG_INFINITY, f64::max);
-    let ways = path.moves.iter().filter(|step| step.step == WAY).map(|step| step.to.dot(w));
+    let ways = path
+        .moves
+        .iter()
+        .filter(|step| step.step == WAY)
+        .map(|step| step.to.dot(w));
     let clear = ways.fold(f64::NEG_INFINITY, f64::max);
     check_clear(checker, clear, least);
     follows::check_ways(whole, checker);
@@ -343,7 +507,8 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
         && members.iter().any(|planned| planned.path.feeds.is_some())
         && job.form == crate::control::Form::Moves
     {
-        let message = text!("In a set-up cycle 1411 uses the feeds of the job, not its own probing feed");
+        let message =
+            text!("In a set-up cycle 1411 uses the feeds of the job, not its own probing feed");
         checker.info("feeds-of-set-up", "feeds", message);
     }
     report_order(whole, checker);
@@ -367,10 +532,16 @@ fn report_order(whole: &Planned, checker: &mut Checker) {
     let w = path.frame.w;
     let top = path.members.iter().position(|member| {
         let touch = member.path.touches.first();
-        matches!(member.path.feature, Feature::Surface(_)) && touch.is_some_and(|touch| touch.vector.dot(w) > 0.999)
+        matches!(member.path.feature, Feature::Surface(_))
+            && touch.is_some_and(|touch| touch.vector.dot(w) > 0.999)
     });
-    let Some(top) = top.filter(|top| *top > 0) else { return };
-    let earlier: Vec<&str> = path.members[..top].iter().map(|member| member.name.as_str()).collect();
+    let Some(top) = top.filter(|top| *top > 0) else {
+        return;
+    };
+    let earlier: Vec<&str> = path.members[..top]
+        .iter()
+        .map(|member| member.name.as_str())
+        .collect();
     let message = text!(
         "{top} measures the height of the part after {others}: on a part that lies higher or lower they touch at another depth. Probe the top first",
         path.members[top].name.clone(),
@@ -387,8 +558,12 @@ pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
     };
     let Some((index, center)) = found else { return };
     let path = &whole.path;
-    let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i]))).collect();
-    let name = path.members[path.member_of_move(index).unwrap_or(0)].name.clone();
+    let place: Vec<String> = (0..3)
+        .map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i])))
+        .collect();
+    let name = path.members[path.member_of_move(index).unwrap_or(0)]
+        .name
+        .clone();
     let message = if path.moves[index].step == WAY {
         text!(
             "Move {move}, on the way to {cycle}, hits the feature of another cycle with the ball centre at {place}",
@@ -420,7 +595,10 @@ pub struct Merged<'n> {
 
 impl<'n> Merged<'n> {
     pub fn new(names: &'n [String]) -> Self {
-        Merged { names, found: Vec::new() }
+        Merged {
+            names,
+            found: Vec::new(),
+        }
     }
 
     /// Takes in what was found of a cycle.
@@ -447,7 +625,11 @@ impl<'n> Merged<'n> {
                 continue;
             }
             for cycle in of {
-                let said = text!("{cycle}: {finding}", self.names[cycle].clone(), finding.said.clone());
+                let said = text!(
+                    "{cycle}: {finding}",
+                    self.names[cycle].clone(),
+                    finding.said.clone()
+                );
                 let path = match finding.path.strip_prefix("cycle") {
                     Some(rest) if own => format!("cycles[{cycle}]{rest}"),
                     _ => match finding.path.strip_prefix("part.sizes.") {
@@ -464,13 +646,19 @@ impl<'n> Merged<'n> {
 /// A finding of the whole program, at its place in a job of several cycles.
 pub fn of_whole(finding: Finding) -> Finding {
     let path = match finding.path.as_str() {
-        "control.workOffset" if finding.code == "rotation-unsupported" => "datum.rotation".to_owned(),
-        path => path.strip_prefix("cycle").map_or_else(|| path.to_owned(), |_| "cycles".to_owned()),
+        "control.workOffset" if finding.code == "rotation-unsupported" => {
+            "datum.rotation".to_owned()
+        }
+        path => path
+            .strip_prefix("cycle")
+            .map_or_else(|| path.to_owned(), |_| "cycles".to_owned()),
     };
     Finding { path, ..finding }
 }
 
 /// The results of a cycle in those of the whole, which says by itself what is written.
 pub fn rows_of(cycle: usize, rows: Vec<ResultRow>) -> impl Iterator<Item = ResultRow> {
-    rows.into_iter().filter(|row| !row.code.starts_with("offset.")).map(move |row| ResultRow { cycle, ..row })
+    rows.into_iter()
+        .filter(|row| !row.code.starts_with("offset."))
+        .map(move |row| ResultRow { cycle, ..row })
 }

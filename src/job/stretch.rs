@@ -27,7 +27,11 @@ impl NumberField {
         };
         let field = fields.iter().find(|field| field.key == key)?;
         match place.get(key)? {
-            Value::Number(value) => Some(NumberField { field, units: Units::of(job), value: *value }),
+            Value::Number(value) => Some(NumberField {
+                field,
+                units: Units::of(job),
+                value: *value,
+            }),
             _ => None,
         }
     }
@@ -50,7 +54,11 @@ impl NumberField {
         };
         let range = self.field.hard;
         let least = range.min / scale + if range.above { step } else { 0.0 };
-        let value = crate::num::within(((self.value + change) / step).round() * step, least, range.max / scale);
+        let value = crate::num::within(
+            ((self.value + change) / step).round() * step,
+            least,
+            range.max / scale,
+        );
         // Without the noise of the last digits.
         (value * 1e6).round() / 1e6
     }
@@ -61,8 +69,14 @@ pub fn with_number(job: &Value, path: &str, hand: usize, number: f64) -> Value {
     let mut job = job.clone();
     let several = job.get("cycles").is_some();
     let entry = path.split('.').try_fold(&mut job, |place, key| {
-        let key = if several && key == "cycle" { "cycles" } else { key };
-        let Value::Map(entries) = place else { return None };
+        let key = if several && key == "cycle" {
+            "cycles"
+        } else {
+            key
+        };
+        let Value::Map(entries) = place else {
+            return None;
+        };
         let (_, value) = entries.iter_mut().rev().find(|(k, _)| k == key)?;
         match value {
             Value::List(cycles) => cycles.get_mut(hand),
@@ -80,7 +94,8 @@ mod tests {
     use super::*;
 
     fn job(units: &str, width: &str) -> Value {
-        let text = format!(r#"{{ "units": "{units}", "cycle": {{ "type": "web", "width": {width} }} }}"#);
+        let text =
+            format!(r#"{{ "units": "{units}", "cycle": {{ "type": "web", "width": {width} }} }}"#);
         crate::job::from_json(&text).unwrap()
     }
 
@@ -102,9 +117,19 @@ mod tests {
     #[test]
     fn only_a_number_of_a_known_field_is_dragged() {
         let web = job("mm", "\"30H7\"");
-        for path in ["cycle.width", "cycle.depths", "cycle", "part.sizes.width", "nowhere.at", ""] {
+        for path in [
+            "cycle.width",
+            "cycle.depths",
+            "cycle",
+            "part.sizes.width",
+            "nowhere.at",
+            "",
+        ] {
             assert!(NumberField::of(&web, path, 0).is_none(), "{path}");
         }
-        assert_eq!(with_number(&job("mm", "30"), "cycle.width", 0, 31.0), job("mm", "31"));
+        assert_eq!(
+            with_number(&job("mm", "30"), "cycle.width", 0, 31.0),
+            job("mm", "31")
+        );
     }
 }

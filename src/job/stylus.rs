@@ -8,8 +8,16 @@ use crate::path::{Path, Purpose, Surface};
 use crate::text::{Text, text};
 
 /// Where the stylus meets the nominal part above its ball, or else the virtual one. `nominal` and `actual` are what happens to the ball on both; the path may run elsewhere on the latter.
-pub fn report_stylus(job: &Job, path: &Path, nominal: &Run, actual: Option<(&Path, &[Surface], &Run)>, checker: &mut Checker) {
-    let struck = |path: &Path, surfaces: &[Surface], run: &Run| part::struck(path, surfaces, &job.shape, job.setup.radius, run);
+pub fn report_stylus(
+    job: &Job,
+    path: &Path,
+    nominal: &Run,
+    actual: Option<(&Path, &[Surface], &Run)>,
+    checker: &mut Checker,
+) {
+    let struck = |path: &Path, surfaces: &[Surface], run: &Run| {
+        part::struck(path, surfaces, &job.shape, job.setup.radius, run)
+    };
     if let Some(struck) = struck(path, &path.surfaces, nominal) {
         let field = match struck.part {
             Above::Shank => "stylus.shank",
@@ -17,26 +25,42 @@ pub fn report_stylus(job: &Job, path: &Path, nominal: &Run, actual: Option<(&Pat
         };
         return report_struck(job, path, &path.surfaces, struck, field, checker);
     }
-    let Some((path, surfaces, run)) = actual else { return };
+    let Some((path, surfaces, run)) = actual else {
+        return;
+    };
     if let Some(struck) = struck(path, surfaces, run) {
         report_struck(job, path, surfaces, struck, "part", checker);
     }
 }
 
 /// Names the move, what meets the part, and what would clear it.
-fn report_struck(job: &Job, path: &Path, surfaces: &[Surface], struck: Struck, field: &str, checker: &mut Checker) {
+fn report_struck(
+    job: &Job,
+    path: &Path,
+    surfaces: &[Surface],
+    struck: Struck,
+    field: &str,
+    checker: &mut Checker,
+) {
     let step = &path.moves[struck.index];
-    let place: Vec<String> = (0..3).map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(struck.center[i]))).collect();
+    let place: Vec<String> = (0..3)
+        .map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(struck.center[i])))
+        .collect();
     let what = match step.purpose {
         Purpose::Position => text!("positioning"),
         Purpose::Back(k) => text!("back from touch {touch}", k + 1),
         Purpose::Touch(k) | Purpose::Search(k) => text!("touch {touch}", k + 1),
     };
-    let [shank, length] = [job.shape.shank, job.shape.length].map(|x| checker.length(x.unwrap_or(0.0)));
+    let [shank, length] =
+        [job.shape.shank, job.shape.length].map(|x| checker.length(x.unwrap_or(0.0)));
     let (part, remedy) = match struck.part {
         Above::Shank => (
             text!("the shank"),
-            text!("it is thicker ({shank}) than the ball ({ball})", shank, checker.length(2.0 * job.setup.radius)),
+            text!(
+                "it is thicker ({shank}) than the ball ({ball})",
+                shank,
+                checker.length(2.0 * job.setup.radius)
+            ),
         ),
         Above::Body => (
             text!("the probe body"),
@@ -99,7 +123,10 @@ fn is_beside(path: &Path, surface: &Surface) -> bool {
 
 /// Height of the lowest ball centre of a path.
 fn lowest(path: &Path) -> f64 {
-    path.moves.iter().map(|step| step.to.dot(path.frame.w)).fold(f64::INFINITY, f64::min)
+    path.moves
+        .iter()
+        .map(|step| step.to.dot(path.frame.w))
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// Height of the highest top side.

@@ -29,9 +29,21 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
     for (key, given) in entries {
         let path = format!("{TOLERANCES}.{}", printable(key));
         let formula = &planned.path.formula;
-        let Some(index) = formula.results.iter().position(|result| formula.is_named(result, key)) else {
-            let known: Vec<_> = formula.results.iter().map(|result| formula.code(result)).collect();
-            let message = text!("This job has no result \"{name}\". Its results are {codes}", printable(key), known.join(", "));
+        let Some(index) = formula
+            .results
+            .iter()
+            .position(|result| formula.is_named(result, key))
+        else {
+            let known: Vec<_> = formula
+                .results
+                .iter()
+                .map(|result| formula.code(result))
+                .collect();
+            let message = text!(
+                "This job has no result \"{name}\". Its results are {codes}",
+                printable(key),
+                known.join(", ")
+            );
             checker.error("tolerance-unknown", path, message);
             continue;
         };
@@ -41,10 +53,20 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
             continue;
         }
         given_to.push((index, key));
-        let of = planned.path.members.iter().position(|member| member.results.contains(&index));
+        let of = planned
+            .path
+            .members
+            .iter()
+            .position(|member| member.results.contains(&index));
         let own = of.map_or(&planned.job, |cycle| &planned.members[cycle].job);
         let related = of.is_none() && !planned.path.members.is_empty();
-        if let Some(tolerance) = one(checker, (&planned.job, own, &planned.path), given, (index, related), &path) {
+        if let Some(tolerance) = one(
+            checker,
+            (&planned.job, own, &planned.path),
+            given,
+            (index, related),
+            &path,
+        ) {
             give(planned, index, tolerance);
         }
     }
@@ -53,20 +75,36 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
 
 /// Offsets that keep the values of a mean: a pair each, which belongs to no tool and to no other mean.
 fn check_stores(checker: &mut Checker, formula: &Formula, given_to: &[(usize, &str)]) {
-    let wear_of = |(index, key): &(usize, &str)| Some((*index, formula.results[*index].tolerance?.wear?, (*key).to_owned()));
+    let wear_of = |(index, key): &(usize, &str)| {
+        Some((
+            *index,
+            formula.results[*index].tolerance?.wear?,
+            (*key).to_owned(),
+        ))
+    };
     let all: Vec<(usize, Wear, String)> = given_to.iter().filter_map(wear_of).collect();
     for (i, wear, key) in &all {
-        let Some((_, store)) = wear.mean else { continue };
+        let Some((_, store)) = wear.mean else {
+            continue;
+        };
         let kept = |number: i32| (store..=store + 1).contains(&number);
-        let other_mean =
-            |(j, other, _): &(usize, Wear, String)| j != i && other.mean.is_some_and(|(_, other)| (other - store).abs() < 2);
+        let other_mean = |(j, other, _): &(usize, Wear, String)| {
+            j != i
+                && other
+                    .mean
+                    .is_some_and(|(_, other)| (other - store).abs() < 2)
+        };
         if all.iter().any(|(_, other, _)| kept(other.tool)) || all.iter().any(other_mean) {
             let message = text!(
                 "The macro keeps its values in the offsets {store} and {next}: no tool and no other mean may use them",
                 store,
                 store + 1
             );
-            checker.error("wear-unsupported", format!("{TOLERANCES}.{}.wear.store", printable(key)), message);
+            checker.error(
+                "wear-unsupported",
+                format!("{TOLERANCES}.{}.wear.store", printable(key)),
+                message,
+            );
         }
     }
 }
@@ -91,13 +129,23 @@ fn one(
 ) -> Option<Tolerance> {
     let path = at;
     let Value::Map(entries) = given else {
-        let message = text!("{path} must be an object, not {given}", path.to_owned(), given.noun());
+        let message = text!(
+            "{path} must be an object, not {given}",
+            path.to_owned(),
+            given.noun()
+        );
         checker.error("wrong-type", path, message);
         return None;
     };
-    for (key, _) in entries.iter().filter(|(key, _)| !["tolerance", "action", "wear"].contains(&key.as_str())) {
+    for (key, _) in entries
+        .iter()
+        .filter(|(key, _)| !["tolerance", "action", "wear"].contains(&key.as_str()))
+    {
         let shown = printable(key);
-        let message = text!("A tolerance has no \"{key}\"; it knows tolerance, action and wear", shown.clone());
+        let message = text!(
+            "A tolerance has no \"{key}\"; it knows tolerance, action and wear",
+            shown.clone()
+        );
         checker.error("unknown-key", format!("{path}.{shown}"), message);
     }
     let formula = &path_of_job.formula;
@@ -107,11 +155,18 @@ fn one(
         Some(Value::Text(text)) => text,
         Some(other) => {
             let path = format!("{path}.tolerance");
-            checker.error("wrong-type", path.clone(), text!("{path} must be text, not {given}", path, other.noun()));
+            checker.error(
+                "wrong-type",
+                path.clone(),
+                text!("{path} must be text, not {given}", path, other.noun()),
+            );
             return None;
         }
         None => {
-            let message = text!("A tolerance needs its text: one of {forms}", tolerance::RESULT_FORMS.to_owned());
+            let message = text!(
+                "A tolerance needs its text: one of {forms}",
+                tolerance::RESULT_FORMS.to_owned()
+            );
             checker.error("missing", format!("{path}.tolerance"), message);
             return None;
         }
@@ -119,14 +174,22 @@ fn one(
     let path = format!("{path}.tolerance");
     if def.variable.is_none() || path_of_job.feature.two_circles().is_some() {
         let message = match def.variable {
-            None => text!("{result} is not measured here: it takes no tolerance", Text::words(def.meaning)),
-            Some(_) => text!("Cycle 1411 has tolerances of its own, in its diameters and points: give them there"),
+            None => text!(
+                "{result} is not measured here: it takes no tolerance",
+                Text::words(def.meaning)
+            ),
+            Some(_) => text!(
+                "Cycle 1411 has tolerances of its own, in its diameters and points: give them there"
+            ),
         };
         checker.error("tolerance-unsupported", path, message);
         return None;
     }
     if text.chars().count() > LONGEST_TOLERANCE {
-        let message = text!("A tolerance has at most {most} characters", LONGEST_TOLERANCE);
+        let message = text!(
+            "A tolerance has at most {most} characters",
+            LONGEST_TOLERANCE
+        );
         checker.error("text-too-long", path, message);
         return None;
     }
@@ -141,7 +204,11 @@ fn one(
             checker.warning("wear-unlimited", format!("{at}.wear"), message);
         }
     }
-    let tolerance = Tolerance { limits, action: action?, wear };
+    let tolerance = Tolerance {
+        limits,
+        action: action?,
+        wear,
+    };
     check_limit(checker, job, formula, (index, &tolerance), &path);
     Some(tolerance)
 }
@@ -150,25 +217,47 @@ fn one(
 fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> Option<Consequence> {
     let action = match given.get("action") {
         None => Consequence::Go,
-        Some(Value::Text(word)) => match Consequence::ALL.into_iter().find(|(known, _)| known == word) {
+        Some(Value::Text(word)) => match Consequence::ALL
+            .into_iter()
+            .find(|(known, _)| known == word)
+        {
             Some((_, action)) => action,
             None => {
-                checker.error("unknown-value", path, text!("The action of a tolerance is go, mark or stop"));
+                checker.error(
+                    "unknown-value",
+                    path,
+                    text!("The action of a tolerance is go, mark or stop"),
+                );
                 return None;
             }
         },
         Some(other) => {
-            checker.error("wrong-type", path, text!("{path} must be text, not {given}", path.to_owned(), other.noun()));
+            checker.error(
+                "wrong-type",
+                path,
+                text!(
+                    "{path} must be text, not {given}",
+                    path.to_owned(),
+                    other.noun()
+                ),
+            );
             return None;
         }
     };
     let why = match job.form {
-        Form::Cycle => Some(words!("the control's own cycles do not compare their results with it")),
-        Form::Moves if !job.post.computes => Some(words!("{control} computes no results: whoever reads them must judge them")),
+        Form::Cycle => Some(words!(
+            "the control's own cycles do not compare their results with it"
+        )),
+        Form::Moves if !job.post.computes => Some(words!(
+            "{control} computes no results: whoever reads them must judge them"
+        )),
         Form::Moves => None,
     };
     if let Some(why) = why.filter(|_| action != Consequence::Go) {
-        let message = text!("The program cannot act on a tolerance: {why}", job.post.says(why));
+        let message = text!(
+            "The program cannot act on a tolerance: {why}",
+            job.post.says(why)
+        );
         checker.error("tolerance-unsupported", path, message);
         return None;
     }
@@ -176,7 +265,13 @@ fn consequence(checker: &mut Checker, job: &Job, given: &Value, path: &str) -> O
 }
 
 /// The limits of a tolerance, mm or degrees.
-fn limits(checker: &mut Checker, job: &Job, text: &str, def: &ResultDef, path: &str) -> Option<[f64; 2]> {
+fn limits(
+    checker: &mut Checker,
+    job: &Job,
+    text: &str,
+    def: &ResultDef,
+    path: &str,
+) -> Option<[f64; 2]> {
     let angle = def.role.is_angle();
     let unit = if angle { 1.0 } else { job.scale };
     let classes = (def.role == Role::Size).then_some(job.scale);
@@ -193,7 +288,13 @@ fn limits(checker: &mut Checker, job: &Job, text: &str, def: &ResultDef, path: &
     let away = (low - def.nominal).max(def.nominal - high);
     // A class may leave the nominal value out; a zone that says its own and lies elsewhere is one of another feature.
     if says_nominal && away > (high - low).max(job.scale * 1e-9) {
-        let shown = |x: f64| if angle { format!("{}°", crate::num::decimal(x, 4)) } else { checker.length(x) };
+        let shown = |x: f64| {
+            if angle {
+                format!("{}°", crate::num::decimal(x, 4))
+            } else {
+                checker.length(x)
+            }
+        };
         let message = text!(
             "This tolerance is {low} to {high}, and the nominal value is {nominal}: every good part would be out of it",
             shown(low),
@@ -214,21 +315,34 @@ fn read_wear(
     at: &str,
 ) -> Option<Wear> {
     let (found, findings) = wear::read(given, at, (own.scale, own.unit));
-    findings.into_iter().for_each(|finding| checker.adopt(finding));
+    findings
+        .into_iter()
+        .for_each(|finding| checker.adopt(finding));
     let (found, at) = (found?, format!("{at}.wear"));
-    let why = if own.form != Form::Cycle || !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
-        Some(text!("only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"))
-    } else if related {
-        Some(text!("the macros correct a tool only by what they measure themselves"))
-    } else if def.role != Role::Size || path.feature.two_circles().is_some() {
-        Some(text!("the macros correct a tool by a width or a diameter"))
-    } else if own.work_offset.is_some() {
-        Some(text!("its macro writes the work offset: no source shows that it does both in one call"))
-    } else {
-        None
-    };
+    let why =
+        if own.form != Form::Cycle || !own.post.own.is_some_and(|cycles| cycles.corrects_tools) {
+            Some(text!(
+                "only the macros of a Fanuc and its kin do that: use the form \"cycle\" there"
+            ))
+        } else if related {
+            Some(text!(
+                "the macros correct a tool only by what they measure themselves"
+            ))
+        } else if def.role != Role::Size || path.feature.two_circles().is_some() {
+            Some(text!("the macros correct a tool by a width or a diameter"))
+        } else if own.work_offset.is_some() {
+            Some(text!(
+                "its macro writes the work offset: no source shows that it does both in one call"
+            ))
+        } else {
+            None
+        };
     if let Some(why) = why {
-        checker.error("wear-unsupported", at, text!("No tool can be corrected by this result: {why}", why));
+        checker.error(
+            "wear-unsupported",
+            at,
+            text!("No tool can be corrected by this result: {why}", why),
+        );
         return None;
     }
     Some(found)
@@ -250,12 +364,17 @@ fn check_middle(checker: &mut Checker, [low, high]: [f64; 2], def: &ResultDef, a
 }
 
 /// A tolerance that reaches beyond what is plausible: the program would take a good part for a wrong measurement.
-fn check_limit(checker: &mut Checker, job: &Job, formula: &Formula, (index, tolerance): (usize, &Tolerance), path: &str) {
+fn check_limit(
+    checker: &mut Checker,
+    job: &Job,
+    formula: &Formula,
+    (index, tolerance): (usize, &Tolerance),
+    path: &str,
+) {
     let def = &formula.results[index];
-    let plausible = formula
-        .questions(&job.limits)
-        .into_iter()
-        .find(|question| question.asked == formula::Asked::Plausible && Some(question.variable) == def.variable);
+    let plausible = formula.questions(&job.limits).into_iter().find(|question| {
+        question.asked == formula::Asked::Plausible && Some(question.variable) == def.variable
+    });
     let Some(plausible) = plausible else { return };
     let [low, high] = tolerance.limits;
     let least = plausible.wanted - plausible.limit - 1e-9;

@@ -20,15 +20,28 @@ struct Target {
 impl Target {
     const fn of(units: Units) -> Target {
         match units {
-            Units::Mm => Target { factor: Units::Inch.scale(), decimals: 4 },
-            Units::Inch => Target { factor: 1.0 / Units::Inch.scale(), decimals: 6 },
+            Units::Mm => Target {
+                factor: Units::Inch.scale(),
+                decimals: 4,
+            },
+            Units::Inch => Target {
+                factor: 1.0 / Units::Inch.scale(),
+                decimals: 6,
+            },
         }
     }
 
     /// A number of the job itself. The repeatability of a probe can be 0.00025 mm: what is this small keeps three decimals more.
     fn number(self, x: f64) -> f64 {
         let small = (x * self.factor).abs() < 1e-3;
-        self.rounded(x, if small { self.decimals + 3 } else { self.decimals })
+        self.rounded(
+            x,
+            if small {
+                self.decimals + 3
+            } else {
+                self.decimals
+            },
+        )
     }
 
     /// A number in a text that goes into the program as it stands.
@@ -40,7 +53,11 @@ impl Target {
     fn rounded(self, x: f64, decimals: i32) -> f64 {
         let step = 10f64.powi(decimals);
         let rounded = (x * self.factor * step).round() / step;
-        if rounded.is_finite() { rounded + 0.0 } else { x }
+        if rounded.is_finite() {
+            rounded + 0.0
+        } else {
+            x
+        }
     }
 }
 
@@ -60,7 +77,14 @@ pub(super) fn default_in(mm: f64, units: Units) -> f64 {
 pub(crate) fn known_units(word: &str) -> Result<Units, JobError> {
     Units::named(word).ok_or_else(|| {
         let message = text!("Units are \"mm\" or \"inch\"");
-        JobError { findings: vec![Finding::new(Level::Error, "unknown-value", "units", message)] }
+        JobError {
+            findings: vec![Finding::new(
+                Level::Error,
+                "unknown-value",
+                "units",
+                message,
+            )],
+        }
     })
 }
 
@@ -74,7 +98,11 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     }
     let to = Target::of(units);
     for (path, fields) in SECTIONS {
-        let section = if path.is_empty() { Some(&mut job) } else { job.get_mut(path) };
+        let section = if path.is_empty() {
+            Some(&mut job)
+        } else {
+            job.get_mut(path)
+        };
         convert_fields(section, fields, to);
     }
     convert_tolerances(job.get_mut(TOLERANCES), to);
@@ -88,12 +116,23 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
     if let Some(def) = def {
         convert_fields(job.get_mut("cycle"), def.fields, to);
         for section in def.sections {
-            convert_fields(job.get_mut("cycle").and_then(|c| c.get_mut(section.key)), section.fields, to);
+            convert_fields(
+                job.get_mut("cycle").and_then(|c| c.get_mut(section.key)),
+                section.fields,
+                to,
+            );
         }
-        convert_fields(job.get_mut("part").and_then(|p| p.get_mut("sizes")), def.fields, to);
+        convert_fields(
+            job.get_mut("part").and_then(|p| p.get_mut("sizes")),
+            def.fields,
+            to,
+        );
     }
     if let Some(Value::List(touches)) = job.get_mut("cycle").and_then(|c| c.get_mut("touches")) {
-        for point in touches.iter_mut().filter_map(|touch| touch.get_mut("point")) {
+        for point in touches
+            .iter_mut()
+            .filter_map(|touch| touch.get_mut("point"))
+        {
             convert(point, to);
         }
     }
@@ -107,23 +146,48 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
     if let Some(clear) = converted.get_mut("clear") {
         convert(clear, to);
     }
-    let count = if let Some(Value::List(cycles)) = job.get("cycles") { cycles.len() } else { 0 };
+    let count = if let Some(Value::List(cycles)) = job.get("cycles") {
+        cycles.len()
+    } else {
+        0
+    };
     for index in 0..count {
         let single = alone(job, index).and_then(|alone| convert_units(&alone, units.word()).ok());
-        let (Some(single), Some(Value::List(cycles))) = (single, converted.get_mut("cycles")) else { continue };
-        let (Some(Value::Map(own)), Some(Value::Map(cycle))) = (single.get("cycle"), cycles.get_mut(index)) else { continue };
+        let (Some(single), Some(Value::List(cycles))) = (single, converted.get_mut("cycles"))
+        else {
+            continue;
+        };
+        let (Some(Value::Map(own)), Some(Value::Map(cycle))) =
+            (single.get("cycle"), cycles.get_mut(index))
+        else {
+            continue;
+        };
         for (key, value) in own {
             if let Some((_, place)) = cycle.iter_mut().find(|(known, _)| known == key) {
                 place.clone_from(value);
             }
         }
-        let sizes = single.get("part").and_then(|part| part.get("sizes")).cloned();
-        let (Some(Value::Map(sizes)), Some(Value::List(cycles))) = (sizes, job.get("cycles")) else { continue };
+        let sizes = single
+            .get("part")
+            .and_then(|part| part.get("sizes"))
+            .cloned();
+        let (Some(Value::Map(sizes)), Some(Value::List(cycles))) = (sizes, job.get("cycles"))
+        else {
+            continue;
+        };
         let name = name_of(cycles, index);
-        let Some(Value::Map(all)) = converted.get_mut("part").and_then(|part| part.get_mut("sizes")) else { continue };
+        let Some(Value::Map(all)) = converted
+            .get_mut("part")
+            .and_then(|part| part.get_mut("sizes"))
+        else {
+            continue;
+        };
         for (key, value) in sizes {
-            let named =
-                |known: &str| known.split_once('.').is_some_and(|(of, size)| of.eq_ignore_ascii_case(&name) && size == key);
+            let named = |known: &str| {
+                known
+                    .split_once('.')
+                    .is_some_and(|(of, size)| of.eq_ignore_ascii_case(&name) && size == key)
+            };
             if let Some((_, place)) = all.iter_mut().find(|(known, _)| named(known)) {
                 *place = value;
             }
@@ -135,7 +199,9 @@ fn convert_set_up(job: &Value, units: Units, to: Target) -> Value {
 
 /// The tolerances of results, but for those of angles.
 fn convert_tolerances(tolerances: Option<&mut Value>, to: Target) {
-    let Some(Value::Map(entries)) = tolerances else { return };
+    let Some(Value::Map(entries)) = tolerances else {
+        return;
+    };
     for (key, given) in entries {
         let code = key.rsplit_once('.').map_or(key.as_str(), |(_, code)| code);
         let angle = ANGLES.iter().any(|angle| code.eq_ignore_ascii_case(angle));
@@ -152,7 +218,10 @@ const ANGLES: [&str; 2] = ["angle", "rotation"];
 fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {
     let Some(section) = section else { return };
     for field in fields {
-        if let Some(value) = section.get_mut(field.key).filter(|_| field.kind.is_metric()) {
+        if let Some(value) = section
+            .get_mut(field.key)
+            .filter(|_| field.kind.is_metric())
+        {
             convert(value, to);
         }
     }
@@ -163,7 +232,9 @@ fn convert(value: &mut Value, to: Target) {
         Value::Number(x) => *x = to.number(*x),
         Value::Text(text) => {
             let followed = follows::convert(text, |x| to.number(x));
-            if let Some(converted) = followed.or_else(|| tolerance::convert(text, |x| to.printed(x))) {
+            if let Some(converted) =
+                followed.or_else(|| tolerance::convert(text, |x| to.printed(x)))
+            {
                 *text = converted;
             }
         }
@@ -200,12 +271,26 @@ mod tests {
 
     #[test]
     fn a_small_repeatability_comes_back_as_it_was() {
-        for (mm, inch) in [(0.001, 0.00003937), (0.00025, 0.000009843), (0.0001, 0.000003937), (0.03, 0.001181)] {
+        for (mm, inch) in [
+            (0.001, 0.00003937),
+            (0.00025, 0.000009843),
+            (0.0001, 0.000003937),
+            (0.03, 0.001181),
+        ] {
             let mut job = default_job("boss").unwrap();
-            job.get_mut("stylus").unwrap().put("repeatability", Value::Number(mm));
+            job.get_mut("stylus")
+                .unwrap()
+                .put("repeatability", Value::Number(mm));
             let converted = convert_units(&job, "inch").unwrap();
             assert_eq!(number(&converted, "stylus", "repeatability"), inch);
-            assert_eq!(number(&convert_units(&converted, "mm").unwrap(), "stylus", "repeatability"), mm);
+            assert_eq!(
+                number(
+                    &convert_units(&converted, "mm").unwrap(),
+                    "stylus",
+                    "repeatability"
+                ),
+                mm
+            );
         }
     }
 
@@ -215,14 +300,29 @@ mod tests {
         let cycle = job.get_mut("cycle").unwrap();
         cycle.put("diameter1", Value::Text("10H7".to_owned()));
         cycle.put("diameter2", Value::Text("20+0,05-0.02".to_owned()));
-        cycle.put("point1", Value::List(["?10", "-30@-30.02", "no value"].map(|t| Value::Text(t.to_owned())).to_vec()));
+        cycle.put(
+            "point1",
+            Value::List(
+                ["?10", "-30@-30.02", "no value"]
+                    .map(|t| Value::Text(t.to_owned()))
+                    .to_vec(),
+            ),
+        );
         let inch = convert_units(&job, "inch").unwrap();
         let text = |key: &str| inch.get("cycle").and_then(|c| c.get(key)).cloned().unwrap();
         assert_eq!(text("diameter1"), Value::Text("0.393701H7".to_owned()));
-        assert_eq!(text("diameter2"), Value::Text("0.787402+0.001969-0.000787".to_owned()));
-        let points = ["?0.393701", "-1.181102@-1.18189", "no value"].map(|t| Value::Text(t.to_owned())).to_vec();
+        assert_eq!(
+            text("diameter2"),
+            Value::Text("0.787402+0.001969-0.000787".to_owned())
+        );
+        let points = ["?0.393701", "-1.181102@-1.18189", "no value"]
+            .map(|t| Value::Text(t.to_owned()))
+            .to_vec();
         assert_eq!(text("point1"), Value::List(points));
         let back = convert_units(&inch, "mm").unwrap();
-        assert_eq!(back.get("cycle").and_then(|c| c.get("diameter1")), Some(&Value::Text("10H7".to_owned())));
+        assert_eq!(
+            back.get("cycle").and_then(|c| c.get("diameter1")),
+            Some(&Value::Text("10H7".to_owned()))
+        );
     }
 }

@@ -23,20 +23,33 @@ form! {
 }
 
 /// The form inside that of a tolerance.
-pub const WEAR: SubForm = SubForm { key: "wear", fields: WearForm::FIELDS, optional: true };
+pub const WEAR: SubForm = SubForm {
+    key: "wear",
+    fields: WearForm::FIELDS,
+    optional: true,
+};
 
 /// The tools that the tolerances of a job correct, each with the code of its result. Wrong ones are left out: reading the tolerances reports them.
 pub fn of(tolerances: Option<&Value>, scale: f64) -> Vec<(String, Wear)> {
-    let Some(Value::Map(entries)) = tolerances else { return Vec::new() };
-    let one = |(code, given): &(String, Value)| Some((code.to_ascii_lowercase(), read(given, "", (scale, "")).0?));
+    let Some(Value::Map(entries)) = tolerances else {
+        return Vec::new();
+    };
+    let one = |(code, given): &(String, Value)| {
+        Some((code.to_ascii_lowercase(), read(given, "", (scale, "")).0?))
+    };
     entries.iter().filter_map(one).collect()
 }
 
 /// The tolerances of a set-up that are those of one of its cycles, by the codes that they have there. The name of an only cycle may be left out.
 pub fn of_cycle(tolerances: Option<&Value>, name: &str, only: bool) -> Value {
-    let Some(Value::Map(entries)) = tolerances else { return Value::Null };
+    let Some(Value::Map(entries)) = tolerances else {
+        return Value::Null;
+    };
     let own = entries.iter().filter_map(|(full, given)| {
-        let named = full.split_once('.').filter(|(of, _)| of.eq_ignore_ascii_case(name)).map(|(_, code)| code);
+        let named = full
+            .split_once('.')
+            .filter(|(of, _)| of.eq_ignore_ascii_case(name))
+            .map(|(_, code)| code);
         let code = named.or(only.then_some(full.as_str()))?;
         Some((code.to_owned(), given.clone()))
     });
@@ -44,16 +57,29 @@ pub fn of_cycle(tolerances: Option<&Value>, name: &str, only: bool) -> Value {
 }
 
 /// The tool that a tolerance corrects, and the findings; `None` without one, or with an error. `at` is the path of the tolerance.
-pub fn read(tolerance: &Value, at: &str, (scale, unit): (f64, &'static str)) -> (Option<Wear>, Vec<Finding>) {
+pub fn read(
+    tolerance: &Value,
+    at: &str,
+    (scale, unit): (f64, &'static str),
+) -> (Option<Wear>, Vec<Finding>) {
     let mut checker = Checker::default();
     (checker.scale, checker.unit) = (scale, unit);
-    let Some(form) = Section::new(&mut checker, Some(tolerance), at).sub(&WEAR, WearForm::read) else {
+    let Some(form) = Section::new(&mut checker, Some(tolerance), at).sub(&WEAR, WearForm::read)
+    else {
         return (None, checker.findings());
     };
     let at = |key: &str| format!("{at}.wear.{key}");
-    if matches!(tolerance.get("wear"), Some(Value::Map(_))) && tolerance.get("wear").and_then(|wear| wear.get("tool")).is_none()
+    if matches!(tolerance.get("wear"), Some(Value::Map(_)))
+        && tolerance
+            .get("wear")
+            .and_then(|wear| wear.get("tool"))
+            .is_none()
     {
-        checker.error("missing", at("tool"), text!("wear needs the number of the tool offset"));
+        checker.error(
+            "missing",
+            at("tool"),
+            text!("wear needs the number of the tool offset"),
+        );
     }
     match (form.parts, form.store) {
         _ if checker.failed() => {}
@@ -64,7 +90,11 @@ pub fn read(tolerance: &Value, at: &str, (scale, unit): (f64, &'static str)) -> 
             checker.error("missing", at("store"), message);
         }
         (None, Some(_)) => {
-            checker.error("missing", at("parts"), text!("store keeps the values of several parts: parts says of how many"));
+            checker.error(
+                "missing",
+                at("parts"),
+                text!("store keeps the values of several parts: parts says of how many"),
+            );
         }
         _ => {}
     }
@@ -80,8 +110,12 @@ pub fn read(tolerance: &Value, at: &str, (scale, unit): (f64, &'static str)) -> 
 /// Reports what becomes of each tool offset on the virtual part. A size that is off by `limit` or more stops its macro.
 pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut Checker) {
     for (row, def) in rows.iter().zip(&path.formula.results) {
-        let Some(wear) = def.tolerance.and_then(|tolerance| tolerance.wear) else { continue };
-        let Some(error) = row.value.map(|value| value - def.nominal) else { continue };
+        let Some(wear) = def.tolerance.and_then(|tolerance| tolerance.wear) else {
+            continue;
+        };
+        let Some(error) = row.value.map(|value| value - def.nominal) else {
+            continue;
+        };
         let (result, tool) = (Text::words(def.meaning), wear.tool);
         let off = checker.length(error);
         let message = if limit.is_some_and(|limit| error.abs() >= limit) {
@@ -92,7 +126,11 @@ pub fn report(path: &Path, rows: &[ResultRow], limit: Option<f64>, checker: &mut
                 tool
             )
         } else if error.abs() < 1e-9 {
-            text!("{result} is as large as the nominal part's: tool offset {tool} stays", result, tool)
+            text!(
+                "{result} is as large as the nominal part's: tool offset {tool} stays",
+                result,
+                tool
+            )
         } else if error.abs() <= wear.dead_band {
             text!(
                 "{result} is off by {error}, no more than the dead band of {band}: tool offset {tool} stays",

@@ -42,7 +42,10 @@ impl Digits {
     const MOST: usize = 28;
 
     /// Empty: no number yet.
-    pub const NONE: Digits = Digits::Short { bytes: [0; Digits::MOST], len: 0 };
+    pub const NONE: Digits = Digits::Short {
+        bytes: [0; Digits::MOST],
+        len: 0,
+    };
 
     /// A number with at most so many decimals: see [`decimal`].
     pub fn of(value: f64, places: usize) -> Self {
@@ -62,7 +65,10 @@ impl Digits {
             Digits::Short { mut bytes, len } => {
                 bytes.rotate_left(1);
                 bytes[Digits::MOST - 1] = b'.';
-                Digits::Short { bytes, len: len + 1 }
+                Digits::Short {
+                    bytes,
+                    len: len + 1,
+                }
             }
             Digits::Long(text) => Digits::Long(format!("{text}.").into()),
         }
@@ -97,7 +103,10 @@ impl Digits {
             at -= 1;
             bytes[at] = b'-';
         }
-        Digits::Short { bytes, len: (Digits::MOST - at) as u8 }
+        Digits::Short {
+            bytes,
+            len: (Digits::MOST - at) as u8,
+        }
     }
 }
 
@@ -144,8 +153,8 @@ pub fn format_count(number: usize) -> Digits {
 
 /// Powers of ten that are exact.
 const POWERS: [f64; 23] = [
-    1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21,
-    1e22,
+    1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
 /// The size of a number in its last decimals, rounded; none where the rounding of the product could decide between two.
@@ -178,14 +187,20 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
     let usual = size == 0.0 || (1e-4..1e16).contains(&size);
     // The numbers of people have a few decimals.
     if usual && size < 1e9 {
-        let few = (0..7).map(|places| Digits::of(value, places)).find(|digits| read(digits) == Some(value));
+        let few = (0..7)
+            .map(|places| Digits::of(value, places))
+            .find(|digits| read(digits) == Some(value));
         if let Some(digits) = few {
             return text.push_str(&digits);
         }
     }
     text.push_str(if value < 0.0 { "-" } else { "" });
     // All its digits: what is below one as those after the point.
-    let places = if usual { 60 } else { 340 * usize::from(size < 1.0) };
+    let places = if usual {
+        60
+    } else {
+        340 * usize::from(size < 1.0)
+    };
     let digits = scaled(size, places).digits();
     // Where the first digit stands.
     let power = digits.len() as i32 - 1 - places as i32;
@@ -196,7 +211,12 @@ fn push_shortest(text: &mut String, value: f64, exponents: bool) {
     };
     // Above a power of two the next number is twice as far as below it: then the digits above may read back, and the nearer ones below not.
     let tries = (1..18).flat_map(|count| [(count, false), (count, true)]);
-    text.push_str(&tries.map(short).find(|text| read(text) == Some(size)).unwrap_or_default());
+    text.push_str(
+        &tries
+            .map(short)
+            .find(|text| read(text) == Some(size))
+            .unwrap_or_default(),
+    );
 }
 
 /// Digits whose first one stands at a power of ten: with a point where it belongs, or with an exponent.
@@ -206,7 +226,10 @@ fn placed(digits: &str, power: i32, plain: bool) -> String {
     match (plain, power) {
         (false, _) if rest.is_empty() => format!("{first}e{power}"),
         (false, _) => format!("{first}.{rest}e{power}"),
-        (true, ..0) => format!("0.{digits:0>width$}", width = digits.len() - 1 + power.unsigned_abs() as usize),
+        (true, ..0) => format!(
+            "0.{digits:0>width$}",
+            width = digits.len() - 1 + power.unsigned_abs() as usize
+        ),
         (true, _) if digits.len() <= whole => format!("{digits:0<whole$}"),
         (true, _) => format!("{}.{}", &digits[..whole], &digits[whole..]),
     }
@@ -214,8 +237,17 @@ fn placed(digits: &str, power: i32, plain: bool) -> String {
 
 /// The first digits of a number, rounded half up, or always up: one more digit where that carries over.
 fn rounded(digits: &str, count: usize, up: bool) -> String {
-    let mut first: Vec<u8> = digits.bytes().chain(std::iter::repeat(b'0')).take(count).collect();
-    if up || digits.as_bytes().get(count).is_some_and(|next| *next >= b'5') {
+    let mut first: Vec<u8> = digits
+        .bytes()
+        .chain(std::iter::repeat(b'0'))
+        .take(count)
+        .collect();
+    if up
+        || digits
+            .as_bytes()
+            .get(count)
+            .is_some_and(|next| *next >= b'5')
+    {
         let nines = first.iter().rev().take_while(|b| **b == b'9').count();
         first.iter_mut().rev().take(nines).for_each(|b| *b = b'0');
         match count.checked_sub(nines + 1) {
@@ -230,7 +262,11 @@ fn rounded(digits: &str, count: usize, up: bool) -> String {
 fn scaled(value: f64, power: usize) -> Whole {
     let bits = value.to_bits();
     let (exponent, fraction) = ((bits >> 52) as i32, bits & ((1 << 52) - 1));
-    let (mantissa, exponent) = if exponent == 0 { (fraction, -1074) } else { (fraction | 1 << 52, exponent - 1075) };
+    let (mantissa, exponent) = if exponent == 0 {
+        (fraction, -1074)
+    } else {
+        (fraction | 1 << 52, exponent - 1075)
+    };
     let mut whole = Whole::of(mantissa, exponent.max(0) as usize);
     (0..power).for_each(|_| whole.times_and(10, 0));
     whole.without((-exponent).max(0) as usize)
@@ -254,7 +290,10 @@ fn exactly(value: f64, places: usize) -> String {
     let digits = format!("{digits:0>width$}", width = places + 1);
     let (whole, fraction) = digits.split_at(digits.len() - places);
     let fraction = fraction.trim_end_matches('0');
-    let (sign, point) = (if negative { "-" } else { "" }, if fraction.is_empty() { "" } else { "." });
+    let (sign, point) = (
+        if negative { "-" } else { "" },
+        if fraction.is_empty() { "" } else { "." },
+    );
     format!("{sign}{whole}{point}{fraction}")
 }
 
@@ -285,7 +324,11 @@ pub fn within(x: f64, low: f64, high: f64) -> f64 {
 /// An angle in degrees wrapped to (−180, 180].
 pub fn wrap_degrees(angle: f64) -> f64 {
     let turned = angle.rem_euclid(360.0);
-    if turned > 180.0 { turned - 360.0 } else { turned }
+    if turned > 180.0 {
+        turned - 360.0
+    } else {
+        turned
+    }
 }
 
 /// A label as it stands inside a sentence: `Width 1` as `width 1`. What begins with two capitals stays. Labels are ASCII.
@@ -293,7 +336,11 @@ pub fn lowered(label: &str) -> String {
     let mut letters = label.chars();
     match (letters.next(), letters.next()) {
         (Some(_), Some(second)) if second.is_ascii_uppercase() => label.to_owned(),
-        (Some(first), _) => format!("{}{}", first.to_ascii_lowercase(), &label[first.len_utf8()..]),
+        (Some(first), _) => format!(
+            "{}{}",
+            first.to_ascii_lowercase(),
+            &label[first.len_utf8()..]
+        ),
         (None, _) => String::new(),
     }
 }
@@ -306,7 +353,10 @@ mod tests {
     #[test]
     fn equal_texts_are_equal() {
         let (tie, beside) = (Digits::of(0.0005, 3), Digits::of(0.000_500_000_000_01, 3));
-        assert!(matches!((&tie, &beside), (Digits::Long(_), Digits::Short { .. })));
+        assert!(matches!(
+            (&tie, &beside),
+            (Digits::Long(_), Digits::Short { .. })
+        ));
         assert_eq!((&*tie, &*beside), ("0.001", "0.001"));
         assert_eq!(tie, beside);
         assert_ne!(tie, Digits::of(0.002, 3));
@@ -336,7 +386,9 @@ mod tests {
         };
         let mut state = 0x9E37_79B9_7F4A_7C15u64;
         let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             state >> 11
         };
         let mut quick = 0;
@@ -347,21 +399,55 @@ mod tests {
                 0 => (unit - 0.5) * 2000.0,
                 1 => (random() % 2_000_000) as f64 / 10f64.powi((random() % 8) as i32),
                 // Half a digit, and its neighbours.
-                2 => ((random() % 100_000) as f64 + 0.5) / 10f64.powi(places as i32) * (1.0 + (random() % 5) as f64 * 1.1e-16),
+                2 => {
+                    ((random() % 100_000) as f64 + 0.5) / 10f64.powi(places as i32)
+                        * (1.0 + (random() % 5) as f64 * 1.1e-16)
+                }
                 3 => (unit - 0.5) * 10f64.powi((random() % 40) as i32 - 20),
                 _ => f64::from(round) / 8.0,
             };
-            assert_eq!(decimal(value, places), library(value, places), "{value:?} {places}");
-            assert_eq!(exactly(value, places), library(value, places), "{value:?} {places}");
+            assert_eq!(
+                decimal(value, places),
+                library(value, places),
+                "{value:?} {places}"
+            );
+            assert_eq!(
+                exactly(value, places),
+                library(value, places),
+                "{value:?} {places}"
+            );
             quick += u32::from(whole(value, places).is_some());
         }
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert_eq!(exactly(value, 4), library(value, 4), "NaN is printed");
         }
-        for value in [0.0, -0.0, 1.0, -1.0, 0.1, 9.999_99, 99_999.999_95, 1e15, 1e22, 5e-324, -0.000_05, 0.5, 1.5, 2.5] {
+        for value in [
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            0.1,
+            9.999_99,
+            99_999.999_95,
+            1e15,
+            1e22,
+            5e-324,
+            -0.000_05,
+            0.5,
+            1.5,
+            2.5,
+        ] {
             for places in 0..14 {
-                assert_eq!(decimal(value, places), library(value, places), "{value:?} {places}");
-                assert_eq!(exactly(value, places), library(value, places), "{value:?} {places}");
+                assert_eq!(
+                    decimal(value, places),
+                    library(value, places),
+                    "{value:?} {places}"
+                );
+                assert_eq!(
+                    exactly(value, places),
+                    library(value, places),
+                    "{value:?} {places}"
+                );
             }
         }
         assert!(quick > 200_000, "{quick}");
@@ -373,22 +459,51 @@ mod tests {
             let mut text = String::new();
             push_in_full(&mut text, value);
             let library = format!("{:?}", value + 0.0);
-            assert_eq!(text, library.strip_suffix(".0").unwrap_or(&library), "{value:e}");
+            assert_eq!(
+                text,
+                library.strip_suffix(".0").unwrap_or(&library),
+                "{value:e}"
+            );
             assert_eq!(in_full(value), format!("{}", value + 0.0), "{value:e}");
         };
-        for value in
-            [0.0, -0.0, 1.0, 80.5, 0.001, -0.0005, 25.4, 1.0 / 3.0, 1e-6, 5e-7, 9.995e-6, 123_456_789.25, 1e9, 1e16, 1e300]
-        {
+        for value in [
+            0.0,
+            -0.0,
+            1.0,
+            80.5,
+            0.001,
+            -0.0005,
+            25.4,
+            1.0 / 3.0,
+            1e-6,
+            5e-7,
+            9.995e-6,
+            123_456_789.25,
+            1e9,
+            1e16,
+            1e300,
+        ] {
             same(value);
         }
-        for value in
-            [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::MAX, f64::MIN_POSITIVE, 5e-324, 0.1 + 0.2, 2.54e-5, 9.5, 99.95]
-        {
+        for value in [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::MAX,
+            f64::MIN_POSITIVE,
+            5e-324,
+            0.1 + 0.2,
+            2.54e-5,
+            9.5,
+            99.95,
+        ] {
             same(value);
         }
         let mut bits = 0x1234_5678_9ABC_DEF1u64;
         for round in 0..600 {
-            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            bits = bits
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             same(f64::from_bits(bits));
             same((bits >> 40) as f64 / 25.4);
             // Powers of two have a nearer neighbour below than above.

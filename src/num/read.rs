@@ -11,7 +11,10 @@ pub fn read(text: &str) -> Option<f64> {
         [b'+', rest @ ..] => (false, rest),
         rest => (false, rest),
     };
-    let end = unsigned.iter().position(|b| !(b.is_ascii_digit() || *b == b'.')).unwrap_or(unsigned.len());
+    let end = unsigned
+        .iter()
+        .position(|b| !(b.is_ascii_digit() || *b == b'.'))
+        .unwrap_or(unsigned.len());
     let (digits, rest) = unsigned.split_at(end);
     let mut exponent = match rest {
         [] => 0,
@@ -39,7 +42,10 @@ pub fn read(text: &str) -> Option<f64> {
     }
     exponent -= point.map_or(0, |at| digits.len() - at - 1) as i64;
     // Both sides are exact, so their quotient or product is rounded once.
-    let value = match (significant <= 19 && mantissa < 1 << 53, usize::try_from(exponent.unsigned_abs())) {
+    let value = match (
+        significant <= 19 && mantissa < 1 << 53,
+        usize::try_from(exponent.unsigned_abs()),
+    ) {
         (true, Ok(power)) if power < super::POWERS.len() => {
             if exponent < 0 {
                 mantissa as f64 / super::POWERS[power]
@@ -60,14 +66,22 @@ pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
     // The digits from a place on, and where they end. Too many of them are read again below.
     let mut run = |from: usize| {
         let mut at = from;
-        while let Some(digit) = text.get(at).map(|b| b.wrapping_sub(b'0')).filter(|digit| *digit < 10) {
+        while let Some(digit) = text
+            .get(at)
+            .map(|b| b.wrapping_sub(b'0'))
+            .filter(|digit| *digit < 10)
+        {
             mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
             at += 1;
         }
         at
     };
     let whole = run(0);
-    let length = if text.get(whole) == Some(&b'.') { run(whole + 1) } else { whole };
+    let length = if text.get(whole) == Some(&b'.') {
+        run(whole + 1)
+    } else {
+        whole
+    };
     let decimals = (length - whole).saturating_sub(1);
     match whole + decimals {
         0 => None,
@@ -75,9 +89,19 @@ pub fn read_digits(text: &[u8]) -> Option<(f64, usize)> {
         1..=15 => {
             // From a signed number: processors convert these faster.
             let number = mantissa as i64 as f64;
-            Some((if decimals == 0 { number } else { number / super::POWERS[decimals] }, length))
+            Some((
+                if decimals == 0 {
+                    number
+                } else {
+                    number / super::POWERS[decimals]
+                },
+                length,
+            ))
         }
-        _ => Some((read(std::str::from_utf8(&text[..length]).ok()?).filter(|x| x.is_finite())?, length)),
+        _ => Some((
+            read(std::str::from_utf8(&text[..length]).ok()?).filter(|x| x.is_finite())?,
+            length,
+        )),
     }
 }
 
@@ -91,7 +115,9 @@ fn exponent(text: &[u8]) -> Option<i64> {
     if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
         return None;
     }
-    let size = digits.iter().fold(0i64, |sum, digit| (sum * 10 + i64::from(digit - b'0')).min(1 << 40));
+    let size = digits.iter().fold(0i64, |sum, digit| {
+        (sum * 10 + i64::from(digit - b'0')).min(1 << 40)
+    });
     Some(if negative { -size } else { size })
 }
 
@@ -99,7 +125,12 @@ fn exponent(text: &[u8]) -> Option<i64> {
 fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
     // What lies beyond these can only say that there is something.
     const MOST: usize = 800;
-    let mut digits: Vec<u8> = digits.iter().copied().filter(|b| *b != b'.').skip_while(|b| *b == b'0').collect();
+    let mut digits: Vec<u8> = digits
+        .iter()
+        .copied()
+        .filter(|b| *b != b'.')
+        .skip_while(|b| *b == b'0')
+        .collect();
     if digits.len() > MOST {
         exponent += (digits.len() - MOST) as i64;
         let more = digits[MOST..].iter().any(|b| *b != b'0');
@@ -114,10 +145,16 @@ fn exactly(digits: &[u8], mut exponent: i64) -> f64 {
         return f64::INFINITY;
     }
     let mut whole = Whole::ZERO;
-    digits.iter().for_each(|digit| whole.times_and(10, u32::from(digit - b'0')));
+    digits
+        .iter()
+        .for_each(|digit| whole.times_and(10, u32::from(digit - b'0')));
     (0..exponent).for_each(|_| whole.times_and(10, 0));
     // So far up that the quotient has more bits than a number: 64 and the 3.33 of each division.
-    let parts = if exponent < 0 { (64 + exponent.unsigned_abs() as usize * 107 / 32) / 32 + 1 } else { 0 };
+    let parts = if exponent < 0 {
+        (64 + exponent.unsigned_abs() as usize * 107 / 32) / 32 + 1
+    } else {
+        0
+    };
     whole.shift(parts);
     let left = (exponent..0).fold(false, |left, _| whole.divide(10) > 0 || left);
     // The highest bit stands for 2 to this power; a number has 53 bits from there, and none below the 1074th after the point.
@@ -144,7 +181,11 @@ mod tests {
     /// Bit for bit what the library reads.
     fn same(text: &str) {
         let library = text.parse::<f64>().ok();
-        assert_eq!(read(text).map(f64::to_bits), library.map(f64::to_bits), "{text}");
+        assert_eq!(
+            read(text).map(f64::to_bits),
+            library.map(f64::to_bits),
+            "{text}"
+        );
     }
 
     #[test]
@@ -185,7 +226,10 @@ mod tests {
         ] {
             same(text);
         }
-        for text in ["", ".", "-", "+", "1e", "e5", "1.2.3", "1,5", " 1", "1 ", "--1", "0x10", "1_0", "e", ".e1", "٣"] {
+        for text in [
+            "", ".", "-", "+", "1e", "e5", "1.2.3", "1,5", " 1", "1 ", "--1", "0x10", "1_0", "e",
+            ".e1", "٣",
+        ] {
             same(text);
         }
         for text in ["inf", "NaN", "-infinity"] {
@@ -207,7 +251,11 @@ mod tests {
             ("1234567890.123456", 17),
         ] {
             let number = text[..length].parse::<f64>().unwrap();
-            assert_eq!(read_digits(text.as_bytes()), Some((number, length)), "{text}");
+            assert_eq!(
+                read_digits(text.as_bytes()),
+                Some((number, length)),
+                "{text}"
+            );
         }
         let long = "9".repeat(400);
         for text in ["", ".", "-5", "+5", "e5", "X1", "..5", &long] {
@@ -238,7 +286,12 @@ mod tests {
                 same(&tie);
                 same(&format!("{tie}1"));
             }
-            same(&format!("{}.{}e{}", random() % 1_000_000, random(), (random() % 700) as i64 - 350));
+            same(&format!(
+                "{}.{}e{}",
+                random() % 1_000_000,
+                random(),
+                (random() % 700) as i64 - 350
+            ));
             same(&format!("{}", (random() % 1_000_000_000) as f64 / 1e6));
         }
     }
@@ -248,7 +301,11 @@ mod tests {
         let point = b.find('.').unwrap();
         let digits = |text: &str| -> Vec<u32> {
             let padded = format!("{text:0>width$}", width = b.len());
-            padded.bytes().filter(|b| *b != b'.').map(|b| u32::from(b - b'0')).collect()
+            padded
+                .bytes()
+                .filter(|b| *b != b'.')
+                .map(|b| u32::from(b - b'0'))
+                .collect()
         };
         let (a, b) = (digits(a), digits(b));
         let mut sum = vec![0; a.len() + 1];

@@ -59,7 +59,10 @@ impl Whole {
         let mut rest = 0u64;
         for part in self.0.iter_mut().rev() {
             let whole = rest << 32 | u64::from(*part);
-            (*part, rest) = ((whole / u64::from(divisor)) as u32, whole % u64::from(divisor));
+            (*part, rest) = (
+                (whole / u64::from(divisor)) as u32,
+                whole % u64::from(divisor),
+            );
         }
         while self.0.last() == Some(&0) {
             self.0.pop();
@@ -74,16 +77,24 @@ impl Whole {
 
     /// How many bits it has.
     pub fn bits(&self) -> i64 {
-        self.0.last().map_or(0, |last| self.0.len() as i64 * 32 - i64::from(last.leading_zeros()))
+        self.0.last().map_or(0, |last| {
+            self.0.len() as i64 * 32 - i64::from(last.leading_zeros())
+        })
     }
 
     pub fn bit(&self, at: i64) -> bool {
-        usize::try_from(at).is_ok_and(|at| self.0.get(at / 32).is_some_and(|part| part >> (at % 32) & 1 == 1))
+        usize::try_from(at).is_ok_and(|at| {
+            self.0
+                .get(at / 32)
+                .is_some_and(|part| part >> (at % 32) & 1 == 1)
+        })
     }
 
     /// The bits from `low` up, and whether any below is set.
     pub fn bits_above(&self, low: i64) -> (u64, bool) {
-        let top = (low..self.bits()).rev().fold(0, |sum, at| sum << 1 | u64::from(self.bit(at)));
+        let top = (low..self.bits())
+            .rev()
+            .fold(0, |sum, at| sum << 1 | u64::from(self.bit(at)));
         (top, (0..low.min(self.bits())).any(|at| self.bit(at)))
     }
 }

@@ -37,7 +37,9 @@ impl<'s> Obstacles<'s> {
         };
         Obstacles {
             up,
-            bodies: (0..surfaces.len()).filter_map(|first| Body::beginning(surfaces, up, first)).collect(),
+            bodies: (0..surfaces.len())
+                .filter_map(|first| Body::beginning(surfaces, up, first))
+                .collect(),
             rounds: surfaces.iter().enumerate().filter_map(round).collect(),
         }
     }
@@ -47,14 +49,22 @@ impl<'s> Obstacles<'s> {
     ///
     /// Against round surfaces a move that is neither level nor upright is taken to run at its lower end's height all the way.
     pub fn first_contact(&self, radius: f64, from: Vec3, to: Vec3) -> Option<Contact> {
-        let flat = self.bodies.iter().filter_map(|body| body.meet(radius, from, to));
+        let flat = self
+            .bodies
+            .iter()
+            .filter_map(|body| body.meet(radius, from, to));
         let round = self.rounds.iter().filter_map(|(surface, round)| {
             let fraction = meet_round(round, self.up, radius, from, to)?;
             let height = (from + (to - from) * fraction - round.center).dot(self.up);
             Some((fraction, *surface, height > SKIN))
         });
         let (fraction, surface, edge) = flat.chain(round).min_by(|a, b| a.0.total_cmp(&b.0))?;
-        Some(Contact { fraction, center: from + (to - from) * fraction, surface, edge })
+        Some(Contact {
+            fraction,
+            center: from + (to - from) * fraction,
+            surface,
+            edge,
+        })
     }
 }
 
@@ -66,8 +76,15 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     let (h0, h1) = ((from - round.center).dot(up), (to - round.center).dot(up));
     // Distance in front of the wall: from inside a hole, from outside otherwise.
     let inside = round.hole && start.length() <= round.radius + SKIN;
-    let front = if inside { round.radius - start.length() } else { start.length() - round.radius };
-    let material = !inside && round.plate.is_some_and(|reach| start.length() < reach - 10.0 * SKIN);
+    let front = if inside {
+        round.radius - start.length()
+    } else {
+        start.length() - round.radius
+    };
+    let material = !inside
+        && round
+            .plate
+            .is_some_and(|reach| start.length() < reach - 10.0 * SKIN);
     if material && h0.min(h1) < radius - SKIN {
         // Over the plate, or in it: the ball touches its top side on the way down.
         return if h0 < radius - SKIN {
@@ -92,7 +109,11 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
         }
         // Over the free side the ball touches the edge, over the material its top side.
         let free = front > 0.0 && (inside || !round.hole);
-        let stop = if free { (radius * radius - front * front).sqrt() } else { radius };
+        let stop = if free {
+            (radius * radius - front * front).sqrt()
+        } else {
+            radius
+        };
         return if h0 < stop - SKIN {
             Some(0.0)
         } else {
@@ -102,8 +123,16 @@ fn meet_round(round: &Round, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Opt
     let near = reach(h0.min(h1))?;
     let gap = front - near;
     // Contact is where |start + t·way| is `limit`: going out of a hole's middle, or coming in from outside.
-    let limit = if inside { round.radius - near } else { round.radius + near };
-    let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
+    let limit = if inside {
+        round.radius - near
+    } else {
+        round.radius + near
+    };
+    let (a, b, c) = (
+        way.dot(way),
+        start.dot(way),
+        start.dot(start) - limit * limit,
+    );
     if gap < -SKIN || (gap <= SKIN && !inside && b < 0.0) {
         return Some(0.0);
     }
@@ -140,11 +169,18 @@ struct Gap {
 impl Body {
     /// The body that begins with this wall; none where an earlier wall begins it.
     pub(super) fn beginning(surfaces: &[Surface], up: Vec3, first: usize) -> Option<Self> {
-        let Surface::Flat(begin) = &surfaces[first] else { return None };
-        let mut body = Body { faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES], count: 0 };
+        let Surface::Flat(begin) = &surfaces[first] else {
+            return None;
+        };
+        let mut body = Body {
+            faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES],
+            count: 0,
+        };
         let mut topped = false;
         for (index, surface) in surfaces.iter().enumerate() {
-            let Surface::Flat(wall) = surface else { continue };
+            let Surface::Flat(wall) = surface else {
+                continue;
+            };
             if wall.body != begin.body {
                 continue;
             }
@@ -175,7 +211,10 @@ impl Body {
     /// What a level plane cuts out of it, as a prism along `up` without ends, and the height at which the body itself ends. None where only
     /// level faces bound it.
     pub(super) fn cut(&self, up: Vec3, height: f64) -> Option<(Body, Option<f64>)> {
-        let mut prism = Body { faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES], count: 0 };
+        let mut prism = Body {
+            faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES],
+            count: 0,
+        };
         let mut top: Option<f64> = None;
         for &(normal, value, surface) in &self.faces[..self.count] {
             let lift = normal.dot(up);
@@ -196,7 +235,9 @@ impl Body {
         let faces = &self.faces[..self.count];
         let behind = |q: Vec3| faces.iter().all(|(n, d, _)| n.dot(q) - d <= 1e-9);
         let over = |i: usize| faces[i].0.dot(p) - faces[i].1;
-        let nearest = (0..self.count).max_by(|&i, &j| over(i).total_cmp(&over(j))).unwrap_or(0);
+        let nearest = (0..self.count)
+            .max_by(|&i, &j| over(i).total_cmp(&over(j)))
+            .unwrap_or(0);
         let gap = |way: Vec3, surface: usize| Gap {
             distance: way.length(),
             direction: way.normalize_or_zero(),
@@ -204,7 +245,12 @@ impl Body {
             face: false,
         };
         if over(nearest) <= 0.0 || behind(p - faces[nearest].0 * over(nearest)) {
-            return Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2, face: true };
+            return Gap {
+                distance: over(nearest),
+                direction: faces[nearest].0,
+                surface: faces[nearest].2,
+                face: true,
+            };
         }
         let mut found: Option<Gap> = None;
         let mut take = |way: Vec3, surface: usize| {
@@ -234,16 +280,29 @@ impl Body {
                         continue;
                     }
                     // The corner: where the three planes meet.
-                    let corner = (n2.cross(n3) * faces[i].1 + n3.cross(n1) * faces[j].1 + n1.cross(n2) * faces[k].1) / det;
+                    let corner = (n2.cross(n3) * faces[i].1
+                        + n3.cross(n1) * faces[j].1
+                        + n1.cross(n2) * faces[k].1)
+                        / det;
                     let way = p - corner;
-                    let parts = [n2.cross(n3).dot(way), n3.cross(n1).dot(way), n1.cross(n2).dot(way)].map(|x| x / det);
+                    let parts = [
+                        n2.cross(n3).dot(way),
+                        n3.cross(n1).dot(way),
+                        n1.cross(n2).dot(way),
+                    ]
+                    .map(|x| x / det);
                     if parts.iter().all(|x| *x >= 0.0) {
                         take(way, faces[i].2);
                     }
                 }
             }
         }
-        found.unwrap_or(Gap { distance: over(nearest), direction: faces[nearest].0, surface: faces[nearest].2, face: true })
+        found.unwrap_or(Gap {
+            distance: over(nearest),
+            direction: faces[nearest].0,
+            surface: faces[nearest].2,
+            face: true,
+        })
     }
 
     /// The fraction of the way at which a ball meets the body, the surface, and whether it is at an edge. The distance of a point that moves in a straight
@@ -253,7 +312,9 @@ impl Body {
         let way = to - from;
         // The body lies behind all of its faces: where the plane of one is out of reach, so is the body.
         let faces = self.faces[..self.count].iter();
-        let apart = faces.map(|(normal, face, _)| normal.dot(from) - face).fold(f64::NEG_INFINITY, f64::max);
+        let apart = faces
+            .map(|(normal, face, _)| normal.dot(from) - face)
+            .fold(f64::NEG_INFINITY, f64::max);
         if apart - radius > way.length() + SKIN {
             return None;
         }
@@ -303,13 +364,21 @@ mod tests {
 
     fn meet(has_top: bool, radius: f64, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        Obstacles::of(&[Surface::Flat(wall(has_top))], Vec3::Z).first_contact(radius, from, to).map(|c| c.center.distance(from))
+        Obstacles::of(&[Surface::Flat(wall(has_top))], Vec3::Z)
+            .first_contact(radius, from, to)
+            .map(|c| c.center.distance(from))
     }
 
     #[test]
     fn a_wall_is_met_a_radius_in_front_of_it() {
-        assert_eq!(meet(true, 3.0, [0.0, 0.0, -5.0], [20.0, 0.0, -5.0]), Some(7.0));
-        assert_eq!(meet(true, 0.0, [0.0, 0.0, -5.0], [20.0, 0.0, -5.0]), Some(10.0));
+        assert_eq!(
+            meet(true, 3.0, [0.0, 0.0, -5.0], [20.0, 0.0, -5.0]),
+            Some(7.0)
+        );
+        assert_eq!(
+            meet(true, 0.0, [0.0, 0.0, -5.0], [20.0, 0.0, -5.0]),
+            Some(10.0)
+        );
         assert_eq!(meet(true, 3.0, [0.0, 0.0, -5.0], [6.9, 0.0, -5.0]), None);
         // At 45° the ball touches when its centre is 3 in front: 7·√2 along the way.
         let diagonal = meet(false, 3.0, [0.0, 0.0, 0.0], [20.0, 20.0, 0.0]).unwrap();
@@ -322,12 +391,18 @@ mod tests {
         let met = meet(true, 3.0, [0.0, 0.0, 1.8], [20.0, 0.0, 1.8]).unwrap();
         assert!((met - 7.6).abs() < 1e-12);
         assert_eq!(meet(true, 3.0, [0.0, 0.0, 3.0], [20.0, 0.0, 3.0]), None);
-        assert_eq!(meet(false, 3.0, [0.0, 0.0, 300.0], [20.0, 0.0, 300.0]), Some(7.0));
+        assert_eq!(
+            meet(false, 3.0, [0.0, 0.0, 300.0], [20.0, 0.0, 300.0]),
+            Some(7.0)
+        );
     }
 
     #[test]
     fn going_down_meets_the_top_side_or_the_edge() {
-        assert_eq!(meet(true, 3.0, [12.0, 0.0, 10.0], [12.0, 0.0, -10.0]), Some(7.0));
+        assert_eq!(
+            meet(true, 3.0, [12.0, 0.0, 10.0], [12.0, 0.0, -10.0]),
+            Some(7.0)
+        );
         // 2.4 in front of the wall, the ball touches the edge 1.8 above it.
         let met = meet(true, 3.0, [7.6, 0.0, 10.0], [7.6, 0.0, -10.0]).unwrap();
         assert!((met - 8.2).abs() < 1e-12);
@@ -338,15 +413,29 @@ mod tests {
     fn leaving_a_contact_is_no_contact_and_standing_inside_is() {
         assert_eq!(meet(true, 3.0, [7.0, 0.0, -5.0], [0.0, 0.0, -5.0]), None);
         assert_eq!(meet(true, 3.0, [7.0, 0.0, -5.0], [7.0, 9.0, -5.0]), None);
-        assert_eq!(meet(true, 3.0, [7.0, 0.0, -5.0], [8.0, 0.0, -5.0]), Some(0.0));
-        assert_eq!(meet(true, 3.0, [7.5, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(0.0));
+        assert_eq!(
+            meet(true, 3.0, [7.0, 0.0, -5.0], [8.0, 0.0, -5.0]),
+            Some(0.0)
+        );
+        assert_eq!(
+            meet(true, 3.0, [7.5, 0.0, -5.0], [0.0, 0.0, -5.0]),
+            Some(0.0)
+        );
     }
 
     /// A block from 0 to 20 in X and Y, its top at z = 0: the walls of one body, numbered x+, x−, y+, y−.
     fn block(radius: f64, from: [f64; 3], to: [f64; 3]) -> Option<(f64, usize)> {
         let face = |point: [f64; 3], normal: Vec3, along: Vec3| {
             let point = Vec3::from_array(point);
-            Surface::Flat(Wall { point, normal, along, extent: (0.0, 20.0), drawn_depth: 5.0, has_top: true, body: 0 })
+            Surface::Flat(Wall {
+                point,
+                normal,
+                along,
+                extent: (0.0, 20.0),
+                drawn_depth: 5.0,
+                has_top: true,
+                body: 0,
+            })
         };
         let walls = [
             face([20.0, 0.0, 0.0], Vec3::X, Vec3::Y),
@@ -355,16 +444,27 @@ mod tests {
             face([0.0, 0.0, 0.0], -Vec3::Y, Vec3::X),
         ];
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        Obstacles::of(&walls, Vec3::Z).first_contact(radius, from, to).map(|c| (c.center.distance(from), c.surface))
+        Obstacles::of(&walls, Vec3::Z)
+            .first_contact(radius, from, to)
+            .map(|c| (c.center.distance(from), c.surface))
     }
 
     #[test]
     fn a_block_is_met_at_faces_edges_and_corners() {
         // A face, and nothing beside the block: what lies behind one wall only is free.
-        assert_eq!(block(3.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((17.0, 0)));
-        assert_eq!(block(3.0, [-40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((37.0, 1)));
+        assert_eq!(
+            block(3.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]),
+            Some((17.0, 0))
+        );
+        assert_eq!(
+            block(3.0, [-40.0, 10.0, -5.0], [10.0, 10.0, -5.0]),
+            Some((37.0, 1))
+        );
         assert_eq!(block(3.0, [-10.0, 24.0, -5.0], [40.0, 24.0, -5.0]), None);
-        assert_eq!(block(3.0, [10.0, 10.0, 30.0], [10.0, 10.0, -5.0]).map(|m| m.0), Some(27.0));
+        assert_eq!(
+            block(3.0, [10.0, 10.0, 30.0], [10.0, 10.0, -5.0]).map(|m| m.0),
+            Some(27.0)
+        );
         // The upright edge at (20, 20): passing 1.8 outside of one wall, the ball touches it 2.4 before the other (3-4-5).
         let (far, _) = block(3.0, [40.0, 21.8, -5.0], [-10.0, 21.8, -5.0]).unwrap();
         assert!((far - (20.0 - 2.4)).abs() < 1e-9, "{far}");
@@ -375,8 +475,14 @@ mod tests {
         assert_eq!(block(3.0, [40.0, 22.5, 2.5], [-10.0, 22.5, 2.5]), None);
         assert_eq!(block(3.0, [40.0, 23.0, -5.0], [-10.0, 23.0, -5.0]), None);
         // A point stylus meets the face itself; a ball inside has met it at once.
-        assert_eq!(block(0.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]), Some((20.0, 0)));
-        assert_eq!(block(3.0, [10.0, 10.0, -5.0], [40.0, 10.0, -5.0]).map(|m| m.0), Some(0.0));
+        assert_eq!(
+            block(0.0, [40.0, 10.0, -5.0], [10.0, 10.0, -5.0]),
+            Some((20.0, 0))
+        );
+        assert_eq!(
+            block(3.0, [10.0, 10.0, -5.0], [40.0, 10.0, -5.0]).map(|m| m.0),
+            Some(0.0)
+        );
     }
 
     /// A way that ends a micrometre behind its contact meets it, and one that ends as much before does not, along a face's normal, askew to it, and
@@ -393,7 +499,8 @@ mod tests {
         ];
         for (from, direction, contact) in ways {
             let to = |far: f64| [0, 1, 2].map(|i| from[i] + direction[i] * far);
-            let (met, _) = block(3.0, from, to(contact + 1e-3)).unwrap_or_else(|| panic!("{from:?} meets nothing"));
+            let (met, _) = block(3.0, from, to(contact + 1e-3))
+                .unwrap_or_else(|| panic!("{from:?} meets nothing"));
             assert!((met - contact).abs() < 1e-9, "{from:?}: {met}");
             assert_eq!(block(3.0, from, to(contact - 1e-3)), None, "{from:?}");
         }
@@ -401,9 +508,17 @@ mod tests {
 
     fn round(hole: bool, from: [f64; 3], to: [f64; 3]) -> Option<f64> {
         // Diameter 20 about the tool axis, top at z = 0, ball radius 3.
-        let surface = Surface::Round(Round { center: Vec3::ZERO, radius: 10.0, hole, drawn_depth: 5.0, plate: None });
+        let surface = Surface::Round(Round {
+            center: Vec3::ZERO,
+            radius: 10.0,
+            hole,
+            drawn_depth: 5.0,
+            plate: None,
+        });
         let (from, to) = (Vec3::from_array(from), Vec3::from_array(to));
-        Obstacles::of(&[surface], Vec3::Z).first_contact(3.0, from, to).map(|c| c.center.distance(from))
+        Obstacles::of(&[surface], Vec3::Z)
+            .first_contact(3.0, from, to)
+            .map(|c| c.center.distance(from))
     }
 
     #[test]
@@ -413,12 +528,36 @@ mod tests {
         // Off the middle by 4.2: 7² = 4.2² + 5.6².
         let met = round(true, [0.0, 4.2, -5.0], [20.0, 4.2, -5.0]).unwrap();
         assert!((met - 5.6).abs() < 1e-12);
-        assert_eq!(round(true, [7.0, 0.0, -5.0], [0.0, 0.0, -5.0]), None, "leaving the wall");
-        assert_eq!(round(true, [0.0, 0.0, 3.0], [40.0, 0.0, 3.0]), None, "over the top");
-        assert_eq!(round(true, [0.0, 0.0, 20.0], [0.0, 0.0, -20.0]), None, "down the middle");
-        assert_eq!(round(true, [12.0, 0.0, 20.0], [12.0, 0.0, -20.0]), Some(17.0), "down on the top side at the rim");
-        assert_eq!(round(true, [20.0, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(7.0), "through the wall from outside");
-        assert_eq!(round(true, [30.0, 0.0, 20.0], [30.0, 0.0, -20.0]), None, "far outside nothing is known");
+        assert_eq!(
+            round(true, [7.0, 0.0, -5.0], [0.0, 0.0, -5.0]),
+            None,
+            "leaving the wall"
+        );
+        assert_eq!(
+            round(true, [0.0, 0.0, 3.0], [40.0, 0.0, 3.0]),
+            None,
+            "over the top"
+        );
+        assert_eq!(
+            round(true, [0.0, 0.0, 20.0], [0.0, 0.0, -20.0]),
+            None,
+            "down the middle"
+        );
+        assert_eq!(
+            round(true, [12.0, 0.0, 20.0], [12.0, 0.0, -20.0]),
+            Some(17.0),
+            "down on the top side at the rim"
+        );
+        assert_eq!(
+            round(true, [20.0, 0.0, -5.0], [0.0, 0.0, -5.0]),
+            Some(7.0),
+            "through the wall from outside"
+        );
+        assert_eq!(
+            round(true, [30.0, 0.0, 20.0], [30.0, 0.0, -20.0]),
+            None,
+            "far outside nothing is known"
+        );
     }
 
     #[test]
@@ -426,9 +565,19 @@ mod tests {
         assert_eq!(round(false, [20.0, 0.0, -5.0], [0.0, 0.0, -5.0]), Some(7.0));
         // Past it at a distance of 13 is free; at 12 there is contact where 13² = 12² + 5².
         assert_eq!(round(false, [-20.0, 13.0, -5.0], [20.0, 13.0, -5.0]), None);
-        assert_eq!(round(false, [-20.0, 12.0, -5.0], [20.0, 12.0, -5.0]), Some(15.0));
-        assert_eq!(round(false, [13.0, 0.0, -5.0], [20.0, 0.0, -5.0]), None, "leaving it");
-        assert_eq!(round(false, [13.0, 0.0, -5.0], [12.0, 0.0, -5.0]), Some(0.0));
+        assert_eq!(
+            round(false, [-20.0, 12.0, -5.0], [20.0, 12.0, -5.0]),
+            Some(15.0)
+        );
+        assert_eq!(
+            round(false, [13.0, 0.0, -5.0], [20.0, 0.0, -5.0]),
+            None,
+            "leaving it"
+        );
+        assert_eq!(
+            round(false, [13.0, 0.0, -5.0], [12.0, 0.0, -5.0]),
+            Some(0.0)
+        );
         // Over it, 1.8 above its edge, a ball of 3 touches 2.4 before the edge; over the top it is free.
         let met = round(false, [20.0, 0.0, 1.8], [0.0, 0.0, 1.8]).unwrap();
         assert!((met - 7.6).abs() < 1e-12);

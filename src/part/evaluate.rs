@@ -24,19 +24,31 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
         .results
         .iter()
         .map(|def| {
-            let dual = def.variable.map(|v| &values[v.index()]).filter(|d| d.value.is_finite());
+            let dual = def
+                .variable
+                .map(|v| &values[v.index()])
+                .filter(|d| d.value.is_finite());
             // On a good part these are nothing, and no derivative says how they grow.
             let spread = dual.filter(|_| !matches!(def.role, Role::Residual | Role::Spread));
-            let runout = spread.zip(scatter.runout).map(|(d, runout)| runout * of_runout(path, &samples, d));
+            let runout = spread
+                .zip(scatter.runout)
+                .map(|(d, runout)| runout * of_runout(path, &samples, d));
             let touches = spread.map(|d| d.uncertainty(scatter.repeatability));
             ResultRow {
                 code: def.code.to_owned(),
                 meaning: Text::words(def.meaning),
-                unit: if def.role.is_angle() { Unit::Angle } else { Unit::Length },
+                unit: if def.role.is_angle() {
+                    Unit::Angle
+                } else {
+                    Unit::Length
+                },
                 nominal: Some(def.nominal),
                 value: dual.map(|d| tidy(d.value)),
-                deviation: dual.map(|d| tidy(d.value - def.reference)).filter(|d| d.is_finite()),
-                uncertainty: touches.map(|touches| runout.map_or(touches, |runout| touches.hypot(runout))),
+                deviation: dual
+                    .map(|d| tidy(d.value - def.reference))
+                    .filter(|d| d.is_finite()),
+                uncertainty: touches
+                    .map(|touches| runout.map_or(touches, |runout| touches.hypot(runout))),
                 uncertainty_runout: runout,
                 limits: None,
                 verdict: None,
@@ -51,17 +63,34 @@ pub fn evaluate(path: &Path, triggers: &[Option<Vec3>], scatter: Scatter) -> Vec
 /// shares add up before they are squared: half the sum of the squares along both axes of the plane is the variance.
 fn of_runout(path: &Path, samples: &[Sample], result: &Dual) -> f64 {
     // The derivative is by the scatter of a mean; the eccentricity moves all of its touches alike.
-    let slopes = result.by_samples().flat_map(|(first, by_touch)| samples.iter().skip(first).zip(by_touch));
-    let slopes: Vec<(&Sample, f64)> =
-        slopes.map(|(sample, by_touch)| (sample, by_touch * (sample.count as f64).sqrt())).collect();
-    let along = |axis: Vec3| -> f64 { slopes.iter().map(|(sample, whole)| whole * sample.direction.dot(axis)).sum() };
+    let slopes = result
+        .by_samples()
+        .flat_map(|(first, by_touch)| samples.iter().skip(first).zip(by_touch));
+    let slopes: Vec<(&Sample, f64)> = slopes
+        .map(|(sample, by_touch)| (sample, by_touch * (sample.count as f64).sqrt()))
+        .collect();
+    let along = |axis: Vec3| -> f64 {
+        slopes
+            .iter()
+            .map(|(sample, whole)| whole * sample.direction.dot(axis))
+            .sum()
+    };
     tidy(along(path.frame.u).hypot(along(path.frame.v)) / std::f64::consts::SQRT_2)
 }
 
 /// The results that a control computed by itself: `values` of the formula's results, mm or degrees, with the uncertainty that the touches have on the
 /// nominal part.
-pub fn stated(path: &Path, radius: f64, scatter: Scatter, values: &[Option<f64>]) -> Vec<ResultRow> {
-    let nominal: Vec<Option<Vec3>> = path.touches.iter().map(|touch| Some(touch.contact(radius))).collect();
+pub fn stated(
+    path: &Path,
+    radius: f64,
+    scatter: Scatter,
+    values: &[Option<f64>],
+) -> Vec<ResultRow> {
+    let nominal: Vec<Option<Vec3>> = path
+        .touches
+        .iter()
+        .map(|touch| Some(touch.contact(radius)))
+        .collect();
     let mut rows = evaluate(path, &nominal, scatter);
     for ((row, def), value) in rows.iter_mut().zip(&path.formula.results).zip(values) {
         row.value = value.map(tidy);
@@ -74,22 +103,31 @@ pub fn stated(path: &Path, radius: f64, scatter: Scatter, values: &[Option<f64>]
 
 /// What was measured of the point that a work offset is corrected by: abscissa, ordinate and tool axis, mm; none where nothing was.
 pub fn datum(path: &Path, triggers: &[Option<Vec3>]) -> [Option<f64>; 3] {
-    let Some(datum) = &path.formula.datum else { return [None; 3] };
+    let Some(datum) = &path.formula.datum else {
+        return [None; 3];
+    };
     let values = values(path, &samples(path, triggers));
-    let of = |variable: Variable| Some(values[variable.index()].value).filter(|value| value.is_finite());
+    let of =
+        |variable: Variable| Some(values[variable.index()].value).filter(|value| value.is_finite());
     datum.place.map(|place| place?.measured.and_then(of))
 }
 
 /// The values of all assignments, mm or degrees; no number where a touch that it needs met nothing.
 pub fn numbers(path: &Path, triggers: &[Option<Vec3>]) -> Vec<f64> {
-    values(path, &samples(path, triggers)).into_iter().map(|value| value.value).collect()
+    values(path, &samples(path, triggers))
+        .into_iter()
+        .map(|value| value.value)
+        .collect()
 }
 
 /// The value of every assignment of the formula.
 fn values(path: &Path, samples: &[Sample]) -> Vec<Dual> {
     let points: Vec<Option<Vec3>> = samples.iter().map(|s| s.point).collect();
     // A sample of n touches scatters by 1/√n of one.
-    let directions: Vec<Vec3> = samples.iter().map(|s| s.direction / (s.count as f64).sqrt()).collect();
+    let directions: Vec<Vec3> = samples
+        .iter()
+        .map(|s| s.direction / (s.count as f64).sqrt())
+        .collect();
     path.formula.evaluate(&points, &directions)
 }
 
@@ -105,7 +143,11 @@ fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
     let mut samples: Vec<Sample> = Vec::new();
     for (touch, trigger) in path.touches.iter().zip(triggers) {
         if touch.sample == samples.len() {
-            samples.push(Sample { point: Some(Vec3::ZERO), direction: touch.vector, count: 0 });
+            samples.push(Sample {
+                point: Some(Vec3::ZERO),
+                direction: touch.vector,
+                count: 0,
+            });
         }
         let sample = &mut samples[touch.sample];
         sample.point = sample.point.zip(*trigger).map(|(sum, p)| sum + p);
@@ -119,7 +161,13 @@ fn samples(path: &Path, triggers: &[Option<Vec3>]) -> Vec<Sample> {
 
 /// Adds to each row what is true of the actual part. `actual` is the formula of the resized feature in its nominal place,
 /// so that its nominal values only have to be moved with the part.
-pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: Vec3, placement: &PartPlacement) {
+pub fn add_truth(
+    rows: &mut [ResultRow],
+    actual: &Formula,
+    plane: Plane,
+    place: Vec3,
+    placement: &PartPlacement,
+) {
     let [a, o, w] = plane.axes();
     let mut point = place;
     for (i, (row, def)) in rows.iter_mut().zip(&actual.results).enumerate() {
@@ -128,7 +176,10 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
                 // The ordinate of the same point follows.
                 let mut nominal = Vec3::ZERO;
                 nominal[a] = def.nominal;
-                nominal[o] = actual.results[i..].iter().find(|r| r.role == Role::Ordinate).map_or(0.0, |r| r.nominal);
+                nominal[o] = actual.results[i..]
+                    .iter()
+                    .find(|r| r.role == Role::Ordinate)
+                    .map_or(0.0, |r| r.nominal);
                 nominal[w] = place[w];
                 point = placement.rigid.point(nominal);
                 point[a]
@@ -138,14 +189,21 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
             // A direction may be said a whole turn farther: as the control says it.
             Role::Direction => {
                 let truth = wrap_degrees(def.nominal + placement.turn);
-                row.value.map_or(truth, |value| truth + ((value - truth) / 360.0).round() * 360.0)
+                row.value.map_or(truth, |value| {
+                    truth + ((value - truth) / 360.0).round() * 360.0
+                })
             }
             Role::Level => {
                 let mut nominal = place;
                 nominal[w] = def.nominal;
                 placement.rigid.point(nominal)[w]
             }
-            Role::Height | Role::Reading | Role::Shift | Role::Turn | Role::Residual | Role::Spread => continue,
+            Role::Height
+            | Role::Reading
+            | Role::Shift
+            | Role::Turn
+            | Role::Residual
+            | Role::Spread => continue,
         };
         row.truth = Some(tidy(truth));
     }
@@ -153,14 +211,27 @@ pub fn add_truth(rows: &mut [ResultRow], actual: &Formula, plane: Plane, place: 
 
 /// Rows for the shift of the work offset that the program would write: what was measured less what is nominal.
 pub fn write_offset(rows: &mut Vec<ResultRow>, formula: &Formula, plane: Plane, name: &str) {
-    let Some(datum) = formula.datum.as_ref().filter(|datum| !datum.in_results) else { return };
+    let Some(datum) = formula.datum.as_ref().filter(|datum| !datum.in_results) else {
+        return;
+    };
     let axes = plane.axes();
     for (i, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
-        let Some(variable) = datum.place[i].and_then(|place| place.measured) else { continue };
-        let Some(at) = formula.results.iter().position(|r| r.variable == Some(variable)) else { continue };
+        let Some(variable) = datum.place[i].and_then(|place| place.measured) else {
+            continue;
+        };
+        let Some(at) = formula
+            .results
+            .iter()
+            .position(|r| r.variable == Some(variable))
+        else {
+            continue;
+        };
         let (row, nominal) = (&rows[at], formula.results[at].nominal);
-        let meaning =
-            text!("Shift of {offset} in {axis} that the program writes", name.to_owned(), crate::geom::AXIS_NAMES[axes[i]]);
+        let meaning = text!(
+            "Shift of {offset} in {axis} that the program writes",
+            name.to_owned(),
+            crate::geom::AXIS_NAMES[axes[i]]
+        );
         let row = ResultRow {
             code: code.to_owned(),
             meaning,

@@ -42,7 +42,11 @@ mod tests {
     use super::*;
 
     fn machine(acceleration: f64, latency: f64, deflection: f64) -> Machine {
-        Machine { acceleration, latency, deflection }
+        Machine {
+            acceleration,
+            latency,
+            deflection,
+        }
     }
 
     /// By hand: 5000 mm/min are 83.33 mm/s; 83.33² / (2·500) = 6.944, at 200 mm/s² 17.36. 10,000 mm/min: four times as far.
@@ -72,7 +76,10 @@ mod tests {
                     let way = own.stopping_way(own.fastest_stop());
                     assert!((way / deflection - 1.0).abs() < 1e-9, "{own:?}: {way}");
                     let run_up = own.run_up(own.fastest_reached(deflection));
-                    assert!((run_up / deflection - 1.0).abs() < 1e-9, "{own:?}: {run_up}");
+                    assert!(
+                        (run_up / deflection - 1.0).abs() < 1e-9,
+                        "{own:?}: {run_up}"
+                    );
                 }
             }
         }

@@ -60,7 +60,10 @@ pub fn place(surfaces: &[Surface], placement: &PartPlacement) -> Vec<Surface> {
                 ..*wall
             }),
             Surface::Unknown => Surface::Unknown,
-            Surface::Round(round) => Surface::Round(Round { center: placement.rigid.point(round.center), ..*round }),
+            Surface::Round(round) => Surface::Round(Round {
+                center: placement.rigid.point(round.center),
+                ..*round
+            }),
         })
         .collect()
 }
@@ -75,10 +78,15 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Op
             let from = at.replace(step.to).unwrap_or(step.to);
             let mut stand = from;
             step.purpose == Purpose::Position
-                && step.pieces(from, path.frame.w, 1.0).into_iter().any(|way_point| {
-                    let way = (std::mem::replace(&mut stand, way_point), way_point);
-                    obstacles.first_contact(radius + gap, way.0, way.1).is_some()
-                })
+                && step
+                    .pieces(from, path.frame.w, 1.0)
+                    .into_iter()
+                    .any(|way_point| {
+                        let way = (std::mem::replace(&mut stand, way_point), way_point);
+                        obstacles
+                            .first_contact(radius + gap, way.0, way.1)
+                            .is_some()
+                    })
         })
     };
     let mut found = nearer_than(within)?;
@@ -95,20 +103,33 @@ pub fn passes(path: &Path, surfaces: &[Surface], radius: f64, within: f64) -> Op
 }
 
 /// At which fraction of a straight way the ball makes contact with these surfaces; none where it makes none. `up` is the tool axis.
-pub fn first_contact(surfaces: &[Surface], up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
-    Obstacles::of(surfaces, up).first_contact(radius, from, to).map(|contact| contact.fraction)
+pub fn first_contact(
+    surfaces: &[Surface],
+    up: Vec3,
+    radius: f64,
+    from: Vec3,
+    to: Vec3,
+) -> Option<f64> {
+    Obstacles::of(surfaces, up)
+        .first_contact(radius, from, to)
+        .map(|contact| contact.fraction)
 }
 
 /// The first move of a set-up on which the ball meets something of another cycle, and where its centre is then. `meets` is asked for each straight way, with the
 /// cycle that the way belongs to; the way from one cycle to the next belongs to none.
-fn first_meeting(path: &Path, mut meets: impl FnMut(Option<usize>, Vec3, Vec3) -> Option<Vec3>) -> Option<(usize, Vec3)> {
+fn first_meeting(
+    path: &Path,
+    mut meets: impl FnMut(Option<usize>, Vec3, Vec3) -> Option<Vec3>,
+) -> Option<(usize, Vec3)> {
     let mut at = path.start;
     path.moves.iter().enumerate().find_map(|(index, step)| {
         let from = at.replace(step.to).unwrap_or(step.to);
         let own = path.member_of_move(index).filter(|_| step.step != WAY);
         let mut stand = from;
-        let center =
-            step.pieces(from, path.frame.w, 1.0).into_iter().find_map(|to| meets(own, std::mem::replace(&mut stand, to), to));
+        let center = step
+            .pieces(from, path.frame.w, 1.0)
+            .into_iter()
+            .find_map(|to| meets(own, std::mem::replace(&mut stand, to), to));
         Some((index, center?))
     })
 }
@@ -117,14 +138,21 @@ fn first_meeting(path: &Path, mut meets: impl FnMut(Option<usize>, Vec3, Vec3) -
 pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
     // A ball that touches the same wall at the same place is as near as its radius, but for what is rounded.
     let within = (radius - 1e-3).max(radius / 2.0);
-    let touched = |member: &Member| path.touches[member.touches.clone()].iter().map(|touch| touch.point);
+    let touched = |member: &Member| {
+        path.touches[member.touches.clone()]
+            .iter()
+            .map(|touch| touch.point)
+    };
     // Where the ball must be to come near a touch of a cycle: most ways pass most cycles far off.
     let boxes: Vec<(Vec3, Vec3)> = path
         .members
         .iter()
         .map(|member| {
             let low = touched(member).fold(Vec3::INFINITY, Vec3::min) - Vec3::splat(within);
-            (low, touched(member).fold(Vec3::NEG_INFINITY, Vec3::max) + Vec3::splat(within))
+            (
+                low,
+                touched(member).fold(Vec3::NEG_INFINITY, Vec3::max) + Vec3::splat(within),
+            )
         })
         .collect();
     first_meeting(path, |own, from, to| {
@@ -135,17 +163,27 @@ pub fn through_contacts(path: &Path, radius: f64) -> Option<(usize, Vec3)> {
         };
         let (least, most) = (from.min(to), from.max(to));
         let near = |(low, high): (Vec3, Vec3)| least.cmple(high).all() && most.cmpge(low).all();
-        let others = path.members.iter().zip(&boxes).enumerate().filter(|(i, (_, room))| Some(*i) != own && near(**room));
+        let others = path
+            .members
+            .iter()
+            .zip(&boxes)
+            .enumerate()
+            .filter(|(i, (_, room))| Some(*i) != own && near(**room));
         let mut points = others.flat_map(|(_, (member, _))| touched(member));
-        points.find(|point| point.distance_squared(nearest(*point)) < within * within).map(nearest)
+        points
+            .find(|point| point.distance_squared(nearest(*point)) < within * within)
+            .map(nearest)
     })
 }
 
 /// The first move of a set-up that meets what stands of the feature of another cycle, and where: a stud, or a body with walls all around. How far the
 /// material around a hole or behind a single wall goes is not known.
 pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize, Vec3)> {
-    let standing: Vec<Vec<Surface>> =
-        path.members.iter().map(|member| standing(&surfaces[member.surfaces.clone()], path)).collect();
+    let standing: Vec<Vec<Surface>> = path
+        .members
+        .iter()
+        .map(|member| standing(&surfaces[member.surfaces.clone()], path))
+        .collect();
     let obstacles: Vec<(usize, Obstacles<'_>)> = standing
         .iter()
         .enumerate()
@@ -154,7 +192,9 @@ pub fn crossing(path: &Path, surfaces: &[Surface], radius: f64) -> Option<(usize
         .collect();
     first_meeting(path, |own, from, to| {
         let mut others = obstacles.iter().filter(|(member, _)| Some(*member) != own);
-        others.find_map(|(_, obstacles)| obstacles.first_contact(radius, from, to)).map(|contact| contact.center)
+        others
+            .find_map(|(_, obstacles)| obstacles.first_contact(radius, from, to))
+            .map(|contact| contact.center)
     })
 }
 
@@ -165,13 +205,22 @@ fn standing(surfaces: &[Surface], path: &Path) -> Vec<Surface> {
             Surface::Flat(wall) if wall.body == body && wall.has_top => Some(wall.normal),
             _ => None,
         });
-        let angles: Vec<f64> = normals.map(|n| n.dot(path.frame.v).atan2(n.dot(path.frame.u))).collect();
+        let angles: Vec<f64> = normals
+            .map(|n| n.dot(path.frame.v).atan2(n.dot(path.frame.u)))
+            .collect();
         // Behind each wall comes another one before half a turn is over.
         let next = |angle: f64| {
-            let turns = angles.iter().map(|other| (other - angle).rem_euclid(std::f64::consts::TAU));
-            turns.filter(|turn| *turn > 1e-6).fold(f64::INFINITY, f64::min)
+            let turns = angles
+                .iter()
+                .map(|other| (other - angle).rem_euclid(std::f64::consts::TAU));
+            turns
+                .filter(|turn| *turn > 1e-6)
+                .fold(f64::INFINITY, f64::min)
         };
-        !angles.is_empty() && angles.iter().all(|angle| next(*angle) < std::f64::consts::PI - 1e-6)
+        !angles.is_empty()
+            && angles
+                .iter()
+                .all(|angle| next(*angle) < std::f64::consts::PI - 1e-6)
     };
     let stands = |surface: &&Surface| match surface {
         Surface::Round(round) => !round.hole,
@@ -211,7 +260,13 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
                 let mut stand = from;
                 for way_point in step.pieces(from, up, 1.0) {
                     if let Some(contact) = obstacles.first_contact(setup.radius, stand, way_point) {
-                        return Run { triggers, strays, edges, collision: Some((index, contact.center)), ..Run::default() };
+                        return Run {
+                            triggers,
+                            strays,
+                            edges,
+                            collision: Some((index, contact.center)),
+                            ..Run::default()
+                        };
                     }
                     stand = way_point;
                 }
@@ -219,5 +274,10 @@ pub fn run(path: &Path, surfaces: &[Surface], setup: &Setup) -> Run {
             }
         }
     }
-    Run { triggers, strays, edges, ..Run::default() }
+    Run {
+        triggers,
+        strays,
+        edges,
+        ..Run::default()
+    }
 }

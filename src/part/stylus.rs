@@ -52,27 +52,58 @@ impl Shape {
     /// What can meet a part that a ball of this radius does not meet, as far as it is known. The body can only be held against a top side that is
     /// known: a wall whose end is not known would always be in its way.
     fn discs(&self, ball: f64, topped: bool) -> Vec<Disc> {
-        let shank = self.shank.map(|shank| Disc { part: Above::Shank, radius: shank / 2.0, rise: 0.0 });
-        let body =
-            self.body.zip(self.length).map(|(body, length)| Disc { part: Above::Body, radius: body / 2.0, rise: length });
-        shank.filter(|shank| shank.radius > ball + SKIN).into_iter().chain(body.filter(|_| topped)).collect()
+        let shank = self.shank.map(|shank| Disc {
+            part: Above::Shank,
+            radius: shank / 2.0,
+            rise: 0.0,
+        });
+        let body = self.body.zip(self.length).map(|(body, length)| Disc {
+            part: Above::Body,
+            radius: body / 2.0,
+            rise: length,
+        });
+        shank
+            .filter(|shank| shank.radius > ball + SKIN)
+            .into_iter()
+            .chain(body.filter(|_| topped))
+            .collect()
     }
 }
 
 /// The first place where the stylus meets the part above its ball, on the way that the ball has run: a ball of this radius (mm).
-pub fn struck(path: &Path, surfaces: &[Surface], shape: &Shape, ball: f64, run: &Run) -> Option<Struck> {
+pub fn struck(
+    path: &Path,
+    surfaces: &[Surface],
+    shape: &Shape,
+    ball: f64,
+    run: &Run,
+) -> Option<Struck> {
     let discs = shape.discs(ball, path.top.is_some());
     if discs.is_empty() {
         return None;
     }
     let up = path.frame.w;
-    let bodies: Vec<Body> = (0..surfaces.len()).filter_map(|first| Body::beginning(surfaces, up, first)).collect();
-    let rounds: Vec<&Round> =
-        surfaces.iter().filter_map(|s| if let Surface::Round(round) = s { Some(round) } else { None }).collect();
+    let bodies: Vec<Body> = (0..surfaces.len())
+        .filter_map(|first| Body::beginning(surfaces, up, first))
+        .collect();
+    let rounds: Vec<&Round> = surfaces
+        .iter()
+        .filter_map(|s| {
+            if let Surface::Round(round) = s {
+                Some(round)
+            } else {
+                None
+            }
+        })
+        .collect();
     let first = |disc: &Disc, from: Vec3, to: Vec3| {
         let [from, to] = [from, to].map(|p| p + up * disc.rise);
-        let flat = bodies.iter().filter_map(|body| meet_flat(body, up, disc.radius, from, to));
-        let round = rounds.iter().filter_map(|round| meet_round(round, up, disc.radius, from, to));
+        let flat = bodies
+            .iter()
+            .filter_map(|body| meet_flat(body, up, disc.radius, from, to));
+        let round = rounds
+            .iter()
+            .filter_map(|round| meet_round(round, up, disc.radius, from, to));
         flat.chain(round).min_by(f64::total_cmp)
     };
     let mut at = path.start;
@@ -83,14 +114,23 @@ pub fn struck(path: &Path, surfaces: &[Surface], shape: &Shape, ball: f64, run: 
         let mut from = at.unwrap_or(step.to);
         let ends = match step.purpose {
             Purpose::Touch(k) | Purpose::Search(k) => {
-                vec![run.triggers[k].unwrap_or(step.to - path.touches[k].vector * path.touches[k].search)]
+                vec![
+                    run.triggers[k]
+                        .unwrap_or(step.to - path.touches[k].vector * path.touches[k].search),
+                ]
             }
             Purpose::Position | Purpose::Back(_) => step.pieces(from, up, 1.0),
         };
         for to in ends {
-            let met = discs.iter().filter_map(|disc| Some((first(disc, from, to)?, disc.part)));
+            let met = discs
+                .iter()
+                .filter_map(|disc| Some((first(disc, from, to)?, disc.part)));
             if let Some((fraction, part)) = met.min_by(|a, b| a.0.total_cmp(&b.0)) {
-                return Some(Struck { index, center: from + (to - from) * fraction, part });
+                return Some(Struck {
+                    index,
+                    center: from + (to - from) * fraction,
+                    part,
+                });
             }
             from = to;
         }
@@ -118,7 +158,9 @@ fn meet_flat(body: &Body, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option
     let (prism, top) = body.cut(up, heights[0].min(heights[1]))?;
     let [begin, end] = top.map_or(Some([0.0, 1.0]), |top| below(top, heights))?;
     let [a, b] = [begin, end].map(|t| from + (to - from) * t);
-    prism.meet(radius, a, b).map(|(t, ..)| begin + (end - begin) * t)
+    prism
+        .meet(radius, a, b)
+        .map(|(t, ..)| begin + (end - begin) * t)
 }
 
 /// The fraction of the way at which a level disc meets a hole or a stud.
@@ -147,7 +189,11 @@ fn enters(start: Vec3, way: Vec3, limit: f64) -> Option<f64> {
     if start.length() < limit {
         return Some(0.0);
     }
-    let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
+    let (a, b, c) = (
+        way.dot(way),
+        start.dot(way),
+        start.dot(start) - limit * limit,
+    );
     let root = b * b - a * c;
     let t = (-b - root.max(0.0).sqrt()) / a;
     (b < 0.0 && root > 0.0 && t <= 1.0).then_some(t)
@@ -158,6 +204,14 @@ fn leaves(start: Vec3, way: Vec3, limit: f64) -> Option<f64> {
     if (start + way).length() <= limit + SKIN {
         return None;
     }
-    let (a, b, c) = (way.dot(way), start.dot(way), start.dot(start) - limit * limit);
-    Some(crate::num::within((-b + (b * b - a * c).max(0.0).sqrt()) / a, 0.0, 1.0))
+    let (a, b, c) = (
+        way.dot(way),
+        start.dot(way),
+        start.dot(start) - limit * limit,
+    );
+    Some(crate::num::within(
+        (-b + (b * b - a * c).max(0.0).sqrt()) / a,
+        0.0,
+        1.0,
+    ))
 }

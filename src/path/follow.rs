@@ -40,10 +40,14 @@ impl Along {
                 && path.start.is_some() == other.start.is_some()
                 && path.formula.computes_as(&other.formula)
                 && moves.into_iter().all(|(a, b)| {
-                    (a.feed, a.purpose, a.step) == (b.feed, b.purpose, b.step) && a.arc.is_none() && b.arc.is_none()
+                    (a.feed, a.purpose, a.step) == (b.feed, b.purpose, b.step)
+                        && a.arc.is_none()
+                        && b.arc.is_none()
                 })
                 && touches.into_iter().all(|(a, b)| {
-                    a.vector.distance(b.vector) < EVEN && (a.search - b.search).abs() < EVEN && a.sample == b.sample
+                    a.vector.distance(b.vector) < EVEN
+                        && (a.search - b.search).abs() < EVEN
+                        && a.sample == b.sample
                 })
         };
         if !same(less) || !same(more) {
@@ -53,12 +57,16 @@ impl Along {
             let even = ((more - own) - (own - less)).abs().max_element() <= EVEN;
             even.then(|| Vec3::from_array(((more - own) / by).to_array().map(tidy)))
         };
-        let moves = (0..path.moves.len()).map(|i| rate(less.moves[i].to, path.moves[i].to, more.moves[i].to));
+        let moves = (0..path.moves.len())
+            .map(|i| rate(less.moves[i].to, path.moves[i].to, more.moves[i].to));
         let start = match (less.start, path.start, more.start) {
             (Some(less), Some(own), Some(more)) => rate(less, own, more)?,
             _ => Vec3::ZERO,
         };
-        Some(Along { start, moves: moves.collect::<Option<_>>()? })
+        Some(Along {
+            start,
+            moves: moves.collect::<Option<_>>()?,
+        })
     }
 }
 
@@ -82,17 +90,30 @@ pub const STILL: &Shifts = &[const { Vec::new() }; 3];
 
 /// How far a place may be shifted along X, Y and Z, mm.
 pub fn most(shifts: &Shifts) -> Vec3 {
-    let along = |axis: usize| shifts[axis].iter().map(|term| (term.factor * term.most).abs()).sum();
+    let along = |axis: usize| {
+        shifts[axis]
+            .iter()
+            .map(|term| (term.factor * term.most).abs())
+            .sum()
+    };
     Vec3::new(along(0), along(1), along(2))
 }
 
 /// How far the ends of a way may be apart from where they nominally are to each other, mm, where they are shifted by these.
 pub fn far_apart(from: &Shifts, to: &Shifts) -> f64 {
-    let factor = |of: &[Term], by: Variable| of.iter().find(|term| term.by == by).map_or(0.0, |term| term.factor);
+    let factor = |of: &[Term], by: Variable| {
+        of.iter()
+            .find(|term| term.by == by)
+            .map_or(0.0, |term| term.factor)
+    };
     let along = |axis: usize| {
         let (a, b) = (&from[axis], &to[axis]);
-        let left = a.iter().filter(|term| b.iter().all(|other| other.by != term.by));
-        left.chain(b).map(|term| (factor(b, term.by) - factor(a, term.by)).abs() * term.most).sum()
+        let left = a
+            .iter()
+            .filter(|term| b.iter().all(|other| other.by != term.by));
+        left.chain(b)
+            .map(|term| (factor(b, term.by) - factor(a, term.by)).abs() * term.most)
+            .sum()
     };
     Vec3::new(along(0), along(1), along(2)).length()
 }
@@ -135,42 +156,103 @@ const GROWTHS: [&str; 2] = ["growth_1", "growth_2"];
 
 impl Placing {
     /// States in the formula of the whole how far the results are off that a cycle follows, where no cycle in front of it does.
-    pub fn of(follows: Follows, formula: &mut Formula, (axes, reaches): ([usize; 3], Reaches), before: &[&Placing]) -> Self {
+    pub fn of(
+        follows: Follows,
+        formula: &mut Formula,
+        (axes, reaches): ([usize; 3], Reaches),
+        before: &[&Placing],
+    ) -> Self {
         let mut own = Placing::default();
         let known = |result: usize| {
             let mut all = before.iter().flat_map(|other| &other.follows);
-            all.find(|follow| follow.result == result).map(|follow| follow.off)
+            all.find(|follow| follow.result == result)
+                .map(|follow| follow.off)
         };
-        let turned = |angle: Variable| before.iter().filter_map(|other| other.turn()).find(|turn| turn.angle == angle);
+        let turned = |angle: Variable| {
+            before
+                .iter()
+                .filter_map(|other| other.turn())
+                .find(|turn| turn.angle == angle)
+        };
         for (axis, (of, name)) in follows.place.into_iter().zip(SHIFTS).enumerate() {
             let Some(result) = of else { continue };
-            let Some(off) = known(result).or_else(|| formula.shift(result, name)) else { continue };
-            own.follows.push(Follow { result, off, axis: Some(axis) });
-            own.shift[axis] = Some(Term { by: off, factor: 1.0, length: false, most: reaches.position });
+            let Some(off) = known(result).or_else(|| formula.shift(result, name)) else {
+                continue;
+            };
+            own.follows.push(Follow {
+                result,
+                off,
+                axis: Some(axis),
+            });
+            own.shift[axis] = Some(Term {
+                by: off,
+                factor: 1.0,
+                length: false,
+                most: reaches.position,
+            });
         }
-        if let Some((result, direction)) = follows.rotation.and_then(|of| Some((of, formula.results[of].variable?))) {
+        if let Some((result, direction)) = follows
+            .rotation
+            .and_then(|of| Some((of, formula.results[of].variable?)))
+        {
             let [angle, sine, cosine] = match known(result).and_then(turned) {
                 Some(turn) => [turn.angle, turn.sine, turn.cosine],
                 None => formula.turns_next(direction, formula.results[result].nominal),
             };
-            own.follows.push(Follow { result, off: angle, axis: None });
+            own.follows.push(Follow {
+                result,
+                off: angle,
+                axis: None,
+            });
             let [a, o, _] = axes;
             let shift = [a, o].map(|axis| own.shift[axis].map(|term| term.by));
             let about = [a, o].map(|axis| follows.about[axis]);
-            own.turn = Some((Turn { axes: [a, o], about, angle, sine, cosine, shift }, reaches));
+            own.turn = Some((
+                Turn {
+                    axes: [a, o],
+                    about,
+                    angle,
+                    sine,
+                    cosine,
+                    shift,
+                },
+                reaches,
+            ));
         }
         for ((result, along), name) in follows.sizes.into_iter().zip(GROWTHS) {
-            let Some(off) = known(result).or_else(|| formula.shift(result, name)) else { continue };
-            own.follows.push(Follow { result, off, axis: None });
-            own.sizes.push((Term { by: off, factor: 1.0, length: false, most: reaches.size }, along));
+            let Some(off) = known(result).or_else(|| formula.shift(result, name)) else {
+                continue;
+            };
+            own.follows.push(Follow {
+                result,
+                off,
+                axis: None,
+            });
+            own.sizes.push((
+                Term {
+                    by: off,
+                    factor: 1.0,
+                    length: false,
+                    most: reaches.size,
+                },
+                along,
+            ));
         }
         own
     }
 
     /// The values that its moves are shifted by.
     pub fn moved_by(&self) -> impl Iterator<Item = Variable> {
-        let turn = self.turn().into_iter().flat_map(|turn| [turn.sine, turn.cosine]);
-        self.shift.iter().flatten().chain(self.sizes.iter().map(|(term, _)| term)).map(|term| term.by).chain(turn)
+        let turn = self
+            .turn()
+            .into_iter()
+            .flat_map(|turn| [turn.sine, turn.cosine]);
+        self.shift
+            .iter()
+            .flatten()
+            .chain(self.sizes.iter().map(|(term, _)| term))
+            .map(|term| term.by)
+            .chain(turn)
     }
 
     /// By what the cycle is turned.
@@ -180,23 +262,56 @@ impl Placing {
 
     /// What shifts a place of the cycle; `along` says how it goes along with a size.
     pub fn shifts(&self, place: Vec3, along: impl Fn(&Along) -> Vec3) -> Shifts {
-        let mut shifts = self.shift.map(|term| term.into_iter().collect::<Vec<Term>>());
+        let mut shifts = self
+            .shift
+            .map(|term| term.into_iter().collect::<Vec<Term>>());
         for (term, own) in &self.sizes {
             let rate = along(own);
             for axis in (0..3).filter(|axis| rate[*axis] != 0.0) {
-                shifts[axis].push(Term { factor: rate[axis], ..*term });
+                shifts[axis].push(Term {
+                    factor: rate[axis],
+                    ..*term
+                });
             }
         }
-        let Some((Turn { axes: [a, o], about, sine, cosine, .. }, reaches)) = self.turn.as_ref() else { return shifts };
+        let Some((
+            Turn {
+                axes: [a, o],
+                about,
+                sine,
+                cosine,
+                ..
+            },
+            reaches,
+        )) = self.turn.as_ref()
+        else {
+            return shifts;
+        };
         // As exactly as a program writes places: more digits would make blocks longer than controls read.
         let digits = if reaches.unit == 1.0 { 1e4 } else { 1e5 };
-        let arm =
-            [place[*a] - about[0], place[*o] - about[1]].map(|x| (x / reaches.unit * digits).round() / digits * reaches.unit);
+        let arm = [place[*a] - about[0], place[*o] - about[1]]
+            .map(|x| (x / reaches.unit * digits).round() / digits * reaches.unit);
         let angle = reaches.angle.min(180.0).to_radians();
-        let most = |by: Variable| if by == *cosine { 1.0 - angle.cos() } else { angle.min(std::f64::consts::FRAC_PI_2).sin() };
-        let terms = [(*a, *cosine, arm[0]), (*a, *sine, -arm[1]), (*o, *cosine, arm[1]), (*o, *sine, arm[0])];
+        let most = |by: Variable| {
+            if by == *cosine {
+                1.0 - angle.cos()
+            } else {
+                angle.min(std::f64::consts::FRAC_PI_2).sin()
+            }
+        };
+        let terms = [
+            (*a, *cosine, arm[0]),
+            (*a, *sine, -arm[1]),
+            (*o, *cosine, arm[1]),
+            (*o, *sine, arm[0]),
+        ];
         for (axis, by, factor) in terms.into_iter().filter(|(_, _, factor)| *factor != 0.0) {
-            shifts[axis].push(Term { by, factor, length: true, most: most(by) });
+            shifts[axis].push(Term {
+                by,
+                factor,
+                length: true,
+                most: most(by),
+            });
         }
         shifts
     }

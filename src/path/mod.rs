@@ -13,7 +13,8 @@ mod surface;
 mod tracer;
 
 pub use feature::{
-    Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top, Touched, TwoCircles,
+    Bore, Corner, Entry, Feature, Pairs, Point, Setting, Side, Spread, Straight, Subject, Top,
+    Touched, TwoCircles,
 };
 pub use follow::{Along, Follow, Follows, Reaches, Shifts, Term, far_apart, most};
 pub use own::{Guard, Off, Own, OwnBlock, Quantity, Reach, Stored};
@@ -152,7 +153,9 @@ impl Move {
     /// The ends of the straight pieces this move is looked at by: its own end, or an arc in pieces of about `degrees`. `up` is
     /// the tool axis.
     pub fn pieces(&self, from: Vec3, up: Vec3, degrees: f64) -> Vec<Vec3> {
-        let Some(arc) = self.arc else { return vec![self.to] };
+        let Some(arc) = self.arc else {
+            return vec![self.to];
+        };
         let count = (arc.sweep.abs().to_degrees() / degrees).ceil().max(1.0) as usize;
         let (out, across) = (from - arc.center, up.cross(from - arc.center));
         let at = |i: usize| {
@@ -249,11 +252,16 @@ impl Path {
         let moves = self.moves.iter().map(|step| Move {
             to: step.to + up,
             purpose: Purpose::Position,
-            arc: step.arc.map(|arc| Arc { center: arc.center + up, ..arc }),
+            arc: step.arc.map(|arc| Arc {
+                center: arc.center + up,
+                ..arc
+            }),
             ..*step
         });
         let mut members = self.members.clone();
-        members.iter_mut().for_each(|member| member.placing = follow::Placing::default());
+        members
+            .iter_mut()
+            .for_each(|member| member.placing = follow::Placing::default());
         Path {
             touches: Vec::new(),
             moves: moves.collect(),
@@ -269,10 +277,13 @@ impl Path {
     /// The moves that touch, in order: which touch, where the move begins (none where that is not known), and the move.
     pub fn searches(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &Move)> {
         let begins = std::iter::once(self.start).chain(self.moves.iter().map(|step| Some(step.to)));
-        self.moves.iter().zip(begins).filter_map(|(step, from)| match step.purpose {
-            Purpose::Touch(k) => Some((k, from, step)),
-            Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
-        })
+        self.moves
+            .iter()
+            .zip(begins)
+            .filter_map(|(step, from)| match step.purpose {
+                Purpose::Touch(k) => Some((k, from, step)),
+                Purpose::Position | Purpose::Search(_) | Purpose::Back(_) => None,
+            })
     }
 
     /// What is wrong with each touch: it must be in the path once, begin at a distance from its contact, and run along its inverted
@@ -282,7 +293,9 @@ impl Path {
         let mut faults = Vec::new();
         for (k, from, _) in self.searches() {
             match (ways.get_mut(k), from) {
-                (Some(way @ None), Some(from)) => *way = Some(self.touches[k].contact(radius) - from),
+                (Some(way @ None), Some(from)) => {
+                    *way = Some(self.touches[k].contact(radius) - from)
+                }
                 _ => faults.push((k, TouchFault::Missing)),
             }
         }
@@ -307,8 +320,13 @@ impl Path {
 
     /// The shortest way from the begin of a touch to its nominal contact, mm.
     pub fn shortest_way(&self) -> f64 {
-        let pairs = self.moves.windows(2).filter(|pair| matches!(pair[1].purpose, Purpose::Touch(_)));
-        pairs.map(|pair| pair[0].to.distance(pair[1].to)).fold(f64::INFINITY, f64::min)
+        let pairs = self
+            .moves
+            .windows(2)
+            .filter(|pair| matches!(pair[1].purpose, Purpose::Touch(_)));
+        pairs
+            .map(|pair| pair[0].to.distance(pair[1].to))
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// Where each touch stands among those of its sample.
@@ -320,7 +338,12 @@ impl Path {
             if counts.len() <= index {
                 counts.resize(index + 1, 0);
             }
-            samples.push(Repeat { index, count: 0, first: counts[index] == 0, last: false });
+            samples.push(Repeat {
+                index,
+                count: 0,
+                first: counts[index] == 0,
+                last: false,
+            });
             counts[index] += 1;
         }
         let mut left = counts.clone();

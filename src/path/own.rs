@@ -103,9 +103,10 @@ impl Own {
     /// The tool offsets that its calls correct, each once.
     pub fn tools(&self) -> Vec<i32> {
         let corrected = self.blocks.iter().filter_map(|(block, _)| match block {
-            OwnBlock::Call(_, letters) => {
-                letters.iter().find(|(letter, _)| *letter == 'T').map(|(_, tool)| tool.value() as i32)
-            }
+            OwnBlock::Call(_, letters) => letters
+                .iter()
+                .find(|(letter, _)| *letter == 'T')
+                .map(|(_, tool)| tool.value() as i32),
             _ => None,
         });
         let mut tools: Vec<i32> = corrected.collect();

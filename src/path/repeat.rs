@@ -10,7 +10,14 @@ impl Path {
         let directions = self.directions();
         self.formula = self.formula.repeated(times, &directions, limit);
         let nth = |k: usize, n: usize| times * k + n;
-        let again = |touch: &Touch| (0..times).map(|n| Touch { sample: nth(touch.sample, n), ..*touch }).collect::<Vec<_>>();
+        let again = |touch: &Touch| {
+            (0..times)
+                .map(|n| Touch {
+                    sample: nth(touch.sample, n),
+                    ..*touch
+                })
+                .collect::<Vec<_>>()
+        };
         self.touches = self.touches.iter().flat_map(again).collect();
         let moves = std::mem::take(&mut self.moves);
         for (index, step) in moves.iter().enumerate() {
@@ -18,10 +25,18 @@ impl Path {
                 Purpose::Position => self.moves.push(*step),
                 // With its way back.
                 Purpose::Touch(k) => {
-                    let back = moves.get(index + 1).filter(|next| next.purpose == Purpose::Back(k));
+                    let back = moves
+                        .get(index + 1)
+                        .filter(|next| next.purpose == Purpose::Back(k));
                     for n in 0..times {
-                        self.moves.push(Move { purpose: Purpose::Touch(nth(k, n)), ..*step });
-                        self.moves.extend(back.map(|back| Move { purpose: Purpose::Back(nth(k, n)), ..*back }));
+                        self.moves.push(Move {
+                            purpose: Purpose::Touch(nth(k, n)),
+                            ..*step
+                        });
+                        self.moves.extend(back.map(|back| Move {
+                            purpose: Purpose::Back(nth(k, n)),
+                            ..*back
+                        }));
                     }
                 }
                 // Ways back go with their touches; searches are those of a control's own cycles, which repeat nothing.
@@ -33,9 +48,16 @@ impl Path {
 
     /// The probing direction of each sample.
     fn directions(&self) -> Vec<Vec3> {
-        let count = self.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
+        let count = self
+            .touches
+            .iter()
+            .map(|touch| touch.sample + 1)
+            .max()
+            .unwrap_or(0);
         let mut directions = vec![Vec3::ZERO; count];
-        self.touches.iter().for_each(|touch| directions[touch.sample] = touch.vector);
+        self.touches
+            .iter()
+            .for_each(|touch| directions[touch.sample] = touch.vector);
         directions
     }
 }

@@ -2,10 +2,15 @@
 
 use std::ops::Range;
 
-use crate::formula::{self, Coordinate, Datum, Formula, Limits, Operand, Question, ResultDef, Role};
+use crate::formula::{
+    self, Coordinate, Datum, Formula, Limits, Operand, Question, ResultDef, Role,
+};
 use crate::geom::{Frame, Plane, Vec3};
 use crate::path::follow::{Along, Placing, Reaches, STILL, Shifts, most};
-use crate::path::{Feature, Feed, Feeds, Follows, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch, ZERO_LENGTH};
+use crate::path::{
+    Feature, Feed, Feeds, Follows, Move, OwnBlock, Path, Purpose, Stored, Surface, Touch,
+    ZERO_LENGTH,
+};
 
 /// The number of the step of a way between two cycles: it is in no list of theirs.
 pub const WAY: u8 = 0;
@@ -107,8 +112,17 @@ impl Path {
     ) {
         let before: Vec<&Placing> = self.members.iter().map(|member| &member.placing).collect();
         let placing = Placing::of(follows, &mut self.formula, (axes, reaches), &before);
-        let (touches, surfaces, results) = (self.touches.len(), self.surfaces.len(), self.formula.results.len());
-        let sample = self.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0);
+        let (touches, surfaces, results) = (
+            self.touches.len(),
+            self.surfaces.len(),
+            self.formula.results.len(),
+        );
+        let sample = self
+            .touches
+            .iter()
+            .map(|touch| touch.sample + 1)
+            .max()
+            .unwrap_or(0);
         self.take_touches(&path, sample);
         self.take_surfaces(&path);
         let (later, datum) = match placing.turn() {
@@ -121,7 +135,18 @@ impl Path {
         let touches = touches..self.touches.len();
         let surfaces = surfaces..self.surfaces.len();
         let results = results..self.formula.results.len();
-        self.members.push(Member { name, title, path, moves: 0..0, touches, surfaces, results, placing, datum, later });
+        self.members.push(Member {
+            name,
+            title,
+            path,
+            moves: 0..0,
+            touches,
+            surfaces,
+            results,
+            placing,
+            datum,
+            later,
+        });
     }
 
     /// Adds the moves of all cycles, one after the other: between two of them straight up to `clear` (along the tool axis), across, and down. `feeds` are
@@ -132,10 +157,26 @@ impl Path {
         (self.start, self.frame, self.feeds) = (first.start, first.frame, Some(feeds));
         let tops: Option<Vec<f64>> = members.iter().map(|member| member.path.top).collect();
         self.top = tops.and_then(|tops| tops.into_iter().reduce(f64::max));
-        for Member { path, moves, touches, placing, .. } in &mut members {
+        for Member {
+            path,
+            moves,
+            touches,
+            placing,
+            ..
+        } in &mut members
+        {
             let before = self.moves.len();
-            let start = path.start.or(path.moves.first().map(|step| step.to)).unwrap_or_default();
-            let first = |along: &Along| if path.start.is_some() { along.start } else { along.moves[0] };
+            let start = path
+                .start
+                .or(path.moves.first().map(|step| step.to))
+                .unwrap_or_default();
+            let first = |along: &Along| {
+                if path.start.is_some() {
+                    along.start
+                } else {
+                    along.moves[0]
+                }
+            };
             self.leads_to(path, clear, placing.shifts(start, first));
             if let Some(way) = way {
                 self.take_calls(path, before, way);
@@ -143,28 +184,45 @@ impl Path {
             let begin = self.moves.len();
             self.take_moves(path, touches.start);
             *moves = begin..self.moves.len();
-            self.shifts.extend(path.moves.iter().enumerate().map(|(i, step)| {
-                let end = match step.purpose {
-                    Purpose::Touch(k) | Purpose::Search(k) => step.to - path.touches[k].vector * path.touches[k].search,
-                    Purpose::Position | Purpose::Back(_) => step.to,
-                };
-                placing.shifts(end, |along| along.moves[i])
-            }));
+            self.shifts
+                .extend(path.moves.iter().enumerate().map(|(i, step)| {
+                    let end = match step.purpose {
+                        Purpose::Touch(k) | Purpose::Search(k) => {
+                            step.to - path.touches[k].vector * path.touches[k].search
+                        }
+                        Purpose::Position | Purpose::Back(_) => step.to,
+                    };
+                    placing.shifts(end, |along| along.moves[i])
+                }));
         }
         self.members = members;
-        if self.members.iter().all(|member| member.placing.follows.is_empty()) {
+        if self
+            .members
+            .iter()
+            .all(|member| member.placing.follows.is_empty())
+        {
             self.shifts.clear();
         }
     }
 
     /// What is asked of results before a cycle that follows them: of each once, in the whole.
     pub fn asked_before(&self, member: usize, limits: &Limits) -> Vec<Question> {
-        let followed = |member: &Member| member.placing.follows.iter().map(|follow| follow.result).collect::<Vec<_>>();
+        let followed = |member: &Member| {
+            member
+                .placing
+                .follows
+                .iter()
+                .map(|follow| follow.result)
+                .collect::<Vec<_>>()
+        };
         let known: Vec<usize> = self.members[..member].iter().flat_map(followed).collect();
         let mut results: Vec<usize> = followed(&self.members[member]);
         results.retain(|result| !known.contains(result));
         results.dedup();
-        results.into_iter().filter_map(|result| self.formula.leads(result, limits)).collect()
+        results
+            .into_iter()
+            .filter_map(|result| self.formula.leads(result, limits))
+            .collect()
     }
 
     /// The assignments that can be computed once the touches of a member are made: from its own first one on, with those that shift the next member.
@@ -180,10 +238,16 @@ impl Path {
 
     /// What shifts a place at a move, as the contact of a touch is one.
     pub fn shifts_at(&self, index: usize, place: Vec3) -> Shifts {
-        let own = self.members.iter().find(|member| member.moves.contains(&index));
+        let own = self
+            .members
+            .iter()
+            .find(|member| member.moves.contains(&index));
         own.map_or_else(
             || self.shifts(index).clone(),
-            |own| own.placing.shifts(place, |along| along.moves[index - own.moves.start]),
+            |own| {
+                own.placing
+                    .shifts(place, |along| along.moves[index - own.moves.start])
+            },
         )
     }
 
@@ -200,29 +264,64 @@ impl Path {
         sources.sort_unstable();
         sources.dedup();
         let at = self.relations.partition_point(|other| other.index < index);
-        self.relations.insert(at, Related { index, name, own, results, sources, datum });
+        self.relations.insert(
+            at,
+            Related {
+                index,
+                name,
+                own,
+                results,
+                sources,
+                datum,
+            },
+        );
     }
 
     /// What a relation comes to where the results that it is of have these values, mm or degrees; in the order of its own results.
-    pub fn related(&self, relation: &Related, known: impl Fn(usize) -> Option<f64>) -> Vec<Option<f64>> {
+    pub fn related(
+        &self,
+        relation: &Related,
+        known: impl Fn(usize) -> Option<f64>,
+    ) -> Vec<Option<f64>> {
         let results = &self.formula.results;
         // A direction may be said a whole turn farther.
-        let turn = |index: usize, value: f64| value + ((results[index].nominal - value) / 360.0).round() * 360.0;
+        let turn = |index: usize, value: f64| {
+            value + ((results[index].nominal - value) / 360.0).round() * 360.0
+        };
         let value = |index: usize| {
             let value = known(index)?;
-            Some(if results[index].role == Role::Direction { turn(index, value) } else { value })
+            Some(if results[index].role == Role::Direction {
+                turn(index, value)
+            } else {
+                value
+            })
         };
         let place = |operand: &Operand| match *operand {
             Operand::Place([x, y]) => Some([value(x)?, value(y)?]),
             Operand::Result(index) => Some([value(index)?, 0.0]),
         };
-        let Some(of) = relation.own.of.iter().map(place).collect::<Option<Vec<_>>>() else {
+        let Some(of) = relation
+            .own
+            .of
+            .iter()
+            .map(place)
+            .collect::<Option<Vec<_>>>()
+        else {
             return vec![None; relation.results.len()];
         };
         let is = |operand: &Operand| matches!(*operand, Operand::Result(index) if results[index].role == Role::Direction);
-        let values = relation.own.relation.values(&of, relation.own.of.iter().any(is));
+        let values = relation
+            .own
+            .relation
+            .values(&of, relation.own.of.iter().any(is));
         let near = |(index, value): (usize, Option<f64>)| {
-            value.map(|value| if results[index].role.is_angle() { turn(index, value) } else { value })
+            value.map(|value| {
+                if results[index].role.is_angle() {
+                    turn(index, value)
+                } else {
+                    value
+                }
+            })
         };
         relation.results.clone().zip(values).map(near).collect()
     }
@@ -244,9 +343,19 @@ impl Path {
 
     /// The members whose touches a result comes from, in their order.
     pub fn sources(&self, result: usize) -> Vec<usize> {
-        let relation = self.relations.iter().find(|relation| relation.results.contains(&result));
-        let own = || self.members.iter().position(|member| member.results.contains(&result));
-        relation.map_or_else(|| own().into_iter().collect(), |relation| relation.sources.clone())
+        let relation = self
+            .relations
+            .iter()
+            .find(|relation| relation.results.contains(&result));
+        let own = || {
+            self.members
+                .iter()
+                .position(|member| member.results.contains(&result))
+        };
+        relation.map_or_else(
+            || own().into_iter().collect(),
+            |relation| relation.sources.clone(),
+        )
     }
 
     /// Whether a result is known once a member is measured; none where it does not come from its touches.
@@ -254,8 +363,14 @@ impl Path {
         if self.members[member].results.contains(&result) {
             return Some(true);
         }
-        let sources = &self.relations.iter().find(|relation| relation.results.contains(&result))?.sources;
-        sources.contains(&member).then(|| sources.last() == Some(&member))
+        let sources = &self
+            .relations
+            .iter()
+            .find(|relation| relation.results.contains(&result))?
+            .sources;
+        sources
+            .contains(&member)
+            .then(|| sources.last() == Some(&member))
     }
 
     /// Says what the set-up writes.
@@ -267,9 +382,17 @@ impl Path {
     /// The cycles of a set-up and, behind them, its relations.
     pub fn measuring(&self) -> impl Iterator<Item = Measuring<'_>> {
         let members = self.members.iter();
-        let cycles = members.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum });
+        let cycles = members.map(|own| Measuring {
+            name: &own.name,
+            results: own.results.clone(),
+            datum: own.datum,
+        });
         let relations = self.relations.iter();
-        cycles.chain(relations.map(|own| Measuring { name: &own.name, results: own.results.clone(), datum: own.datum }))
+        cycles.chain(relations.map(|own| Measuring {
+            name: &own.name,
+            results: own.results.clone(),
+            datum: own.datum,
+        }))
     }
 
     /// The same without the relations from this one of the job's list on.
@@ -286,25 +409,48 @@ impl Path {
 
     /// The way to the next cycle, which is shifted by `shifts`; to the first one the stylus comes from anywhere.
     fn leads_to(&mut self, next: &Path, clear: f64, shifts: Shifts) {
-        let (Some(last), Some(to)) =
-            (self.moves.last().map(|step| step.to), next.start.or(next.moves.first().map(|step| step.to)))
-        else {
+        let (Some(last), Some(to)) = (
+            self.moves.last().map(|step| step.to),
+            next.start.or(next.moves.first().map(|step| step.to)),
+        ) else {
             return;
         };
         let w = self.frame.w;
         let at = |place: Vec3| place + w * (clear - place.dot(w));
         // A cycle that does not say where it begins goes to its first place by itself: down, or across where that is as high.
         // The height between cycles follows nothing: there it goes across, whatever the heights of the cycles follow.
-        let level = |shifts: &Shifts| [0, 1, 2].map(|axis| if w[axis].abs() < 0.5 { shifts[axis].clone() } else { Vec::new() });
+        let level = |shifts: &Shifts| {
+            [0, 1, 2].map(|axis| {
+                if w[axis].abs() < 0.5 {
+                    shifts[axis].clone()
+                } else {
+                    Vec::new()
+                }
+            })
+        };
         let before = self.shifts.last().unwrap_or(STILL).clone();
         let follows_height = level(&shifts) != shifts;
-        let apart = |over: &Vec3| next.start.is_some() || follows_height || over.distance(to) > ZERO_LENGTH;
+        let apart =
+            |over: &Vec3| next.start.is_some() || follows_height || over.distance(to) > ZERO_LENGTH;
         let across = Some(at(to)).filter(apart);
-        let ways = [(Some(at(last)), level(&before)), (across, level(&shifts)), (next.start, shifts)];
-        for (to, shifts) in ways.into_iter().filter_map(|(to, shifts)| Some((to?, shifts))) {
+        let ways = [
+            (Some(at(last)), level(&before)),
+            (across, level(&shifts)),
+            (next.start, shifts),
+        ];
+        for (to, shifts) in ways
+            .into_iter()
+            .filter_map(|(to, shifts)| Some((to?, shifts)))
+        {
             let from = self.moves.last().map_or(to, |step| step.to);
             if from.distance(to) > ZERO_LENGTH || *self.shifts.last().unwrap_or(STILL) != shifts {
-                self.moves.push(Move { to, feed: Feed::Approach, purpose: Purpose::Position, step: WAY, arc: None });
+                self.moves.push(Move {
+                    to,
+                    feed: Feed::Approach,
+                    purpose: Purpose::Position,
+                    step: WAY,
+                    arc: None,
+                });
                 self.shifts.push(shifts);
             }
         }
@@ -347,7 +493,11 @@ impl Path {
 
     fn take_touches(&mut self, path: &Path, sample: usize) {
         let surfaces = self.surfaces.len();
-        let later = |touch: &Touch| Touch { group: touch.group + surfaces, sample: touch.sample + sample, ..*touch };
+        let later = |touch: &Touch| Touch {
+            group: touch.group + surfaces,
+            sample: touch.sample + sample,
+            ..*touch
+        };
         self.touches.extend(path.touches.iter().map(later));
     }
 
@@ -357,10 +507,14 @@ impl Path {
             Surface::Round(_) | Surface::Unknown => 0,
         };
         let bodies = self.surfaces.iter().map(body).max().unwrap_or(0);
-        self.surfaces.extend(path.surfaces.iter().map(|surface| match surface {
-            Surface::Flat(wall) => Surface::Flat(crate::path::Wall { body: wall.body + bodies, ..*wall }),
-            other => *other,
-        }));
+        self.surfaces
+            .extend(path.surfaces.iter().map(|surface| match surface {
+                Surface::Flat(wall) => Surface::Flat(crate::path::Wall {
+                    body: wall.body + bodies,
+                    ..*wall
+                }),
+                other => *other,
+            }));
     }
 
     fn datum_of(&mut self, source: &DatumSource) -> Option<Datum> {
@@ -371,7 +525,10 @@ impl Path {
         for (one, other) in [(0, 1), (1, 0)] {
             if let (Some(measures), None) = (datum(one), place[other]) {
                 let nominal = measures.place[other];
-                place[other] = place[one].and(nominal).map(|nominal| Coordinate { measured: None, ..nominal });
+                place[other] = place[one].and(nominal).map(|nominal| Coordinate {
+                    measured: None,
+                    ..nominal
+                });
             }
         }
         let rotation = source.rotation.and_then(|result| {
@@ -379,41 +536,64 @@ impl Path {
             Some((result.variable?, result.nominal))
         });
         let rotation = rotation.map(|(variable, nominal)| self.formula.turn(variable, nominal));
-        (place.iter().any(Option::is_some) || rotation.is_some()).then(|| Datum { rotation, ..Datum::of(place) })
+        (place.iter().any(Option::is_some) || rotation.is_some()).then(|| Datum {
+            rotation,
+            ..Datum::of(place)
+        })
     }
 
     /// The member to which the way begins with this move.
     pub fn begins_member(&self, index: usize) -> Option<usize> {
-        let begin = |m: usize| m.checked_sub(1).map_or(0, |before| self.members[before].moves.end);
+        let begin = |m: usize| {
+            m.checked_sub(1)
+                .map_or(0, |before| self.members[before].moves.end)
+        };
         (0..self.members.len()).find(|m| begin(*m) == index)
     }
 
     /// The member that a move is of, or that it leads to; none where the path is of one cycle.
     pub fn member_of_move(&self, index: usize) -> Option<usize> {
-        (!self.members.is_empty()).then(|| self.members.partition_point(|member| member.moves.end <= index))
+        (!self.members.is_empty()).then(|| {
+            self.members
+                .partition_point(|member| member.moves.end <= index)
+        })
     }
 
     /// Where each result is found after cycles of the control's own, by its place in the list of all.
     pub fn kept(&self) -> Vec<(usize, Stored)> {
         let of = |path: &Path, results: Range<usize>| -> Vec<(usize, Stored)> {
-            let index = |code: &str| results.clone().find(|index| self.formula.results[*index].code == code);
+            let index = |code: &str| {
+                results
+                    .clone()
+                    .find(|index| self.formula.results[*index].code == code)
+            };
             let own = path.own.iter().flat_map(|own| &own.stored);
-            own.filter_map(|(code, stored)| Some((index(code)?, *stored))).collect()
+            own.filter_map(|(code, stored)| Some((index(code)?, *stored)))
+                .collect()
         };
         match self.members.as_slice() {
             [] => of(self, 0..self.formula.results.len()),
-            members => members.iter().flat_map(|member| of(&member.path, member.results.clone())).collect(),
+            members => members
+                .iter()
+                .flat_map(|member| of(&member.path, member.results.clone()))
+                .collect(),
         }
     }
 
     /// The same by its name: of a set-up with that of its cycle.
     pub fn stored(&self) -> Vec<(String, Stored)> {
         let name = |index: usize| self.formula.code(&self.formula.results[index]).into_owned();
-        self.kept().into_iter().map(|(index, stored)| (name(index), stored)).collect()
+        self.kept()
+            .into_iter()
+            .map(|(index, stored)| (name(index), stored))
+            .collect()
     }
 
     /// The member that a touch is of; likewise.
     pub fn member_of_touch(&self, k: usize) -> Option<usize> {
-        (!self.members.is_empty()).then(|| self.members.partition_point(|member| member.touches.end <= k))
+        (!self.members.is_empty()).then(|| {
+            self.members
+                .partition_point(|member| member.touches.end <= k)
+        })
     }
 }

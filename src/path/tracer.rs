@@ -14,21 +14,40 @@ pub struct Tracer {
 impl Tracer {
     /// Starts at an unknown place: the first move is always kept.
     pub fn new(setup: &Setup) -> Self {
-        Tracer { at: None, radius: setup.radius, moves: Vec::new() }
+        Tracer {
+            at: None,
+            radius: setup.radius,
+            moves: Vec::new(),
+        }
     }
 
     /// Starts where the ball is.
     pub fn starting_at(setup: &Setup, start: Vec3) -> Self {
-        Tracer { at: Some(start), ..Tracer::new(setup) }
+        Tracer {
+            at: Some(start),
+            ..Tracer::new(setup)
+        }
     }
 
     pub fn position(&mut self, to: Vec3, feed: Feed, step: u8) {
-        self.push(Move { to, feed, purpose: Purpose::Position, step, arc: None });
+        self.push(Move {
+            to,
+            feed,
+            purpose: Purpose::Position,
+            step,
+            arc: None,
+        });
     }
 
     /// A positioning move along an arc.
     pub fn arc(&mut self, to: Vec3, arc: Arc, feed: Feed, step: u8) {
-        self.push(Move { to, feed, purpose: Purpose::Position, step, arc: Some(arc) });
+        self.push(Move {
+            to,
+            feed,
+            purpose: Purpose::Position,
+            step,
+            arc: Some(arc),
+        });
     }
 
     /// Where the ball stands, once that is known.
@@ -45,8 +64,20 @@ impl Tracer {
     pub fn touch_in_steps(&mut self, index: usize, touch: &Touch, back: Feed, steps: [u8; 2]) {
         let from = self.at.expect("a touch starts at a known place");
         let to = touch.contact(self.radius);
-        self.push(Move { to, feed: Feed::Work, purpose: Purpose::Touch(index), step: steps[0], arc: None });
-        self.push(Move { to: from, feed: back, purpose: Purpose::Back(index), step: steps[1], arc: None });
+        self.push(Move {
+            to,
+            feed: Feed::Work,
+            purpose: Purpose::Touch(index),
+            step: steps[0],
+            arc: None,
+        });
+        self.push(Move {
+            to: from,
+            feed: back,
+            purpose: Purpose::Back(index),
+            step: steps[1],
+            arc: None,
+        });
     }
 
     pub fn moves(self) -> Vec<Move> {
@@ -55,7 +86,9 @@ impl Tracer {
 
     /// A touch and its way back are never left out, however short: the check of the whole path reports them.
     fn push(&mut self, next: Move) {
-        if next.purpose != Purpose::Position || self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH) {
+        if next.purpose != Purpose::Position
+            || self.at.is_none_or(|at| at.distance(next.to) > ZERO_LENGTH)
+        {
             self.at = Some(next.to);
             self.moves.push(next);
         }

@@ -35,12 +35,17 @@ pub struct Nominal {
 impl Nominal {
     /// A number without a tolerance.
     pub fn number(x: f64) -> Self {
-        Nominal { nominal: Some(x), ..Nominal::default() }
+        Nominal {
+            nominal: Some(x),
+            ..Nominal::default()
+        }
     }
 
     /// What deviations are measured from: the middle of the tolerance zone, or the nominal value.
     pub fn reference(&self) -> Option<f64> {
-        self.limits.map(|(low, high)| (low + high) / 2.0).or(self.nominal)
+        self.limits
+            .map(|(low, high)| (low + high) / 2.0)
+            .or(self.nominal)
     }
 
     /// The same with lengths multiplied.
@@ -55,12 +60,25 @@ impl Nominal {
 /// Reads a value. `to_mm` is millimetres in the unit it is written in. The error says in plain words what is wrong.
 pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
     // What is given, behind @, is a number.
-    let (place, given) =
-        text.trim().split_once('@').map_or((text.trim(), String::new()), |(left, right)| (left, format!("@{right}")));
+    let (place, given) = text
+        .trim()
+        .split_once('@')
+        .map_or((text.trim(), String::new()), |(left, right)| {
+            (left, format!("@{right}"))
+        });
     let whole = format!("{}{given}", canonical(place));
     let whole = whole.as_str();
-    let wrong = || text!("\"{value}\" is not a value: the forms are {forms}", shown(whole), FORMS.to_owned());
-    let mut value = Nominal { text: Some(whole.replace(',', ".")), ..Nominal::default() };
+    let wrong = || {
+        text!(
+            "\"{value}\" is not a value: the forms are {forms}",
+            shown(whole),
+            FORMS.to_owned()
+        )
+    };
+    let mut value = Nominal {
+        text: Some(whole.replace(',', ".")),
+        ..Nominal::default()
+    };
     let (rest, actual) = match whole.split_once('@') {
         Some((left, right)) => (left, Some(right)),
         None => (whole, None),
@@ -76,7 +94,11 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
         None => rest,
     };
     if value.unknown && (value.actual.is_some() || rest.is_empty()) {
-        return if value.actual.is_some() { Err(wrong()) } else { Ok(value) };
+        return if value.actual.is_some() {
+            Err(wrong())
+        } else {
+            Ok(value)
+        };
     }
     let split = end_of_number(rest).ok_or_else(wrong)?;
     let nominal = number(&rest[..split]).ok_or_else(wrong)?;
@@ -91,7 +113,8 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
     let (low, high) = if tolerance.starts_with(['+', '-']) {
         signed(tolerance).ok_or_else(wrong)?
     } else {
-        let (low, high) = standard(tolerance, nominal * to_mm).map_err(|why| text!("\"{value}\": {why}", shown(whole), why))?;
+        let (low, high) = standard(tolerance, nominal * to_mm)
+            .map_err(|why| text!("\"{value}\": {why}", shown(whole), why))?;
         (low / to_mm, high / to_mm)
     };
     value.limits = Some((nominal + low, nominal + high));
@@ -101,7 +124,11 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
 /// The nominal size of a text that reads as a size with a tolerance, also as drawings write it: `25H7`, `25 h6`, `25+0.021`, `25 ±0.02`, `25 +0,021/0`.
 /// None where it reads as something else, such as a number, a sum or a fraction.
 pub fn toleranced(text: &str) -> Option<f64> {
-    let plain = text.trim().trim_start_matches(['Ø', 'ø', '⌀']).trim_start().replace('\u{2212}', "-");
+    let plain = text
+        .trim()
+        .trim_start_matches(['Ø', 'ø', '⌀'])
+        .trim_start()
+        .replace('\u{2212}', "-");
     let end = end_of_number(&plain)?;
     let nominal = number(&plain[..end])?;
     let rest = plain[end..].trim();
@@ -128,7 +155,9 @@ fn is_class(text: &str) -> bool {
     let class = text.split('/').next().unwrap_or(text).trim();
     let letters = class.bytes().take_while(u8::is_ascii_alphabetic).count();
     let grade = &class[letters..];
-    (1..=2).contains(&letters) && (1..=2).contains(&grade.len()) && grade.bytes().all(|b| b.is_ascii_digit())
+    (1..=2).contains(&letters)
+        && (1..=2).contains(&grade.len())
+        && grade.bytes().all(|b| b.is_ascii_digit())
 }
 
 /// The same value with every length multiplied by `by`; none for a text that is no value. Letters and signs stay.
@@ -141,7 +170,9 @@ pub fn convert(text: &str, by: impl Fn(f64) -> f64) -> Option<String> {
     while let Some(first) = rest.chars().next() {
         // The grade of a class is no length.
         if first.is_ascii_alphabetic() {
-            let end = rest.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(rest.len());
+            let end = rest
+                .find(|c: char| !c.is_ascii_alphanumeric())
+                .unwrap_or(rest.len());
             out.push_str(&rest[..end]);
             rest = &rest[end..];
         } else if digit(rest) || (matches!(first, '+' | '-') && digit(&rest[1..])) {
@@ -182,13 +213,19 @@ fn signed(text: &str) -> Option<(f64, f64)> {
 
 /// Lower and upper deviation in mm of a letter class.
 fn standard(text: &str, nominal: f64) -> Result<(f64, f64), Text> {
-    let letters = text.len() - text.trim_start_matches(|c: char| c.is_ascii_alphabetic()).len();
+    let letters = text.len()
+        - text
+            .trim_start_matches(|c: char| c.is_ascii_alphabetic())
+            .len();
     let (class, grade) = text.split_at(letters);
     if grade.is_empty() && ["f", "m", "c", "v"].contains(&class) {
         return general(class, nominal.abs());
     }
     if class.is_empty() || grade.is_empty() || !grade.bytes().all(|b| b.is_ascii_digit()) {
-        return Err(text!("\"{text}\" is neither an ISO 286 class such as H7 nor an ISO 2768 letter f, m, c, v", shown(text)));
+        return Err(text!(
+            "\"{text}\" is neither an ISO 286 class such as H7 nor an ISO 2768 letter f, m, c, v",
+            shown(text)
+        ));
     }
     iso_286(class, grade, nominal)
 }
@@ -206,10 +243,17 @@ fn general(class: &str, size: f64) -> Result<(f64, f64), Text> {
         "c" => [0.2, 0.3, 0.5, 0.8, 1.2, 2.0, 3.0, 4.0],
         _ => [NO, 0.5, 1.0, 1.5, 2.5, 4.0, 6.0, 8.0],
     };
-    let band = BANDS.iter().position(|upper| size <= *upper + AT_BAND_END).filter(|_| size >= 0.5 - AT_BAND_END);
+    let band = BANDS
+        .iter()
+        .position(|upper| size <= *upper + AT_BAND_END)
+        .filter(|_| size >= 0.5 - AT_BAND_END);
     match band.map(|b| row[b]).filter(|t| t.is_finite()) {
         Some(t) => Ok((-t, t)),
-        None => Err(text!("ISO 2768-1 gives no {class} for a size of {size} mm", class.to_owned(), decimal(size, 4))),
+        None => Err(text!(
+            "ISO 2768-1 gives no {class} for a size of {size} mm",
+            class.to_owned(),
+            decimal(size, 4)
+        )),
     }
 }
 
@@ -236,10 +280,19 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
     };
     let grade = grade_of(class, grade_text).ok_or_else(unknown)?;
     if !(size > 0.0 && size <= 500.0 + AT_BAND_END) {
-        return Err(text!("ISO 286 is known here for sizes above 0 up to 500 mm, not for {size} mm", decimal(size, 4)));
+        return Err(text!(
+            "ISO 286 is known here for sizes above 0 up to 500 mm, not for {size} mm",
+            decimal(size, 4)
+        ));
     }
-    let main = MAIN_BANDS.iter().position(|upper| size <= f64::from(*upper) + AT_BAND_END).expect("the last band ends at 500");
-    let sub = SUB_BANDS.iter().position(|upper| size <= f64::from(*upper) + AT_BAND_END).expect("the last band ends at 500");
+    let main = MAIN_BANDS
+        .iter()
+        .position(|upper| size <= f64::from(*upper) + AT_BAND_END)
+        .expect("the last band ends at 500");
+    let sub = SUB_BANDS
+        .iter()
+        .position(|upper| size <= f64::from(*upper) + AT_BAND_END)
+        .expect("the last band ends at 500");
     let it = |grade: i32| f64::from(GRADES[(grade + 1) as usize][main]) / 10.0;
     let width = it(grade);
     let hole = class.starts_with(|c: char| c.is_ascii_uppercase());
@@ -247,7 +300,13 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
     if class != lower && class != class.to_ascii_uppercase() {
         return Err(unknown());
     }
-    let given = |value: i16| if value == NONE { Err(unknown()) } else { Ok(f64::from(value)) };
+    let given = |value: i16| {
+        if value == NONE {
+            Err(unknown())
+        } else {
+            Ok(f64::from(value))
+        }
+    };
     let table = |rows: &[(i32, [i16; 25])]| match rows.iter().find(|(g, _)| *g == grade) {
         Some((_, row)) => given(row[sub]),
         None => Err(unknown()),
@@ -255,9 +314,15 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
     let shaft = |letter: &str| match letter {
         "k" if (4..=7).contains(&grade) => given(SHAFT_K[sub]),
         "k" => Ok(0.0),
-        _ => SHAFTS.iter().find(|(l, _)| *l == letter).map_or_else(|| Err(unknown()), |(_, row)| given(row[sub])),
+        _ => SHAFTS
+            .iter()
+            .find(|(l, _)| *l == letter)
+            .map_or_else(|| Err(unknown()), |(_, row)| given(row[sub])),
     };
-    let early = matches!(lower.as_str(), "a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g");
+    let early = matches!(
+        lower.as_str(),
+        "a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g"
+    );
     let above = |low: f64| (low, low + width);
     let below = |high: f64| (high - width, high);
     // Micrometres: lower and upper deviation.
@@ -271,8 +336,20 @@ fn iso_286(class: &str, grade_text: &str, size: f64) -> Result<(f64, f64), Text>
         (letter, false) if early => below(shaft(letter)?),
         // The hole K has one ei for every grade up to 8, and is not defined above, over 3 mm.
         ("k", true) if grade > 8 && size > 3.0 + AT_BAND_END => return Err(unknown()),
-        ("k", true) => below(hole_upper("k", grade, size, given(SHAFT_K[sub])?, width - it(grade - 1))),
-        (letter, true) => below(hole_upper(letter, grade, size, shaft(letter)?, width - it(grade - 1))),
+        ("k", true) => below(hole_upper(
+            "k",
+            grade,
+            size,
+            given(SHAFT_K[sub])?,
+            width - it(grade - 1),
+        )),
+        (letter, true) => below(hole_upper(
+            letter,
+            grade,
+            size,
+            shaft(letter)?,
+            width - it(grade - 1),
+        )),
         (letter, false) => above(shaft(letter)?),
     };
     Ok((low / 1000.0, high / 1000.0))
@@ -289,7 +366,11 @@ fn hole_upper(letter: &str, grade: i32, size: f64, shaft: f64, delta: f64) -> f6
         return 0.0;
     }
     let finest = if middle { 8 } else { 7 };
-    if over(3.0) && grade <= finest { -shaft + delta } else { -shaft }
+    if over(3.0) && grade <= finest {
+        -shaft + delta
+    } else {
+        -shaft
+    }
 }
 
 /// A plain decimal number, sign allowed, no exponent.
@@ -300,18 +381,26 @@ fn number(text: &str) -> Option<f64> {
         && digits.bytes().all(|b| b.is_ascii_digit() || b == b'.')
         && digits.bytes().any(|b| b.is_ascii_digit())
         && digits.len() <= 20;
-    good.then(|| crate::num::read(&plain)).flatten().filter(|x| x.abs() <= 100_000.0)
+    good.then(|| crate::num::read(&plain))
+        .flatten()
+        .filter(|x| x.abs() <= 100_000.0)
 }
 
 /// Where the number at the start of a text ends; none where it starts with none.
 fn end_of_number(text: &str) -> Option<usize> {
     let sign = usize::from(text.starts_with(['+', '-']));
-    let length = text[sign..].bytes().take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b',')).count();
+    let length = text[sign..]
+        .bytes()
+        .take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b','))
+        .count();
     (length > 0).then_some(sign + length)
 }
 
 fn shown(text: &str) -> String {
-    text.chars().take(30).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect()
+    text.chars()
+        .take(30)
+        .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+        .collect()
 }
 
 #[cfg(test)]
@@ -322,7 +411,10 @@ mod tests {
         let value = parse(text, 1.0).unwrap_or_else(|e| panic!("{e}"));
         let (low, high) = value.limits.unwrap();
         let nominal = value.nominal.unwrap();
-        (((low - nominal) * 1000.0 * 1e6).round() / 1e6, ((high - nominal) * 1000.0 * 1e6).round() / 1e6)
+        (
+            ((low - nominal) * 1000.0 * 1e6).round() / 1e6,
+            ((high - nominal) * 1000.0 * 1e6).round() / 1e6,
+        )
     }
 
     /// Limit deviations in micrometres as printed in handbooks' tables of ISO 286-2.
@@ -390,32 +482,43 @@ mod tests {
     #[test]
     fn classes_keep_the_rules() {
         let letters = [
-            "a", "b", "c", "cd", "d", "e", "ef", "f", "fg", "g", "h", "js", "j", "k", "m", "n", "p", "r", "s", "t", "u", "v",
-            "x", "y", "z", "za", "zb", "zc",
+            "a", "b", "c", "cd", "d", "e", "ef", "f", "fg", "g", "h", "js", "j", "k", "m", "n",
+            "p", "r", "s", "t", "u", "v", "x", "y", "z", "za", "zb", "zc",
         ];
         let mut classes = 0;
         for size in [
-            1.0, 2.5, 3.0, 5.0, 6.0, 9.0, 12.0, 17.0, 22.0, 28.0, 35.0, 45.0, 60.0, 75.0, 90.0, 110.0, 130.0, 150.0, 170.0,
-            190.0, 210.0, 240.0, 260.0, 300.0, 330.0, 380.0, 420.0, 480.0, 500.0,
+            1.0, 2.5, 3.0, 5.0, 6.0, 9.0, 12.0, 17.0, 22.0, 28.0, 35.0, 45.0, 60.0, 75.0, 90.0,
+            110.0, 130.0, 150.0, 170.0, 190.0, 210.0, 240.0, 260.0, 300.0, 330.0, 380.0, 420.0,
+            480.0, 500.0,
         ] {
             for grade in 1..=18 {
                 let width = limits(&format!("{size}h{grade}")).0.abs();
                 assert!(width > 0.0);
                 for letter in letters {
                     let small = parse(&format!("{size}{letter}{grade}"), 1.0);
-                    let capital = parse(&format!("{size}{}{grade}", letter.to_ascii_uppercase()), 1.0);
+                    let capital = parse(
+                        &format!("{size}{}{grade}", letter.to_ascii_uppercase()),
+                        1.0,
+                    );
                     for class in [&small, &capital].into_iter().flatten() {
                         let (low, high) = class.limits.unwrap();
-                        assert!(((high - low) * 1000.0 - width).abs() < 1e-6, "{class:?} is as wide as its grade");
+                        assert!(
+                            ((high - low) * 1000.0 - width).abs() < 1e-6,
+                            "{class:?} is as wide as its grade"
+                        );
                         classes += 1;
                     }
-                    let (Ok(small), Ok(capital)) = (small, capital) else { continue };
+                    let (Ok(small), Ok(capital)) = (small, capital) else {
+                        continue;
+                    };
                     let (s, c) = (small.limits.unwrap(), capital.limits.unwrap());
                     // A … H mirror their shafts; coarse or small K … ZC too.
-                    let mirrored = letters.iter().position(|l| *l == letter) < Some(11) || (size <= 3.0 && letter != "j");
+                    let mirrored = letters.iter().position(|l| *l == letter) < Some(11)
+                        || (size <= 3.0 && letter != "j");
                     if mirrored {
                         assert!(
-                            (s.0 + c.1 - 2.0 * size).abs() < 1e-9 && (s.1 + c.0 - 2.0 * size).abs() < 1e-9,
+                            (s.0 + c.1 - 2.0 * size).abs() < 1e-9
+                                && (s.1 + c.0 - 2.0 * size).abs() < 1e-9,
                             "{small:?} {capital:?}"
                         );
                     }
@@ -445,8 +548,16 @@ mod tests {
             ("10 H7", 0.0, 15.0, "10H7"),
         ] {
             assert_eq!(limits(text), (low, high), "{text}");
-            assert_eq!(parse(text, 1.0).unwrap().text.as_deref(), Some(written), "{text}");
-            assert_eq!(convert(text, |x| 2.0 * x), convert(written, |x| 2.0 * x), "{text}");
+            assert_eq!(
+                parse(text, 1.0).unwrap().text.as_deref(),
+                Some(written),
+                "{text}"
+            );
+            assert_eq!(
+                convert(text, |x| 2.0 * x),
+                convert(written, |x| 2.0 * x),
+                "{text}"
+            );
         }
     }
 
@@ -455,7 +566,10 @@ mod tests {
         // ISO 286-2: H7 of 18 to 30 mm is +0.021/0, h6 of the same 0/-0.013, H7 of 0.9842 inch that of 25 mm.
         let near = |text: &str, to_mm: f64, [low, high]: [f64; 2]| {
             let zone = zone(text, to_mm).unwrap();
-            assert!((zone[0] - low).abs() < 1e-6 && (zone[1] - high).abs() < 1e-6, "{text}: {zone:?}");
+            assert!(
+                (zone[0] - low).abs() < 1e-6 && (zone[1] - high).abs() < 1e-6,
+                "{text}: {zone:?}"
+            );
         };
         near("25H7", 1.0, [25.0, 25.021]);
         near("Ø25 h6", 1.0, [24.987, 25.0]);
@@ -475,14 +589,30 @@ mod tests {
     /// The middles that the reference prints.
     #[test]
     fn deviations_count_from_the_middle_of_the_zone() {
-        for (text, middle) in [("10H7", 10.0075), ("10m", 10.0), ("10+0.01-0.015", 9.9975), ("+8-2-1", 6.5), ("10", 10.0)] {
-            assert!((parse(text, 1.0).unwrap().reference().unwrap() - middle).abs() < 1e-12, "{text}");
+        for (text, middle) in [
+            ("10H7", 10.0075),
+            ("10m", 10.0),
+            ("10+0.01-0.015", 9.9975),
+            ("+8-2-1", 6.5),
+            ("10", 10.0),
+        ] {
+            assert!(
+                (parse(text, 1.0).unwrap().reference().unwrap() - middle).abs() < 1e-12,
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn unknown_and_given_places() {
-        assert_eq!(parse("?", 1.0).unwrap(), Nominal { unknown: true, text: Some("?".into()), ..Nominal::default() });
+        assert_eq!(
+            parse("?", 1.0).unwrap(),
+            Nominal {
+                unknown: true,
+                text: Some("?".into()),
+                ..Nominal::default()
+            }
+        );
         let near = parse("?10", 1.0).unwrap();
         assert_eq!((near.nominal, near.unknown), (Some(10.0), true));
         let given = parse("10+0.02@10.0123", 1.0).unwrap();

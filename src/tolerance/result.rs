@@ -29,8 +29,10 @@ enum Deviations<'t> {
 impl<'t> Deviations<'t> {
     /// `±0.02`, `+0.021/0`, `0 -0.1`, `+0.02-0.01`, `-0.2`, `H7`, `m`. None where it is none of these. Only a 0 has no sign.
     fn read(text: &'t str) -> Option<Self> {
-        let given = |one: f64, other: f64| Some(Deviations::Given([one.min(other), one.max(other)]));
-        let signed_or_0 = |text: &str| number(text).filter(|x| *x == 0.0 || text.starts_with(['+', '-']));
+        let given =
+            |one: f64, other: f64| Some(Deviations::Given([one.min(other), one.max(other)]));
+        let signed_or_0 =
+            |text: &str| number(text).filter(|x| *x == 0.0 || text.starts_with(['+', '-']));
         if let Some(off) = text.strip_prefix('±').or_else(|| text.strip_prefix("+/-")) {
             let off = number(off.trim()).filter(|off| *off > 0.0)?;
             return given(-off, off);
@@ -41,7 +43,8 @@ impl<'t> Deviations<'t> {
         if text.starts_with(['+', '-']) {
             return signed(text).and_then(|(low, high)| given(low, high));
         }
-        let class = text.starts_with(|c: char| c.is_ascii_alphabetic()) && text.bytes().all(|b| b.is_ascii_alphanumeric());
+        let class = text.starts_with(|c: char| c.is_ascii_alphabetic())
+            && text.bytes().all(|b| b.is_ascii_alphanumeric());
         class.then_some(Deviations::Class(text))
     }
 
@@ -67,7 +70,10 @@ fn tidied(text: &str) -> String {
 impl<'t> Zone<'t> {
     fn read(text: &'t str) -> Option<Self> {
         if let Some((low, high)) = text.split_once("..") {
-            let ends = [number(low.trim())?, number(high.trim_start_matches('.').trim())?];
+            let ends = [
+                number(low.trim())?,
+                number(high.trim_start_matches('.').trim())?,
+            ];
             return (ends[0] < ends[1]).then_some(Zone::Ends(ends));
         }
         let Some(end) = end_of_number(text).filter(|_| !text.starts_with("+/-")) else {
@@ -79,9 +85,15 @@ impl<'t> Zone<'t> {
         let one = |text: &str| end_of_number(text) == Some(text.len());
         match rest {
             "" | "0" if relative => Deviations::read(text).map(|off| Zone::Off(None, off)),
-            _ if relative && rest.starts_with('/') => Deviations::read(text).map(|off| Zone::Off(None, off)),
-            _ if first == 0.0 && one(rest) => Deviations::read(text).map(|off| Zone::Off(None, off)),
-            _ if relative && rest.starts_with(['+', '-']) && one(rest) => Some(Zone::Either([first, number(rest)?])),
+            _ if relative && rest.starts_with('/') => {
+                Deviations::read(text).map(|off| Zone::Off(None, off))
+            }
+            _ if first == 0.0 && one(rest) => {
+                Deviations::read(text).map(|off| Zone::Off(None, off))
+            }
+            _ if relative && rest.starts_with(['+', '-']) && one(rest) => {
+                Some(Zone::Either([first, number(rest)?]))
+            }
             _ => Deviations::read(rest).map(|off| Zone::Off(Some(first), off)),
         }
     }
@@ -105,7 +117,8 @@ fn of_two(text: &str, [first, second]: [f64; 2], nominal: f64) -> Result<([f64; 
     if !is_size && (small || (first - nominal).abs() >= first.abs()) {
         return Ok((about, false));
     }
-    let [one, other] = [sized, about].map(|[low, high]| format!("{} … {}", decimal(low, 6), decimal(high, 6)));
+    let [one, other] =
+        [sized, about].map(|[low, high]| format!("{} … {}", decimal(low, 6), decimal(high, 6)));
     Err(text!(
         "\"{value}\" can be read in two ways, {one} and {other}: write the deviations with a slash, such as +0.02/-0.01, or both ends, such as 24.98..25.02",
         shown(text),
@@ -117,7 +130,10 @@ fn of_two(text: &str, [first, second]: [f64; 2], nominal: f64) -> Result<([f64; 
 /// The limits of a size that says its nominal value, `25 +0.021/0`; `to_mm` is millimetres in its unit. None of any other text.
 pub fn of_size(text: &str, to_mm: f64) -> Option<[f64; 2]> {
     match Zone::read(&tidied(text))? {
-        Zone::Off(Some(size), off) => off.of(size, Some(to_mm))?.ok().map(|[low, high]| [size + low, size + high]),
+        Zone::Off(Some(size), off) => off
+            .of(size, Some(to_mm))?
+            .ok()
+            .map(|[low, high]| [size + low, size + high]),
         _ => None,
     }
 }
@@ -136,14 +152,27 @@ pub fn canonical(text: &str) -> String {
 /// `25H7`, `25 ±0.02`, `24.98..25.02`; a negative one with two deviations, or where it is the nominal value: `-35 ±0.1`, `-35+0.1-0.2`, `-35 -0.2`. Two signed
 /// numbers that read both ways are an error. `to_mm` is millimetres in the unit; none of what has no classes.
 pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 2], bool), Text> {
-    let wrong = || text!("\"{value}\" is no tolerance: the forms are {forms}", shown(text), RESULT_FORMS.to_owned());
+    let wrong = || {
+        text!(
+            "\"{value}\" is no tolerance: the forms are {forms}",
+            shown(text),
+            RESULT_FORMS.to_owned()
+        )
+    };
     let plain = tidied(text);
     let (size, off) = match Zone::read(&plain).ok_or_else(wrong)? {
         Zone::Ends(ends) => return Ok((ends, true)),
-        Zone::Off(size, off) => (size, off.of(size.unwrap_or(nominal), to_mm).ok_or_else(wrong)??),
+        Zone::Off(size, off) => (
+            size,
+            off.of(size.unwrap_or(nominal), to_mm).ok_or_else(wrong)??,
+        ),
         Zone::Either(both) => {
             let (limits, says) = of_two(text, both, nominal)?;
-            return if limits[0] < limits[1] { Ok((limits, says)) } else { Err(wrong()) };
+            return if limits[0] < limits[1] {
+                Ok((limits, says))
+            } else {
+                Err(wrong())
+            };
         }
     };
     let [low, high] = off;
@@ -159,12 +188,20 @@ pub fn of_result(text: &str, nominal: f64, to_mm: Option<f64>) -> Result<([f64; 
 pub fn plain_of_result(text: &str) -> String {
     let plain = tidied(text).replace(',', ".");
     let (size, off) = match Zone::read(&plain) {
-        Some(Zone::Off(Some(_), Deviations::Given(_))) => plain.split_at(end_of_number(&plain).unwrap_or(0)),
+        Some(Zone::Off(Some(_), Deviations::Given(_))) => {
+            plain.split_at(end_of_number(&plain).unwrap_or(0))
+        }
         Some(Zone::Off(None, Deviations::Given(_))) => ("", plain.as_str()),
         _ => return plain.replace(' ', ""),
     };
     let off = off.trim();
-    let signed = |text: &str| if text.starts_with(['+', '-']) { text.to_owned() } else { format!("+{text}") };
+    let signed = |text: &str| {
+        if text.starts_with(['+', '-']) {
+            text.to_owned()
+        } else {
+            format!("+{text}")
+        }
+    };
     let both = if let Some(off) = off.strip_prefix('±').or_else(|| off.strip_prefix("+/-")) {
         format!("+{off}-{off}", off = off.trim())
     } else if let Some((one, other)) = off.split_once('/').or_else(|| off.split_once(' ')) {
@@ -186,7 +223,9 @@ pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        let digits = rest.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ',')).unwrap_or(rest.len());
+        let digits = rest
+            .find(|c: char| !(c.is_ascii_digit() || c == '.' || c == ','))
+            .unwrap_or(rest.len());
         // Two points stand between the ends of a zone.
         let digits = rest[..digits].find("..").unwrap_or(digits);
         if digits == 0 || out.ends_with('.') && first == '.' {
@@ -195,7 +234,8 @@ pub fn convert_of_result(text: &str, by: impl Fn(f64) -> f64) -> String {
             continue;
         }
         // The grade of a class is no length.
-        match number(&rest[..digits]).filter(|_| !out.ends_with(|c: char| c.is_ascii_alphabetic())) {
+        match number(&rest[..digits]).filter(|_| !out.ends_with(|c: char| c.is_ascii_alphabetic()))
+        {
             Some(x) => out.push_str(&decimal(by(x), 9)),
             None => out.push_str(&rest[..digits]),
         }
@@ -255,8 +295,12 @@ mod tests {
             ("24.98..25.02", 25.0, [24.98, 25.02], true),
             ("-0.02 … 0.02", 0.0, [-0.02, 0.02], true),
         ] {
-            let (found, own) = of_result(text, nominal, Some(1.0)).unwrap_or_else(|e| panic!("{text}: {e}"));
-            assert!((0..2).all(|i| (found[i] - limits[i]).abs() < 1e-9), "{text}: {found:?}");
+            let (found, own) =
+                of_result(text, nominal, Some(1.0)).unwrap_or_else(|e| panic!("{text}: {e}"));
+            assert!(
+                (0..2).all(|i| (found[i] - limits[i]).abs() < 1e-9),
+                "{text}: {found:?}"
+            );
             assert_eq!(own, says, "{text}");
         }
         for text in [
@@ -283,12 +327,20 @@ mod tests {
             "-",
             "1 2 3",
         ] {
-            assert!(of_result(text, 25.0, Some(1.0)).is_err(), "{text}: {:?}", of_result(text, 25.0, Some(1.0)));
+            assert!(
+                of_result(text, 25.0, Some(1.0)).is_err(),
+                "{text}: {:?}",
+                of_result(text, 25.0, Some(1.0))
+            );
         }
         // Two readings: -34.9 … -34.7 about -35.1 where it is a size, -70.1 … -35.3 as deviations; or about a nominal value that is itself as small as one.
         for (text, nominal) in [("-35 -0.2", -35.1), ("-0.1-0.2", -0.1), ("+0.5 -0.02", 0.5)] {
             let error = of_result(text, nominal, Some(1.0)).unwrap_err();
-            assert!(error.english().contains("two ways"), "{text}: {}", error.english());
+            assert!(
+                error.english().contains("two ways"),
+                "{text}: {}",
+                error.english()
+            );
         }
         // An angle has no classes.
         assert!(of_result("H7", 25.0, None).is_err());
@@ -318,8 +370,17 @@ mod tests {
             "+0.007874015748031498/-0.0012345678912345",
         ] {
             let plain = plain_of_result(text);
-            assert!(plain.chars().all(|c| c.is_ascii_alphanumeric() || ".+-".contains(c)), "{plain}");
-            assert_eq!(of_result(&plain, 25.0, Some(1.0)), of_result(text, 25.0, Some(1.0)), "{text}: {plain}");
+            assert!(
+                plain
+                    .chars()
+                    .all(|c| c.is_ascii_alphanumeric() || ".+-".contains(c)),
+                "{plain}"
+            );
+            assert_eq!(
+                of_result(&plain, 25.0, Some(1.0)),
+                of_result(text, 25.0, Some(1.0)),
+                "{text}: {plain}"
+            );
             assert!(of_result(text, 25.0, Some(1.0)).is_ok(), "{text}");
         }
     }

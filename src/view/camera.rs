@@ -39,8 +39,13 @@ pub const DOWNWARDS: Vec2 = Vec2::new(1.0, -1.0);
 impl Camera {
     /// A window that shows `bounds` with so many pixels around.
     pub fn fit(size: Vec2, [low, high]: [Vec2; 2], margin: f64) -> Self {
-        let room = (size - 2.0 * margin).max(Vec2::splat(20.0)) / (high - low).max(Vec2::splat(1e-3));
-        Camera { scale: room.min_element(), middle: (low + high) / 2.0, size }
+        let room =
+            (size - 2.0 * margin).max(Vec2::splat(20.0)) / (high - low).max(Vec2::splat(1e-3));
+        Camera {
+            scale: room.min_element(),
+            middle: (low + high) / 2.0,
+            size,
+        }
     }
 
     /// Room around a scene for its dimensions, pixels.
@@ -57,7 +62,11 @@ impl Camera {
     pub fn bar(&self, unit: f64) -> f64 {
         let most = 110.0 / self.scale / unit;
         let power = 10f64.powi(most.log10().floor() as i32);
-        [5.0, 2.0, 1.0].iter().map(|step| step * power).find(|length| *length <= most).unwrap_or(power)
+        [5.0, 2.0, 1.0]
+            .iter()
+            .map(|step| step * power)
+            .find(|length| *length <= most)
+            .unwrap_or(power)
     }
 
     /// Where a spot is seen.
@@ -89,9 +98,16 @@ mod tests {
 
     #[test]
     fn a_fitted_scene_lies_inside_and_zoom_keeps_the_spot_under_the_pointer() {
-        let mut camera = Camera::fit(Vec2::new(400.0, 300.0), [Vec2::new(-40.0, -25.0), Vec2::new(40.0, 25.0)], MARGIN);
+        let mut camera = Camera::fit(
+            Vec2::new(400.0, 300.0),
+            [Vec2::new(-40.0, -25.0), Vec2::new(40.0, 25.0)],
+            MARGIN,
+        );
         let corner = camera.pixel(Vec2::new(-40.0, 25.0));
-        assert!((corner.x - MARGIN).abs() < 1e-9 && corner.y >= MARGIN, "{corner:?}");
+        assert!(
+            (corner.x - MARGIN).abs() < 1e-9 && corner.y >= MARGIN,
+            "{corner:?}"
+        );
         let pixel = Vec2::new(100.0, 50.0);
         let before = camera.spot(pixel);
         camera.zoom(3.0, pixel);

@@ -1,7 +1,9 @@
 //! The dimensions of a feature as a drawing has them: whose field it is, from where to where, and on which side its line stands.
 
 use crate::geom::Vec3;
-use crate::path::{Bore, Corner, Entry, Feature, Feed, Pairs, Path, Point, Purpose, Straight, Surface, Top};
+use crate::path::{
+    Bore, Corner, Entry, Feature, Feed, Pairs, Path, Point, Purpose, Straight, Surface, Top,
+};
 
 /// A dimension of the nominal part, in the work coordinate system.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,10 +42,16 @@ pub fn angles(path: &Path) -> Vec<Angle> {
         Feature::Corner(corner) => {
             // Wall 1 runs along the ordinate of the frame, wall 2 on the side of its abscissa.
             let (sin, cos) = corner.angle.value.to_radians().sin_cos();
-            (corner.angle.field, frame.origin, [frame.v, frame.u * sin + frame.v * cos])
+            (
+                corner.angle.field,
+                frame.origin,
+                [frame.v, frame.u * sin + frame.v * cos],
+            )
         }
         Feature::Surface(point) => {
-            let Some(touch) = path.touches.first() else { return Vec::new() };
+            let Some(touch) = path.touches.first() else {
+                return Vec::new();
+            };
             (point.elevation, touch.point, [frame.u, touch.vector])
         }
         Feature::Unmoving
@@ -59,9 +67,18 @@ pub fn angles(path: &Path) -> Vec<Angle> {
     if sides[0].distance(sides[1]) < 1e-6 {
         return Vec::new();
     }
-    let touches = path.touches.iter().map(|touch| touch.point.distance(at)).filter(|far| *far > 1e-6);
+    let touches = path
+        .touches
+        .iter()
+        .map(|touch| touch.point.distance(at))
+        .filter(|far| *far > 1e-6);
     let room = touches.fold(f64::INFINITY, f64::min);
-    vec![Angle { field, at, sides, room }]
+    vec![Angle {
+        field,
+        at,
+        sides,
+        room,
+    }]
 }
 
 /// The dimensions of what a path probes; none where the touches were picked, since then they say nothing of where it lies.
@@ -84,33 +101,71 @@ pub fn dimensions(path: &Path) -> Vec<Dimension> {
 
 /// How far the last move lifts, straight up from where the path began; there is no such move where the distance is 0.
 fn lift(path: &Path) -> Option<Dimension> {
-    let (field, [.., before, last]) = (path.lift?, path.moves.as_slice()) else { return None };
-    let lifts = last.feed == Feed::Return && (last.to - before.to).cross(path.frame.w).length() < 1e-9;
-    lifts.then_some(Dimension { field, from: before.to, to: last.to, aside: path.frame.u, on_demand: true })
+    let (field, [.., before, last]) = (path.lift?, path.moves.as_slice()) else {
+        return None;
+    };
+    let lifts =
+        last.feed == Feed::Return && (last.to - before.to).cross(path.frame.w).length() < 1e-9;
+    lifts.then_some(Dimension {
+        field,
+        from: before.to,
+        to: last.to,
+        aside: path.frame.u,
+        on_demand: true,
+    })
 }
 
 /// Where the ball is when a touch begins.
 fn begin_of(path: &Path, touch: usize) -> Option<Vec3> {
-    let i = path.moves.iter().position(|step| step.purpose == Purpose::Touch(touch))?;
+    let i = path
+        .moves
+        .iter()
+        .position(|step| step.purpose == Purpose::Touch(touch))?;
     Some(path.moves[i.checked_sub(1)?].to)
 }
 
 /// Of a surface: from it to where its touch begins.
 fn surface(path: &Path, point: &Point) -> Vec<Dimension> {
-    let (Some(touch), Some(to)) = (path.touches.first(), begin_of(path, 0)) else { return Vec::new() };
+    let (Some(touch), Some(to)) = (path.touches.first(), begin_of(path, 0)) else {
+        return Vec::new();
+    };
     let w = path.frame.w;
-    let aside = (w - touch.vector * w.dot(touch.vector)).try_normalize().unwrap_or(path.frame.v);
-    vec![Dimension { field: point.clearance, from: touch.point, to, aside, on_demand: false }]
+    let aside = (w - touch.vector * w.dot(touch.vector))
+        .try_normalize()
+        .unwrap_or(path.frame.v);
+    vec![Dimension {
+        field: point.clearance,
+        from: touch.point,
+        to,
+        aside,
+        on_demand: false,
+    }]
 }
 
 /// Of a wall: from touch to touch, and from it to where a touch begins.
 fn straight(path: &Path, wall: &Straight) -> Vec<Dimension> {
-    let [first, second] = path.touches.as_slice() else { return Vec::new() };
-    let Some(to) = begin_of(path, 0) else { return Vec::new() };
+    let [first, second] = path.touches.as_slice() else {
+        return Vec::new();
+    };
+    let Some(to) = begin_of(path, 0) else {
+        return Vec::new();
+    };
     let (u, v) = (path.frame.u, path.frame.v);
     vec![
-        Dimension { field: wall.distance.field, from: first.point, to: second.point, aside: -u, on_demand: false },
-        Dimension { field: wall.clearance, from: first.point, to, aside: -v, on_demand: false },
+        Dimension {
+            field: wall.distance.field,
+            from: first.point,
+            to: second.point,
+            aside: -u,
+            on_demand: false,
+        },
+        Dimension {
+            field: wall.clearance,
+            from: first.point,
+            to,
+            aside: -v,
+            on_demand: false,
+        },
     ]
 }
 
@@ -123,7 +178,13 @@ fn middle(path: &Path) -> Vec3 {
 /// From one side of the middle to the other, so far aside from it.
 fn across(path: &Path, width: Entry, along: Vec3, aside: Vec3, far: f64) -> Dimension {
     let (center, half, edge) = (middle(path), along * (width.value / 2.0), aside * far);
-    Dimension { field: width.field, from: center - half + edge, to: center + half + edge, aside, on_demand: false }
+    Dimension {
+        field: width.field,
+        from: center - half + edge,
+        to: center + half + edge,
+        aside,
+        on_demand: false,
+    }
 }
 
 /// From the top side down to the touches, so far from the middle.
@@ -131,14 +192,25 @@ fn deep(path: &Path, depth: Entry, far: f64) -> Dimension {
     let (u, w) = (path.frame.u, path.frame.w);
     let out = u * far;
     let from = middle(path) + out;
-    Dimension { field: depth.field, from, to: from - w * depth.value, aside: out.normalize_or(u), on_demand: false }
+    Dimension {
+        field: depth.field,
+        from,
+        to: from - w * depth.value,
+        aside: out.normalize_or(u),
+        on_demand: false,
+    }
 }
 
 /// Of a hole or a boss.
 fn round(path: &Path, bore: &Bore) -> Vec<Dimension> {
-    let mut all =
-        vec![across(path, bore.diameter, path.frame.u, -path.frame.v, 0.0), deep(path, bore.depth, bore.diameter.value / 2.0)];
-    all.extend(bore.clearance.and_then(|clearance| before(path, clearance, 0)));
+    let mut all = vec![
+        across(path, bore.diameter, path.frame.u, -path.frame.v, 0.0),
+        deep(path, bore.depth, bore.diameter.value / 2.0),
+    ];
+    all.extend(
+        bore.clearance
+            .and_then(|clearance| before(path, clearance, 0)),
+    );
     all.extend(bore.crossing.and_then(|crossing| above(path, crossing)));
     all
 }
@@ -154,12 +226,30 @@ fn opposite(path: &Path, pairs: &Pairs) -> Vec<Dimension> {
     let far = ends.fold(0.0, f64::max);
     let mut all = Vec::new();
     for (side, (along, aside)) in pairs.sides.iter().zip(directions) {
-        let other = pairs.sides.iter().find(|other| other.width.field != side.width.field);
-        all.push(across(path, side.width, along, aside, other.map_or(far, |other| other.width.value / 2.0)));
+        let other = pairs
+            .sides
+            .iter()
+            .find(|other| other.width.field != side.width.field);
+        all.push(across(
+            path,
+            side.width,
+            along,
+            aside,
+            other.map_or(far, |other| other.width.value / 2.0),
+        ));
     }
-    all.extend(pairs.sides.first().map(|first| deep(path, pairs.depth, first.width.value / 2.0)));
+    all.extend(
+        pairs
+            .sides
+            .first()
+            .map(|first| deep(path, pairs.depth, first.width.value / 2.0)),
+    );
     // At the first touch of each pair.
-    let clearances = pairs.sides.iter().enumerate().filter_map(|(i, side)| before(path, side.clearance?, 2 * i));
+    let clearances = pairs
+        .sides
+        .iter()
+        .enumerate()
+        .filter_map(|(i, side)| before(path, side.clearance?, 2 * i));
     all.extend(clearances);
     all.extend(pairs.crossing.and_then(|crossing| above(path, crossing)));
     all
@@ -170,14 +260,26 @@ fn before(path: &Path, clearance: Entry, touch: usize) -> Option<Dimension> {
     let touch = path.touches.get(touch)?;
     let to = touch.point + touch.vector * clearance.value;
     let aside = path.frame.w.cross(touch.vector);
-    Some(Dimension { field: clearance.field, from: touch.point, to, aside, on_demand: true })
+    Some(Dimension {
+        field: clearance.field,
+        from: touch.point,
+        to,
+        aside,
+        on_demand: true,
+    })
 }
 
 /// From the top side, over the first touch, up to where the ball crosses.
 fn above(path: &Path, crossing: Entry) -> Option<Dimension> {
     let (touch, height, w) = (path.touches.first()?, path.top?, path.frame.w);
     let from = touch.point + w * (height - touch.point.dot(w));
-    Some(Dimension { field: crossing.field, from, to: from + w * crossing.value, aside: -touch.vector, on_demand: true })
+    Some(Dimension {
+        field: crossing.field,
+        from,
+        to: from + w * crossing.value,
+        aside: -touch.vector,
+        on_demand: true,
+    })
 }
 
 /// Of the walls of a corner: from the first touch to where it begins, to the next touch, and, outside, from the corner at its level.
@@ -185,28 +287,60 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
     let (origin, w) = (path.frame.origin, path.frame.w);
     let mut all = Vec::new();
     for (group, wall) in corner.walls.iter().enumerate() {
-        let mut touches = path.touches.iter().enumerate().filter(|(_, touch)| touch.group == group);
-        let Some((k, first)) = touches.next() else { continue };
+        let mut touches = path
+            .touches
+            .iter()
+            .enumerate()
+            .filter(|(_, touch)| touch.group == group);
+        let Some((k, first)) = touches.next() else {
+            continue;
+        };
         // Beside the corner, where no other touch is.
-        let along = w.cross(first.vector).try_normalize().unwrap_or(path.frame.u);
-        let aside = if along.dot(first.point - origin) > 0.0 { -along } else { along };
+        let along = w
+            .cross(first.vector)
+            .try_normalize()
+            .unwrap_or(path.frame.u);
+        let aside = if along.dot(first.point - origin) > 0.0 {
+            -along
+        } else {
+            along
+        };
         let begin = begin_of(path, k);
         if let Some(to) = begin {
-            all.push(Dimension { field: wall.clearance, from: first.point, to, aside, on_demand: true });
+            all.push(Dimension {
+                field: wall.clearance,
+                from: first.point,
+                to,
+                aside,
+                on_demand: true,
+            });
         }
         // Behind the wall; of a corner from outside in front of the touches, since behind one wall stands the other.
         let (aside, off) = if corner.outside {
-            (first.vector, begin.map_or(Vec3::ZERO, |begin| begin - first.point))
+            (
+                first.vector,
+                begin.map_or(Vec3::ZERO, |begin| begin - first.point),
+            )
         } else {
             (-first.vector, Vec3::ZERO)
         };
-        let beside =
-            |field, from: Vec3, to: Vec3, on_demand| Dimension { field, from: from + off, to: to + off, aside, on_demand };
+        let beside = |field, from: Vec3, to: Vec3, on_demand| Dimension {
+            field,
+            from: from + off,
+            to: to + off,
+            aside,
+            on_demand,
+        };
         if let (Some((_, next)), Some(field)) = (touches.next(), wall.step) {
             all.push(beside(field, first.point, next.point, false));
         }
         if let Some(field) = wall.distance.filter(|_| corner.outside) {
-            all.push(beside(field, origin + w * (first.point - origin).dot(w), first.point, true));
+            all.push(beside(
+                field,
+                origin + w * (first.point - origin).dot(w),
+                first.point,
+                true,
+            ));
         }
     }
     if let Some(top) = &corner.top {
@@ -217,32 +351,64 @@ fn cornered(path: &Path, corner: &Corner) -> Vec<Dimension> {
 
 /// Of a corner that is touched on its top side, too: how deep its walls are touched, and where the top side is.
 fn on_top(path: &Path, top: &Top, all: &mut Vec<Dimension>) {
-    let [first, second, third] = path.touches.as_slice() else { return };
+    let [first, second, third] = path.touches.as_slice() else {
+        return;
+    };
     let (origin, w) = (path.frame.origin, path.frame.w);
     let level = w * (origin - first.point).dot(w);
     // Away from both walls, so that it stands free from the front and from the side.
-    let aside = (first.vector + second.vector).try_normalize().unwrap_or(first.vector);
+    let aside = (first.vector + second.vector)
+        .try_normalize()
+        .unwrap_or(first.vector);
     let (from, to) = (first.point + level, first.point);
-    all.push(Dimension { field: top.depth, from, to, aside, on_demand: false });
+    all.push(Dimension {
+        field: top.depth,
+        from,
+        to,
+        aside,
+        on_demand: false,
+    });
     for (wall, field) in [first, second].into_iter().zip(top.inwards) {
         let from = third.point + wall.vector * (wall.point - third.point).dot(wall.vector);
         let aside = w.cross(wall.vector);
-        all.push(Dimension { field, from, to: third.point, aside, on_demand: true });
+        all.push(Dimension {
+            field,
+            from,
+            to: third.point,
+            aside,
+            on_demand: true,
+        });
     }
     if let Some(to) = begin_of(path, 2) {
-        all.push(Dimension { field: top.clearance, from: third.point, to, aside: first.vector, on_demand: true });
+        all.push(Dimension {
+            field: top.clearance,
+            from: third.point,
+            to,
+            aside: first.vector,
+            on_demand: true,
+        });
     }
 }
 
 /// The diameters of two circles.
 fn two_circles(path: &Path, diameters: [&'static str; 2]) -> Vec<Dimension> {
     let (u, aside) = (path.frame.u, -path.frame.v);
-    let circles = path.surfaces.iter().zip(diameters).filter_map(|(surface, field)| match surface {
-        Surface::Round(round) => {
-            let half = u * round.radius;
-            Some(Dimension { field, from: round.center - half, to: round.center + half, aside, on_demand: false })
-        }
-        Surface::Flat(_) | Surface::Unknown => None,
-    });
+    let circles =
+        path.surfaces
+            .iter()
+            .zip(diameters)
+            .filter_map(|(surface, field)| match surface {
+                Surface::Round(round) => {
+                    let half = u * round.radius;
+                    Some(Dimension {
+                        field,
+                        from: round.center - half,
+                        to: round.center + half,
+                        aside,
+                        on_demand: false,
+                    })
+                }
+                Surface::Flat(_) | Surface::Unknown => None,
+            });
     circles.collect()
 }

@@ -33,21 +33,39 @@ impl Scene {
     /// What is drawn of walls and top sides, the virtual part's where that `deviates`.
     pub fn display(&self, camera: &Camera, deviates: bool) -> Vec<Item<'_>> {
         let faces = self.faces(deviates);
-        faces.chunk_by(together).map(|faces| item(faces, camera)).collect()
+        faces
+            .chunk_by(together)
+            .map(|faces| item(faces, camera))
+            .collect()
     }
 }
 
 fn item<'a>(faces: &[Face<'a>], camera: &Camera) -> Item<'a> {
     let wall = match faces[0] {
         Face::Behind(of) => return Item::Behind(of),
-        Face::Top(top) => return Item::Top(top.corners.iter().map(|corner| camera.pixel(*corner)).collect()),
+        Face::Top(top) => {
+            return Item::Top(
+                top.corners
+                    .iter()
+                    .map(|corner| camera.pixel(*corner))
+                    .collect(),
+            );
+        }
         Face::Wall(wall) => wall,
     };
-    let mut walls = Walls { wall, lines: Vec::new(), outlines: Vec::new() };
+    let mut walls = Walls {
+        wall,
+        lines: Vec::new(),
+        outlines: Vec::new(),
+    };
     for face in faces {
-        let Face::Wall(WallShape { edge, corners, .. }) = face else { continue };
+        let Face::Wall(WallShape { edge, corners, .. }) = face else {
+            continue;
+        };
         let Some([from, to]) = edge.map(|ends| ends.map(|end| camera.pixel(end))) else {
-            walls.outlines.push(corners.map(|corner| camera.pixel(corner)));
+            walls
+                .outlines
+                .push(corners.map(|corner| camera.pixel(corner)));
             continue;
         };
         match walls.lines.last_mut() {

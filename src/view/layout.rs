@@ -1,7 +1,9 @@
 //! Where dimensions and angles stand in a picture, and what they say: on free ground, as far as there is any.
 
 use crate::geom::Vec2;
-use crate::view::camera::{AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera, DIMENSION_MARGIN, DOWNWARDS, MARGIN};
+use crate::view::camera::{
+    AXES_CORNER, AXES_REACH, BAR_CORNER, BAR_REACH, Camera, DIMENSION_MARGIN, DOWNWARDS, MARGIN,
+};
 use crate::view::numbers::Number;
 use crate::view::plate::{CUT_OFF, Crowd, Plate};
 use crate::view::scene::{Drawn, DrawnAngle, Line, Scene, Stroke};
@@ -69,26 +71,43 @@ impl Placed<'_> {
     /// The tips of its arrow heads, and where they point.
     pub fn heads(&self) -> [(Vec2, Vec2); 2] {
         let [start, end] = self.line;
-        let out = (end - start) / start.distance(end).max(1e-9) * if self.within { 1.0 } else { -1.0 };
+        let out =
+            (end - start) / start.distance(end).max(1e-9) * if self.within { 1.0 } else { -1.0 };
         [(start, -out), (end, out)]
     }
 }
 
 /// The way along a line from which a name on it is read: from below, or from the right.
 fn readable(way: Vec2) -> Vec2 {
-    if way.x < -1e-6 || (way.x < 1e-6 && way.y > 0.0) { -way } else { way }
+    if way.x < -1e-6 || (way.x < 1e-6 && way.y > 0.0) {
+        -way
+    } else {
+        way
+    }
 }
 
 impl Layout<'_> {
     /// What the angles and the dimensions say, with their fields' paths and places.
-    pub fn names<'n>(&self, names: &'n [(&'static str, String)]) -> Vec<(&'static str, &'n str, Plate)> {
+    pub fn names<'n>(
+        &self,
+        names: &'n [(&'static str, String)],
+    ) -> Vec<(&'static str, &'n str, Plate)> {
         let mut said = Vec::new();
         let mut say = |own: &'static str, plate: Plate| {
-            let name = names.iter().find(|(field, _)| *field == own).map_or("", |(_, name)| name.as_str());
+            let name = names
+                .iter()
+                .find(|(field, _)| *field == own)
+                .map_or("", |(_, name)| name.as_str());
             said.push((own, name, plate));
         };
-        self.arcs.iter().for_each(|arc| arc.name.into_iter().for_each(|plate| say(arc.angle.field, plate)));
-        self.dimensions.iter().for_each(|placed| say(placed.drawn.field, placed.name));
+        self.arcs.iter().for_each(|arc| {
+            arc.name
+                .into_iter()
+                .for_each(|plate| say(arc.angle.field, plate))
+        });
+        self.dimensions
+            .iter()
+            .for_each(|placed| say(placed.drawn.field, placed.name));
         said
     }
 
@@ -100,15 +119,28 @@ impl Layout<'_> {
         let lines: Vec<[Vec2; 2]> = self.dimensions.iter().map(|placed| placed.reach).collect();
         let places = [far, Vec2::new(far.x, near.y), Vec2::new(past, far.y), near];
         places.into_iter().find(|middle| {
-            let plate = Plate { middle: *middle, along: Vec2::X, half };
+            let plate = Plate {
+                middle: *middle,
+                along: Vec2::X,
+                half,
+            };
             self.crowd.leaves(&plate) && !lines.iter().any(|line| plate.crosses(*line, 1.0))
         })
     }
 
     /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
     pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
-        let plate = |x: f64, y: f64| Plate { middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0), along: Vec2::X, half };
-        let corners = [plate(1.0, 1.0), plate(1.0, -1.0), plate(-1.0, 1.0), plate(-1.0, -1.0)];
+        let plate = |x: f64, y: f64| Plate {
+            middle: at + Vec2::new(x * (half.x + 11.0), y * 16.0),
+            along: Vec2::X,
+            half,
+        };
+        let corners = [
+            plate(1.0, 1.0),
+            plate(1.0, -1.0),
+            plate(-1.0, 1.0),
+            plate(-1.0, -1.0),
+        ];
         let costs = corners.map(|corner| self.crowd.cost(&corner));
         corners[(1..4).fold(0, |best, k| if costs[k] < costs[best] { k } else { best })]
     }
@@ -117,7 +149,11 @@ impl Layout<'_> {
 impl Camera {
     /// A window of this size that shows a whole scene with its dimensions, as every picture begins.
     pub fn whole(size: Vec2, scene: &Scene) -> Self {
-        let empty = Camera { scale: 1.0, middle: Vec2::ZERO, size };
+        let empty = Camera {
+            scale: 1.0,
+            middle: Vec2::ZERO,
+            size,
+        };
         let mut camera = Camera::fit(size, scene.bounds(), empty.margin(scene));
         camera.clear_corners(scene);
         camera
@@ -125,19 +161,32 @@ impl Camera {
 
     /// Room around a fitted scene, pixels.
     pub fn margin(&self, scene: &Scene) -> f64 {
-        if scene.dimensions.is_empty() { MARGIN } else { self.dimension_margin() }
+        if scene.dimensions.is_empty() {
+            MARGIN
+        } else {
+            self.dimension_margin()
+        }
     }
 
     /// Moves a fitted scene up where the names of its dimensions would lie on the axes or on the scale bar, as far as there is room above it.
     fn clear_corners(&mut self, scene: &Scene) {
-        let Vec2 { x: width, y: height } = self.size;
+        let Vec2 {
+            x: width,
+            y: height,
+        } = self.size;
         let axes = [AXES_CORNER + AXES_REACH, height - AXES_CORNER - AXES_REACH];
         let unit = scene.unit.unwrap_or(1.0);
-        let bar = [width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale, height - BAR_REACH];
+        let bar = [
+            width - 2.0 * BAR_CORNER - self.bar(unit) * unit * self.scale,
+            height - BAR_REACH,
+        ];
         let (mut top, mut under) = (self.pixel(scene.bounds()[1]).y, 0.0_f64);
         for placed in self.layout(scene, None).dimensions {
             let [low, high] = placed.name.bounds();
-            top = placed.line.iter().fold(top.min(low.y), |top, end| top.min(end.y));
+            top = placed
+                .line
+                .iter()
+                .fold(top.min(low.y), |top, end| top.min(end.y));
             if low.x < axes[0] {
                 under = under.max(high.y - axes[1]);
             }
@@ -159,21 +208,34 @@ impl Camera {
             Stroke::Overtravel => return None,
         };
         let way = (end - start) / far;
-        (far >= least && !line.back).then(|| (start + way * tip, way, if far < 12.0 { 7.0 } else { 9.0 }))
+        (far >= least && !line.back)
+            .then(|| (start + way * tip, way, if far < 12.0 { 7.0 } else { 9.0 }))
     }
 
     /// Lays out what is drawn while a field has the focus, or none. What comes with the focus moves nothing that is there.
     pub fn layout<'a>(&self, scene: &'a Scene, focus: Option<&str>) -> Layout<'a> {
         let (crowd, numbers) = (Crowd::of(scene, self), self.numbers(scene));
-        let mut layout = Layout { numbers, arcs: Vec::new(), dimensions: Vec::new(), crowd };
+        let mut layout = Layout {
+            numbers,
+            arcs: Vec::new(),
+            dimensions: Vec::new(),
+            crowd,
+        };
         let crowd = &mut layout.crowd;
-        crowd.plates.extend(layout.numbers.iter().map(|number| number.plate));
+        crowd
+            .plates
+            .extend(layout.numbers.iter().map(|number| number.plate));
         for angle in &scene.angles {
             let arc = self.arc(angle, focus, crowd);
             crowd.plates.extend(arc.name);
             layout.arcs.push(arc);
         }
-        let all = |on_demand: bool| scene.dimensions.iter().filter(move |d| d.on_demand == on_demand);
+        let all = |on_demand: bool| {
+            scene
+                .dimensions
+                .iter()
+                .filter(move |d| d.on_demand == on_demand)
+        };
         let upright = |d: &Drawn| (d.ends[1].y - d.ends[0].y).abs() > 0.999 * d.length;
         let asked = |d: &Drawn| focus == Some(d.field) || (focus == Some(EVERY) && upright(d));
         for drawn in all(false).chain(all(true).filter(|d| asked(d))) {
@@ -197,10 +259,19 @@ impl Camera {
         // The name from the middle of the line, along it and across, and how far the line goes to it beyond each end.
         let off = half.x + f64::max(tail, 10.0);
         let (beyond, beside) = (off + long / 2.0, HIGH + 2.0);
-        let beside_it = [[beyond, 0.0, 0.0, off], [-beyond, 0.0, off, 0.0], [0.0, beside, 0.0, 0.0], [0.0, -beside, 0.0, 0.0]];
+        let beside_it = [
+            [beyond, 0.0, 0.0, off],
+            [-beyond, 0.0, off, 0.0],
+            [0.0, beside, 0.0, 0.0],
+            [0.0, -beside, 0.0, 0.0],
+        ];
         // Between its arrow heads, with a little of the line seen: in the middle, or aside of what stands there.
         let off_middle = ((long - drawn.wide) / 2.0 - 12.0).min(long / 4.0);
-        let on_it = [[0.0; 4], [off_middle, 0.0, 0.0, 0.0], [-off_middle, 0.0, 0.0, 0.0]];
+        let on_it = [
+            [0.0; 4],
+            [off_middle, 0.0, 0.0, 0.0],
+            [-off_middle, 0.0, 0.0, 0.0],
+        ];
         let on_line = match drawn.wide + 24.0 <= long {
             true if off_middle > HIGH => 3,
             true => 1,
@@ -209,9 +280,18 @@ impl Camera {
         // Off the line only where everything on it covers more than a few moves.
         let off_line = if on_line > 0 { 100.0 } else { 0.0 };
         let ranked = |k: usize| 4.0 * k as f64;
-        let places: Vec<([f64; 4], f64)> = (on_it.into_iter().take(on_line).enumerate().map(|(k, place)| (place, ranked(k))))
-            .chain(beside_it.into_iter().enumerate().map(|(k, place)| (place, off_line + ranked(k))))
-            .collect();
+        let places: Vec<([f64; 4], f64)> = (on_it
+            .into_iter()
+            .take(on_line)
+            .enumerate()
+            .map(|(k, place)| (place, ranked(k))))
+        .chain(
+            beside_it
+                .into_iter()
+                .enumerate()
+                .map(|(k, place)| (place, off_line + ranked(k))),
+        )
+        .collect();
         let placed = |side: Vec2, begin: f64, far: f64, [over, across, before, past]: [f64; 4]| {
             let line = ends.map(|end| end + side * far);
             let middle = line[0] + way * (long / 2.0 + over) + way.perp() * across;
@@ -219,9 +299,16 @@ impl Camera {
                 drawn,
                 ends: ends.map(|end| end + side * begin),
                 line,
-                reach: [line[0] - way * f64::max(tail, before), line[1] + way * f64::max(tail, past)],
+                reach: [
+                    line[0] - way * f64::max(tail, before),
+                    line[1] + way * f64::max(tail, past),
+                ],
                 within,
-                name: Plate { middle, along, half },
+                name: Plate {
+                    middle,
+                    along,
+                    half,
+                },
             }
         };
         let own = drawn.aside * DOWNWARDS;
@@ -234,7 +321,11 @@ impl Camera {
         let other = if drawn.either { 0.1 } else { 100.0 };
         let sides = [(own, 0.0), (-own, other)];
         let mut tries = |places: &[([f64; 4], f64)]| {
-            for (side, rank_of_side) in sides.into_iter().take(if drawn.either || drawn.on_demand { 2 } else { 1 }) {
+            for (side, rank_of_side) in sides.into_iter().take(if drawn.either || drawn.on_demand {
+                2
+            } else {
+                1
+            }) {
                 let [begins, walls, all] = crowd.beside(ends, side);
                 // Extension lines begin where the part ends.
                 let (begin, near) = if drawn.on_demand {
@@ -242,7 +333,11 @@ impl Camera {
                 } else {
                     let (close, clear) = (walls + stands_off, all + clear + HIGH);
                     // Clear of all that reaches beyond the part, where that is still in the picture.
-                    let seen = placed(side, begins, clear, first).name.bounds().iter().all(|at| crowd.sees(at));
+                    let seen = placed(side, begins, clear, first)
+                        .name
+                        .bounds()
+                        .iter()
+                        .all(|at| crowd.sees(at));
                     (begins, if seen { close.max(clear) } else { close })
                 };
                 for step in 0..6 {
@@ -251,9 +346,17 @@ impl Camera {
                         let one = placed(side, begin, far, *place);
                         // A name on the line, and a line that is not seen.
                         let line = one.line;
-                        let struck = crowd.plates.iter().filter(|other| other.crosses(line, 2.0)).count()
+                        let struck = crowd
+                            .plates
+                            .iter()
+                            .filter(|other| other.crosses(line, 2.0))
+                            .count()
                             + 2 * line.iter().filter(|end| !crowd.sees(end)).count();
-                        let cost = crowd.cost(&one.name) + 300.0 * struck as f64 + rank + rank_of_side + (far - begin) / 20.0;
+                        let cost = crowd.cost(&one.name)
+                            + 300.0 * struck as f64
+                            + rank
+                            + rank_of_side
+                            + (far - begin) / 20.0;
                         if cost < least {
                             (least, best) = (cost, one);
                         }
@@ -267,7 +370,9 @@ impl Camera {
             // Up to the ends of the line, or just clear of a number in its middle.
             let shifts = [(long - drawn.wide).max(0.0) / 2.0, half.x + 2.0 * HIGH];
             let shifts = shifts.map(|shift| [shift, -shift]).concat();
-            let aside = shifts.iter().flat_map(|over| [beside, -beside].map(|across| [*over, across, 0.0, 0.0]));
+            let aside = shifts
+                .iter()
+                .flat_map(|over| [beside, -beside].map(|across| [*over, across, 0.0, 0.0]));
             tries(&aside.map(|place| (place, off_line)).collect::<Vec<_>>());
         }
         best
@@ -291,16 +396,24 @@ impl Camera {
             along: Vec2::X,
             half: Vec2::new(angle.wide / 2.0, HIGH),
         };
-        let places = (0..24).map(|k| radius + 8.0 * f64::from(k)).filter(|far| !plate(*far).covers(at, radius + 6.0));
+        let places = (0..24)
+            .map(|k| radius + 8.0 * f64::from(k))
+            .filter(|far| !plate(*far).covers(at, radius + 6.0));
         let cost = |far: f64| crowd.cost(&plate(far)) + far / 10.0;
-        let best = places
-            .fold(DIMENSION_MARGIN, |best, far| if best == DIMENSION_MARGIN || cost(far) < cost(best) { far } else { best });
+        let best = places.fold(DIMENSION_MARGIN, |best, far| {
+            if best == DIMENSION_MARGIN || cost(far) < cost(best) {
+                far
+            } else {
+                best
+            }
+        });
         Arc {
             angle,
             at,
             radius,
             sides: sides.map(|side| at + way(side) * (radius + 8.0)),
-            heads: (turn.abs() * radius > 22.0).then(|| [head(0, -turn.signum()), head(1, turn.signum())]),
+            heads: (turn.abs() * radius > 22.0)
+                .then(|| [head(0, -turn.signum()), head(1, turn.signum())]),
             ends,
             name: named.then(|| plate(best)),
         }

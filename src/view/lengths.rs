@@ -18,8 +18,15 @@ pub enum Arrow {
 /// The arrows of a tool-length picture, from the origin: what each is, its name, and its tip in an isometric view.
 pub fn arrows(query: &Query) -> Vec<(Arrow, String, Vec2)> {
     let spot = |v: Vec3| Projection::Isometric.place(Plane::G17, v);
-    let mut all: Vec<(Arrow, String, Vec2)> =
-        (0..3).map(|i| (Arrow::Axis, AXIS_NAMES[i].to_owned(), spot(Vec3::AXES[i] * 1.4))).collect();
+    let mut all: Vec<(Arrow, String, Vec2)> = (0..3)
+        .map(|i| {
+            (
+                Arrow::Axis,
+                AXIS_NAMES[i].to_owned(),
+                spot(Vec3::AXES[i] * 1.4),
+            )
+        })
+        .collect();
     let answer = tool_length::lentoax(query);
     if answer.status < 0 {
         return all;

@@ -50,13 +50,23 @@ pub struct Edge {
 }
 
 /// The material of the surfaces. `spot` is where a place is seen; `circles` says whether round walls are seen as circles.
-pub fn material(surfaces: &[Surface], frame: &Frame, spot: impl Fn(Vec3) -> Vec2, circles: bool) -> Vec<Material> {
+pub fn material(
+    surfaces: &[Surface],
+    frame: &Frame,
+    spot: impl Fn(Vec3) -> Vec2,
+    circles: bool,
+) -> Vec<Material> {
     let shape = |wall: &Wall| shape(wall, frame.w, &spot);
     let mut all = Vec::new();
     let mut edges: Vec<Edge> = Vec::new();
     let mut add = |wall: &Wall, body, reach| {
         if let Some(ends) = shape(wall).edge {
-            edges.push(Edge { ends, into: spot(-wall.normal), body, reach });
+            edges.push(Edge {
+                ends,
+                into: spot(-wall.normal),
+                body,
+                reach,
+            });
         }
     };
     for (k, surface) in surfaces.iter().enumerate() {
@@ -65,7 +75,11 @@ pub fn material(surfaces: &[Surface], frame: &Frame, spot: impl Fn(Vec3) -> Vec2
             Surface::Round(round) if circles => {
                 let (center, radius) = (spot(round.center), round.radius);
                 all.push(if round.hole {
-                    Material::Around { center, radius, reach: round.plate.unwrap_or(f64::INFINITY) }
+                    Material::Around {
+                        center,
+                        radius,
+                        reach: round.plate.unwrap_or(f64::INFINITY),
+                    }
                 } else {
                     Material::Within { center, radius }
                 });
@@ -74,20 +88,38 @@ pub fn material(surfaces: &[Surface], frame: &Frame, spot: impl Fn(Vec3) -> Vec2
             Surface::Round(round) => {
                 for (side, wall) in strips(round, frame).iter().enumerate() {
                     let reach = (round.plate.unwrap_or(f64::INFINITY) - round.radius).max(0.0);
-                    if round.hole { add(wall, (k + 1, side), reach) } else { add(wall, (k + 1, 0), f64::INFINITY) }
+                    if round.hole {
+                        add(wall, (k + 1, side), reach)
+                    } else {
+                        add(wall, (k + 1, 0), f64::INFINITY)
+                    }
                 }
             }
             Surface::Unknown => {}
         }
     }
-    let flat =
-        surfaces.iter().filter_map(|surface| if let Surface::Flat(wall) = surface { Some(shape(wall).corners) } else { None });
+    let flat = surfaces.iter().filter_map(|surface| {
+        if let Surface::Flat(wall) = surface {
+            Some(shape(wall).corners)
+        } else {
+            None
+        }
+    });
     let corners: Vec<[Vec2; 4]> = flat.collect();
     if edges.is_empty() && all.is_empty() {
-        return corners.into_iter().map(|corners| Material::Face { corners }).collect();
+        return corners
+            .into_iter()
+            .map(|corners| Material::Face { corners })
+            .collect();
     }
     let behind = edges.iter().enumerate().map(|(k, own)| {
-        let others = || edges.iter().enumerate().filter(move |(j, _)| *j != k).map(|(_, other)| other);
+        let others = || {
+            edges
+                .iter()
+                .enumerate()
+                .filter(move |(j, _)| *j != k)
+                .map(|(_, other)| other)
+        };
         // A line that lies on the same one is no corner.
         let meets = |end| {
             let ends = |other: &Edge| other.ends.iter().any(|at| at.abs_diff_eq(end, 1e-6));
@@ -96,8 +128,15 @@ pub fn material(surfaces: &[Surface], frame: &Frame, spot: impl Fn(Vec3) -> Vec2
         Material::Behind {
             edge: *own,
             meets: own.ends.map(meets),
-            bounds: others().filter(|other| other.body == own.body).map(|other| (other.ends[0], other.into)).collect(),
-            least: corners.iter().flatten().map(|at| depth(*at, own.ends[0], own.into)).fold(0.0, f64::max),
+            bounds: others()
+                .filter(|other| other.body == own.body)
+                .map(|other| (other.ends[0], other.into))
+                .collect(),
+            least: corners
+                .iter()
+                .flatten()
+                .map(|at| depth(*at, own.ends[0], own.into))
+                .fold(0.0, f64::max),
         }
     });
     all.extend(behind);
@@ -110,7 +149,11 @@ impl Material {
     fn outlines(&self, camera: &Camera, most: f64, out: &mut Vec<Vec<Vec2>>) {
         let deep = most / camera.scale;
         match self {
-            Material::Around { center, radius, reach } => {
+            Material::Around {
+                center,
+                radius,
+                reach,
+            } => {
                 out.push(circle(*center, (radius + deep).min(*reach).max(*radius)));
                 let mut within = circle(*center, *radius);
                 within.reverse();
@@ -118,14 +161,30 @@ impl Material {
             }
             Material::Within { center, radius } => out.push(circle(*center, *radius)),
             Material::Face { corners } => out.push(corners.to_vec()),
-            Material::Behind { edge: Edge { ends, into, reach, .. }, meets, bounds, least } => {
+            Material::Behind {
+                edge: Edge {
+                    ends, into, reach, ..
+                },
+                meets,
+                bounds,
+                least,
+            } => {
                 let whole = bounds.iter().any(|(_, other)| into.dot(*other) < -0.999);
                 let [a, b] = *ends;
                 let along = (b - a) / a.distance(b).max(1e-9);
                 let at = |from: Vec2, by: f64, depth: f64| from + along * by + *into * depth;
                 let [before, past] = meets.map(|meets| if meets { deep } else { 0.0 });
-                let deep = if whole { FAR } else { deep.max(*least).min(*reach) };
-                let mut outline = vec![at(a, -before, 0.0), at(b, past, 0.0), at(b, past, deep), at(a, -before, deep)];
+                let deep = if whole {
+                    FAR
+                } else {
+                    deep.max(*least).min(*reach)
+                };
+                let mut outline = vec![
+                    at(a, -before, 0.0),
+                    at(b, past, 0.0),
+                    at(b, past, deep),
+                    at(a, -before, deep),
+                ];
                 for (point, way) in bounds {
                     outline = behind(&outline, *point, *way);
                 }
@@ -177,6 +236,8 @@ fn behind(outline: &[Vec2], point: Vec2, way: Vec2) -> Vec<Vec2> {
 
 /// Counter-clockwise.
 fn circle(center: Vec2, radius: f64) -> Vec<Vec2> {
-    let corner = |k: usize| center + Vec2::from_angle(k as f64 * std::f64::consts::TAU / CORNERS as f64) * radius;
+    let corner = |k: usize| {
+        center + Vec2::from_angle(k as f64 * std::f64::consts::TAU / CORNERS as f64) * radius
+    };
     (0..CORNERS).map(corner).collect()
 }

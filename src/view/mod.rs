@@ -22,7 +22,11 @@ pub(crate) mod canvas;
 
 /// The ends of a line in one order, whichever way it is gone: so its dashes lie in the same places there and back.
 fn forwards(from: Vec2, to: Vec2) -> (Vec2, Vec2) {
-    if (from.x, from.y) <= (to.x, to.y) { (from, to) } else { (to, from) }
+    if (from.x, from.y) <= (to.x, to.y) {
+        (from, to)
+    } else {
+        (to, from)
+    }
 }
 
 /// What a dimension is called, and its value: drawn apart, so that "Width 2" and 50 are not read as one number.

@@ -44,8 +44,15 @@ impl Camera {
         let mut numbers: Vec<Number> = Vec::new();
         for (k, touch) in scene.touches.iter().enumerate() {
             // What is behind the part has its number beside the ball.
-            let contact = self.pixel(if touch.behind.is_some() { touch.ball } else { touch.contact });
-            if let Some(own) = numbers.iter_mut().find(|own| own.contact.distance(contact) < ONE) {
+            let contact = self.pixel(if touch.behind.is_some() {
+                touch.ball
+            } else {
+                touch.contact
+            });
+            if let Some(own) = numbers
+                .iter_mut()
+                .find(|own| own.contact.distance(contact) < ONE)
+            {
                 own.touches.push(k);
                 let number = touch.number.to_string();
                 if own.touches.len() > MOST_SAID {
@@ -55,23 +62,40 @@ impl Camera {
                     own.said.push_str(&number);
                 }
             } else {
-                let plate = Plate { middle: contact, along: Vec2::X, half: Vec2::ZERO };
+                let plate = Plate {
+                    middle: contact,
+                    along: Vec2::X,
+                    half: Vec2::ZERO,
+                };
                 let said = match &touch.named {
                     Some(name) => format!("{name} {}", touch.number),
                     None => touch.number.to_string(),
                 };
-                numbers.push(Number { touches: vec![k], said, contact, plate, led: false });
+                numbers.push(Number {
+                    touches: vec![k],
+                    said,
+                    contact,
+                    plate,
+                    led: false,
+                });
             }
         }
         let contacts: Vec<Vec2> = numbers.iter().map(|number| number.contact).collect();
         let radius = radius(&contacts);
         // Neither contacts nor the origin are hidden.
-        let spots: Vec<Vec2> = contacts.into_iter().chain([self.pixel(scene.origin)]).collect();
+        let spots: Vec<Vec2> = contacts
+            .into_iter()
+            .chain([self.pixel(scene.origin)])
+            .collect();
         for k in 0..numbers.len() {
             let (placed, rest) = numbers.split_at_mut(k);
-            let Some(number) = rest.first_mut() else { break };
+            let Some(number) = rest.first_mut() else {
+                break;
+            };
             // Behind the surface, where the path is not: beside it where that is looked at from before.
-            let Some(touch) = number.touches.first().map(|k| &scene.touches[*k]) else { continue };
+            let Some(touch) = number.touches.first().map(|k| &scene.touches[*k]) else {
+                continue;
+            };
             let inward = touch.inward * DOWNWARDS;
             let (way, off) = match touch.behind {
                 Some(_) => (inward, scene.radius * self.scale + 2.0),
@@ -86,14 +110,30 @@ impl Camera {
             // Round about the contact, then further out.
             for step in 0..24 {
                 let (ring, turn) = (f64::from(step / 8), f64::from(step % 8));
-                let angle = (turn / 2.0).ceil() * std::f64::consts::FRAC_PI_4 * if step % 2 == 0 { 1.0 } else { -1.0 };
+                let angle = (turn / 2.0).ceil()
+                    * std::f64::consts::FRAC_PI_4
+                    * if step % 2 == 0 { 1.0 } else { -1.0 };
                 let far = radius + off + ring * (2.0 * radius + 2.0);
-                let middle = number.contact + Vec2::from_angle(angle).rotate(way) * Vec2::new(far + half.x - radius, far);
-                let plate = Plate { middle, along: Vec2::X, half };
-                let met = placed.iter().filter(|other| plate.meets(&other.plate)).count();
-                let hidden = spots.iter().filter(|spot| plate.covers(**spot, 3.0)).count();
-                let outside = (middle.cmplt(half) | middle.cmpgt(self.size - half)).bitmask().count_ones();
-                let cost = 10.0 * met as f64 + 3.0 * hidden as f64 + 5.0 * f64::from(outside) + 0.1 * ring;
+                let middle = number.contact
+                    + Vec2::from_angle(angle).rotate(way) * Vec2::new(far + half.x - radius, far);
+                let plate = Plate {
+                    middle,
+                    along: Vec2::X,
+                    half,
+                };
+                let met = placed
+                    .iter()
+                    .filter(|other| plate.meets(&other.plate))
+                    .count();
+                let hidden = spots
+                    .iter()
+                    .filter(|spot| plate.covers(**spot, 3.0))
+                    .count();
+                let outside = (middle.cmplt(half) | middle.cmpgt(self.size - half))
+                    .bitmask()
+                    .count_ones();
+                let cost =
+                    10.0 * met as f64 + 3.0 * hidden as f64 + 5.0 * f64::from(outside) + 0.1 * ring;
                 if cost < least {
                     least = cost;
                     (number.plate, number.led) = (plate, ring > 0.0);
@@ -113,5 +153,9 @@ fn radius(contacts: &[Vec2]) -> f64 {
             widest = widest.max(a.distance(*b));
         }
     }
-    if contacts.len() < 2 { DISC[0] } else { within((0.45 * nearest).min(0.1 * widest), DISC[1], DISC[0]) }
+    if contacts.len() < 2 {
+        DISC[0]
+    } else {
+        within((0.45 * nearest).min(0.1 * widest), DISC[1], DISC[0])
+    }
 }

@@ -95,26 +95,56 @@ pub struct Crowd {
 impl Crowd {
     /// The moves, the balls at their contacts, the origin, and in their corners the work axes and the scale bar.
     pub fn of(scene: &Scene, camera: &Camera) -> Self {
-        let Vec2 { x: width, y: height } = camera.size;
+        let Vec2 {
+            x: width,
+            y: height,
+        } = camera.size;
         let unit = scene.unit.unwrap_or(1.0);
         let corner = |x: f64, wide: f64, high: f64| {
             let half = Vec2::new(wide, high) / 2.0;
-            Plate { middle: Vec2::new(x + half.x, height - half.y), along: Vec2::X, half }
+            Plate {
+                middle: Vec2::new(x + half.x, height - half.y),
+                along: Vec2::X,
+                half,
+            }
         };
         let axes = AXES_CORNER + AXES_REACH;
         let bar = camera.bar(unit) * unit * camera.scale + 2.0 * BAR_CORNER;
         let corners = vec![corner(0.0, axes, axes), corner(width - bar, bar, BAR_REACH)];
         let beside = if scene.material.is_empty() { 1.0 } else { BAND };
-        let mut crowd = Crowd { size: camera.size, corners, beside, ..Crowd::default() };
+        let mut crowd = Crowd {
+            size: camera.size,
+            corners,
+            beside,
+            ..Crowd::default()
+        };
         let radius = scene.radius * camera.scale;
-        for line in scene.lines.iter().take(MOST).filter(|line| line.stroke != Stroke::Overtravel) {
-            let reach = if line.stroke == Stroke::Position { 0.0 } else { radius };
-            crowd.lines.push(([camera.pixel(line.from), camera.pixel(line.to)], reach));
+        for line in scene
+            .lines
+            .iter()
+            .take(MOST)
+            .filter(|line| line.stroke != Stroke::Overtravel)
+        {
+            let reach = if line.stroke == Stroke::Position {
+                0.0
+            } else {
+                radius
+            };
+            crowd
+                .lines
+                .push(([camera.pixel(line.from), camera.pixel(line.to)], reach));
         }
-        crowd.discs.extend(scene.touches.iter().map(|touch| (camera.pixel(touch.ball), radius)));
+        crowd.discs.extend(
+            scene
+                .touches
+                .iter()
+                .map(|touch| (camera.pixel(touch.ball), radius)),
+        );
         crowd.discs.push((camera.pixel(scene.origin), 7.0));
         let walls = scene.walls.iter().filter(|wall| !wall.actual);
-        crowd.walls.extend(walls.map(|wall| wall.corners.map(|corner| camera.pixel(corner))));
+        crowd
+            .walls
+            .extend(walls.map(|wall| wall.corners.map(|corner| camera.pixel(corner))));
         crowd
     }
 
@@ -125,10 +155,15 @@ impl Crowd {
 
     /// Whether nothing but the axes' corner lies under a plate.
     pub fn leaves(&self, plate: &Plate) -> bool {
-        let edges = |wall: &[Vec2; 4]| (0..4).any(|k| plate.crosses([wall[k], wall[(k + 1) % 4]], self.beside));
+        let edges = |wall: &[Vec2; 4]| {
+            (0..4).any(|k| plate.crosses([wall[k], wall[(k + 1) % 4]], self.beside))
+        };
         !self.plates.iter().any(|other| plate.meets(other))
             && !self.corners.iter().take(1).any(|axes| plate.meets(axes))
-            && !self.discs.iter().any(|(at, radius)| plate.covers(*at, *radius))
+            && !self
+                .discs
+                .iter()
+                .any(|(at, radius)| plate.covers(*at, *radius))
             && !self.lines.iter().any(|(line, _)| plate.crosses(*line, 1.0))
             && !self.walls.iter().any(edges)
     }
@@ -137,11 +172,25 @@ impl Crowd {
     pub fn cost(&self, plate: &Plate) -> f64 {
         let count = |many: usize, each: f64| many as f64 * each;
         let met = |others: &[Plate]| others.iter().filter(|other| plate.meets(other)).count();
-        count(usize::from(!plate.bounds().iter().all(|at| self.sees(at))), CUT_OFF)
-            + count(met(&self.plates), 1000.0)
+        count(
+            usize::from(!plate.bounds().iter().all(|at| self.sees(at))),
+            CUT_OFF,
+        ) + count(met(&self.plates), 1000.0)
             + count(met(&self.corners), 200.0)
-            + count(self.discs.iter().filter(|(at, radius)| plate.covers(*at, *radius)).count(), 30.0)
-            + count(self.lines.iter().filter(|(line, _)| plate.crosses(*line, 1.0)).count(), 8.0)
+            + count(
+                self.discs
+                    .iter()
+                    .filter(|(at, radius)| plate.covers(*at, *radius))
+                    .count(),
+                30.0,
+            )
+            + count(
+                self.lines
+                    .iter()
+                    .filter(|(line, _)| plate.crosses(*line, 1.0))
+                    .count(),
+                8.0,
+            )
     }
 
     /// How far the walls at the ends of a line, the walls between its ends, and all there is between them reach beside it on one side.
@@ -154,7 +203,11 @@ impl Crowd {
         // What of a line, so thick, is between the ends.
         let between = |a: Vec2, b: Vec2, thick: f64| {
             for side in [-thick, long + thick] {
-                let part = if (b.x - a.x).abs() < 1e-9 { 0.0 } else { within((side - a.x) / (b.x - a.x), 0.0, 1.0) };
+                let part = if (b.x - a.x).abs() < 1e-9 {
+                    0.0
+                } else {
+                    within((side - a.x) / (b.x - a.x), 0.0, 1.0)
+                };
                 let at = a.lerp_monotonic(b, part);
                 if at.x > -thick - 1e-6 && at.x < long + thick + 1e-6 {
                     all.set(all.get().max(at.y + thick));
@@ -172,7 +225,9 @@ impl Crowd {
             }
         }
         let walls = all.get();
-        self.discs.iter().for_each(|(at, radius)| between(own(*at), own(*at), *radius));
+        self.discs
+            .iter()
+            .for_each(|(at, radius)| between(own(*at), own(*at), *radius));
         for ([from, to], reach) in &self.lines {
             between(own(*from), own(*to), *reach);
         }

@@ -4,7 +4,10 @@ use crate::view::scene::Stroke;
 
 /// A colour of a picture.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "some are the canvas' alone"))]
+#[cfg_attr(
+    not(target_arch = "wasm32"),
+    allow(dead_code, reason = "some are the canvas' alone")
+)]
 pub enum Colour {
     /// Of what lies beneath everything.
     Background,
@@ -57,11 +60,18 @@ pub struct Pen {
 }
 
 const fn pen(colour: Colour, widths: [f64; 2], dash: &'static [f64]) -> Pen {
-    Pen { colour, widths, dash }
+    Pen {
+        colour,
+        widths,
+        dash,
+    }
 }
 
 /// Walls that are seen edge-on: nominal, and of the virtual part.
-pub const EDGES: [Pen; 2] = [pen(Colour::Wall, [2.0; 2], &[]), pen(Colour::Actual, [1.5; 2], &[7.0, 4.0])];
+pub const EDGES: [Pen; 2] = [
+    pen(Colour::Wall, [2.0; 2], &[]),
+    pen(Colour::Actual, [1.5; 2], &[7.0, 4.0]),
+];
 
 /// The pen of a move. Its dashes say what it is; the colour only repeats it.
 pub const fn of(stroke: Stroke, rapid: bool) -> &'static Pen {
@@ -85,13 +95,18 @@ pub mod screen {
     use super::{Colour, Pen, pen};
 
     /// The line that a cycle is about: nominal, and as it really lies.
-    pub const CENTRE_LINES: [Pen; 2] =
-        [pen(Colour::Wall, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]), pen(Colour::Actual, [1.0; 2], &[10.0, 4.0, 2.0, 4.0])];
+    pub const CENTRE_LINES: [Pen; 2] = [
+        pen(Colour::Wall, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
+        pen(Colour::Actual, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
+    ];
     /// From the middle of a circle to the handles of its touches.
     pub const SPREAD: Pen = pen(Colour::Ball, [1.0; 2], &[2.0, 4.0]);
     /// From the handle that shifts the part to the one that turns it.
     pub const ARM: Pen = pen(Colour::Actual, [1.0; 2], &[3.0, 3.0]);
     /// Of each kind of arrow in the picture of the tool lengths, in their order.
-    pub const ARROWS: [Pen; 3] =
-        [pen(Colour::Text, [1.5; 2], &[]), pen(Colour::Link, [1.0; 2], &[5.0, 4.0]), pen(Colour::Touch, [4.0; 2], &[])];
+    pub const ARROWS: [Pen; 3] = [
+        pen(Colour::Text, [1.5; 2], &[]),
+        pen(Colour::Link, [1.0; 2], &[5.0, 4.0]),
+        pen(Colour::Touch, [4.0; 2], &[]),
+    ];
 }

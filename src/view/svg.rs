@@ -58,10 +58,19 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     }
     layout.arcs.iter().for_each(|arc| drawing.angle(arc));
     drawing.path(scene, legend.deviates, None);
-    layout.numbers.iter().for_each(|number| drawing.number(number));
-    layout.dimensions.iter().for_each(|placed| drawing.dimension(placed));
+    layout
+        .numbers
+        .iter()
+        .for_each(|number| drawing.number(number));
+    layout
+        .dimensions
+        .iter()
+        .for_each(|placed| drawing.dimension(placed));
     // What they say is above them all.
-    layout.names(legend.names).iter().for_each(|(_, name, plate)| drawing.said(plate, name));
+    layout
+        .names(legend.names)
+        .iter()
+        .for_each(|(_, name, plate)| drawing.said(plate, name));
     drawing.text.push_str("</svg>\n");
     drawing.text
 }
@@ -90,11 +99,22 @@ struct Drawing {
 impl Drawing {
     fn of(scene: &Scene, legend: &Legend<'_>) -> Self {
         let [low, high] = scene.bounds();
-        let margin = if legend.names.is_empty() { MARGIN } else { DIMENSION_MARGIN };
+        let margin = if legend.names.is_empty() {
+            MARGIN
+        } else {
+            DIMENSION_MARGIN
+        };
         let room = WIDTH - 2.0 * margin;
         let scale = (Vec2::new(room, HIGHEST) / (high - low)).min_element();
         let size = Vec2::new(WIDTH, (high - low).y * scale + 2.0 * margin);
-        Drawing { camera: Camera { scale, middle: (low + high) / 2.0, size }, text: String::new() }
+        Drawing {
+            camera: Camera {
+                scale,
+                middle: (low + high) / 2.0,
+                size,
+            },
+            text: String::new(),
+        }
     }
 
     /// What is named, and where it stands.
@@ -108,9 +128,20 @@ impl Drawing {
 
     /// The frame: whatever is drawn lies within, with some room around.
     fn begin(&mut self, scene: &Scene, legend: &Legend<'_>, layout: &Layout<'_>) {
-        let lines = scene.lines.iter().flat_map(|line| [line.from, line.to]).map(|spot| self.camera.pixel(spot));
-        let dimensions = layout.dimensions.iter().flat_map(|placed| placed.line.into_iter().chain(placed.name.bounds()));
-        let angles = layout.arcs.iter().flat_map(|arc| arc.sides.into_iter().chain(arc.name.iter().flat_map(Plate::bounds)));
+        let lines = scene
+            .lines
+            .iter()
+            .flat_map(|line| [line.from, line.to])
+            .map(|spot| self.camera.pixel(spot));
+        let dimensions = layout
+            .dimensions
+            .iter()
+            .flat_map(|placed| placed.line.into_iter().chain(placed.name.bounds()));
+        let angles = layout.arcs.iter().flat_map(|arc| {
+            arc.sides
+                .into_iter()
+                .chain(arc.name.iter().flat_map(Plate::bounds))
+        });
         let (mut low, mut high) = (Vec2::ZERO, self.camera.size);
         for at in lines.chain(dimensions).chain(angles) {
             (low, high) = (low.min((at - ROOM).floor()), high.max((at + ROOM).ceil()));
@@ -133,7 +164,8 @@ impl Drawing {
 
     /// The material behind edges, filled and hatched as in a section, and the air of holes.
     fn material(&mut self, scene: &Scene) {
-        let [filled, air] = material::outlines(&scene.material, &self.camera, BAND).map(|outlines| path(&outlines, "Z"));
+        let [filled, air] = material::outlines(&scene.material, &self.camera, BAND)
+            .map(|outlines| path(&outlines, "Z"));
         if filled.is_empty() {
             return;
         }
@@ -153,7 +185,10 @@ impl Drawing {
         self.hatch();
         let colour = Colour::Wall.on_paper();
         for Block { face, corners } in &scene.blocks {
-            let outline: Vec<Vec2> = corners.iter().map(|corner| self.camera.pixel(*corner)).collect();
+            let outline: Vec<Vec2> = corners
+                .iter()
+                .map(|corner| self.camera.pixel(*corner))
+                .collect();
             let outline = path(&[outline], "Z");
             let stroke = format!("stroke=\"{colour}\"");
             match face {
@@ -162,7 +197,10 @@ impl Drawing {
                     self.draw(&outline, &format!("fill=\"{FACE}\" {stroke}"));
                     self.draw(&outline, "fill=\"url(#touchpath-hatch)\"");
                 }
-                Face::Away => self.draw(&outline, &format!("fill=\"{VEIL}\" {stroke} stroke-opacity=\".35\"")),
+                Face::Away => self.draw(
+                    &outline,
+                    &format!("fill=\"{VEIL}\" {stroke} stroke-opacity=\".35\""),
+                ),
             }
         }
     }
@@ -178,11 +216,16 @@ impl Drawing {
 
     /// The moves and the touches behind something, or those behind nothing.
     fn path(&mut self, scene: &Scene, deviates: bool, behind: Option<usize>) {
-        scene.lines.iter().filter(|line| line.behind == behind).for_each(|line| self.line(line));
+        scene
+            .lines
+            .iter()
+            .filter(|line| line.behind == behind)
+            .for_each(|line| self.line(line));
         for touch in &scene.touches {
             // What is hidden is seen faintly through what hides it.
             let hidden = behind.is_none() && touch.behind.is_some();
-            self.text.push_str(if hidden { "<g opacity=\".35\">\n" } else { "" });
+            self.text
+                .push_str(if hidden { "<g opacity=\".35\">\n" } else { "" });
             if hidden || touch.behind == behind {
                 self.touch(touch, scene.radius, deviates);
             }
@@ -191,7 +234,15 @@ impl Drawing {
     }
 
     /// Walls in one, their faces `solid`: else they let a section's hatching through.
-    fn walls(&mut self, Walls { wall, lines, outlines }: &Walls<'_>, solid: bool) {
+    fn walls(
+        &mut self,
+        Walls {
+            wall,
+            lines,
+            outlines,
+        }: &Walls<'_>,
+        solid: bool,
+    ) {
         if !lines.is_empty() {
             let [stroke, dash] = attributes(&EDGES[usize::from(wall.actual)]);
             self.draw(&path(lines, ""), &format!("fill=\"none\" {stroke}{dash}"));
@@ -199,7 +250,12 @@ impl Drawing {
         if outlines.is_empty() {
             return;
         }
-        let colour = if wall.actual { Colour::Actual } else { Colour::Wall }.on_paper();
+        let colour = if wall.actual {
+            Colour::Actual
+        } else {
+            Colour::Wall
+        }
+        .on_paper();
         let stroke = if wall.strip { "none" } else { colour };
         // A surface that is seen is solid; one that is looked at from behind is a veil: so a hole is not a boss.
         let fill = match (wall.faces && solid, wall.actual) {
@@ -207,7 +263,10 @@ impl Drawing {
             (true, true) => &format!("{colour}\" fill-opacity=\".2"),
             (false, _) => VEIL,
         };
-        self.draw(&path(outlines, "Z"), &format!("fill=\"{fill}\" stroke=\"{stroke}\""));
+        self.draw(
+            &path(outlines, "Z"),
+            &format!("fill=\"{fill}\" stroke=\"{stroke}\""),
+        );
         if wall.strip {
             let edges: Vec<&[Vec2]> = outlines.as_flattened().chunks(2).collect();
             self.draw(&path(&edges, ""), &format!("stroke=\"{colour}\""));
@@ -215,9 +274,18 @@ impl Drawing {
     }
 
     fn top(&mut self, corners: &[Vec2]) {
-        let (points, colour) =
-            (corners.iter().map(|corner| pair(*corner)).collect::<Vec<_>>().join(" "), Colour::Wall.on_paper());
-        let _ = writeln!(self.text, "<polygon points=\"{points}\" fill=\"{TOP}\" stroke=\"{colour}\"/>");
+        let (points, colour) = (
+            corners
+                .iter()
+                .map(|corner| pair(*corner))
+                .collect::<Vec<_>>()
+                .join(" "),
+            Colour::Wall.on_paper(),
+        );
+        let _ = writeln!(
+            self.text,
+            "<polygon points=\"{points}\" fill=\"{TOP}\" stroke=\"{colour}\"/>"
+        );
     }
 
     fn line(&mut self, line: &Line) {
@@ -225,7 +293,10 @@ impl Drawing {
         let [from, to] = [from, to].map(|spot| pair(self.camera.pixel(spot)));
         if from != to {
             let [stroke, dash] = attributes(style::of(line.stroke, line.rapid));
-            let _ = writeln!(self.text, "<polyline points=\"{from} {to}\" {stroke} stroke-linecap=\"round\"{dash}/>");
+            let _ = writeln!(
+                self.text,
+                "<polyline points=\"{from} {to}\" {stroke} stroke-linecap=\"round\"{dash}/>"
+            );
         }
     }
 
@@ -234,7 +305,10 @@ impl Drawing {
         let mut circle = |at: Vec2, radius: f64, kind: &str, colour: Colour| {
             let [x, y] = numbers(self.camera.pixel(at));
             let (radius, colour) = (decimal(radius, 1), colour.on_paper());
-            let _ = writeln!(self.text, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {kind}=\"{colour}\"/>");
+            let _ = writeln!(
+                self.text,
+                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {kind}=\"{colour}\"/>"
+            );
         };
         let radius = radius * self.camera.scale;
         circle(touch.ball, radius, "fill=\"none\" stroke", Colour::Ball);
@@ -249,11 +323,21 @@ impl Drawing {
         let middle = number.plate.middle;
         if number.led {
             // Up to the text.
-            let end = number.contact.lerp_monotonic(middle, 1.0 - number.radius() / number.contact.distance(middle));
-            self.draw(&path(&[[number.contact, end]], ""), &format!("stroke=\"{}\"", Colour::Touch.on_paper()));
+            let end = number.contact.lerp_monotonic(
+                middle,
+                1.0 - number.radius() / number.contact.distance(middle),
+            );
+            self.draw(
+                &path(&[[number.contact, end]], ""),
+                &format!("stroke=\"{}\"", Colour::Touch.on_paper()),
+            );
         }
         let [x, y] = numbers(middle);
-        let _ = writeln!(self.text, "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>", number.said);
+        let _ = writeln!(
+            self.text,
+            "<text x=\"{x}\" y=\"{y}\" dy=\"4\" text-anchor=\"middle\">{}</text>",
+            number.said
+        );
     }
 
     /// The lines of a dimension or an angle, and its arrow heads.
@@ -262,14 +346,20 @@ impl Drawing {
         self.draw(lines, &format!("stroke=\"{colour}\" fill=\"none\""));
         for (tip, way) in heads.into_iter().flatten() {
             let sides = [-3.4, 3.4].map(|half| tip - way * 8.0 + way.perp() * half);
-            self.draw(&path(&[[tip, sides[0], sides[1]]], "Z"), &format!("fill=\"{colour}\""));
+            self.draw(
+                &path(&[[tip, sides[0], sides[1]]], "Z"),
+                &format!("fill=\"{colour}\""),
+            );
         }
     }
 
     /// A dimension: extension lines, and its line with arrow heads.
     fn dimension(&mut self, placed: &Placed<'_>) {
         let ([from, to], [start, end]) = (placed.ends, placed.line);
-        self.measure(&path(&[[from, start], [to, end], placed.reach], ""), Some(placed.heads()));
+        self.measure(
+            &path(&[[from, start], [to, end], placed.reach], ""),
+            Some(placed.heads()),
+        );
     }
 
     /// An angle: its sides, and its arc with arrow heads.
@@ -277,7 +367,10 @@ impl Drawing {
         let [from, to] = arc.ends.map(pair);
         let (radius, sweep) = (decimal(arc.radius, 1), u8::from(arc.angle.turns[1] <= 0.0));
         let sides = path(&arc.sides.map(|side| [arc.at, side]), "");
-        self.measure(&format!("{sides}M{from}A{radius} {radius} 0 0 {sweep} {to}"), arc.heads);
+        self.measure(
+            &format!("{sides}M{from}A{radius} {radius} 0 0 {sweep} {to}"),
+            arc.heads,
+        );
     }
 
     /// What a dimension or an angle says.
@@ -285,7 +378,11 @@ impl Drawing {
         let [x, y] = numbers(plate.middle);
         let [label, value] = <[&str; 2]>::from(super::halves(name)).map(escaped);
         let turn = decimal(plate.along.to_angle().to_degrees(), 2);
-        let turned = if turn == "0" { String::new() } else { format!(" transform=\"rotate({turn} {x} {y})\"") };
+        let turned = if turn == "0" {
+            String::new()
+        } else {
+            format!(" transform=\"rotate({turn} {x} {y})\"")
+        };
         let colour = Colour::Text.on_paper();
         let _ = writeln!(
             self.text,
@@ -297,16 +394,26 @@ impl Drawing {
 /// A pen as attributes: colour and width, and the dashes, if there are any.
 fn attributes(pen: &Pen) -> [String; 2] {
     let width = decimal(pen.widths[1], 1);
-    let stroke = format!("stroke=\"{}\" stroke-width=\"{}\"", pen.colour.on_paper(), width.trim_start_matches('0'));
+    let stroke = format!(
+        "stroke=\"{}\" stroke-width=\"{}\"",
+        pen.colour.on_paper(),
+        width.trim_start_matches('0')
+    );
     let dash: Vec<String> = pen.dash.iter().map(|length| decimal(*length, 1)).collect();
-    let dash = if dash.is_empty() { String::new() } else { format!(" stroke-dasharray=\"{}\"", dash.join(" ")) };
+    let dash = if dash.is_empty() {
+        String::new()
+    } else {
+        format!(" stroke-dasharray=\"{}\"", dash.join(" "))
+    };
     [stroke, dash]
 }
 
 /// Lines as one path, each with this end.
 fn path(lines: &[impl AsRef<[Vec2]>], end: &str) -> String {
     let mut path = String::new();
-    lines.iter().for_each(|line| points(line.as_ref(), end, &mut path));
+    lines
+        .iter()
+        .for_each(|line| points(line.as_ref(), end, &mut path));
     path
 }
 
@@ -332,6 +439,9 @@ mod tests {
 
     #[test]
     fn a_title_stays_a_title() {
-        assert_eq!(escaped("a</title><script>&\n"), "a&lt;/title&gt;&lt;script&gt;&amp; ");
+        assert_eq!(
+            escaped("a</title><script>&\n"),
+            "a&lt;/title&gt;&lt;script&gt;&amp; "
+        );
     }
 }

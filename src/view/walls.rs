@@ -46,19 +46,41 @@ pub fn strips(round: &Round, frame: &Frame) -> Vec<Wall> {
 
 /// A wall, or a strip of a round one. `spot` is where a place is seen.
 pub fn shape(wall: &Wall, up: Vec3, spot: impl Fn(Vec3) -> Vec2) -> WallShape {
-    let (start, end) = (wall.point + wall.along * wall.extent.0, wall.point + wall.along * wall.extent.1);
+    let (start, end) = (
+        wall.point + wall.along * wall.extent.0,
+        wall.point + wall.along * wall.extent.1,
+    );
     // Along the wall and across it; upwards where it goes up at all.
     let across = wall.normal.cross(wall.along).normalize_or(up);
-    let down = (if across.dot(up) < 0.0 { -across } else { across }) * wall.drawn_depth;
+    let down = (if across.dot(up) < 0.0 {
+        -across
+    } else {
+        across
+    }) * wall.drawn_depth;
     let raised = if wall.has_top { Vec3::ZERO } else { down };
     let corners = [start + raised, end + raised, end - down, start - down].map(spot);
     let [a, b, c, _] = corners;
     let flat = area(&corners).abs() / 2.0 < 1e-6 * (1.0 + a.distance_squared(c));
-    let edge = flat.then(|| if a.distance(b) > b.distance(c) { [a, b] } else { [b, c] });
-    WallShape { corners, edge, actual: false, strip: false, faces: true, top: None }
+    let edge = flat.then(|| {
+        if a.distance(b) > b.distance(c) {
+            [a, b]
+        } else {
+            [b, c]
+        }
+    });
+    WallShape {
+        corners,
+        edge,
+        actual: false,
+        strip: false,
+        faces: true,
+        top: None,
+    }
 }
 
 /// Twice the area, positive where the outline turns counter-clockwise.
 pub fn area(outline: &[Vec2]) -> f64 {
-    (0..outline.len()).map(|k| outline[k].perp_dot(outline[(k + 1) % outline.len()])).sum()
+    (0..outline.len())
+        .map(|k| outline[k].perp_dot(outline[(k + 1) % outline.len()]))
+        .sum()
 }

@@ -41,12 +41,23 @@ pub fn catalog() -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = defaultJob)]
 pub fn default_job(kind: &JsValue, units: &JsValue) -> Result<JsValue, JsValue> {
     let key = text_of(kind, 100).unwrap_or_default();
-    let word = if units.is_undefined() { Some("mm".to_owned()) } else { text_of(units, 100) };
+    let word = if units.is_undefined() {
+        Some("mm".to_owned())
+    } else {
+        text_of(units, 100)
+    };
     let units = job::known_units(&word.unwrap_or_default()).map_err(refused)?;
-    job::new_job(&key, units).map(|value| value_to_js(&value)).ok_or_else(|| {
-        let message = text!("There is no cycle of this type; catalog() lists them");
-        thrown(&[Finding::new(Level::Error, "unknown-value", "cycle.type", message)])
-    })
+    job::new_job(&key, units)
+        .map(|value| value_to_js(&value))
+        .ok_or_else(|| {
+            let message = text!("There is no cycle of this type; catalog() lists them");
+            thrown(&[Finding::new(
+                Level::Error,
+                "unknown-value",
+                "cycle.type",
+                message,
+            )])
+        })
 }
 
 /// The name that a job has by itself: what it measures, and its main sizes.
@@ -85,17 +96,30 @@ pub fn config_faults(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
 
 /// A job filled in by a config; throws where the config is wrong.
 #[wasm_bindgen]
-pub fn filled(codes: &[f64], text: &str, config: &[f64], config_text: &str) -> Result<JsValue, JsValue> {
+pub fn filled(
+    codes: &[f64],
+    text: &str,
+    config: &[f64],
+    config_text: &str,
+) -> Result<JsValue, JsValue> {
     let config = read_config(config, config_text).map_err(refused)?;
     Ok(value_to_js(&config.fill(&decoded(codes, text))))
 }
 
 /// What a config refuses of a job that was filled in; throws where the config is wrong.
 #[wasm_bindgen]
-pub fn judged(codes: &[f64], text: &str, config: &[f64], config_text: &str) -> Result<JsValue, JsValue> {
+pub fn judged(
+    codes: &[f64],
+    text: &str,
+    config: &[f64],
+    config_text: &str,
+) -> Result<JsValue, JsValue> {
     let config = read_config(config, config_text).map_err(refused)?;
     let last = planned(codes, text);
-    to_js(&config.judge_planned(&decoded(codes, text), last.as_ref().map(|last| &last.planned)))
+    to_js(&config.judge_planned(
+        &decoded(codes, text),
+        last.as_ref().map(|last| &last.planned),
+    ))
 }
 
 thread_local! {
@@ -105,13 +129,19 @@ thread_local! {
 
 /// A config: the last one where it is the same, for a page reads it at every keystroke.
 fn read_config(codes: &[f64], text: &str) -> Result<Rc<Config>, JobError> {
-    let last =
-        CONFIG.with_borrow(|last| last.as_ref().filter(|(coded, _)| coded.is(codes, text)).map(|(_, config)| config.clone()));
+    let last = CONFIG.with_borrow(|last| {
+        last.as_ref()
+            .filter(|(coded, _)| coded.is(codes, text))
+            .map(|(_, config)| config.clone())
+    });
     if let Some(config) = last {
         return Ok(config);
     }
     let config = Rc::new(Config::read(&decoded(codes, text))?);
-    let coded = Coded { codes: codes.to_vec(), text: text.to_owned() };
+    let coded = Coded {
+        codes: codes.to_vec(),
+        text: text.to_owned(),
+    };
     CONFIG.with_borrow_mut(|place| *place = Some((coded, config.clone())));
     Ok(config)
 }
@@ -150,14 +180,22 @@ impl Coded {
     fn is(&self, codes: &[f64], text: &str) -> bool {
         // Compared as bits, so that NaN equals itself.
         let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits();
-        self.text == text && self.codes.len() == codes.len() && self.codes.iter().zip(codes).all(same)
+        self.text == text
+            && self.codes.len() == codes.len()
+            && self.codes.iter().zip(codes).all(same)
     }
 }
 
 impl Last {
     /// A path that is not kept: it is no job's.
     fn of_none(planned: Planned) -> Rc<Last> {
-        Rc::new(Last { job: Coded { codes: Vec::new(), text: String::new() }, planned })
+        Rc::new(Last {
+            job: Coded {
+                codes: Vec::new(),
+                text: String::new(),
+            },
+            planned,
+        })
     }
 }
 
@@ -167,13 +205,22 @@ thread_local! {
 }
 
 fn keep(codes: &[f64], text: &str, planned: Planned) {
-    let last = Last { job: Coded { codes: codes.to_vec(), text: text.to_owned() }, planned };
+    let last = Last {
+        job: Coded {
+            codes: codes.to_vec(),
+            text: text.to_owned(),
+        },
+        planned,
+    };
     LAST.with_borrow_mut(|place| *place = Some(Rc::new(last)));
 }
 
 /// The path of a job: of the last plan where it is the same job, else planned now. None for a job with errors.
 fn planned(codes: &[f64], text: &str) -> Option<Rc<Last>> {
-    if let Some(last) = LAST.with_borrow(|last| last.clone()).filter(|last| last.job.is(codes, text)) {
+    if let Some(last) = LAST
+        .with_borrow(|last| last.clone())
+        .filter(|last| last.job.is(codes, text))
+    {
         return Some(last);
     }
     let planned = job::planned(&decoded(codes, text))?;
@@ -184,12 +231,19 @@ fn planned(codes: &[f64], text: &str) -> Option<Rc<Last>> {
 #[wasm_bindgen(js_name = convertUnits)]
 pub fn convert_units(codes: &[f64], text: &str, units: &JsValue) -> Result<JsValue, JsValue> {
     let units = text_of(units, 100).unwrap_or_default();
-    job::convert_units(&decoded(codes, text), &units).map(|job| value_to_js(&job)).map_err(refused)
+    job::convert_units(&decoded(codes, text), &units)
+        .map(|job| value_to_js(&job))
+        .map_err(refused)
 }
 
 /// What follows from what a machine really measured: `{ results, points, block, findings }`.
 #[wasm_bindgen]
-pub fn measure(codes: &[f64], text: &str, measured: &[f64], measured_text: &str) -> Result<JsValue, JsValue> {
+pub fn measure(
+    codes: &[f64],
+    text: &str,
+    measured: &[f64],
+    measured_text: &str,
+) -> Result<JsValue, JsValue> {
     to_js(&job::measure(&decoded(codes, text), &decoded(measured, measured_text)).map_err(refused)?)
 }
 
@@ -198,8 +252,17 @@ pub fn measure(codes: &[f64], text: &str, measured: &[f64], measured_text: &str)
 pub fn export_table(codes: &[f64], text: &str, format: &JsValue) -> Result<String, JsValue> {
     let job = decoded(codes, text);
     let plan = job::plan(&job).map_err(refused)?;
-    let calls = if plan.program.own { job::calls(&job) } else { None };
-    describe::export_table_with_calls(&plan, calls.as_deref(), &text_of(format, 100).unwrap_or_default()).map_err(refused)
+    let calls = if plan.program.own {
+        job::calls(&job)
+    } else {
+        None
+    };
+    describe::export_table_with_calls(
+        &plan,
+        calls.as_deref(),
+        &text_of(format, 100).unwrap_or_default(),
+    )
+    .map_err(refused)
 }
 
 /// The picture of a job as an SVG, looked at from `top`, `front`, `side` or `isometric`.
@@ -208,7 +271,12 @@ pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue>
     let name = text_of(view, 100).unwrap_or_default();
     let Some(projection) = Projection::named(&name) else {
         let message = text!("The view must be top, front, side or isometric");
-        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "view", message)]));
+        return Err(thrown(&[Finding::new(
+            Level::Error,
+            "unknown-value",
+            "view",
+            message,
+        )]));
     };
     let value = decoded(codes, text);
     job::svg(&value, projection).map_err(refused)
@@ -217,7 +285,9 @@ pub fn svg(codes: &[f64], text: &str, view: &JsValue) -> Result<String, JsValue>
 /// The longest text that a job is made of, and the longest program whose moves are read, in UTF-16 units.
 #[wasm_bindgen]
 pub fn limits() -> Vec<u32> {
-    [job::LONGEST_TEXT, job::LONGEST_PROGRAM].map(|most| most as u32).to_vec()
+    [job::LONGEST_TEXT, job::LONGEST_PROGRAM]
+        .map(|most| most as u32)
+        .to_vec()
 }
 
 /// The crate's version.
@@ -228,7 +298,9 @@ pub fn version() -> String {
 
 /// Rust to plain objects: maps as objects, missing as null.
 fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    value.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)
+    value
+        .serialize(&serde_wasm_bindgen::Serializer::json_compatible())
+        .map_err(JsValue::from)
 }
 
 fn refused(error: JobError) -> JsValue {

@@ -24,5 +24,9 @@ impl Sink {
 /// A text that is not longer than `most` UTF-16 units; a longer one is not copied.
 pub fn text_of(value: &JsValue, most: usize) -> Option<String> {
     let length = value.dyn_ref::<JsString>()?.length() as usize;
-    if length <= most { value.as_string() } else { None }
+    if length <= most {
+        value.as_string()
+    } else {
+        None
+    }
 }

@@ -26,7 +26,9 @@ pub fn job_schema() -> JsValue {
 /// read as JSON, with no codes where it is not JSON; where the job is just that, `job` is left out.
 #[wasm_bindgen(js_name = importJob)]
 pub fn import_job(text: &JsValue, codes: &[f64], json: &str) -> Result<JsValue, JsValue> {
-    let length = text.dyn_ref::<js_sys::JsString>().map_or(0, |text| text.length() as usize);
+    let length = text
+        .dyn_ref::<js_sys::JsString>()
+        .map_or(0, |text| text.length() as usize);
     if length > job::LONGEST_TEXT {
         // Not even copied.
         return Err(refused(import::too_long(length)));
@@ -61,17 +63,32 @@ pub fn read_program(text: &[u8], length: usize, dialect: &JsValue) -> Result<JsV
         return Err(refused(toolpath::too_long(length)));
     }
     let wanted = text_of(dialect, 100);
-    let known = wanted.as_ref().and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
+    let known = wanted
+        .as_ref()
+        .and_then(|wanted| toolpath::DIALECTS.into_iter().find(|known| known == wanted));
     if known.is_none() && !dialect.is_undefined() {
-        let message = text!("The dialect must be one of {list}", toolpath::DIALECTS.join(", "));
-        return Err(thrown(&[Finding::new(Level::Error, "unknown-value", "dialect", message)]));
+        let message = text!(
+            "The dialect must be one of {list}",
+            toolpath::DIALECTS.join(", ")
+        );
+        return Err(thrown(&[Finding::new(
+            Level::Error,
+            "unknown-value",
+            "dialect",
+            message,
+        )]));
     }
     columns(&toolpath::read_program(&utf8(text), known)).map(JsValue::from)
 }
 
 /// The same, run with what is known beside the text, an object as `runProgram` of the package has it.
 #[wasm_bindgen(js_name = runProgram)]
-pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Result<JsValue, JsValue> {
+pub fn run_program(
+    text: &[u8],
+    length: usize,
+    codes: &[f64],
+    known: &str,
+) -> Result<JsValue, JsValue> {
     if length > toolpath::LONGEST_PROGRAM {
         return Err(refused(toolpath::too_long(length)));
     }
@@ -80,8 +97,16 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
     let run = toolpath::run_program(&text, &Known::of(&value).map_err(refused)?);
     let result = columns(&run)?;
     set(&result, "file", &Uint32Array::from(run.file.as_slice()));
-    set(&result, "contacts", &Float64Array::from(run.contacts.concat().as_slice()));
-    set(&result, "resumes", &Float64Array::from(run.resumes.concat().as_slice()));
+    set(
+        &result,
+        "contacts",
+        &Float64Array::from(run.contacts.concat().as_slice()),
+    );
+    set(
+        &result,
+        "resumes",
+        &Float64Array::from(run.resumes.concat().as_slice()),
+    );
     let findings: Array = result_findings(&run)?;
     set(&result, "findings", &findings);
     set(&result, "asks", &to_js(&run.asks)?);
@@ -90,7 +115,11 @@ pub fn run_program(text: &[u8], length: usize, codes: &[f64], known: &str) -> Re
         .iter()
         .map(|call| {
             let row = to_js(call)?;
-            set(&row, "job", &call.job.as_ref().map_or(JsValue::NULL, value_to_js));
+            set(
+                &row,
+                "job",
+                &call.job.as_ref().map_or(JsValue::NULL, value_to_js),
+            );
             Ok::<JsValue, JsValue>(row)
         })
         .collect::<Result<Array, JsValue>>()?;
@@ -115,20 +144,30 @@ fn result_findings(run: &Toolpath) -> Result<Array, JsValue> {
         set(&finding, "lines", &to_js(lines)?);
         Ok(finding)
     };
-    run.findings.iter().zip(&run.finding_lines).map(with_lines).collect()
+    run.findings
+        .iter()
+        .zip(&run.finding_lines)
+        .map(with_lines)
+        .collect()
 }
 
 fn columns(path: &Toolpath) -> Result<Object, JsValue> {
     let columns = Object::new();
     set(&columns, "dialect", &JsValue::from_str(path.dialect));
-    let units = path.metric.map(|metric| JsValue::from_str(if metric { "mm" } else { "inch" }));
+    let units = path
+        .metric
+        .map(|metric| JsValue::from_str(if metric { "mm" } else { "inch" }));
     set(&columns, "units", &units.unwrap_or(JsValue::NULL));
     set(&columns, "plane", &JsValue::from_str(path.plane.word()));
     set(&columns, "to", &Float64Array::from(path.to.as_slice()));
     set(&columns, "kind", &Uint8Array::from(path.kind.as_slice()));
     set(&columns, "feed", &Float64Array::from(path.feed.as_slice()));
     set(&columns, "line", &Uint32Array::from(path.line.as_slice()));
-    set(&columns, "arcs", &Float64Array::from(path.arcs.concat().as_slice()));
+    set(
+        &columns,
+        "arcs",
+        &Float64Array::from(path.arcs.concat().as_slice()),
+    );
     set(&columns, "findings", &to_js(&path.findings)?);
     Ok(columns)
 }
@@ -141,8 +180,20 @@ pub fn lentoax(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let result = Object::new();
     set(&result, "status", &JsValue::from(answer.status));
     let list = |row: &[f64; 3]| row.iter().map(|x| JsValue::from_f64(*x)).collect::<Array>();
-    set(&result, "axind", &answer.axind.iter().map(|i| JsValue::from(*i)).collect::<Array>());
-    set(&result, "matrix", &answer.matrix.iter().map(list).collect::<Array>());
+    set(
+        &result,
+        "axind",
+        &answer
+            .axind
+            .iter()
+            .map(|i| JsValue::from(*i))
+            .collect::<Array>(),
+    );
+    set(
+        &result,
+        "matrix",
+        &answer.matrix.iter().map(list).collect::<Array>(),
+    );
     Ok(result.into())
 }
 
@@ -152,10 +203,18 @@ pub fn lentoax_words(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {
     let query = job::lentoax_query(&decoded(codes, text)).map_err(refused)?;
     let answer = tool_length::lentoax(&query);
     let result = Object::new();
-    set(&result, "meaning", &JsValue::from_str(tool_length::meaning(answer.status)));
+    set(
+        &result,
+        "meaning",
+        &JsValue::from_str(tool_length::meaning(answer.status)),
+    );
     let sentence = tool_length::sentence(query.plane, &answer);
     set(&result, "sentence", &JsValue::from_str(&sentence.english()));
     set(&result, "said", &to_js(&sentence)?);
-    set(&result, "program", &JsValue::from_str(&tool_length::nc_block(&query)));
+    set(
+        &result,
+        "program",
+        &JsValue::from_str(&tool_length::nc_block(&query)),
+    );
     Ok(result.into())
 }

@@ -12,10 +12,21 @@ use touchpath::job::default_job;
 #[test]
 fn a_value_is_read_as_it_was_coded() {
     let codes = [6.0, 1.0, 1.0, 5.0, 4.0, 3.0, 1.0, 2.0, 0.0, 4.0, 1.0];
-    let items = vec![Value::Number(1.0), Value::Flag(true), Value::Null, Value::Text("é".to_owned())];
-    assert_eq!(decoded(&codes, "a\né\n"), Value::Map(vec![("a".to_owned(), Value::List(items))]));
+    let items = vec![
+        Value::Number(1.0),
+        Value::Flag(true),
+        Value::Null,
+        Value::Text("é".to_owned()),
+    ];
+    assert_eq!(
+        decoded(&codes, "a\né\n"),
+        Value::Map(vec![("a".to_owned(), Value::List(items))])
+    );
     // A character outside of the basic plane has two units.
-    assert_eq!(decoded(&[4.0, 2.0], "\u{1f600}\n"), Value::Text("\u{1f600}".to_owned()));
+    assert_eq!(
+        decoded(&[4.0, 2.0], "\u{1f600}\n"),
+        Value::Text("\u{1f600}".to_owned())
+    );
 }
 
 #[test]
@@ -56,12 +67,26 @@ fn the_sections_of_a_plan_are_where_its_head_says() {
     }
     // Four touches of eight numbers; then the moves.
     assert_eq!(at(Section::Moves), at(Section::Touches) + 1 + 8 * 4);
-    assert_eq!(packed.numbers[at(Section::Touches) + 1..][..3], plan.touches[0].point);
+    assert_eq!(
+        packed.numbers[at(Section::Touches) + 1..][..3],
+        plan.touches[0].point
+    );
     // Four triggers of three numbers; then the findings.
     assert_eq!(at(Section::Findings), at(Section::Triggers) + 1 + 3 * 4);
     let texts = packed.numbers[2 * Section::Program as usize + 1] as usize;
-    assert!(packed.text[texts..].starts_with("linuxcncngc"), "{}", &packed.text[texts..][..20]);
+    assert!(
+        packed.text[texts..].starts_with("linuxcncngc"),
+        "{}",
+        &packed.text[texts..][..20]
+    );
     let rows = packed::table(&plan.table);
-    assert_eq!((rows.numbers[0], packed::meanings(&plan.table).numbers[0]), (plan.table.len() as f64, plan.table.len() as f64));
-    assert!(rows.text.starts_with("CmdPrm.Int[-1]"), "{}", &rows.text[..20]);
+    assert_eq!(
+        (rows.numbers[0], packed::meanings(&plan.table).numbers[0]),
+        (plan.table.len() as f64, plan.table.len() as f64)
+    );
+    assert!(
+        rows.text.starts_with("CmdPrm.Int[-1]"),
+        "{}",
+        &rows.text[..20]
+    );
 }

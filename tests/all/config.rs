@@ -12,7 +12,11 @@ fn config(rest: &str) -> Config {
 /// Code and path of everything that is refused.
 fn refused(config: &Config, text: &str) -> Vec<String> {
     let judged = config.judge(&config.fill(&job(text)));
-    judged.iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()
+    judged
+        .iter()
+        .filter(|f| f.level == Level::Error)
+        .map(|f| format!("{} {}", f.code, f.path))
+        .collect()
 }
 
 fn at<'v>(job: &'v Value, path: &str) -> Option<&'v Value> {
@@ -46,47 +50,109 @@ fn what_a_job_leaves_out_is_filled_in_and_converted() {
     assert_eq!(number(&filled, "stylus.diameter"), 0.2);
     assert_eq!(number(&filled, "control.tool"), 99.0);
     assert_eq!(number(&filled, "cycle.width"), 1.0);
-    assert_eq!(number(&filled, "cycle.depth"), 0.25, "what the job says stays");
-    assert_eq!(at(&filled, "feeds.return"), Some(&Value::Null), "null is said");
+    assert_eq!(
+        number(&filled, "cycle.depth"),
+        0.25,
+        "what the job says stays"
+    );
+    assert_eq!(
+        at(&filled, "feeds.return"),
+        Some(&Value::Null),
+        "null is said"
+    );
     assert_eq!(at(&filled, "limits.position"), Some(&Value::Null));
     // A hole has no width.
     let hole = rules.fill(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#));
-    assert_eq!((number(&hole, "cycle.depth"), at(&hole, "cycle.width")), (12.7, None));
+    assert_eq!(
+        (number(&hole, "cycle.depth"), at(&hole, "cycle.width")),
+        (12.7, None)
+    );
     let set_up =
         rules.fill(&job(r#"{ "format": 2, "cycles": [{ "type": "hole" }, { "type": "web", "name": "RIB", "depth": 3 }] }"#));
-    let Some(Value::List(cycles)) = set_up.get("cycles") else { panic!("the cycles") };
-    assert_eq!((number(&cycles[0], "depth"), number(&cycles[1], "depth"), number(&cycles[1], "width")), (12.7, 3.0, 25.4));
-    assert_eq!((number(&set_up, "feeds.work"), set_up.get("cycle")), (127.0, None));
+    let Some(Value::List(cycles)) = set_up.get("cycles") else {
+        panic!("the cycles")
+    };
+    assert_eq!(
+        (
+            number(&cycles[0], "depth"),
+            number(&cycles[1], "depth"),
+            number(&cycles[1], "width")
+        ),
+        (12.7, 3.0, 25.4)
+    );
+    assert_eq!(
+        (number(&set_up, "feeds.work"), set_up.get("cycle")),
+        (127.0, None)
+    );
     // A config in inch says the same in inch.
-    let inch = config(r#""units": "inch", "fields": { "feeds.work": { "value": 5 }, "cycle.depth": { "value": 0.5 } }"#);
+    let inch = config(
+        r#""units": "inch", "fields": { "feeds.work": { "value": 5 }, "cycle.depth": { "value": 0.5 } }"#,
+    );
     let mm = inch.fill(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#));
-    assert_eq!((number(&mm, "feeds.work"), number(&mm, "cycle.depth")), (127.0, 12.7));
+    assert_eq!(
+        (number(&mm, "feeds.work"), number(&mm, "cycle.depth")),
+        (127.0, 12.7)
+    );
 }
 
 #[test]
 fn a_job_that_names_no_control_gets_one_that_is_allowed_and_takes_its_cycle() {
-    let rules = config(r#""allow": { "controls": ["haas", "heidenhain"], "units": ["inch"], "workOffsets": [2, 3] }"#);
-    let hole = rules.fill(&job(r#"{ "format": 1, "cycle": { "type": "hole", "diameter": 1 } }"#));
+    let rules = config(
+        r#""allow": { "controls": ["haas", "heidenhain"], "units": ["inch"], "workOffsets": [2, 3] }"#,
+    );
+    let hole = rules.fill(&job(
+        r#"{ "format": 1, "cycle": { "type": "hole", "diameter": 1 } }"#,
+    ));
     assert_eq!(
-        (text(&hole, "control.post"), text(&hole, "units"), number(&hole, "control.workOffset")),
+        (
+            text(&hole, "control.post"),
+            text(&hole, "units"),
+            number(&hole, "control.workOffset")
+        ),
         ("haas".into(), "inch".into(), 2.0)
     );
-    let circles = rules.fill(&job(r#"{ "format": 1, "cycle": { "type": "probing-two-circles" } }"#));
-    assert_eq!(text(&circles, "control.post"), "haas", "it makes the moves of 1411");
+    let circles = rules.fill(&job(
+        r#"{ "format": 1, "cycle": { "type": "probing-two-circles" } }"#,
+    ));
+    assert_eq!(
+        text(&circles, "control.post"),
+        "haas",
+        "it makes the moves of 1411"
+    );
     let only = config(r#""allow": { "controls": ["heidenhain"] }"#);
-    let circles = only.fill(&job(r#"{ "format": 1, "cycle": { "type": "probing-two-circles" } }"#));
-    assert_eq!((text(&circles, "control.post"), text(&circles, "control.form")), ("heidenhain".into(), "cycle".into()));
+    let circles = only.fill(&job(
+        r#"{ "format": 1, "cycle": { "type": "probing-two-circles" } }"#,
+    ));
+    assert_eq!(
+        (
+            text(&circles, "control.post"),
+            text(&circles, "control.form")
+        ),
+        ("heidenhain".into(), "cycle".into())
+    );
     // The default goes before what is allowed beside it.
     let default = config(r#""allow": { "controls": ["haas", "linuxcnc"] }"#);
-    assert_eq!(text(&default.fill(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#)), "control.post"), "linuxcnc");
+    assert_eq!(
+        text(
+            &default.fill(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#)),
+            "control.post"
+        ),
+        "linuxcnc"
+    );
     // A form that is allowed is looked for, too: LinuxCNC has no cycles of its own.
-    for allow in [r#""forms": ["cycle"]"#, r#""forms": ["cycle"], "controls": ["linuxcnc", "haas"]"#] {
+    for allow in [
+        r#""forms": ["cycle"]"#,
+        r#""forms": ["cycle"], "controls": ["linuxcnc", "haas"]"#,
+    ] {
         let rules = config(&format!(r#""allow": {{ {allow} }}"#));
         let hole = r#"{ "format": 1, "cycle": { "type": "hole" } }"#;
         assert_eq!(refused(&rules, hole), [""; 0], "{allow}");
         assert_eq!(text(&rules.fill(&job(hole)), "control.form"), "cycle");
         assert_eq!(
-            refused(&rules, r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "form": "moves" } }"#),
+            refused(
+                &rules,
+                r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "form": "moves" } }"#
+            ),
             ["not-allowed control.form"]
         );
     }
@@ -97,7 +163,13 @@ fn what_is_not_allowed_is_refused_where_it_stands() {
     let rules = config(
         r#""title": "Hall 3", "allow": { "cycles": ["hole", "web"], "controls": ["fanuc"], "forms": ["moves"], "units": ["mm"], "workOffsets": [null, 1] }"#,
     );
-    assert_eq!(refused(&rules, r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "workOffset": 1 } }"#), [""; 0]);
+    assert_eq!(
+        refused(
+            &rules,
+            r#"{ "format": 1, "cycle": { "type": "hole" }, "control": { "workOffset": 1 } }"#
+        ),
+        [""; 0]
+    );
     assert_eq!(
         refused(
             &rules,
@@ -112,7 +184,10 @@ fn what_is_not_allowed_is_refused_where_it_stands() {
         ]
     );
     let set_up = r#"{ "format": 2, "cycles": [{ "type": "hole" }, { "type": "boss" }, { "type": "groove" }] }"#;
-    assert_eq!(refused(&rules, set_up), ["not-allowed cycles[1].type", "not-allowed cycles[2].type"]);
+    assert_eq!(
+        refused(&rules, set_up),
+        ["not-allowed cycles[1].type", "not-allowed cycles[2].type"]
+    );
     let one = config(r#""allow": { "setUps": false }"#);
     assert_eq!(refused(&one, set_up), ["not-allowed cycles"]);
     // The words are those of the form.
@@ -136,7 +211,10 @@ fn fields_are_fixed_and_bounded_in_any_units() {
             "stylus.diameter": { "min": 1 }, "cycle.origin": { "value": [1, 2, 3], "locked": true }, "stylus.length": { "max": 60 } }"#,
     );
     let base = r#""cycle": { "type": "hole", "diameter": 25, "origin": [1, 2, 3] }, "stylus": { "length": 50 }"#;
-    assert_eq!(refused(&rules, &format!(r#"{{ "format": 1, {base} }}"#)), [""; 0]);
+    assert_eq!(
+        refused(&rules, &format!(r#"{{ "format": 1, {base} }}"#)),
+        [""; 0]
+    );
     assert_eq!(
         refused(
             &rules,
@@ -144,7 +222,12 @@ fn fields_are_fixed_and_bounded_in_any_units() {
                 r#"{{ "format": 1, {base}, "feeds": {{ "work": 101 }}, "overtravel": 8.1, "stylus": {{ "diameter": 0.9, "length": null }} }}"#
             )
         ),
-        ["locked feeds.work", "not-allowed overtravel", "not-allowed stylus.diameter", "not-allowed stylus.length"]
+        [
+            "locked feeds.work",
+            "not-allowed overtravel",
+            "not-allowed stylus.diameter",
+            "not-allowed stylus.length"
+        ]
     );
     // 8 mm are 0.314961 inch; 100 mm/min are 3.937008 inch/min.
     let inch = |overtravel: f64, feed: f64| {
@@ -153,10 +236,20 @@ fn fields_are_fixed_and_bounded_in_any_units() {
         )
     };
     assert_eq!(refused(&rules, &inch(0.314961, 3.937008)), [""; 0]);
-    assert_eq!(refused(&rules, &inch(0.314961, 3.937)), [""; 0], "as people type it");
-    assert_eq!(refused(&rules, &inch(0.3151, 3.94)), ["locked feeds.work", "not-allowed overtravel"]);
+    assert_eq!(
+        refused(&rules, &inch(0.314961, 3.937)),
+        [""; 0],
+        "as people type it"
+    );
+    assert_eq!(
+        refused(&rules, &inch(0.3151, 3.94)),
+        ["locked feeds.work", "not-allowed overtravel"]
+    );
     let set_up = r#"{ "format": 2, "feeds": { "work": 90 }, "stylus": { "length": 9 }, "cycles": [{ "type": "hole" }, { "type": "hole", "origin": [1, 2, 4] }] }"#;
-    assert_eq!(refused(&rules, set_up), ["locked feeds.work", "locked cycles[1].origin"]);
+    assert_eq!(
+        refused(&rules, set_up),
+        ["locked feeds.work", "locked cycles[1].origin"]
+    );
 }
 
 /// Null is rapid, without a limit, not called: more than any limit.
@@ -168,7 +261,11 @@ fn null_is_within_no_bounds() {
     let given = r#"{ "format": 1, "cycle": { "type": "hole" }, "feeds": { "approach": null }, "control": { "tool": null }, "limits": { "position": null } }"#;
     assert_eq!(
         refused(&rules, given),
-        ["not-allowed control.tool", "not-allowed feeds.approach", "not-allowed limits.position"]
+        [
+            "not-allowed control.tool",
+            "not-allowed feeds.approach",
+            "not-allowed limits.position"
+        ]
     );
     let good = r#"{ "format": 1, "cycle": { "type": "hole" }, "feeds": { "approach": 500 }, "control": { "tool": 24 }, "limits": { "position": 2 } }"#;
     assert_eq!(refused(&rules, good), [""; 0]);
@@ -183,12 +280,18 @@ fn a_cycle_that_writes_by_itself_is_measured_by_what_it_writes() {
         )
     };
     let measuring = config(r#""allow": { "workOffsets": [null] }"#);
-    assert_eq!(refused(&measuring, &circles(1, 1)), ["not-allowed control.workOffset"]);
+    assert_eq!(
+        refused(&measuring, &circles(1, 1)),
+        ["not-allowed control.workOffset"]
+    );
     assert_eq!(refused(&measuring, &circles(0, 0)), [""; 0]);
     for offsets in ["[1]", "[null, 2]"] {
         let writing = config(&format!(r#""allow": {{ "workOffsets": {offsets} }}"#));
         assert_eq!(refused(&writing, &circles(1, 1)), [""; 0]);
-        assert!(plan(&writing.fill(&job(&circles(1, 1)))).is_ok(), "no work offset was filled in");
+        assert!(
+            plan(&writing.fill(&job(&circles(1, 1)))).is_ok(),
+            "no work offset was filled in"
+        );
     }
 }
 
@@ -196,17 +299,27 @@ fn a_cycle_that_writes_by_itself_is_measured_by_what_it_writes() {
 #[test]
 fn a_form_inside_the_form_that_is_not_used_stays_so() {
     let rules = config(r#""fields": { "cycle.extrusion.points": { "value": 5, "locked": true } }"#);
-    let circles = |extrusion: &str| format!(r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles"{extrusion} }} }}"#);
+    let circles = |extrusion: &str| {
+        format!(r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles"{extrusion} }} }}"#)
+    };
     assert_eq!(at(&rules.fill(&job(&circles(""))), "cycle.extrusion"), None);
     assert_eq!(refused(&rules, &circles("")), [""; 0]);
     assert_eq!(refused(&rules, &circles(r#", "extrusion": null"#)), [""; 0]);
-    assert_eq!(number(&rules.fill(&job(&circles(r#", "extrusion": { "length": 3 }"#))), "cycle.extrusion.points"), 5.0);
-    assert_eq!(refused(&rules, &circles(r#", "extrusion": { "points": 4 }"#)), ["locked cycle.extrusion.points"]);
+    assert_eq!(
+        number(
+            &rules.fill(&job(&circles(r#", "extrusion": { "length": 3 }"#))),
+            "cycle.extrusion.points"
+        ),
+        5.0
+    );
+    assert_eq!(
+        refused(&rules, &circles(r#", "extrusion": { "points": 4 }"#)),
+        ["locked cycle.extrusion.points"]
+    );
 }
 
 /// A bore of 25 mm at X100 Y50, 10 mm deep, touched with a ball of 6 mm: its centre touches at 9.5 mm from the middle and searches 5 mm farther.
-const BORE: &str =
-    r#"{ "format": 1, "cycle": { "type": "hole", "diameter": 25, "depth": 10, "origin": [100, 50, 0], "feedDistance": 20 }"#;
+const BORE: &str = r#"{ "format": 1, "cycle": { "type": "hole", "diameter": 25, "depth": 10, "origin": [100, 50, 0], "feedDistance": 20 }"#;
 
 fn bore(rest: &str) -> String {
     format!("{BORE}{rest} }}")
@@ -214,7 +327,13 @@ fn bore(rest: &str) -> String {
 
 #[test]
 fn the_searches_of_a_path_stay_within_the_travel() {
-    let highest = planned(&job(&bore(""))).unwrap().path.moves.iter().map(|step| step.to.z).fold(f64::MIN, f64::max);
+    let highest = planned(&job(&bore("")))
+        .unwrap()
+        .path
+        .moves
+        .iter()
+        .map(|step| step.to.z)
+        .fold(f64::MIN, f64::max);
     let travel = |x: f64, low: f64| {
         format!(
             r#""space": {{ "travel": {{ "min": [{}, {}, {low}], "max": [{}, {}, {highest}] }} }}"#,
@@ -225,99 +344,226 @@ fn the_searches_of_a_path_stay_within_the_travel() {
         )
     };
     assert_eq!(refused(&config(&travel(14.5, -10.0)), &bore("")), [""; 0]);
-    assert_eq!(refused(&config(&travel(14.4, -10.0)), &bore("")), ["beyond-travel cycle"; 4]);
-    assert_eq!(refused(&config(&travel(14.5, -9.9)), &bore("")), ["beyond-travel cycle"]);
+    assert_eq!(
+        refused(&config(&travel(14.4, -10.0)), &bore("")),
+        ["beyond-travel cycle"; 4]
+    );
+    assert_eq!(
+        refused(&config(&travel(14.5, -9.9)), &bore("")),
+        ["beyond-travel cycle"]
+    );
     let said = config(&travel(14.4, -10.0)).judge(&job(&bore("")));
     let said = values(&said[0]);
-    assert_eq!(said[said.len() - 2..], ["85.5 mm", "85.6 mm"], "the search, and where the travel ends");
+    assert_eq!(
+        said[said.len() - 2..],
+        ["85.5 mm", "85.6 mm"],
+        "the search, and where the travel ends"
+    );
     // The same machine, whose zero lies elsewhere, in inch.
-    let moved =
-        r#""units": "inch", "space": { "zero": [10, 0, -20], "travel": { "min": [13.36615, 0, -21], "max": [20, 10, 0] } }"#;
+    let moved = r#""units": "inch", "space": { "zero": [10, 0, -20], "travel": { "min": [13.36615, 0, -21], "max": [20, 10, 0] } }"#;
     // 85.5 mm are 3.366142 inch.
     assert_eq!(refused(&config(moved), &bore("")), ["beyond-travel cycle"]);
-    assert_eq!(refused(&config(&moved.replace("13.36615", "13.36614")), &bore("")), [""; 0]);
+    assert_eq!(
+        refused(&config(&moved.replace("13.36615", "13.36614")), &bore("")),
+        [""; 0]
+    );
     let set_up = r#"{ "format": 2, "cycles": [{ "type": "hole", "diameter": 25 }, { "type": "hole", "diameter": 25, "origin": [100, 50, 0] }] }"#;
     let narrow = r#""space": { "travel": { "min": [-50, -50, -50], "max": [114, 90, 90] } }"#;
-    assert_eq!(refused(&config(narrow), set_up), ["beyond-travel cycles[1]"]);
+    assert_eq!(
+        refused(&config(narrow), set_up),
+        ["beyond-travel cycles[1]"]
+    );
     // A cycle that follows a result goes 2 mm farther at most: to X 116.5, and Y 64.5, which it does not follow.
     let follows = r#"{ "format": 2, "limits": { "position": 2 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
         { "type": "hole", "diameter": 25, "origin": ["=A.center.x+100", 50, 0] }] }"#;
-    let most = |x: f64, y: f64| format!(r#""space": {{ "travel": {{ "min": [-50, -50, -50], "max": [{x}, {y}, 90] }} }}"#);
+    let most = |x: f64, y: f64| {
+        format!(r#""space": {{ "travel": {{ "min": [-50, -50, -50], "max": [{x}, {y}, 90] }} }}"#)
+    };
     assert_eq!(refused(&config(&most(116.5, 64.5)), follows), [""; 0]);
-    assert_eq!(refused(&config(&most(116.4, 64.5)), follows), ["beyond-travel cycles[1]"]);
-    assert_eq!(refused(&config(&most(116.5, 64.4)), follows), ["beyond-travel cycles[1]"]);
+    assert_eq!(
+        refused(&config(&most(116.4, 64.5)), follows),
+        ["beyond-travel cycles[1]"]
+    );
+    assert_eq!(
+        refused(&config(&most(116.5, 64.4)), follows),
+        ["beyond-travel cycles[1]"]
+    );
     // Where a size may be is known at the machine alone: a field with bounds takes no result.
     let sized = r#"{ "format": 2, "limits": { "size": 1 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
         { "type": "hole", "diameter": "=A.diameter-2", "origin": [100, 50, 0] }] }"#;
-    let bounds = |least: f64| format!(r#""fields": {{ "cycle.diameter": {{ "min": {least}, "max": 60 }} }}"#);
-    assert_eq!(refused(&config(&bounds(5.0)), sized), ["not-allowed cycles[1].diameter"]);
-    let post =
-        |x: f64| format!(r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 40, -20], "max": [200, 60, 20] }}] }}"#);
-    assert_eq!(refused(&config(&post(119.6)), follows), [""; 0], "the ball reaches 119.5");
-    assert_eq!(refused(&config(&post(119.4)), follows), ["keep-out cycles[1]"]);
+    let bounds = |least: f64| {
+        format!(r#""fields": {{ "cycle.diameter": {{ "min": {least}, "max": 60 }} }}"#)
+    };
+    assert_eq!(
+        refused(&config(&bounds(5.0)), sized),
+        ["not-allowed cycles[1].diameter"]
+    );
+    let post = |x: f64| {
+        format!(
+            r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 40, -20], "max": [200, 60, 20] }}] }}"#
+        )
+    };
+    assert_eq!(
+        refused(&config(&post(119.6)), follows),
+        [""; 0],
+        "the ball reaches 119.5"
+    );
+    assert_eq!(
+        refused(&config(&post(119.4)), follows),
+        ["keep-out cycles[1]"]
+    );
     // The way out of a cycle that follows begins where that cycle lies: at X 100 and up to 5 farther, with a ball of radius 3.
     let leaves = r#"{ "format": 2, "limits": { "position": 5 }, "cycles": [{ "type": "hole", "name": "A", "diameter": 25 },
         { "type": "hole", "diameter": 25, "origin": ["=A.center.x+100", 0, 0] }, { "type": "hole", "diameter": 25, "origin": [100, 100, 0] }] }"#;
-    let beside =
-        |x: f64| format!(r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 30, -50], "max": [200, 31, 90] }}] }}"#);
+    let beside = |x: f64| {
+        format!(
+            r#""space": {{ "keepOut": [{{ "name": "post", "min": [{x}, 30, -50], "max": [200, 31, 90] }}] }}"#
+        )
+    };
     assert_eq!(refused(&config(&beside(108.1)), leaves), [""; 0]);
-    assert_eq!(refused(&config(&beside(106.0)), leaves), ["keep-out cycles[2]"]);
+    assert_eq!(
+        refused(&config(&beside(106.0)), leaves),
+        ["keep-out cycles[2]"]
+    );
 }
 
 #[test]
 fn nothing_of_the_probe_enters_a_keep_out_zone() {
     let zone = |min: [f64; 3], max: [f64; 3]| {
-        config(&format!(r#""space": {{ "keepOut": [{{ "name": "vise", "min": {min:?}, "max": {max:?} }}] }}"#))
+        config(&format!(
+            r#""space": {{ "keepOut": [{{ "name": "vise", "min": {min:?}, "max": {max:?} }}] }}"#
+        ))
     };
     let far = [200.0, 60.0, 20.0];
     // The ball's far side comes to 100 + 9.5 + 5 + 3.
-    assert_eq!(refused(&zone([117.4, 40.0, -20.0], far), &bore("")), ["keep-out cycle"]);
-    assert_eq!(refused(&zone([117.6, 40.0, -20.0], far), &bore("")), [""; 0]);
+    assert_eq!(
+        refused(&zone([117.4, 40.0, -20.0], far), &bore("")),
+        ["keep-out cycle"]
+    );
+    assert_eq!(
+        refused(&zone([117.6, 40.0, -20.0], far), &bore("")),
+        [""; 0]
+    );
     // Beside the way: the ball at Y 50 passes a corner by 2.9 mm, and not by 3.1.
-    assert_eq!(refused(&zone([110.0, 52.9, -20.0], far), &bore("")), ["keep-out cycle"]);
-    assert_eq!(refused(&zone([110.0, 53.1, -20.0], [200.0, 60.0, 20.0]), &bore("")), [""; 0]);
+    assert_eq!(
+        refused(&zone([110.0, 52.9, -20.0], far), &bore("")),
+        ["keep-out cycle"]
+    );
+    assert_eq!(
+        refused(&zone([110.0, 53.1, -20.0], [200.0, 60.0, 20.0]), &bore("")),
+        [""; 0]
+    );
     // Below the ball: its lower side is at -13.
-    assert_eq!(refused(&zone([90.0, 40.0, -50.0], [110.0, 60.0, -12.9]), &bore("")), ["keep-out cycle"]);
-    assert_eq!(refused(&zone([90.0, 40.0, -50.0], [110.0, 60.0, -13.1]), &bore("")), [""; 0]);
+    assert_eq!(
+        refused(&zone([90.0, 40.0, -50.0], [110.0, 60.0, -12.9]), &bore("")),
+        ["keep-out cycle"]
+    );
+    assert_eq!(
+        refused(&zone([90.0, 40.0, -50.0], [110.0, 60.0, -13.1]), &bore("")),
+        [""; 0]
+    );
     // A clamp over the bore's edge, 40 mm above it and from X 118 on: a body of 40 mm reaches X 134.5 with its lower end at -10 + 50.
     let clamp = || zone([118.0, 40.0, 39.0], [200.0, 60.0, 41.0]);
-    assert_eq!(refused(&clamp(), &bore("")), [""; 0], "of a stylus that is not known only the ball");
-    assert_eq!(refused(&clamp(), &bore(r#", "stylus": { "length": 50, "shank": 4, "body": 40 }"#)), ["keep-out cycle"]);
-    let message = &clamp().judge(&job(&bore(r#", "stylus": { "length": 50, "shank": 4, "body": 40 }"#)))[0].message;
-    assert!(message.ends_with("the probe body enters the keep-out zone vise"), "{message}");
+    assert_eq!(
+        refused(&clamp(), &bore("")),
+        [""; 0],
+        "of a stylus that is not known only the ball"
+    );
+    assert_eq!(
+        refused(
+            &clamp(),
+            &bore(r#", "stylus": { "length": 50, "shank": 4, "body": 40 }"#)
+        ),
+        ["keep-out cycle"]
+    );
+    let message = &clamp().judge(&job(&bore(
+        r#", "stylus": { "length": 50, "shank": 4, "body": 40 }"#,
+    )))[0]
+        .message;
+    assert!(
+        message.ends_with("the probe body enters the keep-out zone vise"),
+        "{message}"
+    );
     // A longer stylus carries it over.
     let highest = zone([118.0, 40.0, -5.0], [200.0, 60.0, 41.0]);
-    assert_eq!(refused(&highest, &bore(r#", "stylus": { "length": 51.1, "shank": 4, "body": 40 }"#)), [""; 0]);
-    assert_eq!(refused(&highest, &bore(r#", "stylus": { "length": 50.9, "shank": 4, "body": 40 }"#)), ["keep-out cycle"]);
+    assert_eq!(
+        refused(
+            &highest,
+            &bore(r#", "stylus": { "length": 51.1, "shank": 4, "body": 40 }"#)
+        ),
+        [""; 0]
+    );
+    assert_eq!(
+        refused(
+            &highest,
+            &bore(r#", "stylus": { "length": 50.9, "shank": 4, "body": 40 }"#)
+        ),
+        ["keep-out cycle"]
+    );
     // A shank of 8 mm comes to 118.5 where the ball comes to 117.5.
     let post = || zone([118.0, 40.0, 5.0], [200.0, 60.0, 41.0]);
-    assert_eq!(refused(&post(), &bore(r#", "stylus": { "length": 52, "shank": 6, "body": 40 }"#)), [""; 0]);
-    let thick = &post().judge(&job(&bore(r#", "stylus": { "length": 52, "shank": 8, "body": 40 }"#)))[0].message;
-    assert!(thick.ends_with("the stylus enters the keep-out zone vise"), "{thick}");
+    assert_eq!(
+        refused(
+            &post(),
+            &bore(r#", "stylus": { "length": 52, "shank": 6, "body": 40 }"#)
+        ),
+        [""; 0]
+    );
+    let thick = &post().judge(&job(&bore(
+        r#", "stylus": { "length": 52, "shank": 8, "body": 40 }"#,
+    )))[0]
+        .message;
+    assert!(
+        thick.ends_with("the stylus enters the keep-out zone vise"),
+        "{thick}"
+    );
 }
 
 #[test]
 fn a_plan_holds_what_the_portal_says() {
-    let info = config(r#""findings": [{ "level": "info", "path": "stylus", "message": "Use probe 7" }]"#);
-    let said =
-        |findings: &[Finding]| findings.iter().filter(|f| f.code == "portal").map(|f| f.message.clone()).collect::<Vec<_>>();
-    let made = info.plan(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#)).unwrap();
+    let info =
+        config(r#""findings": [{ "level": "info", "path": "stylus", "message": "Use probe 7" }]"#);
+    let said = |findings: &[Finding]| {
+        findings
+            .iter()
+            .filter(|f| f.code == "portal")
+            .map(|f| f.message.clone())
+            .collect::<Vec<_>>()
+    };
+    let made = info
+        .plan(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#))
+        .unwrap();
     assert_eq!(said(&made.findings), ["Use probe 7"]);
     let plain = plan(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#)).unwrap();
-    assert_eq!(made.program.text, plain.program.text, "a config that only speaks changes no program");
+    assert_eq!(
+        made.program.text, plain.program.text,
+        "a config that only speaks changes no program"
+    );
     let error = config(r#""findings": [{ "message": "The order is closed" }]"#);
-    let refused = error.plan(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#)).unwrap_err();
+    let refused = error
+        .plan(&job(r#"{ "format": 1, "cycle": { "type": "hole" } }"#))
+        .unwrap_err();
     assert_eq!(said(&refused.findings), ["The order is closed"]);
     // What is wrong with the job and what the portal refuses is said at once.
-    let both = error.plan(&job(r#"{ "format": 1, "cycle": { "type": "hole", "diameter": -1 } }"#)).unwrap_err();
-    assert!(both.findings.iter().any(|f| f.path == "cycle.diameter") && said(&both.findings).len() == 1);
+    let both = error
+        .plan(&job(
+            r#"{ "format": 1, "cycle": { "type": "hole", "diameter": -1 } }"#,
+        ))
+        .unwrap_err();
+    assert!(
+        both.findings.iter().any(|f| f.path == "cycle.diameter") && said(&both.findings).len() == 1
+    );
 }
 
 #[test]
 fn everything_wrong_with_a_config_is_said_at_once() {
     let wrong = |text: &str| -> Vec<String> {
         let error = Config::read(&job(text)).expect_err(text);
-        error.findings.iter().map(|f| format!("{} {}", f.code, f.path)).collect()
+        error
+            .findings
+            .iter()
+            .map(|f| format!("{} {}", f.code, f.path))
+            .collect()
     };
     assert_eq!(
         wrong(
@@ -353,8 +599,14 @@ fn everything_wrong_with_a_config_is_said_at_once() {
     );
     // A config under which a job that says nothing would be refused.
     for (text, path) in [
-        (r#""fields": { "overtravel": { "value": 50, "min": 2, "max": 8 } }"#, "out-of-range config.fields.overtravel.value"),
-        (r#""fields": { "units": { "value": "inch" } }"#, "unknown-key config.fields.units"),
+        (
+            r#""fields": { "overtravel": { "value": 50, "min": 2, "max": 8 } }"#,
+            "out-of-range config.fields.overtravel.value",
+        ),
+        (
+            r#""fields": { "units": { "value": "inch" } }"#,
+            "unknown-key config.fields.units",
+        ),
         (
             r#""allow": { "controls": ["haas"] }, "fields": { "control.post": { "value": "fanuc" } }"#,
             "not-allowed config.fields.control.post.value",
@@ -367,7 +619,10 @@ fn everything_wrong_with_a_config_is_said_at_once() {
             r#""allow": { "controls": ["haas"] }, "machines": [{ "name": "A", "control": { "post": "fanuc" } }]"#,
             "not-allowed config.machines[0].control.post",
         ),
-        (r#""allow": { "workOffsets": [] }"#, "missing config.allow.workOffsets"),
+        (
+            r#""allow": { "workOffsets": [] }"#,
+            "missing config.allow.workOffsets",
+        ),
     ] {
         assert_eq!(wrong(&format!(r#"{{ "format": 1, {text} }}"#)), [path]);
     }
@@ -401,11 +656,15 @@ fn no_config_and_no_job_under_it_panics() {
     ];
     let mut taken = 0;
     for change in changes(&good, &odd) {
-        let Ok(config) = Config::read(&change) else { continue };
+        let Ok(config) = Config::read(&change) else {
+            continue;
+        };
         taken += 1;
-        for text in
-            [r#"{ "format": 1, "cycle": { "type": "hole" } }"#, "[]", r#"{ "format": 2, "cycles": [{ "type": "hole" }, 5] }"#]
-        {
+        for text in [
+            r#"{ "format": 1, "cycle": { "type": "hole" } }"#,
+            "[]",
+            r#"{ "format": 2, "cycles": [{ "type": "hole" }, 5] }"#,
+        ] {
             let _ = config.check(&job(text));
         }
         odd.iter().for_each(|job| {

@@ -18,16 +18,23 @@ fn text(word: &str) -> Value {
 
 /// The keys of the controls that can do this, in the order of the form: what a test is of, so that one more control joins it by itself.
 fn which(can: impl Fn(&PostDef) -> bool) -> Keys {
-    POSTS.iter().filter(|post| can(post)).map(|post| post.key).collect()
+    POSTS
+        .iter()
+        .filter(|post| can(post))
+        .map(|post| post.key)
+        .collect()
 }
 
 fn takes_moves(post: &PostDef) -> bool {
-    CYCLES.iter().any(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+    CYCLES
+        .iter()
+        .any(|def| (post.serves)(def.probes, Form::Moves).is_ok())
 }
 
 /// How a control of cycles of its own names this word of a call; empty where it has none.
 fn word(post: &PostDef, number: u32, letter: &str) -> String {
-    post.own.map_or_else(String::new, |own| (own.word)(number, letter))
+    post.own
+        .map_or_else(String::new, |own| (own.word)(number, letter))
 }
 
 /// The keys of the controls that take plain moves.
@@ -96,7 +103,10 @@ pub fn correcting_tools() -> Keys {
 
 /// Those of one list that are not in another one.
 pub fn without(keys: &[&'static str], others: &[&str]) -> Keys {
-    keys.iter().copied().filter(|key| !others.contains(key)).collect()
+    keys.iter()
+        .copied()
+        .filter(|key| !others.contains(key))
+        .collect()
 }
 
 #[test]
@@ -104,20 +114,45 @@ fn every_control_states_what_is_its_own() {
     let keys: BTreeSet<&str> = POSTS.iter().map(|post| post.key).collect();
     assert_eq!(keys.len(), POSTS.len());
     for post in POSTS {
-        assert!(![post.key, post.title, post.about, post.extension].contains(&""), "{}", post.key);
+        assert!(
+            ![post.key, post.title, post.about, post.extension].contains(&""),
+            "{}",
+            post.key
+        );
         assert!(
             post.work_offsets > 0 || !post.no_work_offset.is_empty(),
             "{} does not say why it writes no work offset",
             post.key
         );
-        let served = CYCLES.iter().flat_map(|def| Form::ALL.map(|form| (post.serves)(def.probes, form)));
-        assert!(served.clone().any(|answer| answer.is_ok()), "{} takes no cycle", post.key);
-        assert!(served.clone().all(|answer| answer != Err("")), "{} does not say why", post.key);
-        let hole =
-            job(&format!(r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "control": {{ "post": "{}" }} }}"#, post.key));
+        let served = CYCLES
+            .iter()
+            .flat_map(|def| Form::ALL.map(|form| (post.serves)(def.probes, form)));
+        assert!(
+            served.clone().any(|answer| answer.is_ok()),
+            "{} takes no cycle",
+            post.key
+        );
+        assert!(
+            served.clone().all(|answer| answer != Err("")),
+            "{} does not say why",
+            post.key
+        );
+        let hole = job(&format!(
+            r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "control": {{ "post": "{}" }} }}"#,
+            post.key
+        ));
         let lines = touchpath::job::plan(&hole).map_or(0, |plan| plan.program.text.lines().count());
-        assert!(lines > 10 || !of_moves().contains(&post.key), "{} writes no program", post.key);
-        assert_eq!(post.read.is_some(), of_moves().contains(&post.key), "{}: programs of moves are read back", post.key);
+        assert!(
+            lines > 10 || !of_moves().contains(&post.key),
+            "{} writes no program",
+            post.key
+        );
+        assert_eq!(
+            post.read.is_some(),
+            of_moves().contains(&post.key),
+            "{}: programs of moves are read back",
+            post.key
+        );
     }
 }
 
@@ -125,22 +160,57 @@ fn every_control_states_what_is_its_own() {
 /// that is added later may be in any.
 #[test]
 fn each_control_is_in_the_lists_of_what_it_can() {
-    let today = "linuxcnc grbl grblhal fluidnc sinumerik heidenhain fanuc haas mazak brother hurco okuma";
+    let today =
+        "linuxcnc grbl grblhal fluidnc sinumerik heidenhain fanuc haas mazak brother hurco okuma";
     for (what, found, wanted) in [
-        ("moves", of_moves(), "linuxcnc grbl grblhal fluidnc sinumerik fanuc haas"),
+        (
+            "moves",
+            of_moves(),
+            "linuxcnc grbl grblhal fluidnc sinumerik fanuc haas",
+        ),
         ("computes", computing(), "linuxcnc sinumerik fanuc haas"),
         ("points", pointed(), "fanuc haas"),
-        ("no points", unpointed(), "linuxcnc grbl grblhal fluidnc sinumerik"),
+        (
+            "no points",
+            unpointed(),
+            "linuxcnc grbl grblhal fluidnc sinumerik",
+        ),
         ("skips", skipping(), "fanuc haas"),
         ("numbers", numbered(), "fanuc haas mazak hurco okuma"),
-        ("no numbers", unnumbered(), "linuxcnc grbl grblhal fluidnc sinumerik heidenhain brother"),
-        ("work offsets", with_offsets(), "linuxcnc sinumerik heidenhain fanuc haas mazak brother hurco okuma"),
-        ("own cycles", calling(), "sinumerik heidenhain fanuc haas mazak brother hurco okuma"),
-        ("macros", calling_macros(), "fanuc haas mazak brother hurco okuma"),
-        ("macros as a Fanuc", calling_macros_as_a_fanuc(), "fanuc haas mazak hurco"),
-        ("tool offsets", correcting_tools(), "fanuc haas mazak brother hurco okuma"),
+        (
+            "no numbers",
+            unnumbered(),
+            "linuxcnc grbl grblhal fluidnc sinumerik heidenhain brother",
+        ),
+        (
+            "work offsets",
+            with_offsets(),
+            "linuxcnc sinumerik heidenhain fanuc haas mazak brother hurco okuma",
+        ),
+        (
+            "own cycles",
+            calling(),
+            "sinumerik heidenhain fanuc haas mazak brother hurco okuma",
+        ),
+        (
+            "macros",
+            calling_macros(),
+            "fanuc haas mazak brother hurco okuma",
+        ),
+        (
+            "macros as a Fanuc",
+            calling_macros_as_a_fanuc(),
+            "fanuc haas mazak hurco",
+        ),
+        (
+            "tool offsets",
+            correcting_tools(),
+            "fanuc haas mazak brother hurco okuma",
+        ),
     ] {
-        let known = found.into_iter().filter(|key| today.split(' ').any(|known| known == *key));
+        let known = found
+            .into_iter()
+            .filter(|key| today.split(' ').any(|known| known == *key));
         assert_eq!(known.collect::<Vec<_>>().join(" "), wanted, "{what}");
     }
 }
@@ -148,15 +218,24 @@ fn each_control_is_in_the_lists_of_what_it_can() {
 #[test]
 fn every_control_has_a_judge() {
     for post in POSTS {
-        assert!(owed::judge(post.key).is_some(), "nobody judges the programs of {}: add it to tests/common/owed.rs", post.key);
+        assert!(
+            owed::judge(post.key).is_some(),
+            "nobody judges the programs of {}: add it to tests/common/owed.rs",
+            post.key
+        );
     }
 }
 
 #[test]
 fn every_control_of_moves_has_broken_programs() {
     for post in of_moves() {
-        let broken = BROKEN.iter().any(|(_, key, ..)| key.trim_end_matches(" unwatched") == post);
-        assert!(broken, "no broken program of {post} in tests/all/safety/mod.rs, BROKEN");
+        let broken = BROKEN
+            .iter()
+            .any(|(_, key, ..)| key.trim_end_matches(" unwatched") == post);
+        assert!(
+            broken,
+            "no broken program of {post} in tests/all/safety/mod.rs, BROKEN"
+        );
         assert!(
             DANGEROUS.iter().any(|(key, _)| *key == post),
             "no dangerous lines of {post} in tests/all/safety/mod.rs, DANGEROUS"
@@ -166,11 +245,20 @@ fn every_control_of_moves_has_broken_programs() {
 
 #[test]
 fn every_control_has_its_facts() {
-    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/programs.md")).unwrap();
-    let headings: Vec<String> = page.lines().filter(|line| line.starts_with("## ")).map(str::to_lowercase).collect();
+    let page =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/programs.md")).unwrap();
+    let headings: Vec<String> = page
+        .lines()
+        .filter(|line| line.starts_with("## "))
+        .map(str::to_lowercase)
+        .collect();
     for post in POSTS {
         let named = headings.iter().any(|heading| heading.contains(post.key));
-        assert!(named, "docs/programs.md has no section on {}: what is sourced, recalled, and ours", post.key);
+        assert!(
+            named,
+            "docs/programs.md has no section on {}: what is sourced, recalled, and ours",
+            post.key
+        );
     }
 }
 
@@ -178,17 +266,34 @@ fn every_control_has_its_facts() {
 #[test]
 fn a_dialect_of_its_own_is_written() {
     let kin = touchpath::control::find("grbl").unwrap();
-    let narrow: &Dialect = Box::leak(Box::new(Dialect { comment_width: 30, decimals_mm: 2, ..*kin.dialect }));
-    let own: &PostDef = Box::leak(Box::new(PostDef { key: "own", dialect: narrow, ..*kin }));
-    let pocket =
-        job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle", "width1": 80.123 }, "control": { "post": "grbl" } }"#);
+    let narrow: &Dialect = Box::leak(Box::new(Dialect {
+        comment_width: 30,
+        decimals_mm: 2,
+        ..*kin.dialect
+    }));
+    let own: &PostDef = Box::leak(Box::new(PostDef {
+        key: "own",
+        dialect: narrow,
+        ..*kin
+    }));
+    let pocket = job(
+        r#"{ "format": 1, "cycle": { "type": "internal-rectangle", "width1": 80.123 }, "control": { "post": "grbl" } }"#,
+    );
     let mut planned = job::planned(&pocket).unwrap();
     let wide = job::released(&planned).unwrap();
-    assert!(wide.contains("X42.0615") && wide.lines().any(|line| line.len() > 60), "{wide}");
+    assert!(
+        wide.contains("X42.0615") && wide.lines().any(|line| line.len() > 60),
+        "{wide}"
+    );
     planned.job.post = own;
     let text = job::released(&planned).unwrap();
     assert!(text.contains("X42.06 "), "{text}");
-    assert!(text.lines().filter(|line| line.starts_with('(')).all(|line| line.len() <= 30), "{text}");
+    assert!(
+        text.lines()
+            .filter(|line| line.starts_with('('))
+            .all(|line| line.len() <= 30),
+        "{text}"
+    );
     assert_eq!(own.half_digit(1.0), 0.005 * (1.0 + 1e-6));
 }
 
@@ -209,11 +314,17 @@ fn refused_jobs() -> Vec<Value> {
         for def in CYCLES {
             for form in Form::ALL {
                 for changes in variants {
-                    let mut job = with(&default_job(def.key).unwrap(), "control.post", text(post.key));
+                    let mut job = with(
+                        &default_job(def.key).unwrap(),
+                        "control.post",
+                        text(post.key),
+                    );
                     job = with(&job, "control.form", text(form.word()));
                     for (path, value) in changes {
                         let key = path.strip_prefix("cycle.");
-                        if key.is_none_or(|key| key == "repeat" || def.fields.iter().any(|field| field.key == key)) {
+                        if key.is_none_or(|key| {
+                            key == "repeat" || def.fields.iter().any(|field| field.key == key)
+                        }) {
                             job = with(&job, path, crate::common::job(value));
                         }
                     }
@@ -232,12 +343,17 @@ fn no_message_recommends_what_the_control_refuses() {
     for job in refused_jobs() {
         for finding in check(&job).into_iter().filter(|f| f.level == Level::Error) {
             for form in Form::ALL {
-                if !finding.message.contains(&format!("Use the form \"{}\"", form.word())) {
+                if !finding
+                    .message
+                    .contains(&format!("Use the form \"{}\"", form.word()))
+                {
                     continue;
                 }
                 let other = check(&with(&job, "control.form", text(form.word())));
-                let refused: Vec<_> =
-                    other.iter().filter(|f| f.level == Level::Error && f.message.contains("form \"")).collect();
+                let refused: Vec<_> = other
+                    .iter()
+                    .filter(|f| f.level == Level::Error && f.message.contains("form \""))
+                    .collect();
                 assert!(refused.is_empty(), "{}\n{refused:?}", finding.message);
                 asked += 1;
             }
@@ -249,9 +365,13 @@ fn no_message_recommends_what_the_control_refuses() {
 /// Another value that a field takes.
 fn changed(field: &Field) -> Vec<Value> {
     let numbers = |low: f64, high: f64| [low, high, (low + high) / 2.0].map(Value::Number).to_vec();
-    let (low, high) = field.usual.unwrap_or((field.hard.min.max(1.0), field.hard.max.min(9.0)));
+    let (low, high) = field
+        .usual
+        .unwrap_or((field.hard.min.max(1.0), field.hard.max.min(9.0)));
     match field.kind {
-        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => numbers(low, high),
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => {
+            numbers(low, high)
+        }
         Kind::Count => [1.0, 2.0, 7.0].map(Value::Number).to_vec(),
         Kind::Flag => [true, false].map(Value::Flag).to_vec(),
         Kind::Choice(choices) => choices.iter().map(|choice| text(choice.value)).collect(),
@@ -264,29 +384,51 @@ fn changed(field: &Field) -> Vec<Value> {
 #[test]
 fn no_field_is_ignored_without_a_word() {
     let mut silent = BTreeSet::new();
-    let fields = SECTIONS.iter().filter(|(section, _)| ["control", "feeds"].contains(section));
+    let fields = SECTIONS
+        .iter()
+        .filter(|(section, _)| ["control", "feeds"].contains(section));
     let paths: Vec<(String, &Field)> = fields
-        .flat_map(|(section, fields)| fields.iter().map(move |field| (format!("{section}.{}", field.key), field)))
+        .flat_map(|(section, fields)| {
+            fields
+                .iter()
+                .map(move |field| (format!("{section}.{}", field.key), field))
+        })
         .collect();
     for post in POSTS {
         for form in Form::ALL {
-            let cycles = CYCLES.iter().filter(|def| (post.serves)(def.probes, form).is_ok());
+            let cycles = CYCLES
+                .iter()
+                .filter(|def| (post.serves)(def.probes, form).is_ok());
             let jobs: Vec<Value> = cycles
                 .map(|def| {
-                    let job = with(&default_job(def.key).unwrap(), "control.post", text(post.key));
-                    with(&with(&job, "control.form", text(form.word())), "control.header", text("short"))
+                    let job = with(
+                        &default_job(def.key).unwrap(),
+                        "control.post",
+                        text(post.key),
+                    );
+                    with(
+                        &with(&job, "control.form", text(form.word())),
+                        "control.header",
+                        text("short"),
+                    )
                 })
                 .collect();
-            let said =
-                |job: &Value| plan(job).map(|plan| (plan.program.text, plan.findings)).map_err(|refused| refused.findings);
+            let said = |job: &Value| {
+                plan(job)
+                    .map(|plan| (plan.program.text, plan.findings))
+                    .map_err(|refused| refused.findings)
+            };
             let before: Vec<_> = jobs.iter().map(said).collect();
             if before.iter().all(Result::is_err) {
                 continue;
             }
             for (path, field) in &paths {
-                let own = ["control.post", "control.form", "control.header"].contains(&path.as_str());
+                let own =
+                    ["control.post", "control.form", "control.header"].contains(&path.as_str());
                 let changes = |value: &Value| {
-                    jobs.iter().zip(&before).any(|(job, before)| said(&with(job, path, value.clone())) != *before)
+                    jobs.iter()
+                        .zip(&before)
+                        .any(|(job, before)| said(&with(job, path, value.clone())) != *before)
                 };
                 if !own && !changed(field).iter().any(changes) {
                     silent.insert(format!("{path} on {} {}", post.key, form.word()));

@@ -15,9 +15,14 @@ pub fn drawn_spreads(job: &Value, count: u32) -> Vec<Option<f64>> {
             .triggers
             .iter()
             .zip(&path.touches)
-            .map(|(t, touch)| Some(Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal())))
+            .map(|(t, touch)| {
+                Some(Vec3::from_array(t.unwrap()) + touch.vector * (0.001 * normal()))
+            })
             .collect();
-        let scatter = Scatter { repeatability: 0.001, runout: None };
+        let scatter = Scatter {
+            repeatability: 0.001,
+            runout: None,
+        };
         let rows = evaluate(&path, &scattered, scatter);
         for (sum, (row, own)) in sums.iter_mut().zip(rows.iter().zip(&plan.results)) {
             assert_eq!(row.code, own.code);
@@ -27,7 +32,9 @@ pub fn drawn_spreads(job: &Value, count: u32) -> Vec<Option<f64>> {
     }
     let n = f64::from(count);
     let spread = |(sum, squares): (f64, f64)| ((squares - sum * sum / n) / (n - 1.0)).sqrt();
-    sums.into_iter().map(|sum| Some(spread(sum)).filter(|spread| spread.is_finite())).collect()
+    sums.into_iter()
+        .map(|sum| Some(spread(sum)).filter(|spread| spread.is_finite()))
+        .collect()
 }
 
 /// Numbers that scatter about 0 by 1, the same in every run.

@@ -30,20 +30,36 @@ fn keep(path: &str, text: &str) {
         std::fs::write(&file, text).unwrap();
     }
     let kept = std::fs::read_to_string(&file).unwrap_or_default();
-    assert!(kept == text, "{path} is stale: run `UPDATE=1 cargo test --lib generated`");
+    assert!(
+        kept == text,
+        "{path} is stale: run `UPDATE=1 cargo test --lib generated`"
+    );
 }
 
 /// What `touchpath explain` knows: of each finding its meaning, of each rule what it asks and why.
 fn codes_of_the_command() -> String {
     let quoted = |text: &str| serde_json::to_string(text).unwrap();
-    let key = |name: &str| if name.contains('-') { quoted(name) } else { name.to_owned() };
+    let key = |name: &str| {
+        if name.contains('-') {
+            quoted(name)
+        } else {
+            name.to_owned()
+        }
+    };
     let mut text = "// Generated: UPDATE=1 cargo test --lib generated\n\n/** What each code of a finding means. */\nexport const CODES: Record<string, string> = {\n".to_owned();
     for (code, meaning) in CODES {
         writeln!(text, "  {}: {},", key(code), quoted(meaning)).unwrap();
     }
     text.push_str("};\n\n/** What each safety rule asks, and why. */\nexport const RULES: Record<string, readonly [string, string]> = {\n");
     for rule in RULES {
-        writeln!(text, "  {}: [{}, {}],", key(rule.name), quoted(rule.says), quoted(rule.why)).unwrap();
+        writeln!(
+            text,
+            "  {}: [{}, {}],",
+            key(rule.name),
+            quoted(rule.says),
+            quoted(rule.why)
+        )
+        .unwrap();
     }
     text + "};\n"
 }
@@ -51,7 +67,9 @@ fn codes_of_the_command() -> String {
 /// The table of calls, set by set.
 /// What a control takes for an argument, where that is known.
 fn taken(argument: &Argument) -> String {
-    argument.range_words().map_or_else(String::new, |range| format!(" ({range})"))
+    argument
+        .range_words()
+        .map_or_else(String::new, |range| format!(" ({range})"))
 }
 
 fn calls_page() -> String {
@@ -63,13 +81,37 @@ What programs call, and what each argument means, as [programs you have](program
     for (set, calls) in SETS {
         writeln!(page, "\n## {set}\n\n| call | what | needs | arguments | mark | source |\n|---|---|---|---|---|---|").unwrap();
         for call in calls {
-            let excludes = call.excludes.iter().map(|(a, b)| format!("not {a} with {b}"));
-            let needs: Vec<String> = call.needs.iter().map(|names| names.replace(' ', " or ")).chain(excludes).collect();
+            let excludes = call
+                .excludes
+                .iter()
+                .map(|(a, b)| format!("not {a} with {b}"));
+            let needs: Vec<String> = call
+                .needs
+                .iter()
+                .map(|names| names.replace(' ', " or "))
+                .chain(excludes)
+                .collect();
             // What all calls of a set have stands below it.
-            let own = if call.arguments.len() > 25 { "those below" } else { "" };
-            let words: Vec<String> = call.arguments.iter().map(|a| format!("{} {}{}", a.name, a.meaning, taken(a))).collect();
-            let words = if own.is_empty() { words.join("; ") } else { own.to_owned() };
-            let shared = if call.shared.is_empty() { "" } else { "; and those below" };
+            let own = if call.arguments.len() > 25 {
+                "those below"
+            } else {
+                ""
+            };
+            let words: Vec<String> = call
+                .arguments
+                .iter()
+                .map(|a| format!("{} {}{}", a.name, a.meaning, taken(a)))
+                .collect();
+            let words = if own.is_empty() {
+                words.join("; ")
+            } else {
+                own.to_owned()
+            };
+            let shared = if call.shared.is_empty() {
+                ""
+            } else {
+                "; and those below"
+            };
             let needs = needs.join(", ");
             writeln!(
                 page,
@@ -81,16 +123,29 @@ What programs call, and what each argument means, as [programs you have](program
             )
             .unwrap();
         }
-        let common = calls.iter().find_map(|call| match (call.shared, call.arguments) {
-            ([], all) if all.len() > 25 => Some(all),
-            ([], _) => None,
-            (shared, _) => Some(shared),
-        });
+        let common = calls
+            .iter()
+            .find_map(|call| match (call.shared, call.arguments) {
+                ([], all) if all.len() > 25 => Some(all),
+                ([], _) => None,
+                (shared, _) => Some(shared),
+            });
         if let Some(common) = common {
             page.push_str("\n| argument | meaning | unit |\n|---|---|---|\n");
             for argument in common {
-                let unit = if argument.unit == Unit::None { "" } else { argument.unit.word() };
-                writeln!(page, "| {} | {}{} | {unit} |", argument.name, argument.meaning, taken(argument)).unwrap();
+                let unit = if argument.unit == Unit::None {
+                    ""
+                } else {
+                    argument.unit.word()
+                };
+                writeln!(
+                    page,
+                    "| {} | {}{} | {unit} |",
+                    argument.name,
+                    argument.meaning,
+                    taken(argument)
+                )
+                .unwrap();
             }
         }
     }
@@ -121,7 +176,11 @@ fn unit(field: &Field) -> &'static str {
 fn range(field: &Field) -> String {
     match field.kind {
         Kind::Flag | Kind::Choice(_) | Kind::Text(_) => String::new(),
-        Kind::Code(codes) => codes.iter().map(|c| format!("{} {}", c.value, c.label)).collect::<Vec<_>>().join("; "),
+        Kind::Code(codes) => codes
+            .iter()
+            .map(|c| format!("{} {}", c.value, c.label))
+            .collect::<Vec<_>>()
+            .join("; "),
         Kind::Length
         | Kind::Feed
         | Kind::Acceleration
@@ -132,7 +191,11 @@ fn range(field: &Field) -> String {
         | Kind::Nominal
         | Kind::NominalPoint => {
             let from = if field.hard.above { "above" } else { "from" };
-            format!("{from} {} to {}", decimal(field.hard.min, 4), decimal(field.hard.max, 4))
+            format!(
+                "{from} {} to {}",
+                decimal(field.hard.min, 4),
+                decimal(field.hard.max, 4)
+            )
         }
     }
 }
@@ -145,38 +208,78 @@ fn picture(def: &CycleDef) -> Option<String> {
     }
     let title = format!("{}: the path of the default job", def.title);
     let picture = planned.picture(Projection::Isometric, 1.0, None);
-    let legend = Legend { title: &title, names: &picture.names, deviates: false };
+    let legend = Legend {
+        title: &title,
+        names: &picture.names,
+        deviates: false,
+    };
     Some(svg(&picture.scene, &legend))
 }
 
 /// The set-ups of `examples/set-ups`, as `docs/set-ups.md` shows them: on the nominal part.
 fn set_up_pictures() -> Vec<(&'static str, String)> {
     let examples = [
-        ("vise", include_str!("../../examples/set-ups/vise.json"), "A vise: top, bore and a side"),
-        ("two-holes", include_str!("../../examples/set-ups/two-holes.json"), "A fixture: plate and two holes"),
-        ("first-article", include_str!("../../examples/set-ups/first-article.json"), "Five sizes: bore, stud, pocket and rib"),
+        (
+            "vise",
+            include_str!("../../examples/set-ups/vise.json"),
+            "A vise: top, bore and a side",
+        ),
+        (
+            "two-holes",
+            include_str!("../../examples/set-ups/two-holes.json"),
+            "A fixture: plate and two holes",
+        ),
+        (
+            "first-article",
+            include_str!("../../examples/set-ups/first-article.json"),
+            "Five sizes: bore, stud, pocket and rib",
+        ),
     ];
     let picture = |(name, text, title)| {
         let nominal = with(&job(text), "part", Value::Map(Vec::new()));
-        let picture = planned(&nominal).unwrap().picture(Projection::Isometric, 1.0, None);
-        (name, svg(&picture.scene, &Legend { title, names: &picture.names, deviates: false }))
+        let picture = planned(&nominal)
+            .unwrap()
+            .picture(Projection::Isometric, 1.0, None);
+        (
+            name,
+            svg(
+                &picture.scene,
+                &Legend {
+                    title,
+                    names: &picture.names,
+                    deviates: false,
+                },
+            ),
+        )
     };
     examples.into_iter().map(picture).collect()
 }
 
 /// The codes of the fields that begin so: a point's axes have one each.
 fn codes_of(rows: &[ParameterRow], field: &str) -> String {
-    let axes = rows.iter().filter(|row| row.field.as_deref().is_some_and(|of| of.starts_with(field)));
-    axes.map(|row| format!("`{}`", row.code)).collect::<Vec<_>>().join(", ")
+    let axes = rows
+        .iter()
+        .filter(|row| row.field.as_deref().is_some_and(|of| of.starts_with(field)));
+    axes.map(|row| format!("`{}`", row.code))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 fn manual(def: &CycleDef) -> String {
-    let mut page = format!("# {}\n\n{} {}. In a job: `\"type\": \"{}\"`.\n\n", def.title, def.says, def.source, def.key);
+    let mut page = format!(
+        "# {}\n\n{} {}. In a job: `\"type\": \"{}\"`.\n\n",
+        def.title, def.says, def.source, def.key
+    );
     if def.steps.is_empty() {
         page.push_str("Rows of the parameter table; nothing moves.\n");
     } else {
         let legend = "Green: approach and return. Grey: links. Red: touches. Blue: the ball at its contacts.";
-        write!(page, "![The path of the default job]({}.svg)\n\n{legend}\n\n", def.key).unwrap();
+        write!(
+            page,
+            "![The path of the default job]({}.svg)\n\n{legend}\n\n",
+            def.key
+        )
+        .unwrap();
         page.push_str("## Steps\n\nThe documented steps, in our words. A move's `step` is a number of this list.\n\n");
     }
     for (i, step) in def.steps.iter().enumerate() {
@@ -184,10 +287,21 @@ fn manual(def: &CycleDef) -> String {
     }
     let default = plan(&default_job(def.key).unwrap()).unwrap();
     let rows = planned(&default_job(def.key).unwrap()).unwrap().table();
-    page.push_str("\n## Fields\n\nLengths are in the job's units; ranges and defaults are given in mm.\n\n");
+    page.push_str(
+        "\n## Fields\n\nLengths are in the job's units; ranges and defaults are given in mm.\n\n",
+    );
     page.push_str("| key | name | unit | range | default | code | what it does |\n|---|---|---|---|---|---|---|\n");
-    let sections = def.sections.iter().flat_map(|s| s.fields.iter().map(move |f| (format!("{}.{}", s.key, f.key), f)));
-    for (key, field) in def.fields.iter().map(|f| (f.key.to_owned(), f)).chain(sections) {
+    let sections = def.sections.iter().flat_map(|s| {
+        s.fields
+            .iter()
+            .map(move |f| (format!("{}.{}", s.key, f.key), f))
+    });
+    for (key, field) in def
+        .fields
+        .iter()
+        .map(|f| (f.key.to_owned(), f))
+        .chain(sections)
+    {
         let of_axes = codes_of(&rows, &format!("cycle.{key}["));
         // What has no code of the source is our own way to say where the touches are.
         let code = if field.code.is_empty() && def.number.is_some() {
@@ -217,12 +331,24 @@ fn manual(def: &CycleDef) -> String {
              the user's own positive codes.\n",
         );
     }
-    let mut results: Vec<(ResultRow, String)> = default.results.into_iter().map(|row| (row, String::new())).collect();
+    let mut results: Vec<(ResultRow, String)> = default
+        .results
+        .into_iter()
+        .map(|row| (row, String::new()))
+        .collect();
     // What only a form inside the form brings.
     for section in def.sections.iter().filter(|section| section.optional) {
-        let own = with(&default_job(def.key).unwrap(), &format!("cycle.{}", section.key), Value::Map(Vec::new()));
+        let own = with(
+            &default_job(def.key).unwrap(),
+            &format!("cycle.{}", section.key),
+            Value::Map(Vec::new()),
+        );
         // What a control's own cycle does not take, a program of moves does.
-        let moves = with(&own, "control", job(r#"{ "post": "linuxcnc", "form": "moves" }"#));
+        let moves = with(
+            &own,
+            "control",
+            job(r#"{ "post": "linuxcnc", "form": "moves" }"#),
+        );
         for row in plan(&own).or_else(|_| plan(&moves)).unwrap().results {
             if results.iter().all(|(known, _)| known.code != row.code) {
                 results.push((row, format!(" (only with `{}`)", section.key)));
@@ -277,11 +403,16 @@ fn the_pictures_of_the_set_ups_are_those_of_the_crate() {
 #[test]
 fn the_manual_has_every_kind_of_relation() {
     const HEAD: &str = "| `type` | `of` | results |\n|---|---|---|\n";
-    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/set-ups.md")).unwrap();
+    let page =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/set-ups.md"))
+            .unwrap();
     let (before, rest) = page.split_once(HEAD).expect("a table of relations");
     let (_, after) = rest.split_once("\n\n").expect("text after the table");
     let rows: Vec<String> = RELATIONS.iter().map(typescript::relation_row).collect();
-    keep("docs/set-ups.md", &format!("{before}{HEAD}{}\n\n{after}", rows.join("\n")));
+    keep(
+        "docs/set-ups.md",
+        &format!("{before}{HEAD}{}\n\n{after}", rows.join("\n")),
+    );
 }
 
 #[test]
@@ -297,7 +428,10 @@ fn the_types_of_a_job_are_those_of_the_crate() {
 #[test]
 fn the_public_names_of_the_crate_change_in_sight() {
     let names = surface::surface();
-    assert!(names.lines().count() > 60 && names.contains("touchpath::job::plan fn\n"), "{names}");
+    assert!(
+        names.lines().count() > 60 && names.contains("touchpath::job::plan fn\n"),
+        "{names}"
+    );
     keep("tests/snapshots/public.txt", &names);
 }
 
@@ -323,11 +457,20 @@ fn every_code_of_a_finding_is_listed() {
     assert!(CODES.is_sorted_by_key(|(code, _)| *code));
     // Some are reported by the package itself, by the element, and by the command.
     let mut reporting = sources.clone();
-    for file in ["www/core/api.ts", "www/host-inputs.ts", "www/core/cli/tasks.ts"] {
-        reporting.push_str(&std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap());
+    for file in [
+        "www/core/api.ts",
+        "www/host-inputs.ts",
+        "www/core/cli/tasks.ts",
+    ] {
+        reporting.push_str(
+            &std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap(),
+        );
     }
     for (code, meaning) in CODES {
-        assert!(reporting.contains(&format!("\"{code}\"")), "nothing reports {code}");
+        assert!(
+            reporting.contains(&format!("\"{code}\"")),
+            "nothing reports {code}"
+        );
         writeln!(text, "| `{code}` | {meaning} |").unwrap();
     }
     keep("docs/findings.md", &text);
@@ -336,9 +479,14 @@ fn every_code_of_a_finding_is_listed() {
     let is_code = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
     for report in [".error(", ".warning(", ".info("] {
         for (at, _) in sources.match_indices(report) {
-            let Some(rest) = sources[at + report.len()..].trim_start().strip_prefix('"') else { continue };
+            let Some(rest) = sources[at + report.len()..].trim_start().strip_prefix('"') else {
+                continue;
+            };
             let code: String = rest.chars().take_while(|c| is_code(*c)).collect();
-            assert!(CODES.iter().any(|(listed, _)| *listed == code), "{code} is not listed");
+            assert!(
+                CODES.iter().any(|(listed, _)| *listed == code),
+                "{code} is not listed"
+            );
         }
     }
 }

@@ -40,7 +40,9 @@ fn value(x: Option<f64>) -> String {
 }
 
 fn listed(findings: &[Finding]) -> String {
-    let lines = findings.iter().map(|f| format!("{:?} {} {}: {}\n", f.level, f.code, f.path, f.message));
+    let lines = findings
+        .iter()
+        .map(|f| format!("{:?} {} {}: {}\n", f.level, f.code, f.path, f.message));
     lines.collect()
 }
 
@@ -52,19 +54,53 @@ fn path_of(job: &Value) -> String {
     let plan = crate::common::planned(job);
     let mut text = String::new();
     for touch in &plan.touches {
-        writeln!(text, "touch {} vector {} group {}", triple(touch.point), triple(touch.vector), touch.group).unwrap();
+        writeln!(
+            text,
+            "touch {} vector {} group {}",
+            triple(touch.point),
+            triple(touch.vector),
+            touch.group
+        )
+        .unwrap();
     }
     for step in &plan.moves {
         let touch = step.touch.map_or("-".to_owned(), |k| k.to_string());
-        writeln!(text, "{} {} {} step {} touch {touch}", step.kind, triple(step.to), step.feed, step.step).unwrap();
+        writeln!(
+            text,
+            "{} {} {} step {} touch {touch}",
+            step.kind,
+            triple(step.to),
+            step.feed,
+            step.step
+        )
+        .unwrap();
     }
-    writeln!(text, "length {} time {}", value(Some(plan.length)), value(Some(plan.time))).unwrap();
+    writeln!(
+        text,
+        "length {} time {}",
+        value(Some(plan.length)),
+        value(Some(plan.time))
+    )
+    .unwrap();
     for row in &plan.table {
         let meaning = format!("{} | {:?} {:?}", row.meaning, row.field, row.touch);
-        writeln!(text, "{} {} {:?} | {meaning}", row.code, row.type_name, row.value).unwrap();
+        writeln!(
+            text,
+            "{} {} {:?} | {meaning}",
+            row.code, row.type_name, row.value
+        )
+        .unwrap();
     }
     for row in &plan.results {
-        let numbers = [row.nominal, row.value, row.deviation, row.uncertainty, row.truth].map(value).join(" ");
+        let numbers = [
+            row.nominal,
+            row.value,
+            row.deviation,
+            row.uncertainty,
+            row.truth,
+        ]
+        .map(value)
+        .join(" ");
         writeln!(text, "{} {} {numbers}", row.code, row.unit).unwrap();
     }
     text + &listed(&plan.findings)
@@ -83,23 +119,44 @@ fn put_out_for(job: &Value, post: &PostDef, form: Form) -> Value {
 /// The form of a control that takes this cycle: moves where it has them.
 fn served(job: &Value, post: &PostDef) -> Form {
     let cycle = job.get("cycle").and_then(|c| c.get("type"));
-    let def = touchpath::cycle::CYCLES.iter().find(|c| cycle == Some(&Value::Text(c.key.to_owned()))).unwrap();
-    Form::ALL.into_iter().find(|form| (post.serves)(def.probes, *form).is_ok()).unwrap_or(Form::Moves)
+    let def = touchpath::cycle::CYCLES
+        .iter()
+        .find(|c| cycle == Some(&Value::Text(c.key.to_owned())))
+        .unwrap();
+    Form::ALL
+        .into_iter()
+        .find(|form| (post.serves)(def.probes, *form).is_ok())
+        .unwrap_or(Form::Moves)
 }
 
 /// A program of moves, with what its proof and the rules that do not hold say.
 fn of_moves(job: &Value, post: &PostDef) -> Made {
-    let plan = touchpath::job::plan(&put_out_for(job, post, served(job, post))).map_err(|error| listed(&error.findings))?;
+    let plan = touchpath::job::plan(&put_out_for(job, post, served(job, post)))
+        .map_err(|error| listed(&error.findings))?;
     let rules = plan.safety.iter().filter(|row| row.holds != Some(true));
-    let rules: String = rules.map(|row| format!("rule {} {:?}: {}\n", row.rule, row.holds, row.message)).collect();
-    Ok(format!("{:?}\n{rules}{}", plan.program.proof, plan.program.text))
+    let rules: String = rules
+        .map(|row| format!("rule {} {:?}: {}\n", row.rule, row.holds, row.message))
+        .collect();
+    Ok(format!(
+        "{:?}\n{rules}{}",
+        plan.program.proof, plan.program.text
+    ))
 }
 
 /// A program of native cycles, with the moves that they make and what is said of it.
 fn of_cycles(job: &Value, post: &PostDef) -> Made {
-    let plan = touchpath::job::plan(&put_out_for(job, post, Form::Cycle)).map_err(|error| listed(&error.findings))?;
-    let moves = plan.moves.iter().map(|step| format!("{} {} {}\n", step.kind, triple(step.to), step.feed));
-    Ok(format!("{}{}{}", moves.collect::<String>(), listed(&plan.findings), plan.program.text))
+    let plan = touchpath::job::plan(&put_out_for(job, post, Form::Cycle))
+        .map_err(|error| listed(&error.findings))?;
+    let moves = plan
+        .moves
+        .iter()
+        .map(|step| format!("{} {} {}\n", step.kind, triple(step.to), step.feed));
+    Ok(format!(
+        "{}{}{}",
+        moves.collect::<String>(),
+        listed(&plan.findings),
+        plan.program.text
+    ))
 }
 
 /// Without what is of every program of the control: our version, the job's values, the numbers of Klartext's blocks.
@@ -122,20 +179,29 @@ fn cut(program: &str) -> String {
 /// Without the version, which each release changes.
 fn unversioned(text: &str) -> String {
     let version = env!("CARGO_PKG_VERSION");
-    text.replace(version, "VERSION").replace(&version.to_uppercase(), "VERSION")
+    text.replace(version, "VERSION")
+        .replace(&version.to_uppercase(), "VERSION")
 }
 
 /// FNV-1a of a text's bytes.
 fn fnv(text: &str) -> String {
-    let hash =
-        text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3));
+    let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+    });
     format!("{hash:016x}")
 }
 
 /// With the name of the control taken out.
 fn unnamed(text: &str, post: &PostDef) -> String {
-    let names = [post.title.to_owned(), post.title.to_uppercase(), post.key.to_owned(), post.key.to_uppercase()];
-    names.iter().fold(text.to_owned(), |text, name| text.replace(name.as_str(), "NAME"))
+    let names = [
+        post.title.to_owned(),
+        post.title.to_uppercase(),
+        post.key.to_owned(),
+        post.key.to_uppercase(),
+    ];
+    names.iter().fold(text.to_owned(), |text, name| {
+        text.replace(name.as_str(), "NAME")
+    })
 }
 
 /// What each control and form makes of each job.
@@ -146,11 +212,17 @@ fn made() -> BTreeMap<String, (&'static PostDef, BTreeMap<String, Made>)> {
     for post in POSTS {
         // What has no other form than its macros stands with those.
         if post.own.is_none() || post.read.is_some() {
-            let programs = jobs.iter().map(|(name, job)| (name.clone(), of_moves(job, post))).collect();
+            let programs = jobs
+                .iter()
+                .map(|(name, job)| (name.clone(), of_moves(job, post)))
+                .collect();
             all.insert(post.key.to_owned(), (*post, programs));
         }
         if post.own.is_some() {
-            let programs = jobs.iter().map(|(name, job)| (name.clone(), of_cycles(job, post))).collect();
+            let programs = jobs
+                .iter()
+                .map(|(name, job)| (name.clone(), of_cycles(job, post)))
+                .collect();
             all.insert(format!("{}-cycle", post.key), (*post, programs));
         }
     }
@@ -158,7 +230,12 @@ fn made() -> BTreeMap<String, (&'static PostDef, BTreeMap<String, Made>)> {
 }
 
 /// What a control's programs say otherwise than those of another one.
-fn differences(own: &BTreeMap<String, Made>, post: &PostDef, other: &BTreeMap<String, Made>, of: &PostDef) -> String {
+fn differences(
+    own: &BTreeMap<String, Made>,
+    post: &PostDef,
+    other: &BTreeMap<String, Made>,
+    of: &PostDef,
+) -> String {
     let mut text = String::new();
     for (name, made) in own {
         let plain = |made: &Made, post: &PostDef| match made {
@@ -179,7 +256,11 @@ fn differences(own: &BTreeMap<String, Made>, post: &PostDef, other: &BTreeMap<St
             let _ = write!(text, "{sign} {change}");
         }
     }
-    if text.is_empty() { "nothing but the name\n".to_owned() } else { text }
+    if text.is_empty() {
+        "nothing but the name\n".to_owned()
+    } else {
+        text
+    }
 }
 
 /// Snapshots, and which there are.
@@ -192,7 +273,8 @@ impl Snapshots {
         insta::with_settings!({ snapshot_path => path, prepend_module_to_snapshot => false, omit_expression => true }, {
             insta::assert_snapshot!(name, unversioned(text));
         });
-        self.0.insert(Path::new(folder).join(name).to_string_lossy().into_owned());
+        self.0
+            .insert(Path::new(folder).join(name).to_string_lossy().into_owned());
     }
 }
 
@@ -208,15 +290,25 @@ fn jobs_and_programs_as_they_were() {
         snapshots.assert("", &name, &format!("{}{program}", path_of(&job)));
     }
     // The package's tests hold the programs of the module against these.
-    let hash =
-        |(name, job): (String, Value)| format!("{name} {}\n", fnv(&unversioned(&crate::common::planned(&job).program.text)));
+    let hash = |(name, job): (String, Value)| {
+        format!(
+            "{name} {}\n",
+            fnv(&unversioned(&crate::common::planned(&job).program.text))
+        )
+    };
     let hashes: String = crate::common::jobs().into_iter().map(hash).collect();
-    snapshots.assert("", "programs", &format!("Hashes of the jobs' own programs:\n{hashes}"));
+    snapshots.assert(
+        "",
+        "programs",
+        &format!("Hashes of the jobs' own programs:\n{hashes}"),
+    );
     for (folder, (post, programs)) in &all {
         if let Some((_, of)) = KIN.iter().find(|(kin, _)| kin == folder) {
             let (base, other) = &all[*of];
-            let text =
-                format!("What the programs say otherwise than those of {of}:\n{}", differences(programs, post, other, base));
+            let text = format!(
+                "What the programs say otherwise than those of {of}:\n{}",
+                differences(programs, post, other, base)
+            );
             snapshots.assert("", folder, &text);
             continue;
         }
@@ -226,7 +318,11 @@ fn jobs_and_programs_as_they_were() {
             match made {
                 Ok(program) => {
                     // The first one is whole.
-                    let text = if std::mem::take(&mut whole) { program.clone() } else { cut(program) };
+                    let text = if std::mem::take(&mut whole) {
+                        program.clone()
+                    } else {
+                        cut(program)
+                    };
                     if folder != FIRST {
                         snapshots.assert(folder, name, &text);
                     } else if text == *program {
@@ -243,7 +339,11 @@ fn jobs_and_programs_as_they_were() {
         }
     }
     let left = left_over(&snapshots.0);
-    assert!(left.is_empty(), "no job makes these snapshots any more, remove them: {}", left.join(" "));
+    assert!(
+        left.is_empty(),
+        "no job makes these snapshots any more, remove them: {}",
+        left.join(" ")
+    );
 }
 
 /// Snapshots of this test that nothing makes any more.
@@ -258,7 +358,12 @@ fn left_over(made: &BTreeSet<String>) -> Vec<String> {
                 folders.push(path);
                 continue;
             }
-            let name = path.strip_prefix(&folder).expect("inside").with_extension("").to_string_lossy().into_owned();
+            let name = path
+                .strip_prefix(&folder)
+                .expect("inside")
+                .with_extension("")
+                .to_string_lossy()
+                .into_owned();
             if path.extension().is_some_and(|kind| kind == "snap") && !made.contains(&name) {
                 left.push(name);
             }

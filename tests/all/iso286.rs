@@ -9,18 +9,35 @@ fn table() -> Value {
 }
 
 fn numbers(value: &Value) -> Vec<Option<f64>> {
-    value.as_array().expect("a list").iter().map(Value::as_f64).collect()
+    value
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(Value::as_f64)
+        .collect()
 }
 
 /// Lower and upper deviation in micrometres of a class in a sub-band; none where the standard gives none.
-fn expected(tables: &Value, letter: &str, hole: bool, grade: &str, sub: usize) -> Option<(f64, f64)> {
+fn expected(
+    tables: &Value,
+    letter: &str,
+    hole: bool,
+    grade: &str,
+    sub: usize,
+) -> Option<(f64, f64)> {
     let subs = numbers(&tables["sub_band_upper_mm"]);
     let mains = numbers(&tables["main_band_upper_mm"]);
     let size = subs[sub]?;
-    let main = mains.iter().position(|upper| upper.is_some_and(|u| size <= u))?;
+    let main = mains
+        .iter()
+        .position(|upper| upper.is_some_and(|u| size <= u))?;
     let it = |grade: &str| tables["IT"][grade][main].as_f64();
     let width = it(grade)?;
-    let n: i32 = if grade == "01" { -1 } else { grade.parse().ok()? };
+    let n: i32 = if grade == "01" {
+        -1
+    } else {
+        grade.parse().ok()?
+    };
     // IT01 and IT0 are for H, h, JS and js.
     if n < 1 && !matches!(letter, "h" | "js") {
         return None;
@@ -35,10 +52,18 @@ fn expected(tables: &Value, letter: &str, hole: bool, grade: &str, sub: usize) -
         ("h", false) => Some((-width, 0.0)),
         ("j", true) => j("hole_J_ES", format!("J{grade}")).map(|es| (es - width, es)),
         ("j", false) => j("shaft_j_ei", format!("j{grade}")).map(|ei| (ei, ei + width)),
-        ("a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g", true) => shaft(letter).map(|es| (-es, -es + width)),
-        ("a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g", false) => shaft(letter).map(|es| (es - width, es)),
+        ("a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g", true) => {
+            shaft(letter).map(|es| (-es, -es + width))
+        }
+        ("a" | "b" | "c" | "cd" | "d" | "e" | "ef" | "f" | "fg" | "g", false) => {
+            shaft(letter).map(|es| (es - width, es))
+        }
         ("k", false) => {
-            let ei = if (4..=7).contains(&n) { tables["shaft_k_ei_IT4_to_7"][sub].as_f64()? } else { 0.0 };
+            let ei = if (4..=7).contains(&n) {
+                tables["shaft_k_ei_IT4_to_7"][sub].as_f64()?
+            } else {
+                0.0
+            };
             Some((ei, ei + width))
         }
         ("k", true) => {
@@ -72,23 +97,40 @@ fn expected(tables: &Value, letter: &str, hole: bool, grade: &str, sub: usize) -
 fn every_class_in_every_band_is_the_tables() {
     let tables = table();
     let subs = numbers(&tables["sub_band_upper_mm"]);
-    let mut letters: Vec<String> = tables["shaft_fundamental"].as_object().unwrap().keys().cloned().collect();
+    let mut letters: Vec<String> = tables["shaft_fundamental"]
+        .as_object()
+        .unwrap()
+        .keys()
+        .cloned()
+        .collect();
     letters.extend(["h", "j", "js", "k"].map(str::to_owned));
     let grades: Vec<String> = tables["IT"].as_object().unwrap().keys().cloned().collect();
     assert_eq!((subs.len(), letters.len(), grades.len()), (25, 28, 20));
     let (mut given, mut refused) = (0, 0);
     for (sub, upper) in subs.iter().enumerate() {
         let upper = upper.unwrap();
-        let lower = if sub == 0 { 0.0 } else { subs[sub - 1].unwrap() };
+        let lower = if sub == 0 {
+            0.0
+        } else {
+            subs[sub - 1].unwrap()
+        };
         for size in [upper, lower + 0.001, (lower + upper) / 2.0] {
             for letter in &letters {
                 for hole in [false, true] {
-                    let class = if hole { letter.to_uppercase() } else { letter.clone() };
+                    let class = if hole {
+                        letter.to_uppercase()
+                    } else {
+                        letter.clone()
+                    };
                     for grade in &grades {
                         let text = format!("{size}{class}{grade}");
                         let wanted = expected(&tables, letter, hole, grade, sub);
-                        let read = parse(&text, 1.0).ok().and_then(|v| Some((v.limits?, v.nominal?)));
-                        let read = read.map(|((low, high), nominal)| ((low - nominal) * 1e3, (high - nominal) * 1e3));
+                        let read = parse(&text, 1.0)
+                            .ok()
+                            .and_then(|v| Some((v.limits?, v.nominal?)));
+                        let read = read.map(|((low, high), nominal)| {
+                            ((low - nominal) * 1e3, (high - nominal) * 1e3)
+                        });
                         match (wanted, read) {
                             (None, None) => refused += 1,
                             (Some(w), Some(r)) => {

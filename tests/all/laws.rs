@@ -11,7 +11,9 @@ use touchpath::job::{Plan, check, default_job, plan};
 
 /// Any value a field allows, or, now and then, one that it does not.
 fn field_value(field: &Field) -> BoxedStrategy<Value> {
-    let (low, high) = field.usual.unwrap_or((field.hard.min.max(-300.0), field.hard.max.min(300.0)));
+    let (low, high) = field
+        .usual
+        .unwrap_or((field.hard.min.max(-300.0), field.hard.max.min(300.0)));
     let null = field.null.is_some();
     match field.kind {
         Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => prop_oneof![
@@ -21,25 +23,53 @@ fn field_value(field: &Field) -> BoxedStrategy<Value> {
         ]
         .boxed(),
         Kind::Count => (field.hard.min as i32..=field.hard.max.min(9.0) as i32)
-            .prop_map(move |n| if null && n % 2 == 0 { Value::Null } else { Value::Number(f64::from(n)) })
+            .prop_map(move |n| {
+                if null && n % 2 == 0 {
+                    Value::Null
+                } else {
+                    Value::Number(f64::from(n))
+                }
+            })
             .boxed(),
         Kind::Flag => any::<bool>().prop_map(Value::Flag).boxed(),
-        Kind::Choice(choices) => (0..choices.len()).prop_map(move |i| Value::Text(choices[i].value.to_owned())).boxed(),
+        Kind::Choice(choices) => (0..choices.len())
+            .prop_map(move |i| Value::Text(choices[i].value.to_owned()))
+            .boxed(),
         Kind::Text(_) => "\\PC{0,30}".prop_map(Value::Text).boxed(),
-        Kind::Code(codes) => (0..codes.len()).prop_map(move |i| Value::Number(f64::from(codes[i].value))).boxed(),
-        Kind::Nominal => prop_oneof![(8.0..60.0f64).prop_map(Value::Number), Just(Value::Text("12H7".to_owned()))].boxed(),
+        Kind::Code(codes) => (0..codes.len())
+            .prop_map(move |i| Value::Number(f64::from(codes[i].value)))
+            .boxed(),
+        Kind::Nominal => prop_oneof![
+            (8.0..60.0f64).prop_map(Value::Number),
+            Just(Value::Text("12H7".to_owned()))
+        ]
+        .boxed(),
         Kind::NominalPoint => {
             let sign = if field.key == "point2" { 1.0 } else { -1.0 };
             let place = (30.0..120.0f64, -50.0..50.0f64, -30.0..0.0f64);
-            place.prop_map(move |(a, o, w)| Value::List([a * sign, o, w].map(Value::Number).to_vec())).boxed()
+            place
+                .prop_map(move |(a, o, w)| {
+                    Value::List([a * sign, o, w].map(Value::Number).to_vec())
+                })
+                .boxed()
         }
-        Kind::Point => proptest::array::uniform3(-200.0..200.0).prop_map(point).boxed(),
+        Kind::Point => proptest::array::uniform3(-200.0..200.0)
+            .prop_map(point)
+            .boxed(),
     }
 }
 
 fn form(fields: &'static [Field]) -> BoxedStrategy<Vec<(String, Value)>> {
     let values: Vec<_> = fields.iter().map(field_value).collect();
-    values.prop_map(|values| fields.iter().map(|f| f.key.to_owned()).zip(values).collect()).boxed()
+    values
+        .prop_map(|values| {
+            fields
+                .iter()
+                .map(|f| f.key.to_owned())
+                .zip(values)
+                .collect()
+        })
+        .boxed()
 }
 
 /// A whole job of a cycle: every field of the cycle at random, every other field too. The control's form stays `moves`.
@@ -106,7 +136,14 @@ fn anything() -> impl Strategy<Value = Value> {
         Just(Value::Null),
         any::<bool>().prop_map(Value::Flag),
         any::<f64>().prop_map(Value::Number),
-        prop_oneof![Just(f64::NAN), Just(f64::INFINITY), Just(1e300), Just(-1e300), Just(5e-324)].prop_map(Value::Number),
+        prop_oneof![
+            Just(f64::NAN),
+            Just(f64::INFINITY),
+            Just(1e300),
+            Just(-1e300),
+            Just(5e-324)
+        ]
+        .prop_map(Value::Number),
         ".{0,12}".prop_map(Value::Text),
         Just(Value::Other("a function")),
     ];
@@ -119,14 +156,19 @@ fn anything() -> impl Strategy<Value = Value> {
 }
 
 fn errors(job: &Value) -> usize {
-    check(job).iter().filter(|f| f.level == Level::Error).count()
+    check(job)
+        .iter()
+        .filter(|f| f.level == Level::Error)
+        .count()
 }
 
 /// The laws say something only if enough forms have a plan.
 #[test]
 fn many_forms_have_a_plan_and_many_have_not() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
-    let jobs: Vec<Value> = (0..400).map(|_| whole_job().new_tree(&mut runner).unwrap().current()).collect();
+    let jobs: Vec<Value> = (0..400)
+        .map(|_| whole_job().new_tree(&mut runner).unwrap().current())
+        .collect();
     let good = jobs.iter().filter(|job| plan(job).is_ok()).count();
     assert!((60..360).contains(&good), "{good} of 400");
 }
@@ -221,7 +263,9 @@ fn inch_and_mm_are_the_same_part() {
             let scale = if row.unit == "mm" { 25.4 } else { 1.0 };
             match (row.value, i.value) {
                 // The residual is the root of a difference of large sums.
-                (Some(m), Some(i)) if row.code.starts_with("residual") => prop_assert!((m - i * scale).abs() < 1e-3),
+                (Some(m), Some(i)) if row.code.starts_with("residual") => {
+                    prop_assert!((m - i * scale).abs() < 1e-3)
+                }
                 (Some(m), Some(i)) => prop_assert!((m - i * scale).abs() < 1e-6),
                 (m, i) => prop_assert_eq!(m.is_some(), i.is_some()),
             }
@@ -234,7 +278,9 @@ fn inch_and_mm_are_the_same_part() {
 #[test]
 fn a_turned_job_is_a_turned_path() {
     law(1000, 100, (whole_job(), -180.0..180.0f64), |(job, turn)| {
-        let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(false) };
+        let Ok(straight) = plan(&with(&job, "part", Value::Map(vec![]))) else {
+            return Ok(false);
+        };
         let axes: [usize; 3] = match job.get("plane") {
             Some(Value::Text(p)) if p == "G18" => [2, 0, 1],
             Some(Value::Text(p)) if p == "G19" => [1, 2, 0],
@@ -256,11 +302,24 @@ fn a_turned_job_is_a_turned_path() {
             prop_assert!(straight.moves.is_empty());
             return Ok(false);
         };
-        let origin: Vec<f64> = origin.iter().map(|v| if let Value::Number(x) = v { *x } else { 0.0 }).collect();
-        let Some(Value::Number(rotation)) = cycle.get("rotation") else { panic!("a rotation") };
+        let origin: Vec<f64> = origin
+            .iter()
+            .map(|v| if let Value::Number(x) = v { *x } else { 0.0 })
+            .collect();
+        let Some(Value::Number(rotation)) = cycle.get("rotation") else {
+            panic!("a rotation")
+        };
         let rotation = touchpath::num::wrap_degrees(rotation + turn);
-        let turned = with(&with(&job, "part", Value::Map(vec![])), "cycle.rotation", number(rotation));
-        let turned = with(&turned, "cycle.origin", point(turned_point([origin[0], origin[1], origin[2]])));
+        let turned = with(
+            &with(&job, "part", Value::Map(vec![])),
+            "cycle.rotation",
+            number(rotation),
+        );
+        let turned = with(
+            &turned,
+            "cycle.origin",
+            point(turned_point([origin[0], origin[1], origin[2]])),
+        );
         let turned = plan(&turned).map_err(|e| TestCaseError::fail(e.to_string()))?;
         for (a, b) in straight.moves.iter().zip(&turned.moves) {
             prop_assert!(distance(turned_point(a.to), b.to) < 1e-8);
@@ -273,78 +332,143 @@ fn a_turned_job_is_a_turned_path() {
 /// results of the corner, which measures its own angles, to the letter, and a turned one turns them.
 #[test]
 fn results_follow_the_part() {
-    law(600, 100, (whole_job(), -0.4..0.4f64, -0.4..0.4f64, -0.2..0.2f64), |(job, dx, dy, turn)| {
-        let job = with(&with(&job, "overtravel", number(20.0)), "units", Value::Text("mm".to_owned()));
-        let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else { return Ok(false) };
-        if circles(&nominal) {
-            // Its deviations count from the middle of tolerances; `circles.rs` follows its part.
-            return Ok(false);
-        }
-        for row in &nominal.results {
-            if let Some(deviation) = row.deviation.filter(|_| !row.code.starts_with("residual")) {
-                prop_assert!(deviation.abs() < 1e-7, "{}: {}", row.code, deviation);
+    law(
+        600,
+        100,
+        (whole_job(), -0.4..0.4f64, -0.4..0.4f64, -0.2..0.2f64),
+        |(job, dx, dy, turn)| {
+            let job = with(
+                &with(&job, "overtravel", number(20.0)),
+                "units",
+                Value::Text("mm".to_owned()),
+            );
+            let Ok(nominal) = plan(&with(&job, "part", Value::Map(vec![]))) else {
+                return Ok(false);
+            };
+            if circles(&nominal) {
+                // Its deviations count from the middle of tolerances; `circles.rs` follows its part.
+                return Ok(false);
             }
-        }
-        let axes = match job.get("plane") {
-            Some(Value::Text(p)) if p == "G18" => [2, 0],
-            Some(Value::Text(p)) if p == "G19" => [1, 2],
-            _ => [0, 1],
-        };
-        let mut offset = [0.0; 3];
-        (offset[axes[0]], offset[axes[1]]) = (dx, dy);
-        let shifted = with(&with(&job, "part", Value::Map(vec![])), "part.offset", point(offset));
-        // A single pair of walls, or a surface, is read along its target vector only.
-        let read_along = nominal.results.iter().any(|r| matches!(r.code.as_str(), "width" | "deviation"));
-        let n = nominal.touches.first().map_or([0.0; 3], |t| t.vector);
-        let off: f64 = (0..3).map(|i| offset[i] * n[i]).sum();
-        let along = |axis: usize| if read_along { off * n[axis] } else { offset[axis] };
-        // A touch that meets another wall, or an edge, is reported, and measures something else.
-        let meant = |plan: &Plan| !plan.findings.iter().any(|f| matches!(f.code.as_str(), "wrong-wall" | "edge-contact"));
-        if let Some(shifted) = plan(&shifted).ok().filter(meant) {
-            for row in &shifted.results {
-                let wanted = match row.code.as_str() {
-                    "center.x" | "corner.x" | "offset.x" | "point.x" => along(axes[0]),
-                    "center.y" | "corner.y" | "offset.y" | "point.y" => along(axes[1]),
-                    "point.z" | "offset.z" if read_along && row.code != "height" => {
-                        if nominal.results.iter().any(|r| r.code == "height") { 0.0 } else { along(3 - axes[0] - axes[1]) }
+            for row in &nominal.results {
+                if let Some(deviation) = row.deviation.filter(|_| !row.code.starts_with("residual"))
+                {
+                    prop_assert!(deviation.abs() < 1e-7, "{}: {}", row.code, deviation);
+                }
+            }
+            let axes = match job.get("plane") {
+                Some(Value::Text(p)) if p == "G18" => [2, 0],
+                Some(Value::Text(p)) if p == "G19" => [1, 2],
+                _ => [0, 1],
+            };
+            let mut offset = [0.0; 3];
+            (offset[axes[0]], offset[axes[1]]) = (dx, dy);
+            let shifted = with(
+                &with(&job, "part", Value::Map(vec![])),
+                "part.offset",
+                point(offset),
+            );
+            // A single pair of walls, or a surface, is read along its target vector only.
+            let read_along = nominal
+                .results
+                .iter()
+                .any(|r| matches!(r.code.as_str(), "width" | "deviation"));
+            let n = nominal.touches.first().map_or([0.0; 3], |t| t.vector);
+            let off: f64 = (0..3).map(|i| offset[i] * n[i]).sum();
+            let along = |axis: usize| {
+                if read_along {
+                    off * n[axis]
+                } else {
+                    offset[axis]
+                }
+            };
+            // A touch that meets another wall, or an edge, is reported, and measures something else.
+            let meant = |plan: &Plan| {
+                !plan
+                    .findings
+                    .iter()
+                    .any(|f| matches!(f.code.as_str(), "wrong-wall" | "edge-contact"))
+            };
+            if let Some(shifted) = plan(&shifted).ok().filter(meant) {
+                for row in &shifted.results {
+                    let wanted = match row.code.as_str() {
+                        "center.x" | "corner.x" | "offset.x" | "point.x" => along(axes[0]),
+                        "center.y" | "corner.y" | "offset.y" | "point.y" => along(axes[1]),
+                        "point.z" | "offset.z" if read_along && row.code != "height" => {
+                            if nominal.results.iter().any(|r| r.code == "height") {
+                                0.0
+                            } else {
+                                along(3 - axes[0] - axes[1])
+                            }
+                        }
+                        "deviation" => off,
+                        _ => 0.0,
+                    };
+                    if let Some(deviation) =
+                        row.deviation.filter(|_| !row.code.starts_with("residual"))
+                    {
+                        prop_assert!(
+                            (deviation - wanted).abs() < 1e-6,
+                            "{}: {} for {}",
+                            row.code,
+                            deviation,
+                            wanted
+                        );
                     }
-                    "deviation" => off,
-                    _ => 0.0,
-                };
-                if let Some(deviation) = row.deviation.filter(|_| !row.code.starts_with("residual")) {
-                    prop_assert!((deviation - wanted).abs() < 1e-6, "{}: {} for {}", row.code, deviation, wanted);
                 }
             }
-        }
-        let turned = with(&shifted, "part.rotation", number(turn));
-        if let Some(turned) = plan(&turned).ok().filter(meant) {
-            // A corner with its own angles has no error; whatever has one has the exact value beside it.
-            let exact = turned.results.iter().any(|r| r.code == "angle" && r.value.is_some());
-            for row in turned.results.iter().filter(|_| exact) {
-                if let (Some(value), Some(truth)) = (row.value, row.truth) {
-                    prop_assert!((value - truth).abs() < 1e-6, "{}: {} {}", row.code, value, truth);
+            let turned = with(&shifted, "part.rotation", number(turn));
+            if let Some(turned) = plan(&turned).ok().filter(meant) {
+                // A corner with its own angles has no error; whatever has one has the exact value beside it.
+                let exact = turned
+                    .results
+                    .iter()
+                    .any(|r| r.code == "angle" && r.value.is_some());
+                for row in turned.results.iter().filter(|_| exact) {
+                    if let (Some(value), Some(truth)) = (row.value, row.truth) {
+                        prop_assert!(
+                            (value - truth).abs() < 1e-6,
+                            "{}: {} {}",
+                            row.code,
+                            value,
+                            truth
+                        );
+                    }
                 }
             }
-        }
-        Ok(true)
-    });
+            Ok(true)
+        },
+    );
 }
 
 /// What was measured is evaluated as what was predicted.
 #[test]
 fn measured_triggers_give_the_predicted_results() {
     law(600, 100, (whole_job(),), |(job,)| {
-        let Ok(predicted) = plan(&job) else { return Ok(false) };
+        let Ok(predicted) = plan(&job) else {
+            return Ok(false);
+        };
         if predicted.triggers.iter().any(Option::is_none) {
             return Ok(false);
         }
-        let points = Value::List(predicted.triggers.iter().map(|t| point(t.unwrap())).collect());
+        let points = Value::List(
+            predicted
+                .triggers
+                .iter()
+                .map(|t| point(t.unwrap()))
+                .collect(),
+        );
         // A part that lies far off can trigger before the approach is done; such points are refused, not evaluated.
-        let Ok(rows) = touchpath::job::evaluate(&job, &points) else { return Ok(false) };
+        let Ok(rows) = touchpath::job::evaluate(&job, &points) else {
+            return Ok(false);
+        };
         for (a, b) in predicted.results.iter().zip(&rows) {
             prop_assert_eq!(&a.code, &b.code);
             if let (Some(x), Some(y)) = (a.value, b.value) {
-                let off = if a.code.starts_with("residual") { 1e-3 } else { 1e-7 };
+                let off = if a.code.starts_with("residual") {
+                    1e-3
+                } else {
+                    1e-7
+                };
                 prop_assert!((x - y).abs() < off);
             }
         }
@@ -357,18 +481,45 @@ fn in_inch(job: &Value) -> Value {
     let mut inch = with(job, "units", Value::Text("inch".to_owned()));
     let mut convert = |prefix: &str, fields: &[Field]| {
         for field in fields {
-            let path = if prefix.is_empty() { field.key.to_owned() } else { format!("{prefix}.{}", field.key) };
+            let path = if prefix.is_empty() {
+                field.key.to_owned()
+            } else {
+                format!("{prefix}.{}", field.key)
+            };
             let mut at = Some(job);
             for key in path.split('.') {
                 at = at.and_then(|v| v.get(key));
             }
             let value = match (at, field.kind, field.default) {
-                (Some(Value::Number(x)), Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal, _) => number(x / 25.4),
-                (Some(Value::Text(_)), Kind::Nominal, _) => Value::Text(format!("{:.15}H7", 12.0 / 25.4)),
+                (
+                    Some(Value::Number(x)),
+                    Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Nominal,
+                    _,
+                ) => number(x / 25.4),
+                (Some(Value::Text(_)), Kind::Nominal, _) => {
+                    Value::Text(format!("{:.15}H7", 12.0 / 25.4))
+                }
                 (Some(Value::List(items)), Kind::Point | Kind::NominalPoint, _) => Value::List(
-                    items.iter().map(|v| if let Value::Number(x) = v { number(x / 25.4) } else { v.clone() }).collect(),
+                    items
+                        .iter()
+                        .map(|v| {
+                            if let Value::Number(x) = v {
+                                number(x / 25.4)
+                            } else {
+                                v.clone()
+                            }
+                        })
+                        .collect(),
                 ),
-                (_, _, Default::Number(_) | Default::Flag(_) | Default::Text(_) | Default::Point(_) | Default::Null) => {
+                (
+                    _,
+                    _,
+                    Default::Number(_)
+                    | Default::Flag(_)
+                    | Default::Text(_)
+                    | Default::Point(_)
+                    | Default::Null,
+                ) => {
                     continue;
                 }
             };
@@ -378,11 +529,16 @@ fn in_inch(job: &Value) -> Value {
     for (path, fields) in touchpath::job::SECTIONS {
         convert(path, fields);
     }
-    let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else { panic!("a type") };
+    let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else {
+        panic!("a type")
+    };
     let def = touchpath::cycle::find(key).unwrap();
     convert("cycle", def.fields);
     for section in def.sections {
-        if matches!(job.get("cycle").and_then(|c| c.get(section.key)), Some(Value::Map(_))) {
+        if matches!(
+            job.get("cycle").and_then(|c| c.get(section.key)),
+            Some(Value::Map(_))
+        ) {
             convert(&format!("cycle.{}", section.key), section.fields);
         }
     }

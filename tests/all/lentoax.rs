@@ -20,7 +20,10 @@ fn mill() -> Query {
 }
 
 fn rot(axis: char, angle: f64) -> Step {
-    Step::Rotation { axis: Axis::ALL["XYZ".find(axis).unwrap()], angle }
+    Step::Rotation {
+        axis: Axis::ALL["XYZ".find(axis).unwrap()],
+        angle,
+    }
 }
 
 fn asked(change: impl Fn(&mut Query)) -> (i32, [i32; 3]) {
@@ -35,10 +38,20 @@ fn asked(change: impl Fn(&mut Query)) -> (i32, [i32; 3]) {
 fn the_printed_examples() {
     let standard = lentoax(&mill());
     assert_eq!((standard.status, standard.axind), (0, [3, 2, 1]));
-    assert_eq!(standard.matrix, [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
-    let turned = lentoax(&Query { frame: vec![rot('Z', 60.0)], ..mill() });
+    assert_eq!(
+        standard.matrix,
+        [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]
+    );
+    let turned = lentoax(&Query {
+        frame: vec![rot('Z', 60.0)],
+        ..mill()
+    });
     assert_eq!((turned.status, turned.axind), (1, [2, -3, 1]));
-    let printed = [[0.0, 0.866_025_4, 0.5], [0.0, 0.5, -0.866_025_4], [1.0, 0.0, 0.0]];
+    let printed = [
+        [0.0, 0.866_025_4, 0.5],
+        [0.0, 0.5, -0.866_025_4],
+        [1.0, 0.0, 0.0],
+    ];
     for (row, wanted) in turned.matrix.iter().zip(printed) {
         for (x, y) in row.iter().zip(wanted) {
             assert!((x - y).abs() < 1e-7, "{:?}", turned.matrix);
@@ -50,24 +63,43 @@ fn the_printed_examples() {
 fn the_table_of_values() {
     assert_eq!(asked(|q| q.plane = Plane::G18), (0, [3, 2, 1]));
     assert_eq!(asked(|q| q.plane = Plane::G19), (0, [3, 2, 1]));
-    for (angle, wanted) in [(30.0, (1, [3, 2, 1])), (90.0, (0, [2, -3, 1])), (-60.0, (1, [-2, 3, 1]))] {
-        assert_eq!(asked(|q| q.frame = vec![rot('Z', angle)]), wanted, "ROT Z{angle}");
+    for (angle, wanted) in [
+        (30.0, (1, [3, 2, 1])),
+        (90.0, (0, [2, -3, 1])),
+        (-60.0, (1, [-2, 3, 1])),
+    ] {
+        assert_eq!(
+            asked(|q| q.frame = vec![rot('Z', angle)]),
+            wanted,
+            "ROT Z{angle}"
+        );
     }
     assert_eq!(asked(|q| q.frame = vec![rot('X', 60.0)]), (1, [3, 1, -2]));
     assert_eq!(asked(|q| q.frame = vec![rot('Y', 60.0)]), (1, [-1, 2, 3]));
     for plane in [Plane::G17, Plane::G18, Plane::G19] {
-        assert_eq!(asked(|q| (q.plane, q.tool_type) = (plane, 500)), (0, [2, 1, 3]));
+        assert_eq!(
+            asked(|q| (q.plane, q.tool_type) = (plane, 500)),
+            (0, [2, 1, 3])
+        );
     }
     let mirrored = |sd: bool, coord: &str| {
-        asked(|q| (q.frame, q.sd42900, q.coord) = (vec![Step::Mirror { axis: Axis::X }], sd, coord.to_owned()))
+        asked(|q| {
+            (q.frame, q.sd42900, q.coord) =
+                (vec![Step::Mirror { axis: Axis::X }], sd, coord.to_owned())
+        })
     };
     assert_eq!(mirrored(false, "WCS"), (0, [-3, 2, 1]));
     assert_eq!(mirrored(true, "WCS"), (0, [3, 2, 1]));
     assert_eq!(mirrored(true, "TCS"), (0, [-3, 2, 1]));
     assert_eq!(mirrored(false, "TCS"), (0, [3, 2, 1]));
-    for (row, wanted) in
-        [(18, [2, 1, 3]), (19, [1, 3, 2]), (-17, [2, 3, 1]), (-18, [3, 1, 2]), (-19, [1, 2, 3]), (5, [3, 2, 1])]
-    {
+    for (row, wanted) in [
+        (18, [2, 1, 3]),
+        (19, [1, 3, 2]),
+        (-17, [2, 3, 1]),
+        (-18, [3, 1, 2]),
+        (-19, [1, 2, 3]),
+        (5, [3, 2, 1]),
+    ] {
         assert_eq!(asked(|q| q.sd42940 = row), (0, wanted), "SD42940 = {row}");
     }
     assert_eq!(asked(|q| (q.sd42950, q.sd42940) = (2, 18)), (0, [1, 3, 2]));
@@ -77,12 +109,40 @@ fn the_table_of_values() {
 fn what_is_not_known() {
     let nothing = |query: Query, status: i32| {
         let answer = lentoax(&query);
-        assert_eq!((answer.status, answer.axind, answer.matrix), (status, [0; 3], [[0.0; 3]; 3]));
+        assert_eq!(
+            (answer.status, answer.axind, answer.matrix),
+            (status, [0; 3], [[0.0; 3]; 3])
+        );
     };
-    nothing(Query { coord: "XCS".into(), ..mill() }, -1);
-    nothing(Query { coord: String::new(), ..mill() }, -1);
-    nothing(Query { tool_active: false, ..mill() }, -2);
-    nothing(Query { coord: "XCS".into(), tool_active: false, ..mill() }, -1);
+    nothing(
+        Query {
+            coord: "XCS".into(),
+            ..mill()
+        },
+        -1,
+    );
+    nothing(
+        Query {
+            coord: String::new(),
+            ..mill()
+        },
+        -1,
+    );
+    nothing(
+        Query {
+            tool_active: false,
+            ..mill()
+        },
+        -2,
+    );
+    nothing(
+        Query {
+            coord: "XCS".into(),
+            tool_active: false,
+            ..mill()
+        },
+        -1,
+    );
     for coord in ["wcs", "W", "Mcs", "b", "K", "tcs"] {
         assert_eq!(asked(|q| q.coord = coord.to_owned()).0, 0, "{coord}");
     }
@@ -90,76 +150,159 @@ fn what_is_not_known() {
 
 #[test]
 fn a_query_is_not_called_a_job() {
-    let message = |value: &Value| lentoax_query(value).unwrap_err().findings[0].message.clone();
-    assert_eq!(message(&Value::Number(7.0)), "the query must be an object, not a number");
-    assert!(message(&Value::Map(vec![("x".to_owned(), Value::Null)])).starts_with("the query has no \"x\""));
+    let message = |value: &Value| {
+        lentoax_query(value).unwrap_err().findings[0]
+            .message
+            .clone()
+    };
+    assert_eq!(
+        message(&Value::Number(7.0)),
+        "the query must be an object, not a number"
+    );
+    assert!(
+        message(&Value::Map(vec![("x".to_owned(), Value::Null)]))
+            .starts_with("the query has no \"x\"")
+    );
 }
 
 #[test]
 fn nearly_a_quarter_turn_is_one_and_a_tie_goes_to_the_lower_length() {
-    assert_eq!(asked(|q| q.frame = vec![rot('Z', 90.000_000_000_1)]), (0, [2, -3, 1]));
+    assert_eq!(
+        asked(|q| q.frame = vec![rot('Z', 90.000_000_000_1)]),
+        (0, [2, -3, 1])
+    );
     assert_eq!(asked(|q| q.frame = vec![rot('Z', 90.001)]).0, 1);
     // At 45° L2 and L3 share abscissa and ordinate.
     assert_eq!(asked(|q| q.frame = vec![rot('Z', 45.0)]), (1, [2, 2, 1]));
-    assert_eq!(asked(|q| q.frame = vec![rot('Z', 1e9 * 360.0 + 90.0)]), (0, [2, -3, 1]));
+    assert_eq!(
+        asked(|q| q.frame = vec![rot('Z', 1e9 * 360.0 + 90.0)]),
+        (0, [2, -3, 1])
+    );
 }
 
 #[test]
 fn words_and_nc_lines() {
-    assert_eq!(sentence(Plane::G17, &lentoax(&mill())).english(), "L1 acts along +Z, L2 acts along +Y, L3 acts along +X");
-    let turned = lentoax(&Query { frame: vec![rot('Z', 60.0)], ..mill() });
+    assert_eq!(
+        sentence(Plane::G17, &lentoax(&mill())).english(),
+        "L1 acts along +Z, L2 acts along +Y, L3 acts along +X"
+    );
+    let turned = lentoax(&Query {
+        frame: vec![rot('Z', 60.0)],
+        ..mill()
+    });
     assert_eq!(
         sentence(Plane::G17, &turned).english(),
         "L1 acts along +1·Z, L2 acts along +0.866·X +0.5·Y, L3 acts along +0.5·X -0.866·Y"
     );
-    let lines = |coord: &str| nc_block(&Query { coord: coord.to_owned(), ..mill() });
+    let lines = |coord: &str| {
+        nc_block(&Query {
+            coord: coord.to_owned(),
+            ..mill()
+        })
+    };
     assert!(lines("tcs").contains("_STAT=LENTOAX(_AXIND,_MATRIX,\"TCS\")"));
     let hostile = lines("x\")\nM3");
-    assert!(!hostile.contains("M3") && hostile.contains("_STAT=LENTOAX(_AXIND,_MATRIX,\"?\")"), "{hostile}");
+    assert!(
+        !hostile.contains("M3") && hostile.contains("_STAT=LENTOAX(_AXIND,_MATRIX,\"?\")"),
+        "{hostile}"
+    );
 }
 
 /// Whether a control that gives this answer raises the alarm of some lines. It knows their few conditions, and no others.
 fn alarms(lines: &str, answer: &Answer) -> bool {
-    let index = |text: &str| -> Vec<usize> { text.split(',').map(|n| n.parse().unwrap()).collect() };
+    let index =
+        |text: &str| -> Vec<usize> { text.split(',').map(|n| n.parse().unwrap()).collect() };
     let holds = |condition: &str| {
-        let plain = condition.strip_prefix('(').and_then(|c| c.strip_suffix(')')).unwrap_or(condition);
+        let plain = condition
+            .strip_prefix('(')
+            .and_then(|c| c.strip_suffix(')'))
+            .unwrap_or(condition);
         if let Some(status) = plain.strip_prefix("_STAT<>") {
             return answer.status != status.parse::<i32>().unwrap();
         }
-        if let Some((at, number)) = plain.strip_prefix("_AXIND[").and_then(|rest| rest.split_once("]<>")) {
+        if let Some((at, number)) = plain
+            .strip_prefix("_AXIND[")
+            .and_then(|rest| rest.split_once("]<>"))
+        {
             return answer.axind[index(at)[0]] != number.parse::<i32>().unwrap();
         }
-        let (at, rest) = plain.strip_prefix("ABS(_MATRIX[").unwrap().split_once("]-(").unwrap();
+        let (at, rest) = plain
+            .strip_prefix("ABS(_MATRIX[")
+            .unwrap()
+            .split_once("]-(")
+            .unwrap();
         let (value, near) = rest.split_once("))>").unwrap();
         let at = index(at);
-        (answer.matrix[at[0]][at[1]] - value.parse::<f64>().unwrap()).abs() > near.parse::<f64>().unwrap()
+        (answer.matrix[at[0]][at[1]] - value.parse::<f64>().unwrap()).abs()
+            > near.parse::<f64>().unwrap()
     };
-    let conditions: Vec<&str> = lines.lines().filter_map(|line| line.strip_prefix("IF ")).collect();
-    assert!(!conditions.is_empty() && lines.matches("SETAL(65000)").count() == conditions.len(), "{lines}");
-    conditions.iter().any(|condition| condition.split(" OR ").any(holds))
+    let conditions: Vec<&str> = lines
+        .lines()
+        .filter_map(|line| line.strip_prefix("IF "))
+        .collect();
+    assert!(
+        !conditions.is_empty() && lines.matches("SETAL(65000)").count() == conditions.len(),
+        "{lines}"
+    );
+    conditions
+        .iter()
+        .any(|condition| condition.split(" OR ").any(holds))
 }
 
 /// It asked for L1 along the tool axis, which a turning tool in G17 never has: it raised its alarm on a machine that was right.
 #[test]
 fn the_check_at_the_control_alarmed_for_every_turning_tool() {
-    let turning = Query { tool_type: 500, frame: vec![rot('Z', 60.0)], ..mill() };
+    let turning = Query {
+        tool_type: 500,
+        frame: vec![rot('Z', 60.0)],
+        ..mill()
+    };
     assert!(!alarms(&nc_block(&turning), &lentoax(&turning)));
     let questions = [
         mill(),
         turning,
-        Query { tool_type: 500, ..mill() },
-        Query { frame: vec![rot('Z', 90.0)], ..mill() },
-        Query { frame: vec![rot('Z', 45.0)], ..mill() },
-        Query { frame: vec![rot('X', 30.0), rot('Z', -20.0)], ..mill() },
-        Query { sd42940: 18, ..mill() },
-        Query { frame: vec![Step::Mirror { axis: Axis::Z }], ..mill() },
-        Query { coord: "XCS".into(), ..mill() },
-        Query { tool_active: false, ..mill() },
+        Query {
+            tool_type: 500,
+            ..mill()
+        },
+        Query {
+            frame: vec![rot('Z', 90.0)],
+            ..mill()
+        },
+        Query {
+            frame: vec![rot('Z', 45.0)],
+            ..mill()
+        },
+        Query {
+            frame: vec![rot('X', 30.0), rot('Z', -20.0)],
+            ..mill()
+        },
+        Query {
+            sd42940: 18,
+            ..mill()
+        },
+        Query {
+            frame: vec![Step::Mirror { axis: Axis::Z }],
+            ..mill()
+        },
+        Query {
+            coord: "XCS".into(),
+            ..mill()
+        },
+        Query {
+            tool_active: false,
+            ..mill()
+        },
     ];
     for asked in &questions {
         for other in &questions {
             let differs = lentoax(asked) != lentoax(other);
-            assert_eq!(alarms(&nc_block(asked), &lentoax(other)), differs, "{asked:?} {other:?}\n{}", nc_block(asked));
+            assert_eq!(
+                alarms(&nc_block(asked), &lentoax(other)),
+                differs,
+                "{asked:?} {other:?}\n{}",
+                nc_block(asked)
+            );
         }
     }
 }
@@ -171,7 +314,10 @@ fn axis() -> impl Strategy<Value = Axis> {
 fn step() -> impl Strategy<Value = Step> {
     prop_oneof![
         (axis(), -720.0..720.0f64).prop_map(|(axis, angle)| Step::Rotation { axis, angle }),
-        (axis(), -4..5i32).prop_map(|(axis, quarter)| Step::Rotation { axis, angle: 90.0 * f64::from(quarter) }),
+        (axis(), -4..5i32).prop_map(|(axis, quarter)| Step::Rotation {
+            axis,
+            angle: 90.0 * f64::from(quarter)
+        }),
         axis().prop_map(|axis| Step::Mirror { axis }),
     ]
 }
@@ -180,7 +326,10 @@ fn step() -> impl Strategy<Value = Step> {
 /// rows longer than 1.
 #[test]
 fn a_frame_that_is_all_but_square_keeps_rows_of_length_one() {
-    let frame = vec![Step::Rotation { axis: Axis::X, angle: 540.002_215_372_537_9 }];
+    let frame = vec![Step::Rotation {
+        axis: Axis::X,
+        angle: 540.002_215_372_537_9,
+    }];
     let query = Query {
         plane: Plane::G17,
         tool_type: 0,

@@ -18,7 +18,10 @@ struct Chance(u64);
 
 impl Chance {
     fn below(&mut self, count: u64) -> u64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % count
     }
 
@@ -69,13 +72,26 @@ impl Writer {
 
     fn value(&self, eighths: i64) -> String {
         let mm = eighths as f64 / 8.0;
-        if self.modes.inch { format!("{:.8}", mm / 25.4) } else { format!("{mm}") }
+        if self.modes.inch {
+            format!("{:.8}", mm / 25.4)
+        } else {
+            format!("{mm}")
+        }
     }
 
     /// The words of a place: of all axes, or of those that `named` says.
     fn place(&self, target: [i64; 3], named: [bool; 3]) -> String {
-        let value = |axis: usize| if self.modes.absolute { target[axis] } else { target[axis] - self.place[axis] };
-        (0..3).filter(|axis| named[*axis]).map(|axis| format!(" {}{}", AXES[axis], self.value(value(axis)))).collect()
+        let value = |axis: usize| {
+            if self.modes.absolute {
+                target[axis]
+            } else {
+                target[axis] - self.place[axis]
+            }
+        };
+        (0..3)
+            .filter(|axis| named[*axis])
+            .map(|axis| format!(" {}{}", AXES[axis], self.value(value(axis))))
+            .collect()
     }
 
     fn target(&mut self) -> ([i64; 3], [bool; 3]) {
@@ -83,7 +99,8 @@ impl Writer {
         named[self.chance.below(3) as usize] = true;
         let mut target = self.place;
         for axis in (0..3).filter(|axis| named[*axis]) {
-            target[axis] += 8 + self.chance.below(160) as i64 - if self.chance.below(2) == 0 { 176 } else { 0 };
+            target[axis] +=
+                8 + self.chance.below(160) as i64 - if self.chance.below(2) == 0 { 176 } else { 0 };
         }
         (target, named)
     }
@@ -92,11 +109,23 @@ impl Writer {
         let (target, named) = self.target();
         let words = self.place(target, named);
         // The motion in force needs no word.
-        let word = if self.chance.below(2) == 0 { self.chance.one(&["G0", "G1", "G01", "G00"]) } else { "" };
+        let word = if self.chance.below(2) == 0 {
+            self.chance.one(&["G0", "G1", "G01", "G00"])
+        } else {
+            ""
+        };
         let motion = if word.is_empty() { self.motion } else { word };
-        let word = if word.is_empty() && !matches!(self.motion, "G0" | "G1" | "G00" | "G01") { "G1" } else { word };
+        let word = if word.is_empty() && !matches!(self.motion, "G0" | "G1" | "G00" | "G01") {
+            "G1"
+        } else {
+            word
+        };
         self.motion = if word.is_empty() { motion } else { word };
-        let feed = if self.chance.below(3) == 0 { format!(" F{}", 50 + self.chance.below(500)) } else { String::new() };
+        let feed = if self.chance.below(3) == 0 {
+            format!(" F{}", 50 + self.chance.below(500))
+        } else {
+            String::new()
+        };
         self.line(format!("{word}{words}{feed}").trim());
         self.place = target;
     }
@@ -113,7 +142,11 @@ impl Writer {
             let words = self.place(target, [true; 3]);
             // The second touch needs no word, either.
             let feed = 40 + self.chance.below(90);
-            self.line(&if i == 0 { format!("{code}{words} F{feed}") } else { words.trim().to_owned() });
+            self.line(&if i == 0 {
+                format!("{code}{words} F{feed}")
+            } else {
+                words.trim().to_owned()
+            });
             self.place = target;
         }
         let (target, _) = self.target();
@@ -127,16 +160,28 @@ impl Writer {
         let center = ["I", "J", "K"];
         let turn = self.chance.one(&["G2", "G3", "G02", "G03"]);
         let mut target = self.place;
-        let middle = [8 * (1 + self.chance.below(9) as i64), 8 * self.chance.below(9) as i64];
+        let middle = [
+            8 * (1 + self.chance.below(9) as i64),
+            8 * self.chance.below(9) as i64,
+        ];
         let words = match self.chance.below(3) {
             // Half a circle, or a whole one, up along the third axis.
             0 => {
                 let whole = self.chance.below(3) == 0;
-                (target[a], target[o]) =
-                    if whole { (target[a], target[o]) } else { (target[a] + 2 * middle[0], target[o] + 2 * middle[1]) };
+                (target[a], target[o]) = if whole {
+                    (target[a], target[o])
+                } else {
+                    (target[a] + 2 * middle[0], target[o] + 2 * middle[1])
+                };
                 target[w] += 8 * self.chance.below(3) as i64;
                 let place = self.place(target, [true; 3]);
-                format!("{turn}{place} {}{} {}{}", center[a], self.value(middle[0]), center[o], self.value(middle[1]))
+                format!(
+                    "{turn}{place} {}{} {}{}",
+                    center[a],
+                    self.value(middle[0]),
+                    center[o],
+                    self.value(middle[1])
+                )
             }
             // Its centre as a place.
             1 => {
@@ -144,13 +189,20 @@ impl Writer {
                 let place = self.place(target, [true; 3]);
                 let [x, y] = [self.place[a] + middle[0], self.place[o] + middle[1]];
                 self.line("G90.1");
-                let words = format!("{turn}{place} {}{} {}{}", center[a], self.value(x), center[o], self.value(y));
+                let words = format!(
+                    "{turn}{place} {}{} {}{}",
+                    center[a],
+                    self.value(x),
+                    center[o],
+                    self.value(y)
+                );
                 self.line(&words);
                 (self.place, self.motion) = (target, "arc");
                 return self.line("G91.1");
             }
             _ => {
-                (target[a], target[o]) = (target[a] + 24, target[o] + 8 * self.chance.below(5) as i64);
+                (target[a], target[o]) =
+                    (target[a] + 24, target[o] + 8 * self.chance.below(5) as i64);
                 let place = self.place(target, [true; 3]);
                 let sign = self.chance.one(&["", "-"]);
                 let radius = 8 * (4 + self.chance.below(20) as i64);
@@ -236,7 +288,11 @@ impl Writer {
 }
 
 fn program(seed: u64) -> (String, Vec<bool>) {
-    let modes = Modes { inch: false, absolute: true, plane: 0 };
+    let modes = Modes {
+        inch: false,
+        absolute: true,
+        plane: 0,
+    };
     let mut writer = Writer {
         chance: Chance(seed),
         text: String::new(),
@@ -247,7 +303,11 @@ fn program(seed: u64) -> (String, Vec<bool>) {
         motion: "G0",
     };
     writer.modes.inch = seed.is_multiple_of(3);
-    let begin = if writer.modes.inch { "G20 G90 G17 F100" } else { "G21 G90 G17 F100" };
+    let begin = if writer.modes.inch {
+        "G20 G90 G17 F100"
+    } else {
+        "G21 G90 G17 F100"
+    };
     writer.line(begin);
     let first = format!("G0{}", writer.place([0, 0, 80], [true; 3]));
     writer.line(&first);
@@ -268,10 +328,15 @@ fn interpreted(calls: &[String], inch: &[bool]) -> Vec<Found> {
     let mut plane = [0, 1, 2];
     let mut found = Vec::new();
     for call in calls {
-        let Some((number, rest)) = call.split_once(" N").map(|(_, rest)| rest.split_once(' ').unwrap_or((rest, ""))) else {
+        let Some((number, rest)) = call
+            .split_once(" N")
+            .map(|(_, rest)| rest.split_once(' ').unwrap_or((rest, "")))
+        else {
             continue;
         };
-        let Some((word, arguments)) = rest.trim_start().split_once('(') else { continue };
+        let Some((word, arguments)) = rest.trim_start().split_once('(') else {
+            continue;
+        };
         let arguments = arguments.trim_end_matches(')');
         if word == "SELECT_PLANE" {
             plane = match arguments {
@@ -280,7 +345,10 @@ fn interpreted(calls: &[String], inch: &[bool]) -> Vec<Found> {
                 _ => [0, 1, 2],
             };
         }
-        let numbers: Vec<f64> = arguments.split(',').filter_map(|n| n.trim().parse().ok()).collect();
+        let numbers: Vec<f64> = arguments
+            .split(',')
+            .filter_map(|n| n.trim().parse().ok())
+            .collect();
         let (kind, to) = match word {
             "STRAIGHT_TRAVERSE" => ("rapid", [numbers[0], numbers[1], numbers[2]]),
             "STRAIGHT_FEED" => ("feed", [numbers[0], numbers[1], numbers[2]]),
@@ -294,7 +362,11 @@ fn interpreted(calls: &[String], inch: &[bool]) -> Vec<Found> {
         };
         let line: usize = number.parse().expect("every line has a number");
         let unit = if inch[line - 1] { 25.4 } else { 1.0 };
-        found.push(Found { line, kind, to: to.map(|x| x * unit) });
+        found.push(Found {
+            line,
+            kind,
+            to: to.map(|x| x * unit),
+        });
     }
     found
 }
@@ -312,7 +384,11 @@ fn every_line_moves_as_the_interpreter_moves_it() {
         );
         let wanted = interpreted(&calls, &inch);
         let path = read_program(&text, None);
-        let unit = if path.metric == Some(false) { 25.4 } else { 1.0 };
+        let unit = if path.metric == Some(false) {
+            25.4
+        } else {
+            1.0
+        };
         let found: Vec<Found> = (0..path.len())
             .map(|i| Found {
                 line: path.line[i] as usize + 1,
@@ -322,14 +398,23 @@ fn every_line_moves_as_the_interpreter_moves_it() {
             .collect();
         for (found, wanted) in found.iter().zip(&wanted) {
             let near = (0..3).all(|axis| (found.to[axis] - wanted.to[axis]).abs() < 4e-3);
-            assert!(found.line == wanted.line && found.kind == wanted.kind && near, "{found:?}, truly {wanted:?}\n{text}");
+            assert!(
+                found.line == wanted.line && found.kind == wanted.kind && near,
+                "{found:?}, truly {wanted:?}\n{text}"
+            );
         }
         assert_eq!(found.len(), wanted.len(), "{text}");
         // Nothing of it is unknown here.
-        let odd = path.findings.iter().find(|f| f.code == "lines-skipped" && !f.message.contains("compute"));
+        let odd = path
+            .findings
+            .iter()
+            .find(|f| f.code == "lines-skipped" && !f.message.contains("compute"));
         assert!(odd.is_none(), "{odd:?}\n{text}");
         moves += found.len();
         programs += 1;
     }
-    assert!(programs == 120 && moves > 5000, "{programs} programs, {moves} moves");
+    assert!(
+        programs == 120 && moves > 5000,
+        "{programs} programs, {moves} moves"
+    );
 }

@@ -63,7 +63,10 @@ impl Judge<'_> {
         let way: Vec<f64> = (0..3).map(|i| place[i] - self.at[i]).collect();
         let length = way.iter().map(|x| x * x).sum::<f64>().sqrt();
         let end = [0, 1, 2].map(|i| place[i] + way[i] / length * q);
-        let parts = self.faces.iter().filter_map(|face| stopped(*face, self.at, end));
+        let parts = self
+            .faces
+            .iter()
+            .filter_map(|face| stopped(*face, self.at, end));
         let part = parts.fold(f64::INFINITY, f64::min);
         assert!(part <= 1.0, "nothing is met from {:?} to {end:?}", self.at);
         let contact = [0, 1, 2].map(|i| self.at[i] + part * (end[i] - self.at[i]));
@@ -80,7 +83,13 @@ impl Judge<'_> {
     }
 
     /// Both sides along a direction about where it stands: from the middle, or from outside and beside.
-    fn sides(&mut self, along: [f64; 2], size: f64, letters: &BTreeMap<char, f64>, plus_first: bool) -> [[f64; 3]; 2] {
+    fn sides(
+        &mut self,
+        along: [f64; 2],
+        size: f64,
+        letters: &BTreeMap<char, f64>,
+        plus_first: bool,
+    ) -> [[f64; 3]; 2] {
         let (middle, q) = (self.at, letters[&'Q']);
         let place = |far: f64, z: f64| [middle[0] + along[0] * far, middle[1] + along[1] * far, z];
         let turned = along[0].abs() < 0.999 && along[1].abs() < 0.999;
@@ -91,7 +100,11 @@ impl Judge<'_> {
                 let r = letters[&'R'];
                 let from = size / 2.0 + BALL * r.signum() + r;
                 // Along an axis Q counts from the surface, beside a turned wall from the contact of the ball's centre.
-                let to = if turned { size / 2.0 + BALL * r.signum() } else { size / 2.0 };
+                let to = if turned {
+                    size / 2.0 + BALL * r.signum()
+                } else {
+                    size / 2.0
+                };
                 self.touch_from(place(side * from, *z), place(side * to, *z), q)
             }
         })
@@ -143,7 +156,11 @@ impl Judge<'_> {
                         None => self.touch_from([x0, y0, z0], at(half, z0), l[&'Q']),
                         Some(z) => {
                             let r = l[&'R'];
-                            self.touch_from(at(half + BALL * r.signum() + r, *z), at(half + BALL * r.signum(), *z), l[&'Q'])
+                            self.touch_from(
+                                at(half + BALL * r.signum() + r, *z),
+                                at(half + BALL * r.signum(), *z),
+                                l[&'Q'],
+                            )
                         }
                     };
                 }
@@ -151,9 +168,14 @@ impl Judge<'_> {
             9815 | 9816 => {
                 let (x, y, q) = (l[&'X'], l[&'Y'], l[&'Q']);
                 let outside = number == 9816;
-                let (fx, fy) = if outside { (2.0 * x - x0, 2.0 * y - y0) } else { (x0, y0) };
+                let (fx, fy) = if outside {
+                    (2.0 * x - x0, 2.0 * y - y0)
+                } else {
+                    (x0, y0)
+                };
                 let away = |from: f64, corner: f64| (from - corner).signum();
-                let steps = |letter: char| l.get(&letter).map_or(vec![0.0], |step| vec![0.0, *step]);
+                let steps =
+                    |letter: char| l.get(&letter).map_or(vec![0.0], |step| vec![0.0, *step]);
                 for step in steps('J') {
                     let y = fy + step * away(fy, y);
                     self.touch_from([x0, y, z0], [x, y, z0], q);
@@ -176,27 +198,44 @@ fn called(line: &str) -> Option<(u32, BTreeMap<char, f64>)> {
 
 /// Reads the calls of a program and runs them: the contacts, ball centres in work coordinates.
 fn judged(text: &str, faces: &[Face]) -> Vec<[f64; 3]> {
-    let mut judge = Judge { faces, at: [f64::NAN; 3], contacts: Vec::new() };
+    let mut judge = Judge {
+        faces,
+        at: [f64::NAN; 3],
+        contacts: Vec::new(),
+    };
     for (number, letters) in text.lines().filter_map(called) {
         judge.call(number, &letters);
     }
-    judge.contacts.iter().map(|[x, y, tip]| [*x, *y, tip + BALL]).collect()
+    judge
+        .contacts
+        .iter()
+        .map(|[x, y, tip]| [*x, *y, tip + BALL])
+        .collect()
 }
 
 /// Where the plan's own run has the contacts, in the order in which they are made.
 fn of_plan(plan: &Plan) -> Vec<[f64; 3]> {
     // Each is made twice, fast and slow.
-    let mut made: Vec<usize> = plan.moves.iter().filter(|step| step.kind == "touch").filter_map(|step| step.touch).collect();
+    let mut made: Vec<usize> = plan
+        .moves
+        .iter()
+        .filter(|step| step.kind == "touch")
+        .filter_map(|step| step.touch)
+        .collect();
     assert!(made.chunks(2).all(|pair| pair[0] == pair[1]), "{made:?}");
     made.dedup();
-    made.into_iter().map(|k| plan.triggers[k].unwrap()).collect()
+    made.into_iter()
+        .map(|k| plan.triggers[k].unwrap())
+        .collect()
 }
 
 pub(super) fn own(cycle: &str, post: &str, changes: &[(&str, Value)]) -> Value {
     let job = touchpath::job::default_job(cycle).unwrap();
     let job = with(&job, "control.post", Value::Text(post.to_owned()));
     let job = with(&job, "control.form", Value::Text("cycle".to_owned()));
-    changes.iter().fold(job, |job, (path, value)| with(&job, path, value.clone()))
+    changes
+        .iter()
+        .fold(job, |job, (path, value)| with(&job, path, value.clone()))
 }
 
 /// The faces by hand, of the default dimensions, shifted by the part's offset.
@@ -208,9 +247,16 @@ fn the_judge_touches_where_the_plan_does() {
     let walls = |degrees: f64, half: f64, inside: bool| {
         let (s, c) = degrees.to_radians().sin_cos();
         let sign = if inside { -1.0 } else { 1.0 };
-        [[c, s], [-c, -s]].map(|n| Face::Wall([n[0] * sign, n[1] * sign], sign * (n[0] * dx + n[1] * dy + half)))
+        [[c, s], [-c, -s]].map(|n| {
+            Face::Wall(
+                [n[0] * sign, n[1] * sign],
+                sign * (n[0] * dx + n[1] * dy + half),
+            )
+        })
     };
-    let pocket = |turn: f64, inside: bool| [walls(turn, 40.0, inside), walls(turn + 90.0, 25.0, inside)].concat();
+    let pocket = |turn: f64, inside: bool| {
+        [walls(turn, 40.0, inside), walls(turn + 90.0, 25.0, inside)].concat()
+    };
     let corner = |inside: bool| {
         // Outside, the part lies to the right of and above the corner.
         let n = if inside { 1.0 } else { -1.0 };
@@ -232,13 +278,22 @@ fn the_judge_touches_where_the_plan_does() {
         ("surface", vec![], vec![Face::Top(dz)]),
         (
             "surface",
-            vec![("cycle.elevation", number(0.0)), ("cycle.rotation", number(180.0))],
+            vec![
+                ("cycle.elevation", number(0.0)),
+                ("cycle.rotation", number(180.0)),
+            ],
             vec![Face::Wall([-1.0, 0.0], -dx)],
         ),
         (
             "surface",
-            vec![("cycle.elevation", number(0.0)), ("cycle.rotation", number(30.0))],
-            vec![Face::Wall([0.75f64.sqrt(), 0.5], 0.75f64.sqrt() * dx + 0.5 * dy)],
+            vec![
+                ("cycle.elevation", number(0.0)),
+                ("cycle.rotation", number(30.0)),
+            ],
+            vec![Face::Wall(
+                [0.75f64.sqrt(), 0.5],
+                0.75f64.sqrt() * dx + 0.5 * dy,
+            )],
         ),
         ("hole", vec![], hole.to_vec()),
         ("hole", angular.clone(), hole.to_vec()),
@@ -248,48 +303,92 @@ fn the_judge_touches_where_the_plan_does() {
         ("boss", angular, hole.to_vec()),
         ("internal-rectangle", vec![], pocket(0.0, true)),
         ("internal-rectangle", turn(30.0), pocket(30.0, true)),
-        ("internal-rectangle-protected", turn(90.0), pocket(90.0, true)),
-        ("internal-rectangle-protected", turn(-20.0), pocket(-20.0, true)),
+        (
+            "internal-rectangle-protected",
+            turn(90.0),
+            pocket(90.0, true),
+        ),
+        (
+            "internal-rectangle-protected",
+            turn(-20.0),
+            pocket(-20.0, true),
+        ),
         ("external-rectangle", vec![], pocket(0.0, false)),
         ("external-rectangle", turn(120.0), pocket(120.0, false)),
         ("web", vec![], walls(0.0, 15.0, false).to_vec()),
         ("web", turn(45.0), walls(45.0, 15.0, false).to_vec()),
         ("web-three-points", vec![], web_top),
         ("groove", turn(90.0), walls(90.0, 15.0, true).to_vec()),
-        ("groove-protected", turn(10.0), walls(10.0, 15.0, true).to_vec()),
+        (
+            "groove-protected",
+            turn(10.0),
+            walls(10.0, 15.0, true).to_vec(),
+        ),
         ("double-wall-internal-corner", vec![], corner(true)),
-        ("double-wall-internal-corner", vec![("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))], corner(true)),
+        (
+            "double-wall-internal-corner",
+            vec![("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))],
+            corner(true),
+        ),
         ("double-wall-external-corner", vec![], corner(false)),
         ("triple-wall-external-corner", vec![], triple),
         // Two holes of 20, at X−30 and X30.
-        ("probing-two-circles", vec![], [-30.0, 30.0].map(|x| Face::Circle([x + dx, dy], 10.0)).to_vec()),
+        (
+            "probing-two-circles",
+            vec![],
+            [-30.0, 30.0]
+                .map(|x| Face::Circle([x + dx, dy], 10.0))
+                .to_vec(),
+        ),
     ];
     let mut touches = 0;
     for (cycle, mut changes, faces) in cases {
         changes.push(("part.offset", list([dx, dy, dz])));
         let calls_of = |post: &str| {
-            let text =
-                plan(&own(cycle, post, &changes)).unwrap_or_else(|e| panic!("{post} {cycle}: {:?}", e.findings)).program.text;
-            text.lines().filter_map(called).filter(|(number, _)| !matches!(number, 9832 | 9833)).collect::<Vec<_>>()
+            let text = plan(&own(cycle, post, &changes))
+                .unwrap_or_else(|e| panic!("{post} {cycle}: {:?}", e.findings))
+                .program
+                .text;
+            text.lines()
+                .filter_map(called)
+                .filter(|(number, _)| !matches!(number, 9832 | 9833))
+                .collect::<Vec<_>>()
         };
         for post in calling_macros() {
             assert_eq!(calls_of(post), calls_of("fanuc"), "{post}");
         }
-        let plan =
-            plan(&own(cycle, "fanuc", &changes)).unwrap_or_else(|error| panic!("{cycle} {changes:?}: {:?}", error.findings));
+        let plan = plan(&own(cycle, "fanuc", &changes))
+            .unwrap_or_else(|error| panic!("{cycle} {changes:?}: {:?}", error.findings));
         let (wanted, found) = (judged(&plan.program.text, &faces), of_plan(&plan));
-        assert_eq!(wanted.len(), found.len(), "{cycle} {changes:?}\n{}", plan.program.text);
+        assert_eq!(
+            wanted.len(),
+            found.len(),
+            "{cycle} {changes:?}\n{}",
+            plan.program.text
+        );
         for (a, b) in wanted.iter().zip(&found) {
             // Numbers of a program have three decimals.
             let off = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
-            assert!(off < 2e-3, "{cycle} {changes:?}: {a:?} and {b:?}\n{}", plan.program.text);
+            assert!(
+                off < 2e-3,
+                "{cycle} {changes:?}: {a:?} and {b:?}\n{}",
+                plan.program.text
+            );
             touches += 1;
         }
         // What the control will have is the truth of a part that is only shifted.
-        for row in plan.results.iter().filter(|row| row.truth.is_some() && row.value.is_some()) {
+        for row in plan
+            .results
+            .iter()
+            .filter(|row| row.truth.is_some() && row.value.is_some())
+        {
             let off = (row.value.unwrap() - row.truth.unwrap()).abs();
             let second_order = row.code == "diameter" || row.code.starts_with("center");
-            assert!(off < if second_order { 2e-2 } else { 1e-6 }, "{cycle} {}: {off}", row.code);
+            assert!(
+                off < if second_order { 2e-2 } else { 1e-6 },
+                "{cycle} {}: {off}",
+                row.code
+            );
         }
     }
     assert!(touches >= 70, "{touches}");
@@ -300,29 +399,84 @@ fn the_judge_touches_where_the_plan_does() {
 fn what_no_macro_does_is_refused() {
     let refused = |cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
         let error = plan(&own(cycle, "haas", changes)).expect_err("refused");
-        let errors = error.findings.iter().filter(|finding| finding.level == touchpath::form::Level::Error);
-        errors.map(|finding| format!("{} {}", finding.code, finding.path)).collect()
+        let errors = error
+            .findings
+            .iter()
+            .filter(|finding| finding.level == touchpath::form::Level::Error);
+        errors
+            .map(|finding| format!("{} {}", finding.code, finding.path))
+            .collect()
     };
     let text = |word: &str| Value::Text(word.to_owned());
-    assert_eq!(refused("hole", &[("overtravel", number(3.0))]), ["overtravel-too-short overtravel"]);
-    assert_eq!(refused("hole", &[("plane", text("G18"))]), ["plane-unsupported plane"]);
-    assert_eq!(refused("web", &[("cycle.sideClearance", number(3.1))]), ["touch-too-short cycle.sideClearance"]);
-    assert_eq!(refused("surface", &[("cycle.elevation", number(40.0))]), ["cycle-not-parallel cycle.elevation"]);
     assert_eq!(
-        refused("double-wall-internal-corner", &[("cycle.rotation", number(5.0))]),
+        refused("hole", &[("overtravel", number(3.0))]),
+        ["overtravel-too-short overtravel"]
+    );
+    assert_eq!(
+        refused("hole", &[("plane", text("G18"))]),
+        ["plane-unsupported plane"]
+    );
+    assert_eq!(
+        refused("web", &[("cycle.sideClearance", number(3.1))]),
+        ["touch-too-short cycle.sideClearance"]
+    );
+    assert_eq!(
+        refused("surface", &[("cycle.elevation", number(40.0))]),
+        ["cycle-not-parallel cycle.elevation"]
+    );
+    assert_eq!(
+        refused(
+            "double-wall-internal-corner",
+            &[("cycle.rotation", number(5.0))]
+        ),
         ["cycle-not-parallel cycle.rotation"]
     );
-    assert_eq!(refused("double-wall-internal-corner", &[("cycle.angle", number(80.0))]), ["cycle-not-parallel cycle.rotation"]);
-    assert_eq!(refused("double-wall-internal-corner", &[("cycle.count1", number(3.0))]), ["cycle-chooses-points cycle.count1"]);
+    assert_eq!(
+        refused(
+            "double-wall-internal-corner",
+            &[("cycle.angle", number(80.0))]
+        ),
+        ["cycle-not-parallel cycle.rotation"]
+    );
+    assert_eq!(
+        refused(
+            "double-wall-internal-corner",
+            &[("cycle.count1", number(3.0))]
+        ),
+        ["cycle-chooses-points cycle.count1"]
+    );
     // The macro touches along X and Y alone.
-    assert_eq!(refused("hole", &[("cycle.rotation", number(45.0))]), ["cycle-not-parallel cycle.rotation"]);
-    let two = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(180.0)), ("cycle.stepCount", number(4.0))];
-    assert_eq!(refused("boss", &two), ["cycle-chooses-points cycle.stepCount"]);
-    let five = [("cycle.variant", number(1.0)), ("cycle.angularStep", number(72.0)), ("cycle.stepCount", number(5.0))];
-    assert_eq!(refused("hole", &five), ["cycle-chooses-points cycle.stepCount"]);
+    assert_eq!(
+        refused("hole", &[("cycle.rotation", number(45.0))]),
+        ["cycle-not-parallel cycle.rotation"]
+    );
+    let two = [
+        ("cycle.variant", number(1.0)),
+        ("cycle.angularStep", number(180.0)),
+        ("cycle.stepCount", number(4.0)),
+    ];
+    assert_eq!(
+        refused("boss", &two),
+        ["cycle-chooses-points cycle.stepCount"]
+    );
+    let five = [
+        ("cycle.variant", number(1.0)),
+        ("cycle.angularStep", number(72.0)),
+        ("cycle.stepCount", number(5.0)),
+    ];
+    assert_eq!(
+        refused("hole", &five),
+        ["cycle-chooses-points cycle.stepCount"]
+    );
     // Both macros of a turned rectangle write both axes.
-    let turned = [("cycle.rotation", number(30.0)), ("control.workOffset", number(1.0))];
-    assert_eq!(refused("internal-rectangle", &turned), ["offset-measured-again control.workOffset"]);
+    let turned = [
+        ("cycle.rotation", number(30.0)),
+        ("control.workOffset", number(1.0)),
+    ];
+    assert_eq!(
+        refused("internal-rectangle", &turned),
+        ["offset-measured-again control.workOffset"]
+    );
 }
 
 /// The letters by hand: a web along Y of 30 with 6 aside and 5 behind by a ball of 6, into G54.1 P2, with limits; in inch; results of the first of two
@@ -331,7 +485,10 @@ fn what_no_macro_does_is_refused() {
 fn the_letters_of_a_call_are_the_jobs() {
     let calls = |cycle: &str, post: &str, changes: &[(&str, Value)]| -> Vec<String> {
         let text = plan(&own(cycle, post, changes)).unwrap().program.text;
-        text.lines().filter(|line| line.starts_with("G65") || line.starts_with('#')).map(str::to_owned).collect()
+        text.lines()
+            .filter(|line| line.starts_with("G65") || line.starts_with('#'))
+            .map(str::to_owned)
+            .collect()
     };
     let web = [
         ("cycle.rotation", number(90.0)),
@@ -342,18 +499,41 @@ fn the_letters_of_a_call_are_the_jobs() {
     ];
     let fanuc = calls("web", "fanuc", &web);
     assert_eq!(fanuc[4], "G65 P9812 Y30. Q2. Z-13. R3. H0.5 M0.4 S102. W1.");
-    assert_eq!(calls("web", "haas", &web)[4], "G65 P9812 Y30. Q2. Z-13. R3. H0.5 M0.4 S154.02 W1.");
+    assert_eq!(
+        calls("web", "haas", &web)[4],
+        "G65 P9812 Y30. Q2. Z-13. R3. H0.5 M0.4 S154.02 W1."
+    );
     let pocket = calls("internal-rectangle", "haas", &[]);
-    assert_eq!(pocket[4..8], ["G65 P9812 X80. Q2. H0.5", "#101=#185", "#102=#188", "G65 P9812 Y50. Q2. H0.5"]);
-    let inch = plan(&touchpath::job::convert_units(&own("hole", "fanuc", &[]), "inch").unwrap()).unwrap();
+    assert_eq!(
+        pocket[4..8],
+        [
+            "G65 P9812 X80. Q2. H0.5",
+            "#101=#185",
+            "#102=#188",
+            "G65 P9812 Y50. Q2. H0.5"
+        ]
+    );
+    let inch =
+        plan(&touchpath::job::convert_units(&own("hole", "fanuc", &[]), "inch").unwrap()).unwrap();
     assert!(
-        inch.program.text.contains("\nG20\n") && inch.program.text.contains("G65 P9814 D1.5748 Q0.07874 H0.01969\n"),
+        inch.program.text.contains("\nG20\n")
+            && inch
+                .program
+                .text
+                .contains("G65 P9814 D1.5748 Q0.07874 H0.01969\n"),
         "{}",
         inch.program.text
     );
     // The angle of a wall, not of the touch; a corner without a second touch has no angle to be judged.
-    assert_eq!(calls("web", "fanuc", &[("cycle.rotation", number(30.0))])[4], "G65 P9822 A120. D30. Q5. Z-13. R5. H0.5");
-    let single = calls("double-wall-internal-corner", "fanuc", &[("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))]);
+    assert_eq!(
+        calls("web", "fanuc", &[("cycle.rotation", number(30.0))])[4],
+        "G65 P9822 A120. D30. Q5. Z-13. R5. H0.5"
+    );
+    let single = calls(
+        "double-wall-internal-corner",
+        "fanuc",
+        &[("cycle.count1", number(1.0)), ("cycle.count2", number(1.0))],
+    );
     assert_eq!(single[4], "G65 P9815 X0. Y0. Q2.");
 }
 
@@ -361,13 +541,23 @@ fn the_letters_of_a_call_are_the_jobs() {
 #[test]
 fn each_control_has_its_own_words() {
     let text = |post: &str, offset: f64| {
-        plan(&own("internal-rectangle", post, &[("control.workOffset", number(offset))])).unwrap().program.text
+        plan(&own(
+            "internal-rectangle",
+            post,
+            &[("control.workOffset", number(offset))],
+        ))
+        .unwrap()
+        .program
+        .text
     };
     let has = |post: &str, offset: f64, lines: &[&str]| {
         let text = text(post, offset);
         let mut left = text.lines();
         for line in lines {
-            assert!(left.any(|there| there == *line), "{post}: {line} in\n{text}");
+            assert!(
+                left.any(|there| there == *line),
+                "{post}: {line} in\n{text}"
+            );
         }
     };
     has(
@@ -391,12 +581,30 @@ fn each_control_has_its_own_words() {
     has(
         "brother",
         7.0,
-        &["G17 G40 G80 G90 G94", "G54.1 P1", "G65 P8832", "G65 P8812 X80. Q2. H0.5 S101.", "#101=#135", "G65 P8833", "M30"],
+        &[
+            "G17 G40 G80 G90 G94",
+            "G54.1 P1",
+            "G65 P8832",
+            "G65 P8812 X80. Q2. H0.5 S101.",
+            "#101=#135",
+            "G65 P8833",
+            "M30",
+        ],
     );
     has(
         "hurco",
         6.0,
-        &["%", "O1000(POCKET-80X50)", "G21", "G59", "G65 P9812 X80. Q2. H0.5 S6.", "#101=#185", "#102=#188", "M30", "%"],
+        &[
+            "%",
+            "O1000(POCKET-80X50)",
+            "G21",
+            "G59",
+            "G65 P9812 X80. Q2. H0.5 S6.",
+            "#101=#185",
+            "#102=#188",
+            "M30",
+            "%",
+        ],
     );
     has(
         "okuma",
@@ -415,41 +623,97 @@ fn each_control_has_its_own_words() {
     );
     // A Brother has the units of its settings, no tape sign and no number; a Hurco switches the probe by itself.
     let brother = text("brother", 1.0);
-    assert!(!brother.contains("G21") && !brother.contains('%') && !brother.contains("O1000"), "{brother}");
+    assert!(
+        !brother.contains("G21") && !brother.contains('%') && !brother.contains("O1000"),
+        "{brother}"
+    );
     assert!(!text("hurco", 1.0).contains("983"));
     let findings = |post: &str, cycle: &str, changes: &[(&str, Value)]| -> Vec<String> {
         let found = touchpath::job::check(&own(cycle, post, changes));
-        found.iter().map(|finding| finding.code.to_owned()).collect()
+        found
+            .iter()
+            .map(|finding| finding.code.to_owned())
+            .collect()
     };
     let turned = [("cycle.rotation", number(30.0))];
-    for (post, seen) in [("fanuc", true), ("mazak", true), ("hurco", true), ("brother", false), ("okuma", false)] {
-        assert_eq!(findings(post, "groove", &turned).contains(&"macro-not-seen".to_owned()), !seen, "{post}");
-        assert!(!findings(post, "groove", &[]).contains(&"macro-not-seen".to_owned()), "{post}");
-        assert_eq!(findings(post, "hole", &[]).contains(&"units-not-stated".to_owned()), post == "brother");
+    for (post, seen) in [
+        ("fanuc", true),
+        ("mazak", true),
+        ("hurco", true),
+        ("brother", false),
+        ("okuma", false),
+    ] {
+        assert_eq!(
+            findings(post, "groove", &turned).contains(&"macro-not-seen".to_owned()),
+            !seen,
+            "{post}"
+        );
+        assert!(
+            !findings(post, "groove", &[]).contains(&"macro-not-seen".to_owned()),
+            "{post}"
+        );
+        assert_eq!(
+            findings(post, "hole", &[]).contains(&"units-not-stated".to_owned()),
+            post == "brother"
+        );
     }
     assert!(findings("hurco", "probe-on-off", &[]).contains(&"form-unsupported".to_owned()));
-    assert!(findings("mazak", "hole", &[("control.number", number(9814.0))]).contains(&"number-protected".to_owned()));
-    assert!(findings("okuma", "hole", &[("control.orient", number(90.0))]).contains(&"orient-unsupported".to_owned()));
-    assert!(!plan(&own("hole", "okuma", &[("control.orient", number(90.0))])).unwrap().program.text.contains("\nM19"));
+    assert!(
+        findings("mazak", "hole", &[("control.number", number(9814.0))])
+            .contains(&"number-protected".to_owned())
+    );
+    assert!(
+        findings("okuma", "hole", &[("control.orient", number(90.0))])
+            .contains(&"orient-unsupported".to_owned())
+    );
+    assert!(
+        !plan(&own("hole", "okuma", &[("control.orient", number(90.0))]))
+            .unwrap()
+            .program
+            .text
+            .contains("\nM19")
+    );
 }
 
 /// 1411: from feature to feature; what the first circle gave is kept before the second empties it, and S stands where nothing is measured again.
 #[test]
 fn two_circles_are_measured_from_feature_to_feature() {
-    let given = [("control.workOffset", number(3.0)), ("cycle.transferPosition", number(2.0)), ("limits.angle", Value::Null)];
+    let given = [
+        ("control.workOffset", number(3.0)),
+        ("cycle.transferPosition", number(2.0)),
+        ("limits.angle", Value::Null),
+    ];
     let planned = plan(&own("probing-two-circles", "fanuc", &given)).unwrap();
-    let calls: Vec<&str> =
-        planned.program.text.lines().filter(|line| line.starts_with("G65 P98") && !line.contains("P9810")).collect();
+    let calls: Vec<&str> = planned
+        .program
+        .text
+        .lines()
+        .filter(|line| line.starts_with("G65 P98") && !line.contains("P9810"))
+        .collect();
     assert_eq!(
         calls,
-        ["G65 P9832", "G65 P9814 D20. Q5. H0.5", "G65 P9834", "G65 P9814 D20. Q5. H0.5 S3.", "G65 P9834 X60. Y0.", "G65 P9833"]
+        [
+            "G65 P9832",
+            "G65 P9814 D20. Q5. H0.5",
+            "G65 P9834",
+            "G65 P9814 D20. Q5. H0.5 S3.",
+            "G65 P9834 X60. Y0.",
+            "G65 P9833"
+        ]
     );
     // Where nothing is written the angle is asked.
     let measures = plan(&own("probing-two-circles", "fanuc", &[])).unwrap();
-    assert!(measures.program.text.contains("\nG65 P9834 X60. Y0. B1.\n"), "{}", measures.program.text);
+    assert!(
+        measures.program.text.contains("\nG65 P9834 X60. Y0. B1.\n"),
+        "{}",
+        measures.program.text
+    );
     let job = own("probing-two-circles", "fanuc", &given);
-    let stored: Vec<(&str, &str)> =
-        planned.results.iter().filter_map(|row| Some((row.code.as_str(), row.stored.as_deref()?))).collect();
+    let stored: Vec<(&str, &str)> = planned
+        .results
+        .iter()
+        .filter_map(|row| Some((row.code.as_str(), row.stored.as_deref()?)))
+        .collect();
     assert_eq!(
         stored,
         [
@@ -462,20 +726,44 @@ fn two_circles_are_measured_from_feature_to_feature() {
             ("Q967", "#106")
         ]
     );
-    let refused = |transfer: f64| plan(&with(&job, "cycle.transferPosition", number(transfer))).unwrap_err().findings;
+    let refused = |transfer: f64| {
+        plan(&with(&job, "cycle.transferPosition", number(transfer)))
+            .unwrap_err()
+            .findings
+    };
     for transfer in [1.0, 3.0] {
-        assert!(refused(transfer).iter().any(|finding| finding.code == "offset-measured-again"));
+        assert!(
+            refused(transfer)
+                .iter()
+                .any(|finding| finding.code == "offset-measured-again")
+        );
     }
     // DIST and the way to a contact say how far a search goes behind it; the job's overtravel says nothing here.
     for overtravel in [5.0, 60.0] {
-        let late =
-            [("stylus.diameter", number(4.0)), ("cycle.setUpClearance", number(7.0)), ("overtravel", number(overtravel))];
-        let findings = plan(&own("probing-two-circles", "fanuc", &late)).unwrap_err().findings;
-        assert!(findings.iter().any(|f| f.code == "overtravel-too-short" && f.path == "cycle.probe.dist"), "{findings:?}");
+        let late = [
+            ("stylus.diameter", number(4.0)),
+            ("cycle.setUpClearance", number(7.0)),
+            ("overtravel", number(overtravel)),
+        ];
+        let findings = plan(&own("probing-two-circles", "fanuc", &late))
+            .unwrap_err()
+            .findings;
+        assert!(
+            findings
+                .iter()
+                .any(|f| f.code == "overtravel-too-short" && f.path == "cycle.probe.dist"),
+            "{findings:?}"
+        );
     }
     // Probe on and off.
     for (on, line) in [(true, "\nG65 P9832\nM30\n"), (false, "\nG65 P9833\nM30\n")] {
-        let program = plan(&own("probe-on-off", "haas", &[("cycle.on", Value::Flag(on))])).unwrap().program;
+        let program = plan(&own(
+            "probe-on-off",
+            "haas",
+            &[("cycle.on", Value::Flag(on))],
+        ))
+        .unwrap()
+        .program;
         assert!(program.text.contains(line), "{}", program.text);
     }
 }
@@ -484,13 +772,39 @@ fn two_circles_are_measured_from_feature_to_feature() {
 #[test]
 fn results_have_the_controls_own_names() {
     let names = |cycle: &str, post: &str| -> Vec<(String, Option<String>)> {
-        plan(&own(cycle, post, &[])).unwrap().results.into_iter().map(|row| (row.code, row.stored)).collect()
+        plan(&own(cycle, post, &[]))
+            .unwrap()
+            .results
+            .into_iter()
+            .map(|row| (row.code, row.stored))
+            .collect()
     };
     let row = |code: &str, name: &str| (code.to_owned(), Some(name.to_owned()));
-    assert_eq!(names("hole", "fanuc"), [row("center.x", "#135"), row("center.y", "#136"), row("diameter", "#138")]);
-    assert_eq!(names("web-three-points", "haas"), [row("center.x", "#101"), row("width", "#102"), row("height", "#187")]);
+    assert_eq!(
+        names("hole", "fanuc"),
+        [
+            row("center.x", "#135"),
+            row("center.y", "#136"),
+            row("diameter", "#138")
+        ]
+    );
+    assert_eq!(
+        names("web-three-points", "haas"),
+        [
+            row("center.x", "#101"),
+            row("width", "#102"),
+            row("height", "#187")
+        ]
+    );
     let job = touchpath::job::default_job("hole").unwrap();
-    assert!(plan(&job).unwrap().results.iter().all(|row| row.stored.is_none()), "a program of moves says it in its header");
+    assert!(
+        plan(&job)
+            .unwrap()
+            .results
+            .iter()
+            .all(|row| row.stored.is_none()),
+        "a program of moves says it in its header"
+    );
 }
 
 /// Run as text that someone else wrote, the program makes the plan's moves on the plan's part.
@@ -499,7 +813,15 @@ fn the_program_runs_as_its_plan() {
     use touchpath::import::toolpath::{Feature, Known, run_program};
     let mut seen = 0;
     let two = "probing-two-circles";
-    for cycle in ["surface", "hole", "boss", "internal-rectangle-protected", "web", "double-wall-external-corner", two] {
+    for cycle in [
+        "surface",
+        "hole",
+        "boss",
+        "internal-rectangle-protected",
+        "web",
+        "double-wall-external-corner",
+        two,
+    ] {
         let job = own(cycle, "fanuc", &[("part.offset", list([0.3, 0.2, 0.1]))]);
         let plan = plan(&job).unwrap();
         // A run takes heights for those of the ball's centre.
@@ -512,17 +834,40 @@ fn the_program_runs_as_its_plan() {
             false => with(&job, "cycle.origin", list([0.0, 0.0, -BALL])),
         };
         let start = plan.moves[0].to;
-        let known =
-            Known { feature: Feature::of(&lower), start: Some([start[0], start[1], start[2] + 20.0]), ..Known::default() };
+        let known = Known {
+            feature: Feature::of(&lower),
+            start: Some([start[0], start[1], start[2] + 20.0]),
+            ..Known::default()
+        };
         let run = run_program(&plan.program.text, &known);
-        let contacts: Vec<[f64; 3]> = run.contacts.iter().map(|c| [c[1], c[2], c[3] + BALL]).collect();
-        let wanted: Vec<[f64; 3]> = of_plan(&plan).into_iter().flat_map(|place| [place, place]).collect();
-        assert_eq!(contacts.len(), wanted.len(), "{cycle}: {:?}\n{}", run.findings, plan.program.text);
+        let contacts: Vec<[f64; 3]> = run
+            .contacts
+            .iter()
+            .map(|c| [c[1], c[2], c[3] + BALL])
+            .collect();
+        let wanted: Vec<[f64; 3]> = of_plan(&plan)
+            .into_iter()
+            .flat_map(|place| [place, place])
+            .collect();
+        assert_eq!(
+            contacts.len(),
+            wanted.len(),
+            "{cycle}: {:?}\n{}",
+            run.findings,
+            plan.program.text
+        );
         for (a, b) in contacts.iter().zip(&wanted) {
-            assert!((0..3).all(|i| (a[i] - b[i]).abs() < 2e-3), "{cycle}: {a:?} and {b:?}");
+            assert!(
+                (0..3).all(|i| (a[i] - b[i]).abs() < 2e-3),
+                "{cycle}: {a:?} and {b:?}"
+            );
             seen += 1;
         }
-        assert!(run.rules.iter().all(|rule| rule.holds != Some(false)), "{cycle}: {:?}", run.rules);
+        assert!(
+            run.rules.iter().all(|rule| rule.holds != Some(false)),
+            "{cycle}: {:?}",
+            run.rules
+        );
     }
     assert!(seen >= 50, "{seen}");
 }
@@ -530,13 +875,42 @@ fn the_program_runs_as_its_plan() {
 /// A part that lies so far off that a macro would stop: what is not measured is not known, and nothing is claimed after the alarm.
 #[test]
 fn an_alarm_ends_the_macro() {
-    let far = plan(&own("hole", "fanuc", &[("part.offset", list([0.0, 9.0, 0.0]))])).unwrap();
-    assert!(far.triggers.iter().any(Option::is_none) && far.results.iter().all(|row| row.value.is_none()), "{:?}", far.results);
-    let missed: Vec<Vec<String>> = far.findings.iter().filter(|f| f.code == "no-contact").map(values).collect();
-    assert!(missed.len() == 1 && missed[0][0] == "2", "the second touch: {missed:?}");
+    let far = plan(&own(
+        "hole",
+        "fanuc",
+        &[("part.offset", list([0.0, 9.0, 0.0]))],
+    ))
+    .unwrap();
+    assert!(
+        far.triggers.iter().any(Option::is_none)
+            && far.results.iter().all(|row| row.value.is_none()),
+        "{:?}",
+        far.results
+    );
+    let missed: Vec<Vec<String>> = far
+        .findings
+        .iter()
+        .filter(|f| f.code == "no-contact")
+        .map(values)
+        .collect();
+    assert!(
+        missed.len() == 1 && missed[0][0] == "2",
+        "the second touch: {missed:?}"
+    );
     // Beside a boss the way down meets it.
-    let met = plan(&own("boss", "fanuc", &[("part.offset", list([0.0, -8.0, 0.0]))])).unwrap();
-    assert!(met.findings.iter().any(|finding| finding.code == "collision"), "{:?}", met.findings);
+    let met = plan(&own(
+        "boss",
+        "fanuc",
+        &[("part.offset", list([0.0, -8.0, 0.0]))],
+    ))
+    .unwrap();
+    assert!(
+        met.findings
+            .iter()
+            .any(|finding| finding.code == "collision"),
+        "{:?}",
+        met.findings
+    );
     assert!(met.results.iter().all(|row| row.value.is_none()));
 }
 
@@ -551,14 +925,30 @@ fn a_program_of_calls_comes_back_as_its_job() {
                 continue;
             }
             let planned = plan(&own(cycle.key, post, &[])).unwrap();
-            let back = crate::common::import(&planned.program.text).unwrap_or_else(|error| panic!("{}: {error:?}", cycle.key));
+            let back = crate::common::import(&planned.program.text)
+                .unwrap_or_else(|error| panic!("{}: {error:?}", cycle.key));
             let again = plan(&back.job).unwrap().program.text;
             assert_eq!(again, planned.program.text, "{}", cycle.key);
-            assert!(back.findings.iter().all(|finding| finding.code != "program-differs"), "{:?}", back.findings);
-            let changed = planned.program.text.replacen(" Q2.", " Q3.", 1).replacen(" PQ=2.", " PQ=3.", 1);
+            assert!(
+                back.findings
+                    .iter()
+                    .all(|finding| finding.code != "program-differs"),
+                "{:?}",
+                back.findings
+            );
+            let changed = planned
+                .program
+                .text
+                .replacen(" Q2.", " Q3.", 1)
+                .replacen(" PQ=2.", " PQ=3.", 1);
             if changed != planned.program.text {
                 let found = crate::common::import(&changed).unwrap().findings;
-                assert!(found.iter().any(|finding| finding.code == "program-differs"), "{found:?}");
+                assert!(
+                    found
+                        .iter()
+                        .any(|finding| finding.code == "program-differs"),
+                    "{found:?}"
+                );
             }
             read += 1;
         }

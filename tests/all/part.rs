@@ -5,11 +5,16 @@ use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, ResultRow, evaluate};
 
 fn row<'a>(plan: &'a Plan, code: &str) -> &'a ResultRow {
-    plan.results.iter().find(|r| r.code == code).unwrap_or_else(|| panic!("{code}"))
+    plan.results
+        .iter()
+        .find(|r| r.code == code)
+        .unwrap_or_else(|| panic!("{code}"))
 }
 
 fn value(plan: &Plan, code: &str) -> f64 {
-    row(plan, code).value.unwrap_or_else(|| panic!("{code} has a value"))
+    row(plan, code)
+        .value
+        .unwrap_or_else(|| panic!("{code} has a value"))
 }
 
 fn near(a: f64, b: f64) {
@@ -18,13 +23,17 @@ fn near(a: f64, b: f64) {
 
 fn pocket() -> Value {
     // 80 × 50 about the origin, ball 6, touches at the middle of each wall.
-    job(r#"{ "format": 1, "control": { "workOffset": 1 }, "cycle": { "type": "internal-rectangle-protected",
-        "width1": 80, "width2": 50, "depth": 10, "topClearance": 10, "sideClearance1": 8, "sideClearance2": 8 } }"#)
+    job(
+        r#"{ "format": 1, "control": { "workOffset": 1 }, "cycle": { "type": "internal-rectangle-protected",
+        "width1": 80, "width2": 50, "depth": 10, "topClearance": 10, "sideClearance1": 8, "sideClearance2": 8 } }"#,
+    )
 }
 
 fn corner() -> Value {
-    job(r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "clearance1": 15, "clearance2": 15,
-        "count1": 2, "count2": 2, "step1": 20, "step2": 30 } }"#)
+    job(
+        r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "clearance1": 15, "clearance2": 15,
+        "count1": 2, "count2": 2, "step1": 20, "step2": 30 } }"#,
+    )
 }
 
 /// A pocket shifted by (0.5, −0.2): the ball centres stop at ±37 and ±22 shifted with it, the sizes are true.
@@ -70,8 +79,14 @@ fn a_turned_pocket_reads_too_wide_by_the_cosine_error() {
     near(value(&plan, "center.x"), 0.0);
     near(row(&plan, "width1").truth.unwrap(), 80.0);
     near(row(&plan, "rotation").truth.unwrap(), 3.0);
-    let note = row(&plan, "width1").note.as_deref().expect("the cosine error is named");
-    assert!(note.starts_with("+0.10155 mm") && note.contains("cosine error"), "{note}");
+    let note = row(&plan, "width1")
+        .note
+        .as_deref()
+        .expect("the cosine error is named");
+    assert!(
+        note.starts_with("+0.10155 mm") && note.contains("cosine error"),
+        "{note}"
+    );
     // 74 · 0.0013723459 = 0.10155…
 }
 
@@ -94,7 +109,11 @@ fn a_lowered_part_is_met_at_its_edge() {
     let plan = planned(&with(&pocket(), "part.offset", point([0.0, 0.0, -11.8])));
     near(plan.triggers[0].unwrap()[0], 37.6);
     let findings = &planned(&with(&pocket(), "part.offset", point([0.0, 0.0, -14.0]))).findings;
-    assert_eq!(findings.iter().filter(|f| f.code == "no-contact").count(), 4, "the ball passes over the walls");
+    assert_eq!(
+        findings.iter().filter(|f| f.code == "no-contact").count(),
+        4,
+        "the ball passes over the walls"
+    );
 }
 
 /// The ball comes from 8 before the wall; a part that is 5.5 nearer is met by the way down, not by the touch.
@@ -110,7 +129,11 @@ fn a_part_in_the_way_names_the_move() {
         (Level::Warning, "part"),
         "the program is that of the nominal part"
     );
-    assert_eq!(crate::common::values(collisions[0]), ["4", "3", "X 32, Y 0, Z 1.6583"], "in positioning, at no touch");
+    assert_eq!(
+        crate::common::values(collisions[0]),
+        ["4", "3", "X 32, Y 0, Z 1.6583"],
+        "in positioning, at no touch"
+    );
     assert!(findings.iter().all(|f| f.level != Level::Error));
 }
 
@@ -134,12 +157,25 @@ fn a_turned_corner_is_measured_without_error() {
 /// above at height 15: corner.x reads 3/cos 1° − 15·tan 1° − 3.
 #[test]
 fn a_corner_with_single_touches_keeps_its_nominal_directions() {
-    let single = with(&with(&corner(), "cycle.count1", number(1.0)), "cycle.count2", number(1.0));
+    let single = with(
+        &with(&corner(), "cycle.count1", number(1.0)),
+        "cycle.count2",
+        number(1.0),
+    );
     let plan = planned(&with(&single, "part.rotation", number(1.0)));
     let (secant, tangent) = (1.000_152_328_04, 0.017_455_064_93);
     assert!((value(&plan, "corner.x") - (3.0 * secant - 15.0 * tangent - 3.0)).abs() < 1e-9);
-    assert_eq!((row(&plan, "angle").value, row(&plan, "rotation").value), (None, None));
-    assert!(row(&plan, "corner.x").note.as_deref().unwrap().contains("one touch"));
+    assert_eq!(
+        (row(&plan, "angle").value, row(&plan, "rotation").value),
+        (None, None)
+    );
+    assert!(
+        row(&plan, "corner.x")
+            .note
+            .as_deref()
+            .unwrap()
+            .contains("one touch")
+    );
 }
 
 /// A corner of 90.5°: wall 2 turns by −0.5° about the corner, wall 1 stays.
@@ -158,15 +194,33 @@ fn a_wider_corner() {
 #[test]
 fn uncertainties_by_hand() {
     let plan = planned(&with(&pocket(), "stylus.repeatability", number(0.002)));
-    near(row(&plan, "center.x").uncertainty.unwrap(), 0.002 / 2f64.sqrt());
-    near(row(&plan, "width1").uncertainty.unwrap(), 0.002 * 2f64.sqrt());
-    near(row(&plan, "offset.y").uncertainty.unwrap(), 0.002 / 2f64.sqrt());
+    near(
+        row(&plan, "center.x").uncertainty.unwrap(),
+        0.002 / 2f64.sqrt(),
+    );
+    near(
+        row(&plan, "width1").uncertainty.unwrap(),
+        0.002 * 2f64.sqrt(),
+    );
+    near(
+        row(&plan, "offset.y").uncertainty.unwrap(),
+        0.002 / 2f64.sqrt(),
+    );
     let plan = planned(&with(&corner(), "stylus.repeatability", number(0.002)));
     let wall = |apart: f64| 0.002 * 2f64.sqrt() / apart;
-    near(row(&plan, "rotation").uncertainty.unwrap(), wall(20.0).to_degrees());
-    near(row(&plan, "angle").uncertainty.unwrap(), wall(20.0).hypot(wall(30.0)).to_degrees());
+    near(
+        row(&plan, "rotation").uncertainty.unwrap(),
+        wall(20.0).to_degrees(),
+    );
+    near(
+        row(&plan, "angle").uncertainty.unwrap(),
+        wall(20.0).hypot(wall(30.0)).to_degrees(),
+    );
     // Two touches at 15 and 35 from the corner: extrapolated to the corner, x = (35·x1 − 15·x2)/20.
-    near(row(&plan, "corner.x").uncertainty.unwrap(), 0.002 * 35f64.hypot(15.0) / 20.0);
+    near(
+        row(&plan, "corner.x").uncertainty.unwrap(),
+        0.002 * 35f64.hypot(15.0) / 20.0,
+    );
 }
 
 /// Numbers of a normal distribution, the same in every run.
@@ -205,14 +259,22 @@ fn uncertainties_agree_with_draws() {
         (acute.to_owned(), 0x1234_5678_9abc_def1),
         (turned.to_owned(), 0x0fed_cba9_8765_4321),
         (own("hole", "fanuc"), 0x1111_2222_3333_4445),
-        (own("double-wall-external-corner", "okuma"), 0x5555_6666_7777_8889),
+        (
+            own("double-wall-external-corner", "okuma"),
+            0x5555_6666_7777_8889,
+        ),
         (own("boss", "heidenhain"), 0x2468_ace0_1357_9bdf),
-        (own("internal-rectangle", "sinumerik"), 0x3141_5926_5358_9793),
+        (
+            own("internal-rectangle", "sinumerik"),
+            0x3141_5926_5358_9793,
+        ),
     ];
     for (text, seed) in &cases {
         let job = job(text);
         let plan = planned(&job);
-        let touchpath::job::Planned { job: checked, path, .. } = touchpath::job::planned(&job).unwrap();
+        let touchpath::job::Planned {
+            job: checked, path, ..
+        } = touchpath::job::planned(&job).unwrap();
         let mut draws = Draws(*seed);
         // The spread of so many is known to half a percent.
         let count = 20_000;
@@ -222,7 +284,12 @@ fn uncertainties_agree_with_draws() {
                 .triggers
                 .iter()
                 .zip(&path.touches)
-                .map(|(t, touch)| Some(touchpath::geom::Vec3::from_array(t.unwrap()) + touch.vector * (0.004 * draws.normal())))
+                .map(|(t, touch)| {
+                    Some(
+                        touchpath::geom::Vec3::from_array(t.unwrap())
+                            + touch.vector * (0.004 * draws.normal()),
+                    )
+                })
                 .collect();
             let rows = touchpath::part::evaluate(&path, &scattered, checked.scatter());
             for (sum, (row, centre)) in sums.iter_mut().zip(rows.iter().zip(&plan.results)) {
@@ -239,7 +306,11 @@ fn uncertainties_agree_with_draws() {
             };
             let n = f64::from(count);
             let spread = ((squares - sum * sum / n) / (n - 1.0)).sqrt();
-            assert!((spread / stated - 1.0).abs() < 0.02, "{}: drawn {spread}, stated {stated}", row.code);
+            assert!(
+                (spread / stated - 1.0).abs() < 0.02,
+                "{}: drawn {spread}, stated {stated}",
+                row.code
+            );
             compared += 1;
         }
         assert!(compared >= 3, "{text}");
@@ -251,7 +322,8 @@ fn uncertainties_agree_with_draws() {
 fn close_touches_show_their_price() {
     let wide = planned(&corner());
     let close = planned(&with(&corner(), "cycle.step1", number(4.0)));
-    let ratio = row(&close, "rotation").uncertainty.unwrap() / row(&wide, "rotation").uncertainty.unwrap();
+    let ratio =
+        row(&close, "rotation").uncertainty.unwrap() / row(&wide, "rotation").uncertainty.unwrap();
     near(ratio, 5.0);
 }
 
@@ -265,7 +337,9 @@ fn measured_points_in_every_form_give_the_same_results() {
         point([0.0, -21.8, -10.0]),
     ]);
     let csv = Value::Text("X;Y;Z\n37,1;0;-10\n-36,9;0;-10\n0;22,2;-10\n0;-21,8;-10\n".into());
-    let log = ["37.1 0", "-36.9 0", "0 22.2", "0 -21.8"].map(|xy| format!("{xy} -10.000000 0 0 0 0 0 0")).join("\n");
+    let log = ["37.1 0", "-36.9 0", "0 22.2", "0 -21.8"]
+        .map(|xy| format!("{xy} -10.000000 0 0 0 0 0 0"))
+        .join("\n");
     for measured in [list, csv, Value::Text(log)] {
         let rows = evaluate(&pocket(), &measured).unwrap();
         let get = |code: &str| rows.iter().find(|r| r.code == code).unwrap().value.unwrap();
@@ -274,7 +348,10 @@ fn measured_points_in_every_form_give_the_same_results() {
         near(get("width1"), 80.0);
         near(get("width2"), 50.0);
         near(get("offset.x"), 0.1);
-        assert!(rows.iter().all(|r| r.truth.is_none()), "what is true of a real part is not known");
+        assert!(
+            rows.iter().all(|r| r.truth.is_none()),
+            "what is true of a real part is not known"
+        );
     }
 }
 
@@ -282,20 +359,46 @@ fn measured_points_in_every_form_give_the_same_results() {
 fn measured_points_that_cannot_be_of_the_job_are_refused() {
     let codes = |measured: Value| -> Vec<String> {
         let error = evaluate(&pocket(), &measured).unwrap_err();
-        error.findings.iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()
+        error
+            .findings
+            .iter()
+            .filter(|f| f.level == Level::Error)
+            .map(|f| format!("{} {}", f.code, f.path))
+            .collect()
     };
-    assert_eq!(codes(Value::Text("37,0,-10\n-37,0,-10\n".into())), ["wrong-count measured"]);
+    assert_eq!(
+        codes(Value::Text("37,0,-10\n-37,0,-10\n".into())),
+        ["wrong-count measured"]
+    );
     assert_eq!(codes(Value::Text(String::new())), ["wrong-count measured"]);
     assert_eq!(codes(number(1.0))[0], "wrong-type measured");
     // Points 1 and 2 are in the wrong order, point 3 is 6 too far with an overtravel of 5.
     let swapped = Value::Text("-37,0,-10\n37,0,-10\n0,28,-10\n0,-22,-10".into());
-    assert_eq!(codes(swapped), ["too-far measured[0]", "too-far measured[1]", "too-far measured[2]"]);
+    assert_eq!(
+        codes(swapped),
+        [
+            "too-far measured[0]",
+            "too-far measured[1]",
+            "too-far measured[2]"
+        ]
+    );
     // A part that lies nearer triggers on the way: 4 before the contact is still of this touch, 5.1 before it is not.
     let nearer = |x: f64| Value::Text(format!("{x},0,-10\n-37,0,-10\n0,22,-10\n0,-22,-10"));
     assert!(evaluate(&pocket(), &nearer(33.0)).is_ok());
     assert_eq!(codes(nearer(31.9)), ["too-far measured[0]"]);
-    let nan = Value::List(vec![point([f64::NAN, 0.0, 0.0]), Value::Null, point([0.0; 3]), point([1e9, 0.0, 0.0])]);
-    assert_eq!(codes(nan)[..2], ["not-a-number measured[0]", "wrong-type measured[1]"]);
+    let nan = Value::List(vec![
+        point([f64::NAN, 0.0, 0.0]),
+        Value::Null,
+        point([0.0; 3]),
+        point([1e9, 0.0, 0.0]),
+    ]);
+    assert_eq!(
+        codes(nan)[..2],
+        ["not-a-number measured[0]", "wrong-type measured[1]"]
+    );
     let broken = with(&pocket(), "cycle.width1", number(-1.0));
-    assert!(evaluate(&broken, &Value::Text("1,2,3".into())).is_err(), "a broken job is refused first");
+    assert!(
+        evaluate(&broken, &Value::Text("1,2,3".into())).is_err(),
+        "a broken job is refused first"
+    );
 }

@@ -20,7 +20,12 @@ fn hole(post: &str, offset: &str, more: &str) -> Value {
 /// Where the ball centre is at each touch where a chip of 4 mm lies on the first wall: by hand, 17 − 4 and 17 from the centre.
 fn with_a_chip(plan: &Plan) -> Vec<[f64; 3]> {
     let z = plan.triggers[0].unwrap()[2];
-    vec![[13.0, 0.0, z], [-17.0, 0.0, z], [0.0, 17.0, z], [0.0, -17.0, z]]
+    vec![
+        [13.0, 0.0, z],
+        [-17.0, 0.0, z],
+        [0.0, 17.0, z],
+        [0.0, -17.0, z],
+    ]
 }
 
 /// The circle through (13, 0), (−17, 0) and (0, ±17) with the least Σ(x² + y² − 2ax − c)², by hand: the mean of x is −1, Sxx = 454, and with
@@ -39,8 +44,17 @@ fn fanuc(plan: &Plan, contacts: Vec<[f64; 3]>) -> Control {
 }
 
 fn result(plan: &Plan, control: &Control, code: &str) -> f64 {
-    let list = plan.program.text.lines().find_map(|line| line.strip_prefix("(RESULTS: ")).unwrap();
-    let entry = list.trim_end_matches(')').split(", ").find(|entry| entry.ends_with(&format!("= {code}"))).unwrap();
+    let list = plan
+        .program
+        .text
+        .lines()
+        .find_map(|line| line.strip_prefix("(RESULTS: "))
+        .unwrap();
+    let entry = list
+        .trim_end_matches(')')
+        .split(", ")
+        .find(|entry| entry.ends_with(&format!("= {code}")))
+        .unwrap();
     control.variables[&entry.split(' ').next().unwrap()[1..].parse().unwrap()]
 }
 
@@ -50,7 +64,14 @@ fn a_chip_on_the_first_wall_stops_a_fanuc_and_a_haas_before_the_write() {
         let plan = planned(&hole(post, "1", ""));
         let mut control = fanuc(&plan, with_a_chip(&plan));
         control.run(&plan.program.text).unwrap();
-        assert!(control.alarm.as_deref().is_some_and(|alarm| alarm.contains("DIAMETER OFF")), "{post}: {:?}", control.alarm);
+        assert!(
+            control
+                .alarm
+                .as_deref()
+                .is_some_and(|alarm| alarm.contains("DIAMETER OFF")),
+            "{post}: {:?}",
+            control.alarm
+        );
         assert!(control.writes.is_empty(), "{post}");
         // What was measured can still be read.
         assert!((result(&plan, &control, "CENTER.X") - CHIP.0).abs() < 1e-4);
@@ -58,11 +79,19 @@ fn a_chip_on_the_first_wall_stops_a_fanuc_and_a_haas_before_the_write() {
         // The good part is written, and a program that only measures raises no alarm: it shows a message and waits.
         let mut good = fanuc(&plan, plan.triggers.iter().flatten().copied().collect());
         good.run(&plan.program.text).unwrap();
-        assert_eq!((good.alarm.as_deref(), good.writes.len()), (None, 2), "{post}");
+        assert_eq!(
+            (good.alarm.as_deref(), good.writes.len()),
+            (None, 2),
+            "{post}"
+        );
         let measures = planned(&hole(post, "null", ""));
         let mut control = fanuc(&measures, with_a_chip(&measures));
         control.run(&measures.program.text).unwrap();
-        assert_eq!((control.alarm.as_deref(), control.stops), (None, 3), "{post}: diameter, residual, and the end");
+        assert_eq!(
+            (control.alarm.as_deref(), control.stops),
+            (None, 3),
+            "{post}: diameter, residual, and the end"
+        );
     }
 }
 
@@ -76,12 +105,21 @@ fn a_chip_on_the_first_wall_stops_a_sinumerik_before_the_write() {
     };
     let chip = |plan: &Plan| with_a_chip(plan).into_iter().map(Some).collect();
     let stopped = run(&plan, chip(&plan));
-    assert!(stopped.message.starts_with("diameter is 38.169"), "{}", stopped.message);
+    assert!(
+        stopped.message.starts_with("diameter is 38.169"),
+        "{}",
+        stopped.message
+    );
     assert_eq!((stopped.alarm, stopped.writes), (Some(65_000.0), 0));
     assert_eq!(run(&plan, plan.triggers.clone()).writes, 2);
     let measures = planned(&hole("sinumerik", "null", ""));
     let told = run(&measures, chip(&measures));
-    assert_eq!((told.alarm, told.message.starts_with("center.x=-1.85")), (None, true), "{}", told.message);
+    assert_eq!(
+        (told.alarm, told.message.starts_with("center.x=-1.85")),
+        (None, true),
+        "{}",
+        told.message
+    );
 }
 
 #[test]
@@ -89,11 +127,24 @@ fn a_chip_on_the_first_wall_stops_linuxcnc_before_the_write() {
     let plan = planned(&hole("linuxcnc", "1", ""));
     let (ran, error) = interpret_until_stop(&ending_at(&plan, |k| with_a_chip(&plan)[k]));
     let error = error.expect("it stops");
-    assert!(error.contains("diameter is 38.169") && error.contains("more than 0.5 from 40"), "{error}");
+    assert!(
+        error.contains("diameter is 38.169") && error.contains("more than 0.5 from 40"),
+        "{error}"
+    );
     assert_eq!(ran.offsets_after_moves.len(), 0, "nothing is written");
-    let shown = ran.prints.iter().find(|(code, _)| code == "center.x").unwrap().1;
+    let shown = ran
+        .prints
+        .iter()
+        .find(|(code, _)| code == "center.x")
+        .unwrap()
+        .1;
     assert!((shown - CHIP.0).abs() < 1e-4, "the results stay readable");
-    assert!(interpret_until_stop(&on_virtual_part(&plan)).0.written.is_some());
+    assert!(
+        interpret_until_stop(&on_virtual_part(&plan))
+            .0
+            .written
+            .is_some()
+    );
     let measures = planned(&hole("linuxcnc", "null", ""));
     let (_, error) = interpret_until_stop(&ending_at(&measures, |k| with_a_chip(&measures)[k]));
     assert_eq!(error, None, "it only says so");
@@ -103,16 +154,34 @@ fn a_chip_on_the_first_wall_stops_linuxcnc_before_the_write() {
 #[test]
 fn the_plan_says_where_the_program_would_stop() {
     let found = |part: &str, offset: &str, limits: &str| {
-        let job = hole("fanuc", offset, &format!(r#", "part": {part}, "limits": {limits}"#));
+        let job = hole(
+            "fanuc",
+            offset,
+            &format!(r#", "part": {part}, "limits": {limits}"#),
+        );
         let plan = planned(&job);
-        let finding = plan.findings.iter().find(|finding| finding.code == "implausible").map(|finding| finding.message.clone());
-        let row = plan.results.iter().find(|row| row.verdict.as_deref() == Some("implausible")).map(|row| row.code.clone());
+        let finding = plan
+            .findings
+            .iter()
+            .find(|finding| finding.code == "implausible")
+            .map(|finding| finding.message.clone());
+        let row = plan
+            .results
+            .iter()
+            .find(|row| row.verdict.as_deref() == Some("implausible"))
+            .map(|row| row.code.clone());
         assert_eq!(finding.is_some(), row.is_some());
         finding
     };
     let larger = r#"{ "sizes": { "diameter": 0.6 } }"#;
-    assert_eq!(found(r#"{ "sizes": { "diameter": 0.4 } }"#, "1", "{}"), None);
-    assert!(found(larger, "1", "{}").is_some_and(|text| text.contains("stops with an alarm") && text.contains("40.6 mm")));
+    assert_eq!(
+        found(r#"{ "sizes": { "diameter": 0.4 } }"#, "1", "{}"),
+        None
+    );
+    assert!(
+        found(larger, "1", "{}")
+            .is_some_and(|text| text.contains("stops with an alarm") && text.contains("40.6 mm"))
+    );
     assert!(found(larger, "null", "{}").is_some_and(|text| text.contains("reports")));
     assert_eq!(found(larger, "1", r#"{ "size": 0.7 }"#), None);
     assert_eq!(found(larger, "1", r#"{ "size": null }"#), None);
@@ -129,8 +198,17 @@ fn the_residual_is_the_root_mean_square_distance_from_the_circle() {
     let plan = planned(&geometric);
     let z = plan.triggers[0].unwrap()[2];
     let measured = |job: &Value, e: f64| {
-        let points = [[17.0 - e, 0.0, z], [-17.0, 0.0, z], [0.0, 17.0, z], [0.0, -17.0, z]];
-        let rows = evaluate(job, &Value::List(points.iter().map(|p| crate::common::point(*p)).collect())).unwrap();
+        let points = [
+            [17.0 - e, 0.0, z],
+            [-17.0, 0.0, z],
+            [0.0, 17.0, z],
+            [0.0, -17.0, z],
+        ];
+        let rows = evaluate(
+            job,
+            &Value::List(points.iter().map(|p| crate::common::point(*p)).collect()),
+        )
+        .unwrap();
         let row = rows.into_iter().find(|row| row.code == "residual").unwrap();
         (row.value.unwrap(), row.verdict)
     };
@@ -147,8 +225,10 @@ fn the_residual_is_the_root_mean_square_distance_from_the_circle() {
 /// 0.2 beside the middle one.
 #[test]
 fn the_residual_of_a_wall_is_the_root_mean_square_distance_from_its_line() {
-    let job = job(r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "count1": 3, "step1": 20 },
-        "control": { "post": "linuxcnc", "workOffset": 1 } }"#);
+    let job = job(
+        r#"{ "format": 1, "cycle": { "type": "double-wall-internal-corner", "count1": 3, "step1": 20 },
+        "control": { "post": "linuxcnc", "workOffset": 1 } }"#,
+    );
     let plan = planned(&job);
     let points: Vec<Value> = plan
         .triggers
@@ -161,9 +241,15 @@ fn the_residual_of_a_wall_is_the_root_mean_square_distance_from_its_line() {
         .collect();
     let rows = evaluate(&job, &Value::List(points)).unwrap();
     let residual = rows.iter().find(|row| row.code == "residual1").unwrap();
-    assert!((residual.value.unwrap() - (0.06f64 / 3.0).sqrt()).abs() < 1e-4, "{residual:?}");
+    assert!(
+        (residual.value.unwrap() - (0.06f64 / 3.0).sqrt()).abs() < 1e-4,
+        "{residual:?}"
+    );
     assert_eq!(residual.verdict.as_deref(), Some("implausible"));
-    assert!(rows.iter().all(|row| row.code != "residual2"), "two touches lie on a line, whatever they are");
+    assert!(
+        rows.iter().all(|row| row.code != "residual2"),
+        "two touches lie on a line, whatever they are"
+    );
 }
 
 fn text(text: &str) -> Value {
@@ -175,13 +261,31 @@ fn text(text: &str) -> Value {
 fn no_restart_in_the_middle_writes() {
     let mut seen = 0;
     for post in POSTS.iter().filter(|post| post.work_offsets > 0) {
-        for def in CYCLES.iter().filter(|def| (post.serves)(def.probes, Form::Moves).is_ok()) {
-            let job = with(&default_job(def.key).unwrap(), "control.post", text(post.key));
-            let job = with(&with(&job, "control.form", text("moves")), "control.workOffset", number(1.0));
-            let job = if def.key == "probing-two-circles" { with(&job, "cycle.transferPosition", number(1.0)) } else { job };
+        for def in CYCLES
+            .iter()
+            .filter(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+        {
+            let job = with(
+                &default_job(def.key).unwrap(),
+                "control.post",
+                text(post.key),
+            );
+            let job = with(
+                &with(&job, "control.form", text("moves")),
+                "control.workOffset",
+                number(1.0),
+            );
+            let job = if def.key == "probing-two-circles" {
+                with(&job, "cycle.transferPosition", number(1.0))
+            } else {
+                job
+            };
             let plan = planned(&job);
             let rows = examine(&job, &plan.program.text).unwrap().unwrap();
-            let row = rows.iter().find(|row| row.rule == "restart-writes-nothing").unwrap();
+            let row = rows
+                .iter()
+                .find(|row| row.rule == "restart-writes-nothing")
+                .unwrap();
             assert_eq!(row.holds, Some(true), "{} {}: {row:?}", post.key, def.key);
             seen += 1;
         }
@@ -200,28 +304,53 @@ fn a_fanuc_that_is_started_at_any_block_writes_nothing_or_everything() {
             ));
             let plan = planned(&job);
             let moved = |triggers: &[Option<[f64; 3]>]| -> Vec<[f64; 3]> {
-                triggers.iter().flatten().map(|[x, y, z]| [x + 1.5, y + 0.8, *z]).collect()
+                triggers
+                    .iter()
+                    .flatten()
+                    .map(|[x, y, z]| [x + 1.5, y + 0.8, *z])
+                    .collect()
             };
             let text: Vec<&str> = plan.program.text.lines().collect();
-            let first = text.iter().position(|line| line.starts_with("G31")).unwrap();
+            let first = text
+                .iter()
+                .position(|line| line.starts_with("G31"))
+                .unwrap();
             let mut before = fanuc(&plan, plan.triggers.iter().flatten().copied().collect());
             before.run(&plan.program.text).unwrap();
             assert_eq!(before.writes.len(), 2);
             // The very first touches may be made after the restart: then all of them are.
-            let count = text[first..].iter().position(|line| line.ends_with("+1")).unwrap() + first;
+            let count = text[first..]
+                .iter()
+                .position(|line| line.ends_with("+1"))
+                .unwrap()
+                + first;
             for at in count + 1..text.len() {
                 for left in [true, false] {
                     let mut control = fanuc(&plan, moved(&plan.triggers));
                     if left {
                         control.variables = before.variables.clone();
                     } else {
-                        control.variables.extend((100..150).map(|vacant| (vacant, 0.0)));
+                        control
+                            .variables
+                            .extend((100..150).map(|vacant| (vacant, 0.0)));
                     }
-                    let origins: Vec<f64> = [5221, 5222].iter().map(|origin| control.variables[origin]).collect();
+                    let origins: Vec<f64> = [5221, 5222]
+                        .iter()
+                        .map(|origin| control.variables[origin])
+                        .collect();
                     // A motion of the judge's own that has no place is an error of the run, and a stop.
                     let _ = control.run(&(text[at..].join("\n") + "\n"));
-                    let now: Vec<f64> = [5221, 5222].iter().map(|origin| control.variables[origin]).collect();
-                    assert_eq!(now, origins, "{post} {kind}: from line {} ({left}): {:?}", at + 1, control.alarm);
+                    let now: Vec<f64> = [5221, 5222]
+                        .iter()
+                        .map(|origin| control.variables[origin])
+                        .collect();
+                    assert_eq!(
+                        now,
+                        origins,
+                        "{post} {kind}: from line {} ({left}): {:?}",
+                        at + 1,
+                        control.alarm
+                    );
                     alarms += usize::from(control.alarm.is_some());
                     starts += 1;
                 }
@@ -241,16 +370,37 @@ fn circles_of_eight_points_fit_the_variables_of_a_fanuc_and_a_haas() {
                     r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "probePoints": {points}, "transferPosition": 3{more} }},
                     "control": {{ "post": "{post}", "form": "moves", "workOffset": 1 }} }}"#
                 ));
-                let plan = touchpath::job::plan(&job).unwrap_or_else(|e| panic!("{post} {points}: {e}"));
+                let plan =
+                    touchpath::job::plan(&job).unwrap_or_else(|e| panic!("{post} {points}: {e}"));
                 let mut control = fanuc(&plan, plan.triggers.iter().flatten().copied().collect());
                 control.at = [0.0, 0.0, 100.0];
-                control.run(&plan.program.text).unwrap_or_else(|e| panic!("{e}\n{}", plan.program.text));
+                control
+                    .run(&plan.program.text)
+                    .unwrap_or_else(|e| panic!("{e}\n{}", plan.program.text));
                 assert_eq!(control.alarm, None, "{post} {points}");
-                for (code, wanted) in [("Q950", -30.0), ("Q953", 30.0), ("Q966", 20.0), ("Q967", 20.0)] {
-                    let list: String = plan.program.text.lines().filter_map(|l| l.strip_prefix("(RESULTS: ")).collect();
-                    let entry = list.split([',', ')']).find(|entry| entry.ends_with(&format!("= {code}"))).unwrap().trim();
-                    let held = control.variables[&entry.split(' ').next().unwrap()[1..].parse().unwrap()];
-                    assert!((held - wanted).abs() < 1e-4, "{post} {points} {code}: {held}");
+                for (code, wanted) in [
+                    ("Q950", -30.0),
+                    ("Q953", 30.0),
+                    ("Q966", 20.0),
+                    ("Q967", 20.0),
+                ] {
+                    let list: String = plan
+                        .program
+                        .text
+                        .lines()
+                        .filter_map(|l| l.strip_prefix("(RESULTS: "))
+                        .collect();
+                    let entry = list
+                        .split([',', ')'])
+                        .find(|entry| entry.ends_with(&format!("= {code}")))
+                        .unwrap()
+                        .trim();
+                    let held =
+                        control.variables[&entry.split(' ').next().unwrap()[1..].parse().unwrap()];
+                    assert!(
+                        (held - wanted).abs() < 1e-4,
+                        "{post} {points} {code}: {held}"
+                    );
                 }
             }
         }
@@ -263,7 +413,12 @@ fn own_cycle(post: &str, cycle: &str, part: &str, offset: &str) -> Vec<String> {
         r#"{{ "format": 1, "control": {{ "post": "{post}", "form": "cycle", "workOffset": {offset} }}, "cycle": {cycle},
             "limits": {{ "position": 1 }}, "part": {{ {part} }} }}"#
     ));
-    planned(&job).findings.into_iter().filter(|f| f.code == "implausible").map(|f| f.message).collect()
+    planned(&job)
+        .findings
+        .into_iter()
+        .filter(|f| f.code == "implausible")
+        .map(|f| f.message)
+        .collect()
 }
 
 /// H, M and B as Renishaw's macros compare them (read in the edition for Haas): H with the size, M with twice the way of the place from its nominal one, B with both walls.
@@ -305,15 +460,30 @@ fn heidenhains_cycles_stop_as_q309_says() {
     let hole = r#"{ "type": "hole", "diameter": 40 }"#;
     let said = |part: &str, offset: &str| own_cycle("heidenhain", hole, part, offset);
     let larger = r#""sizes": { "diameter": 0.6 }"#;
-    assert_eq!(said(r#""offset": [0.8, 0.8, 0]"#, "null"), Vec::<String>::new());
+    assert_eq!(
+        said(r#""offset": [0.8, 0.8, 0]"#, "null"),
+        Vec::<String>::new()
+    );
     let stops = "On this part the control's own cycle stops with a message: ";
     assert_eq!(
         said(r#""offset": [1.2, 0, 0]"#, "null"),
-        [format!("{stops}Centre, abscissa is 1.2 mm, more than 1 mm from 0 mm")]
+        [format!(
+            "{stops}Centre, abscissa is 1.2 mm, more than 1 mm from 0 mm"
+        )]
     );
-    assert_eq!(said(larger, "null"), [format!("{stops}Diameter is 40.6 mm, more than 0.5 mm from 40 mm")]);
-    let [goes_on] = &said(larger, "1")[..] else { panic!("it writes a bad size") };
-    assert!(goes_on.starts_with("On this part a result is implausible, and the program does not ask"), "{goes_on}");
+    assert_eq!(
+        said(larger, "null"),
+        [format!(
+            "{stops}Diameter is 40.6 mm, more than 0.5 mm from 40 mm"
+        )]
+    );
+    let [goes_on] = &said(larger, "1")[..] else {
+        panic!("it writes a bad size")
+    };
+    assert!(
+        goes_on.starts_with("On this part a result is implausible, and the program does not ask"),
+        "{goes_on}"
+    );
 }
 
 /// What a macro does not ask before it writes is said; 1411 would ask its angle behind the write.
@@ -324,16 +494,28 @@ fn what_a_macro_does_not_ask_before_it_writes_is_said() {
             r#"{{ "format": 1, "control": {{ "post": "haas", "form": "cycle", "workOffset": 1 }}, "cycle": {cycle}{rest} }}"#
         );
         let found = check(&job(&text));
-        found.into_iter().filter(|f| f.code == "limits-not-asked").map(|f| format!("{:?} {}", f.level, f.path)).collect()
+        found
+            .into_iter()
+            .filter(|f| f.code == "limits-not-asked")
+            .map(|f| format!("{:?} {}", f.level, f.path))
+            .collect()
     };
     assert_eq!(unasked(r#"{ "type": "hole" }"#, ""), [""; 0]);
-    assert_eq!(unasked(r#"{ "type": "double-wall-internal-corner" }"#, ""), ["Warning limits.angle"]);
+    assert_eq!(
+        unasked(r#"{ "type": "double-wall-internal-corner" }"#, ""),
+        ["Warning limits.angle"]
+    );
     // Of a set-up the last cycle writes.
     let set_up = |cycles: &str| -> Vec<String> {
         let text = format!(
             r#"{{ "format": 2, "control": {{ "post": "haas", "form": "cycle", "workOffset": 1 }}, "cycles": [{cycles}] }}"#
         );
-        planned(&job(&text)).findings.into_iter().filter(|f| f.code == "limits-not-asked").map(|f| f.path).collect()
+        planned(&job(&text))
+            .findings
+            .into_iter()
+            .filter(|f| f.code == "limits-not-asked")
+            .map(|f| f.path)
+            .collect()
     };
     let [hole, groove, corner] = [
         r#"{ "type": "hole" }"#,
@@ -345,5 +527,8 @@ fn what_a_macro_does_not_ask_before_it_writes_is_said() {
     assert_eq!(set_up(&format!("{hole}, {corner}")), ["limits.angle"]);
     let circles = r#"{ "type": "probing-two-circles", "transferPosition": 2 }"#;
     assert_eq!(unasked(circles, ""), ["Error limits.angle"]);
-    assert_eq!(unasked(circles, r#", "limits": { "angle": null }"#), [""; 0]);
+    assert_eq!(
+        unasked(circles, r#", "limits": { "angle": null }"#),
+        [""; 0]
+    );
 }

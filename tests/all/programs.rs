@@ -39,7 +39,10 @@ fn split(text: &str) -> (Vec<&str>, &str) {
     let mut rest = text;
     let mut header = Vec::new();
     while let Some(line) = rest.lines().next().filter(|line| line.starts_with(';')) {
-        rest = rest[line.len()..].trim_start_matches('\r').strip_prefix('\n').unwrap_or("");
+        rest = rest[line.len()..]
+            .trim_start_matches('\r')
+            .strip_prefix('\n')
+            .unwrap_or("");
         if line.trim() == "; program:" {
             break;
         }
@@ -59,7 +62,9 @@ fn directives(header: &[&str]) -> Vec<(String, String)> {
         }
         if text.starts_with("   ") {
             if !prose {
-                let (_, value) = found.last_mut().unwrap_or_else(|| panic!("{line:?} continues nothing"));
+                let (_, value) = found
+                    .last_mut()
+                    .unwrap_or_else(|| panic!("{line:?} continues nothing"));
                 value.push(' ');
                 value.push_str(text.trim());
             }
@@ -68,9 +73,9 @@ fn directives(header: &[&str]) -> Vec<(String, String)> {
         let text = text.trim();
         prose = !text.starts_with(|c: char| c.is_ascii_lowercase());
         if !prose {
-            let (key, value) = text
-                .split_once(':')
-                .unwrap_or_else(|| panic!("{line:?} has no colon: a sentence begins with a capital letter"));
+            let (key, value) = text.split_once(':').unwrap_or_else(|| {
+                panic!("{line:?} has no colon: a sentence begins with a capital letter")
+            });
             found.push((key.trim().to_owned(), value.trim().to_owned()));
         }
     }
@@ -80,9 +85,17 @@ fn directives(header: &[&str]) -> Vec<(String, String)> {
 fn place(text: &str) -> [f64; 3] {
     let numbers: Vec<f64> = text
         .split_whitespace()
-        .map(|word| if word == "?" { f64::NAN } else { word.parse().unwrap_or_else(|_| panic!("{text}")) })
+        .map(|word| {
+            if word == "?" {
+                f64::NAN
+            } else {
+                word.parse().unwrap_or_else(|_| panic!("{text}"))
+            }
+        })
         .collect();
-    numbers.try_into().unwrap_or_else(|_| panic!("{text:?} is not three numbers"))
+    numbers
+        .try_into()
+        .unwrap_or_else(|_| panic!("{text:?} is not three numbers"))
 }
 
 /// `touch 0.5 positioning never`: where probing moves trigger.
@@ -124,7 +137,10 @@ fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
             _ => None,
         };
         if let Some(door) = door {
-            let mut case = Case { door, ..all.clone() };
+            let mut case = Case {
+                door,
+                ..all.clone()
+            };
             trips(&mut case, &value);
             cases.push(case);
             continue;
@@ -133,20 +149,32 @@ fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
         let case = cases.last_mut().unwrap_or(&mut all);
         match key.as_str() {
             "dialect" => {
-                case.dialect =
-                    Some(DIALECTS.into_iter().find(|one| *one == value).unwrap_or_else(|| panic!("no dialect {value}")));
+                case.dialect = Some(
+                    DIALECTS
+                        .into_iter()
+                        .find(|one| *one == value)
+                        .unwrap_or_else(|| panic!("no dialect {value}")),
+                );
             }
             "start" => case.start = Some(place(&value)),
             "set" => {
                 for pair in value.split_whitespace() {
                     let (name, x) = pair.split_once('=').unwrap_or_else(|| panic!("{pair}"));
-                    case.set.push((name.to_owned(), x.parse().unwrap_or_else(|_| panic!("{pair}"))));
+                    case.set.push((
+                        name.to_owned(),
+                        x.parse().unwrap_or_else(|_| panic!("{pair}")),
+                    ));
                 }
             }
-            "part" => case.part = Some(touchpath::job::from_json(&value).unwrap_or_else(|why| panic!("{value}: {why:?}"))),
+            "part" => {
+                case.part = Some(
+                    touchpath::job::from_json(&value)
+                        .unwrap_or_else(|why| panic!("{value}: {why:?}")),
+                )
+            }
             "file" => {
-                let text =
-                    std::fs::read_to_string(folder.join("called").join(&value)).unwrap_or_else(|why| panic!("{value}: {why}"));
+                let text = std::fs::read_to_string(folder.join("called").join(&value))
+                    .unwrap_or_else(|why| panic!("{value}: {why}"));
                 case.files.push((value, text));
             }
             _ => {
@@ -160,7 +188,11 @@ fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
 
 /// A coordinate as the files write it: to a ten-thousandth, `?` where it is not known.
 fn coordinate(x: f64) -> String {
-    if x.is_nan() { "?".to_owned() } else { format!("{}", (x * 1e4).round() / 1e4 + 0.0) }
+    if x.is_nan() {
+        "?".to_owned()
+    } else {
+        format!("{}", (x * 1e4).round() / 1e4 + 0.0)
+    }
 }
 
 fn coordinates(p: impl IntoIterator<Item = f64>) -> String {
@@ -169,7 +201,11 @@ fn coordinates(p: impl IntoIterator<Item = f64>) -> String {
 
 fn list(rows: impl IntoIterator<Item = String>, between: &str) -> String {
     let rows: Vec<String> = rows.into_iter().collect();
-    if rows.is_empty() { "none".to_owned() } else { rows.join(between) }
+    if rows.is_empty() {
+        "none".to_owned()
+    } else {
+        rows.join(between)
+    }
 }
 
 /// `name:line` of a 0-based line, `line` alone in the program itself.
@@ -181,7 +217,11 @@ fn line_of(case: &Case, file: u32, line: u32) -> String {
 }
 
 fn place_in(path: &Toolpath, case: &Case, index: usize) -> String {
-    line_of(case, path.file.get(index).copied().unwrap_or(0), path.line[index])
+    line_of(
+        case,
+        path.file.get(index).copied().unwrap_or(0),
+        path.line[index],
+    )
 }
 
 fn numbered(lines: &[u32]) -> String {
@@ -190,16 +230,34 @@ fn numbered(lines: &[u32]) -> String {
 
 /// What is said of an argument of the first call that has it: its value and its meaning.
 fn argument(path: &Toolpath, name: &str) -> String {
-    let found = path.calls.iter().flat_map(|call| &call.arguments).find(|argument| argument.name == name);
+    let found = path
+        .calls
+        .iter()
+        .flat_map(|call| &call.arguments)
+        .find(|argument| argument.name == name);
     found.map_or("none".to_owned(), |argument| {
-        format!("{} {}", coordinate(argument.value.unwrap_or(f64::NAN)), argument.meaning.unwrap_or("not known"))
+        format!(
+            "{} {}",
+            coordinate(argument.value.unwrap_or(f64::NAN)),
+            argument.meaning.unwrap_or("not known")
+        )
     })
 }
 
 /// `all hold`, or the rules that do not, or of which that is not known.
 fn rules(path: &Toolpath) -> String {
     let states = path.rules.iter().filter(|rule| rule.holds != Some(true));
-    let rows = states.map(|rule| format!("{}: {}", rule.rule, if rule.holds.is_some() { "broken" } else { "not known" }));
+    let rows = states.map(|rule| {
+        format!(
+            "{}: {}",
+            rule.rule,
+            if rule.holds.is_some() {
+                "broken"
+            } else {
+                "not known"
+            }
+        )
+    });
     match list(rows, " | ") {
         rows if rows == "none" && !path.rules.is_empty() => "all hold".to_owned(),
         rows => rows,
@@ -209,14 +267,24 @@ fn rules(path: &Toolpath) -> String {
 /// A move; its feed where it is asked for.
 fn moved(path: &Toolpath, index: usize, feed: bool) -> String {
     let kind = KINDS[usize::from(path.kind[index])];
-    let feed = if feed { format!(" F{}", coordinate(path.feed[index])) } else { String::new() };
+    let feed = if feed {
+        format!(" F{}", coordinate(path.feed[index]))
+    } else {
+        String::new()
+    };
     format!("{kind} {}{feed}", coordinates(path.end(index).to_array()))
 }
 
 /// What a program came to, in the notation of a key. Panics on a key that is not known.
 fn found(path: &Toolpath, case: &Case, text: &str, key: &str, wanted: &str) -> String {
     let feed = wanted.contains(" F");
-    let row = |index: usize| format!("{} {}", place_in(path, case, index), moved(path, index, feed));
+    let row = |index: usize| {
+        format!(
+            "{} {}",
+            place_in(path, case, index),
+            moved(path, index, feed)
+        )
+    };
     let indices = 0..path.len();
     match key {
         "moves" => list(indices.map(row), " | "),
@@ -224,51 +292,91 @@ fn found(path: &Toolpath, case: &Case, text: &str, key: &str, wanted: &str) -> S
         "first" => list((!path.is_empty()).then(|| row(0)), ""),
         "count" => path.len().to_string(),
         "lines" => list(indices.map(|index| place_in(path, case, index)), " "),
-        "kinds" => list(indices.map(|index| KINDS[usize::from(path.kind[index])].to_owned()), " "),
-        "probes" => indices.filter(|index| KINDS[usize::from(path.kind[*index])] == "probe").count().to_string(),
-        "findings" => list(path.findings.iter().map(|finding| finding.code.clone()), " "),
+        "kinds" => list(
+            indices.map(|index| KINDS[usize::from(path.kind[index])].to_owned()),
+            " ",
+        ),
+        "probes" => indices
+            .filter(|index| KINDS[usize::from(path.kind[*index])] == "probe")
+            .count()
+            .to_string(),
+        "findings" => list(
+            path.findings.iter().map(|finding| finding.code.clone()),
+            " ",
+        ),
         "asks" => list(path.asks.iter().map(|ask| ask.name.clone()), " "),
-        "contacts" => list(path.contacts.iter().map(|[_, place @ ..]| coordinates(*place)), " | "),
-        "resumes" => {
-            let rows = path
-                .resumes
+        "contacts" => list(
+            path.contacts
                 .iter()
-                .map(|[index, place @ ..]| format!("{} {}", path.line[*index as usize] + 1, coordinates(*place)));
+                .map(|[_, place @ ..]| coordinates(*place)),
+            " | ",
+        ),
+        "resumes" => {
+            let rows = path.resumes.iter().map(|[index, place @ ..]| {
+                format!("{} {}", path.line[*index as usize] + 1, coordinates(*place))
+            });
             list(rows, " | ")
         }
         "arcs" => {
             let rows = path.arcs.iter().map(|[index, x, y, z, sweep, plane]| {
-                format!("{} {} turn {} G{plane}", path.line[*index as usize] + 1, coordinates([*x, *y, *z]), coordinate(*sweep))
+                format!(
+                    "{} {} turn {} G{plane}",
+                    path.line[*index as usize] + 1,
+                    coordinates([*x, *y, *z]),
+                    coordinate(*sweep)
+                )
             });
             list(rows, " | ")
         }
         "calls" => {
             let rows = path.calls.iter().map(|call| {
-                let contradictions: String = call.contradictions.iter().map(|text| format!("; {text}")).collect();
+                let contradictions: String = call
+                    .contradictions
+                    .iter()
+                    .map(|text| format!("; {text}"))
+                    .collect();
                 let line = line_of(case, call.file, call.line);
-                format!("{line} {}: {}{contradictions}", call.name, call.title.unwrap_or("not known"))
+                format!(
+                    "{line} {}: {}{contradictions}",
+                    call.name,
+                    call.title.unwrap_or("not known")
+                )
             });
             list(rows, " | ")
         }
         "broken" => {
             let broken = path.rules.iter().filter(|rule| rule.holds == Some(false));
-            list(broken.map(|rule| format!("{}@{}", rule.rule, numbered(&rule.lines).replace(' ', ","))), " ")
+            list(
+                broken.map(|rule| {
+                    format!("{}@{}", rule.rule, numbered(&rule.lines).replace(' ', ","))
+                }),
+                " ",
+            )
         }
         "rules" => rules(path),
         "plane" => path.plane.word().to_owned(),
         "is" => {
-            let units = path.metric.map_or("no units", |metric| if metric { "mm" } else { "inch" });
+            let units = path
+                .metric
+                .map_or("no units", |metric| if metric { "mm" } else { "inch" });
             format!("{} {units}", path.dialect)
         }
         "judge" => judged(path, text),
         _ => match key.split_once(' ') {
             Some(("line", line)) => {
                 let line: u32 = line.parse().unwrap_or_else(|_| panic!("{key}"));
-                list(indices.filter(|index| path.line[*index] + 1 == line).map(|index| moved(path, index, feed)), " | ")
+                list(
+                    indices
+                        .filter(|index| path.line[*index] + 1 == line)
+                        .map(|index| moved(path, index, feed)),
+                    " | ",
+                )
             }
-            Some(("ask", name)) => {
-                path.asks.iter().find(|ask| ask.name == name).map_or("none".to_owned(), |ask| numbered(&ask.lines))
-            }
+            Some(("ask", name)) => path
+                .asks
+                .iter()
+                .find(|ask| ask.name == name)
+                .map_or("none".to_owned(), |ask| numbered(&ask.lines)),
             Some(("argument", name)) => argument(path, name),
             _ => panic!("{key}: is not known"),
         },
@@ -287,10 +395,21 @@ fn judged(path: &Toolpath, text: &str) -> String {
     for (index, other) in ran.moves.iter().enumerate() {
         let own = path.end(index).to_array();
         // An axis that no block has named is at 0 there, and not known here.
-        let near = |axis: usize| (own[axis] - other.to[axis]).abs() < 1e-3 || own[axis].is_nan() && other.to[axis] == 0.0;
-        let kind = if other.kind == "arc" { "feed" } else { other.kind };
+        let near = |axis: usize| {
+            (own[axis] - other.to[axis]).abs() < 1e-3 || own[axis].is_nan() && other.to[axis] == 0.0
+        };
+        let kind = if other.kind == "arc" {
+            "feed"
+        } else {
+            other.kind
+        };
         if !(0..3).all(near) || kind != KINDS[usize::from(path.kind[index])] {
-            return format!("move {index} is {}, linuxcnc {} {:?}", moved(path, index, false), other.kind, other.to);
+            return format!(
+                "move {index} is {}, linuxcnc {} {:?}",
+                moved(path, index, false),
+                other.kind,
+                other.to
+            );
         }
     }
     "linuxcnc".to_owned()
@@ -302,9 +421,14 @@ type Said = (String, String, Vec<u32>);
 /// Whether some finding is as `code "text" in line N` says; `wanted` may leave out text and line.
 fn has_finding(findings: &[Said], wanted: &str) -> bool {
     let (code, rest) = wanted.split_once(' ').unwrap_or((wanted, ""));
-    let part = rest.split_once('"').and_then(|(_, rest)| rest.rsplit_once('"')).map_or("", |(part, _)| part);
-    let line =
-        rest.rsplit_once("in line ").filter(|_| !rest.ends_with('"')).map(|(_, line)| line.parse::<u32>().expect("a line"));
+    let part = rest
+        .split_once('"')
+        .and_then(|(_, rest)| rest.rsplit_once('"'))
+        .map_or("", |(part, _)| part);
+    let line = rest
+        .rsplit_once("in line ")
+        .filter(|_| !rest.ends_with('"'))
+        .map(|(_, line)| line.parse::<u32>().expect("a line"));
     findings.iter().any(|(own, message, lines)| {
         own == code && message.contains(part) && line.is_none_or(|line| lines.contains(&(line - 1)))
     })
@@ -318,10 +442,20 @@ fn imported(text: &str) -> (Option<Vec<String>>, Vec<Said>) {
     };
     let row = |one: &touchpath::import::TraceMove| {
         let kind = format!("{:?}", one.kind).to_lowercase();
-        format!("{} {kind} {}", one.line + 1, coordinates(one.to.map(|x| x.unwrap_or(f64::NAN))))
+        format!(
+            "{} {kind} {}",
+            one.line + 1,
+            coordinates(one.to.map(|x| x.unwrap_or(f64::NAN)))
+        )
     };
     let moves = trace.map(|trace| trace.moves.iter().map(row).collect());
-    (moves, findings.into_iter().map(|finding| (finding.code, finding.message, Vec::new())).collect())
+    (
+        moves,
+        findings
+            .into_iter()
+            .map(|finding| (finding.code, finding.message, Vec::new()))
+            .collect(),
+    )
 }
 
 /// The path of the lenient reader.
@@ -333,17 +467,30 @@ fn followed(case: &Case, text: &str) -> (Toolpath, Vec<Said>) {
             text,
             &Known {
                 dialect: case.dialect,
-                set: case.set.iter().map(|(name, x)| (name.as_str(), *x)).collect(),
+                set: case
+                    .set
+                    .iter()
+                    .map(|(name, x)| (name.as_str(), *x))
+                    .collect(),
                 start: case.start,
                 touch: case.touch,
                 positioning: case.positioning,
-                feature: case.part.as_ref().map(|job| Feature::of(job).expect("a part without errors")),
-                files: case.files.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect(),
+                feature: case
+                    .part
+                    .as_ref()
+                    .map(|job| Feature::of(job).expect("a part without errors")),
+                files: case
+                    .files
+                    .iter()
+                    .map(|(name, text)| (name.as_str(), text.as_str()))
+                    .collect(),
             },
         )
     };
     let findings = path.findings.iter().zip(&path.finding_lines);
-    let findings = findings.map(|(one, lines)| (one.code.clone(), one.message.clone(), lines.clone())).collect();
+    let findings = findings
+        .map(|(one, lines)| (one.code.clone(), one.message.clone(), lines.clone()))
+        .collect();
     (path, findings)
 }
 
@@ -360,16 +507,31 @@ fn wrong(case: &Case, text: &str) -> Vec<String> {
     let own = |key: &str, wanted: &str| match key {
         "finding" | "no finding" => {
             let there = has_finding(&findings, wanted);
-            if there == (key == "finding") { wanted.to_owned() } else { format!("{there} of {findings:?}") }
+            if there == (key == "finding") {
+                wanted.to_owned()
+            } else {
+                format!("{there} of {findings:?}")
+            }
         }
         "findings" => list(findings.iter().map(|(code, ..)| code.clone()), " "),
-        "moves" if import => moves.clone().map_or("refused".to_owned(), |moves| list(moves, " | ")),
+        "moves" if import => moves
+            .clone()
+            .map_or("refused".to_owned(), |moves| list(moves, " | ")),
         _ if import => panic!("{key}: is not known of an import"),
         _ => found(&path, case, text, key, wanted),
     };
-    let rows = case.wanted.iter().map(|(key, wanted)| (key, wanted, own(key, wanted)));
+    let rows = case
+        .wanted
+        .iter()
+        .map(|(key, wanted)| (key, wanted, own(key, wanted)));
     rows.filter(|(_, wanted, own)| *wanted != own)
-        .map(|(key, wanted, own)| format!("  {key}: {own}\n  {0:>1$}: {wanted}\n  {findings:?}", "not", key.len()))
+        .map(|(key, wanted, own)| {
+            format!(
+                "  {key}: {own}\n  {0:>1$}: {wanted}\n  {findings:?}",
+                "not",
+                key.len()
+            )
+        })
         .collect()
 }
 
@@ -377,7 +539,10 @@ fn wrong(case: &Case, text: &str) -> Vec<String> {
 fn programs() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
     let entries = std::fs::read_dir(folder).expect("tests/programs");
-    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()).collect();
+    let mut paths: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.is_file())
+        .collect();
     paths.sort();
     paths
 }
@@ -387,20 +552,38 @@ fn each_program_comes_to_what_its_file_says() {
     let mut failures = Vec::new();
     let (mut programs_read, mut asked) = (0, 0);
     for path in programs() {
-        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        let name = path
+            .file_name()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
         let whole = std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{name}: {why}"));
         let (header, text) = split(&whole);
         let cases = cases(&header, path.parent().expect("a folder"));
-        assert!(!cases.is_empty(), "{name}: nothing is read, run or imported");
+        assert!(
+            !cases.is_empty(),
+            "{name}: nothing is read, run or imported"
+        );
         for (index, case) in cases.iter().enumerate() {
-            assert!(!case.wanted.is_empty(), "{name}: nothing is expected of case {}", index + 1);
-            failures.extend(wrong(case, text).into_iter().map(|why| format!("{name}, case {}\n{why}", index + 1)));
+            assert!(
+                !case.wanted.is_empty(),
+                "{name}: nothing is expected of case {}",
+                index + 1
+            );
+            failures.extend(
+                wrong(case, text)
+                    .into_iter()
+                    .map(|why| format!("{name}, case {}\n{why}", index + 1)),
+            );
             asked += case.wanted.len();
         }
         programs_read += 1;
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
-    assert!(programs_read > 155 && asked > 310, "{asked} of {programs_read} programs");
+    assert!(
+        programs_read > 155 && asked > 310,
+        "{asked} of {programs_read} programs"
+    );
 }
 
 /// A runner that finds nothing wrong would prove nothing: each kind of expectation fails where it is not so.
@@ -409,16 +592,25 @@ fn a_wrong_expectation_is_found() {
     let text = "G21 G90\nG0 X1 Y2 Z3\nG38.2 Z-5 F50\nWHAT\nM2\n";
     let case = |wanted: &str| {
         let header = format!("; read:\n; {wanted}\n");
-        wrong(&cases(&split(&format!("{header}{text}")).0, Path::new("."))[0], text)
+        wrong(
+            &cases(&split(&format!("{header}{text}")).0, Path::new("."))[0],
+            text,
+        )
     };
     for (right, not) in [
-        ("moves: 2 rapid 1 2 3 | 3 probe 1 2 -5", "moves: 2 rapid 1 2 3"),
+        (
+            "moves: 2 rapid 1 2 3 | 3 probe 1 2 -5",
+            "moves: 2 rapid 1 2 3",
+        ),
         ("line 3: probe 1 2 -5 F50", "line 3: probe 1 2 -5 F51"),
         ("last: 3 probe 1 2 -5", "last: 3 probe 1 2 ?"),
         ("count: 2", "count: 3"),
         ("kinds: rapid probe", "kinds: rapid feed"),
         ("findings: lines-skipped", "findings: none"),
-        ("finding: lines-skipped \"not understood\" in line 4", "finding: lines-skipped in line 3"),
+        (
+            "finding: lines-skipped \"not understood\" in line 4",
+            "finding: lines-skipped in line 3",
+        ),
         ("no finding: start-unknown", "no finding: lines-skipped"),
         ("is: iso mm", "is: iso inch"),
         ("asks: none", "asks: #1"),
@@ -427,6 +619,11 @@ fn a_wrong_expectation_is_found() {
         ("ask #1: none", "ask #1: 3"),
         ("argument D: none", "argument D: 5 diameter"),
     ] {
-        assert_eq!((case(right).len(), case(not).len()), (0, 1), "{right} / {not}: {:?}", case(right));
+        assert_eq!(
+            (case(right).len(), case(not).len()),
+            (0, 1),
+            "{right} / {not}: {:?}",
+            case(right)
+        );
     }
 }

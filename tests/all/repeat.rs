@@ -3,7 +3,9 @@
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{ending_at, import, interpret, interpret_until_stop, job, number, planned, with};
+use crate::common::{
+    ending_at, import, interpret, interpret_until_stop, job, number, planned, with,
+};
 use crate::tests::controls::computing;
 use touchpath::describe::catalog;
 use touchpath::form::{Level, Value};
@@ -18,7 +20,14 @@ fn repeated(cycle: &str, post: &str, times: f64, more: &str) -> Value {
         r#"{{ "format": 1, "name": "REPEAT", "control": {{ "post": "{post}", "form": "moves", "workOffset": 1, "report": "screen" }},
              "limits": {{ "position": 1 }}, "cycle": {cycle} {more} }}"#
     );
-    with(&job(&one), "cycle.repeat", Value::Map(vec![("times".into(), number(times)), ("spread".into(), number(0.02))]))
+    with(
+        &job(&one),
+        "cycle.repeat",
+        Value::Map(vec![
+            ("times".into(), number(times)),
+            ("spread".into(), number(0.02)),
+        ]),
+    )
 }
 
 /// How far touch k of a machine that repeats badly is off: a few micrometres, each another.
@@ -36,7 +45,12 @@ fn scattered(plan: &Plan) -> Vec<[f64; 3]> {
 }
 
 fn points_of(points: &[[f64; 3]]) -> Value {
-    Value::List(points.iter().map(|point| Value::List(point.map(Value::Number).to_vec())).collect())
+    Value::List(
+        points
+            .iter()
+            .map(|point| Value::List(point.map(Value::Number).to_vec()))
+            .collect(),
+    )
 }
 
 const CYCLES: [&str; 7] = [
@@ -55,15 +69,27 @@ const CYCLES: [&str; 7] = [
 fn means_count_and_the_spread_is_told() {
     for cycle in CYCLES {
         for times in [2usize, 3] {
-            let own = repeated(cycle, "linuxcnc", times as f64, r#", "part": { "offset": [0.2, 0.1, 0] }"#);
+            let own = repeated(
+                cycle,
+                "linuxcnc",
+                times as f64,
+                r#", "part": { "offset": [0.2, 0.1, 0] }"#,
+            );
             let plan = planned(&own);
             let once = with(&own, "cycle.repeat", Value::Null);
-            assert_eq!(plan.touches.len(), times * planned(&once).touches.len(), "{cycle}");
+            assert_eq!(
+                plan.touches.len(),
+                times * planned(&once).touches.len(),
+                "{cycle}"
+            );
             let triggers = scattered(&plan);
-            let ran = interpret(&ending_at(&plan, |k| triggers[k])).unwrap_or_else(|why| panic!("{cycle}: {why}"));
+            let ran = interpret(&ending_at(&plan, |k| triggers[k]))
+                .unwrap_or_else(|why| panic!("{cycle}: {why}"));
             let means: Vec<[f64; 3]> = triggers
                 .chunks(times)
-                .map(|same| [0, 1, 2].map(|axis| same.iter().map(|p| p[axis]).sum::<f64>() / times as f64))
+                .map(|same| {
+                    [0, 1, 2].map(|axis| same.iter().map(|p| p[axis]).sum::<f64>() / times as f64)
+                })
                 .collect();
             // LinuxCNC fits a circle in plain arithmetic: the same triggers, written out, are what both are told.
             let nominal = interpret(&ending_at(&planned(&once), |k| means[k])).unwrap();
@@ -71,7 +97,10 @@ fn means_count_and_the_spread_is_told() {
             assert_eq!(results.len(), nominal.prints.len(), "{cycle}");
             for ((code, value), (wanted_code, wanted)) in results.iter().zip(&nominal.prints) {
                 assert_eq!(code, wanted_code);
-                assert!((value - wanted).abs() < 2e-6, "{cycle}, {code}: {value}, of the means {wanted}");
+                assert!(
+                    (value - wanted).abs() < 2e-6,
+                    "{cycle}, {code}: {value}, of the means {wanted}"
+                );
             }
             let apart = (0..plan.touches.len()).collect::<Vec<_>>();
             let apart = apart.chunks(times).map(|same| {
@@ -80,7 +109,11 @@ fn means_count_and_the_spread_is_told() {
             });
             let wanted = apart.fold(0.0, f64::max);
             assert_eq!(spread.0, "spread");
-            assert!((spread.1 - wanted).abs() < 2e-6, "{cycle}: {} apart, by hand {wanted}", spread.1);
+            assert!(
+                (spread.1 - wanted).abs() < 2e-6,
+                "{cycle}: {} apart, by hand {wanted}",
+                spread.1
+            );
             // And what the page makes of the points.
             let rows = evaluate(&own, &points_of(&triggers)).unwrap();
             let row = rows.iter().find(|row| row.code == "spread").unwrap();
@@ -101,29 +134,51 @@ fn touches_that_are_too_far_apart_stop_the_write() {
                 let triggers: Vec<[f64; 3]> = (0..plan.touches.len())
                     .map(|k| {
                         let (point, along) = (plan.triggers[k].unwrap(), plan.touches[k].vector);
-                        [0, 1, 2].map(|axis| point[axis] - if k == bad { off * along[axis] } else { 0.0 })
+                        [0, 1, 2].map(|axis| {
+                            point[axis] - if k == bad { off * along[axis] } else { 0.0 }
+                        })
                     })
                     .collect();
                 let good = off == 0.01;
                 match post {
                     "linuxcnc" => {
                         let (ran, why) = interpret_until_stop(&ending_at(&plan, |k| triggers[k]));
-                        assert_eq!((ran.written.is_some(), why.is_none()), (good, good), "{post} {bad} {off}: {why:?}");
+                        assert_eq!(
+                            (ran.written.is_some(), why.is_none()),
+                            (good, good),
+                            "{post} {bad} {off}: {why:?}"
+                        );
                         assert!(good || why.unwrap().contains("spread is"));
                     }
                     "sinumerik" => {
-                        let mut machine = Machine::new(triggers.iter().map(|point| Some(*point)).collect());
+                        let mut machine =
+                            Machine::new(triggers.iter().map(|point| Some(*point)).collect());
                         machine.run(&read(&plan.program.text).unwrap()).unwrap();
                         assert_eq!(machine.alarm.is_none(), good, "{post} {bad} {off}");
-                        assert!(good || machine.message.contains("spread"), "{}", machine.message);
+                        assert!(
+                            good || machine.message.contains("spread"),
+                            "{}",
+                            machine.message
+                        );
                     }
                     _ => {
                         let mut control = Control::new(post == "haas", false);
                         control.contacts = triggers.clone();
-                        control.variables.extend((5221..5224).map(|number| (number, 0.0)));
+                        control
+                            .variables
+                            .extend((5221..5224).map(|number| (number, 0.0)));
                         control.run(&plan.program.text).unwrap();
-                        assert_eq!(control.alarm.is_none(), good, "{post} {bad} {off}: {:?}", control.alarm);
-                        assert!(good || format!("{:?}", control.alarm).contains("SPREAD"), "{:?}", control.alarm);
+                        assert_eq!(
+                            control.alarm.is_none(),
+                            good,
+                            "{post} {bad} {off}: {:?}",
+                            control.alarm
+                        );
+                        assert!(
+                            good || format!("{:?}", control.alarm).contains("SPREAD"),
+                            "{:?}",
+                            control.alarm
+                        );
                     }
                 }
                 stopped += usize::from(!good);
@@ -137,21 +192,46 @@ fn touches_that_are_too_far_apart_stop_the_write() {
 #[test]
 fn the_uncertainty_is_that_of_a_mean() {
     for cycle in CYCLES {
-        let once = with(&repeated(cycle, "linuxcnc", 1.0, ""), "stylus.runout", number(0.004));
-        let (one, three) = (planned(&once), planned(&with(&once, "cycle.repeat.times", number(3.0))));
+        let once = with(
+            &repeated(cycle, "linuxcnc", 1.0, ""),
+            "stylus.runout",
+            number(0.004),
+        );
+        let (one, three) = (
+            planned(&once),
+            planned(&with(&once, "cycle.repeat.times", number(3.0))),
+        );
         let mut compared = 0;
-        for row in one.results.iter().filter(|row| row.uncertainty.is_some_and(|sigma| sigma > 1e-9)) {
-            let own = three.results.iter().find(|own| own.code == row.code).unwrap();
+        for row in one
+            .results
+            .iter()
+            .filter(|row| row.uncertainty.is_some_and(|sigma| sigma > 1e-9))
+        {
+            let own = three
+                .results
+                .iter()
+                .find(|own| own.code == row.code)
+                .unwrap();
             let touches = |row: &touchpath::job::ResultRow| {
                 let runout = row.uncertainty_runout.unwrap_or(0.0);
                 (row.uncertainty.unwrap().powi(2) - runout * runout).sqrt()
             };
-            assert!((touches(own) - touches(row) / 3f64.sqrt()).abs() < 1e-7, "{cycle}, {}", row.code);
-            assert!((own.uncertainty_runout.unwrap() - row.uncertainty_runout.unwrap()).abs() < 1e-7, "{cycle}, {}", row.code);
+            assert!(
+                (touches(own) - touches(row) / 3f64.sqrt()).abs() < 1e-7,
+                "{cycle}, {}",
+                row.code
+            );
+            assert!(
+                (own.uncertainty_runout.unwrap() - row.uncertainty_runout.unwrap()).abs() < 1e-7,
+                "{cycle}, {}",
+                row.code
+            );
             compared += 1;
         }
         assert!(compared > 0, "{cycle}");
-        assert!(three.results.iter().any(|row| row.code == "spread" && row.uncertainty.is_none() && row.value == Some(0.0)));
+        assert!(three.results.iter().any(|row| row.code == "spread"
+            && row.uncertainty.is_none()
+            && row.value == Some(0.0)));
     }
 }
 
@@ -162,7 +242,11 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
     let all = catalog();
     let mut planned_jobs = 0;
     for entry in all.cycles.iter().filter(|entry| entry.max_touches > 0) {
-        assert!(entry.sections.iter().any(|section| section.key == "repeat"), "{}", entry.key);
+        assert!(
+            entry.sections.iter().any(|section| section.key == "repeat"),
+            "{}",
+            entry.key
+        );
         for post in &all.posts {
             for form in ["moves", "cycle"] {
                 let once = format!(
@@ -170,11 +254,17 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
                     post.id, entry.key
                 );
                 let Ok(one) = plan(&job(&once)) else { continue };
-                let own = with(&job(&once), "cycle.repeat", Value::Map(vec![("times".into(), number(3.0))]));
+                let own = with(
+                    &job(&once),
+                    "cycle.repeat",
+                    Value::Map(vec![("times".into(), number(3.0))]),
+                );
                 if form == "cycle" {
                     let findings = check(&own);
                     assert!(
-                        findings.iter().any(|f| f.code == "repeat-unsupported" && f.path == "cycle.repeat"),
+                        findings
+                            .iter()
+                            .any(|f| f.code == "repeat-unsupported" && f.path == "cycle.repeat"),
                         "{findings:?}"
                     );
                     continue;
@@ -183,7 +273,13 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
                 assert_eq!(three.touches.len(), 3 * one.touches.len());
                 // The table is the cycle's: each row of a touch names the first one of its point.
                 for (row, own) in one.table.iter().zip(&three.table) {
-                    assert_eq!((&row.code, &row.value), (&own.code, &own.value), "{} on {}", entry.key, post.id);
+                    assert_eq!(
+                        (&row.code, &row.value),
+                        (&own.code, &own.value),
+                        "{} on {}",
+                        entry.key,
+                        post.id
+                    );
                     assert_eq!(
                         row.touch.map(|k| one.touches[k].point),
                         own.touch.map(|k| three.touches[k].point),
@@ -194,7 +290,13 @@ fn every_cycle_repeats_on_every_control_that_is_given_moves() {
                 }
                 assert_eq!(three.table.len(), one.table.len());
                 let again = import(&three.program.text).unwrap().job;
-                assert_eq!(again.get("cycle").and_then(|c| c.get("repeat")).and_then(|r| r.get("times")), Some(&number(3.0)));
+                assert_eq!(
+                    again
+                        .get("cycle")
+                        .and_then(|c| c.get("repeat"))
+                        .and_then(|r| r.get("times")),
+                    Some(&number(3.0))
+                );
                 planned_jobs += 1;
             }
         }
@@ -209,28 +311,54 @@ fn what_is_beyond_the_formula_is_of_the_points() {
     let own = repeated(circles, "linuxcnc", 3.0, "");
     let plan = planned(&own);
     let triggers = scattered(&plan);
-    let means: Vec<[f64; 3]> =
-        triggers.chunks(3).map(|same| [0, 1, 2].map(|axis| same.iter().map(|p| p[axis]).sum::<f64>() / 3.0)).collect();
+    let means: Vec<[f64; 3]> = triggers
+        .chunks(3)
+        .map(|same| [0, 1, 2].map(|axis| same.iter().map(|p| p[axis]).sum::<f64>() / 3.0))
+        .collect();
     let form = |job: &Value, points: &[[f64; 3]]| {
         let rows = evaluate(job, &points_of(points)).unwrap();
-        ["form1", "form2"].map(|code| rows.iter().find(|row| row.code == code).and_then(|row| row.value).expect("a form error"))
+        ["form1", "form2"].map(|code| {
+            rows.iter()
+                .find(|row| row.code == code)
+                .and_then(|row| row.value)
+                .expect("a form error")
+        })
     };
-    let (three, once) = (form(&own, &triggers), form(&with(&own, "cycle.repeat", Value::Null), &means));
+    let (three, once) = (
+        form(&own, &triggers),
+        form(&with(&own, "cycle.repeat", Value::Null), &means),
+    );
     for (own, wanted) in three.iter().zip(once) {
-        assert!(wanted > 1e-4 && (own - wanted).abs() < 1e-6, "{own}, of the means {wanted}");
+        assert!(
+            wanted > 1e-4 && (own - wanted).abs() < 1e-6,
+            "{own}, of the means {wanted}"
+        );
     }
-    let picks = r#"{ "type": "surface", "touches": [{ "point": [0, 0, 0], "vector": [0, 0, 1] }] }"#;
+    let picks =
+        r#"{ "type": "surface", "touches": [{ "point": [0, 0, 0], "vector": [0, 0, 1] }] }"#;
     let hole = r#"{ "type": "hole", "diameter": 6.03, "touches": [
         { "point": [3.015, 0, -10], "vector": [-1, 0, 0] }, { "point": [-3.015, 0, -10], "vector": [1, 0, 0] },
         { "point": [0, 3.015, -10], "vector": [0, -1, 0] }, { "point": [0, -3.015, -10], "vector": [0, 1, 0] }] }"#;
-    assert!(check(&repeated(picks, "linuxcnc", 3.0, "")).iter().all(|f| f.level != Level::Error));
+    assert!(
+        check(&repeated(picks, "linuxcnc", 3.0, ""))
+            .iter()
+            .all(|f| f.level != Level::Error)
+    );
     let paths = |job: &Value| {
-        let of = |f: touchpath::form::Finding| (f.code == "touch-close" || f.code == "touch-too-short").then_some(f.path);
+        let of = |f: touchpath::form::Finding| {
+            (f.code == "touch-close" || f.code == "touch-too-short").then_some(f.path)
+        };
         check(job).into_iter().filter_map(of).collect::<Vec<_>>()
     };
     let tight = repeated(hole, "linuxcnc", 3.0, "");
-    let (many, one) = (paths(&tight), paths(&with(&tight, "cycle.repeat", Value::Null)));
-    assert!(!one.is_empty() && one.iter().all(|path| path.starts_with("cycle.touches[")), "{one:?}");
+    let (many, one) = (
+        paths(&tight),
+        paths(&with(&tight, "cycle.repeat", Value::Null)),
+    );
+    assert!(
+        !one.is_empty() && one.iter().all(|path| path.starts_with("cycle.touches[")),
+        "{one:?}"
+    );
     assert_eq!(many, one);
 }
 
@@ -245,25 +373,51 @@ fn limits_of_the_spread_go_together() {
         ("0..0.021", "mark", Some("tolerance-beyond-limit")),
         ("0..0.021", "go", Some("tolerance-beyond-limit")),
     ] {
-        let rule = job(&format!(r#"{{ "spread": {{ "tolerance": "{tolerance}", "action": "{action}" }} }}"#));
+        let rule = job(&format!(
+            r#"{{ "spread": {{ "tolerance": "{tolerance}", "action": "{action}" }} }}"#
+        ));
         let found = check(&with(&own, "tolerances", rule));
-        let errors: Vec<&str> = found.iter().filter(|f| f.level == Level::Error).map(|f| f.code.as_str()).collect();
-        assert_eq!(errors, Vec::from_iter(code), "{tolerance} {action}: {found:?}");
+        let errors: Vec<&str> = found
+            .iter()
+            .filter(|f| f.level == Level::Error)
+            .map(|f| f.code.as_str())
+            .collect();
+        assert_eq!(
+            errors,
+            Vec::from_iter(code),
+            "{tolerance} {action}: {found:?}"
+        );
     }
     // As with every result whose tolerance reaches as far as its limit.
-    let size = with(&own, "tolerances", job(r#"{ "diameter": { "tolerance": "±0.5", "action": "mark" } }"#));
-    assert!(check(&size).iter().all(|f| f.level != Level::Error), "{:?}", check(&size));
+    let size = with(
+        &own,
+        "tolerances",
+        job(r#"{ "diameter": { "tolerance": "±0.5", "action": "mark" } }"#),
+    );
+    assert!(
+        check(&size).iter().all(|f| f.level != Level::Error),
+        "{:?}",
+        check(&size)
+    );
     // The limit of the program is that of the job, whatever the tolerance.
     assert!(
-        planned(&with(&own, "tolerances", job(r#"{ "spread": { "tolerance": "0..0.006", "action": "mark" } }"#)))
-            .program
-            .text
-            .contains("GT 0.02]")
+        planned(&with(
+            &own,
+            "tolerances",
+            job(r#"{ "spread": { "tolerance": "0..0.006", "action": "mark" } }"#)
+        ))
+        .program
+        .text
+        .contains("GT 0.02]")
     );
-    let circles = job(r#"{ "format": 1, "control": { "post": "linuxcnc", "form": "moves" },
-             "cycle": { "type": "probing-two-circles", "extrusion": { "points": 2 }, "repeat": { "times": 2 } } }"#);
+    let circles = job(
+        r#"{ "format": 1, "control": { "post": "linuxcnc", "form": "moves" },
+             "cycle": { "type": "probing-two-circles", "extrusion": { "points": 2 }, "repeat": { "times": 2 } } }"#,
+    );
     assert!(
-        check(&circles).iter().any(|f| f.code == "repeat-unsupported" && f.path == "cycle.repeat"),
+        check(&circles)
+            .iter()
+            .any(|f| f.code == "repeat-unsupported" && f.path == "cycle.repeat"),
         "{:?}",
         check(&circles)
     );
@@ -273,10 +427,12 @@ fn limits_of_the_spread_go_together() {
 /// In a set-up each cycle has its own, and its spread takes a tolerance as any result does.
 #[test]
 fn a_cycle_of_a_set_up_repeats_for_itself() {
-    let own = job(r#"{ "format": 2, "control": { "post": "linuxcnc", "report": "screen" }, "cycles": [
+    let own = job(
+        r#"{ "format": 2, "control": { "post": "linuxcnc", "report": "screen" }, "cycles": [
             { "name": "TOP", "type": "surface", "origin": [-40, 0, 0] },
             { "name": "BORE", "type": "hole", "diameter": 25, "repeat": { "times": 3 } } ],
-            "tolerances": { "BORE.spread": { "tolerance": "0..0.004", "action": "stop" } } }"#);
+            "tolerances": { "BORE.spread": { "tolerance": "0..0.004", "action": "stop" } } }"#,
+    );
     let plan = planned(&own);
     assert_eq!(plan.touches.len(), 1 + 12);
     let triggers = |off: f64| {
@@ -291,9 +447,17 @@ fn a_cycle_of_a_set_up_repeats_for_itself() {
     assert!(why.contains("BORE.spread is"), "{why}");
     let bad = with(&own, "control.form", text("moves"));
     let bad = with(&bad, "cycles", {
-        let Some(Value::List(mut cycles)) = own.get("cycles").cloned() else { unreachable!() };
+        let Some(Value::List(mut cycles)) = own.get("cycles").cloned() else {
+            unreachable!()
+        };
         cycles[1] = with(&cycles[1], "repeat.times", number(9.0));
         Value::List(cycles)
     });
-    assert!(check(&bad).iter().any(|f| f.path == "cycles[1].repeat.times" && f.code == "out-of-range"), "{:?}", check(&bad));
+    assert!(
+        check(&bad)
+            .iter()
+            .any(|f| f.path == "cycles[1].repeat.times" && f.code == "out-of-range"),
+        "{:?}",
+        check(&bad)
+    );
 }

@@ -12,20 +12,44 @@ fn spread(job: &Value) -> Vec<(String, f64)> {
     const ANGLES: usize = 36;
     let offset = |angle: f64| match job.get("part").and_then(|part| part.get("offset")) {
         Some(Value::List(list)) => {
-            let at = |i: usize| if let Value::Number(x) = list[i] { x } else { 0.0 };
-            point([at(0) - RUNOUT * angle.cos(), at(1) - RUNOUT * angle.sin(), at(2)])
+            let at = |i: usize| {
+                if let Value::Number(x) = list[i] {
+                    x
+                } else {
+                    0.0
+                }
+            };
+            point([
+                at(0) - RUNOUT * angle.cos(),
+                at(1) - RUNOUT * angle.sin(),
+                at(2),
+            ])
         }
         _ => point([-RUNOUT * angle.cos(), -RUNOUT * angle.sin(), 0.0]),
     };
     let plans: Vec<Plan> = (0..ANGLES)
-        .map(|k| planned(&with(job, "part.offset", offset(k as f64 * std::f64::consts::TAU / ANGLES as f64))))
+        .map(|k| {
+            planned(&with(
+                job,
+                "part.offset",
+                offset(k as f64 * std::f64::consts::TAU / ANGLES as f64),
+            ))
+        })
         .collect();
     let of = |i: usize| {
-        let values: Vec<f64> = plans.iter().filter_map(|plan| plan.results[i].value).collect();
+        let values: Vec<f64> = plans
+            .iter()
+            .filter_map(|plan| plan.results[i].value)
+            .collect();
         let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
         (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len().max(1) as f64).sqrt()
     };
-    plans[0].results.iter().enumerate().map(|(i, row)| (row.code.clone(), of(i))).collect()
+    plans[0]
+        .results
+        .iter()
+        .enumerate()
+        .map(|(i, row)| (row.code.clone(), of(i)))
+        .collect()
 }
 
 /// Every stated share is the spread, to `off` of the eccentricity. Gives those that move by more than that.
@@ -35,10 +59,16 @@ fn agrees_within(text: &str, off: f64) -> Vec<(String, f64)> {
     let mut moving = Vec::new();
     for (row, (code, spread)) in plan.results.iter().zip(spread(&own)) {
         let Some(stated) = row.uncertainty_runout else {
-            assert!(row.uncertainty.is_none() || row.value.is_none(), "{code} states none");
+            assert!(
+                row.uncertainty.is_none() || row.value.is_none(),
+                "{code} states none"
+            );
             continue;
         };
-        assert!((spread - stated).abs() <= off * RUNOUT, "{code}: {spread} drawn, {stated} stated");
+        assert!(
+            (spread - stated).abs() <= off * RUNOUT,
+            "{code}: {spread} drawn, {stated} stated"
+        );
         if stated > off * RUNOUT {
             moving.push((code, stated));
         }
@@ -56,19 +86,52 @@ fn agrees(text: &str) -> Vec<(String, f64)> {
 fn places_move_and_sizes_do_not() {
     let place = RUNOUT / 2f64.sqrt();
     let shapes = [
-        (r#"{ "type": "internal-rectangle-protected" }"#, ["center.x", "center.y"]),
-        (r#"{ "type": "internal-rectangle-protected", "rotation": 33 }"#, ["center.x", "center.y"]),
-        (r#"{ "type": "external-rectangle" }"#, ["center.x", "center.y"]),
+        (
+            r#"{ "type": "internal-rectangle-protected" }"#,
+            ["center.x", "center.y"],
+        ),
+        (
+            r#"{ "type": "internal-rectangle-protected", "rotation": 33 }"#,
+            ["center.x", "center.y"],
+        ),
+        (
+            r#"{ "type": "external-rectangle" }"#,
+            ["center.x", "center.y"],
+        ),
         (r#"{ "type": "hole" }"#, ["center.x", "center.y"]),
-        (r#"{ "type": "boss", "variant": 1, "startAngle": 10, "angularStep": 70, "stepCount": 5 }"#, ["center.x", "center.y"]),
-        (r#"{ "type": "double-wall-internal-corner" }"#, ["corner.x", "corner.y"]),
-        (r#"{ "type": "double-wall-internal-corner", "angle": 55, "rotation": 25 }"#, ["corner.x", "corner.y"]),
-        (r#"{ "type": "triple-wall-external-corner" }"#, ["corner.x", "corner.y"]),
+        (
+            r#"{ "type": "boss", "variant": 1, "startAngle": 10, "angularStep": 70, "stepCount": 5 }"#,
+            ["center.x", "center.y"],
+        ),
+        (
+            r#"{ "type": "double-wall-internal-corner" }"#,
+            ["corner.x", "corner.y"],
+        ),
+        (
+            r#"{ "type": "double-wall-internal-corner", "angle": 55, "rotation": 25 }"#,
+            ["corner.x", "corner.y"],
+        ),
+        (
+            r#"{ "type": "triple-wall-external-corner" }"#,
+            ["corner.x", "corner.y"],
+        ),
     ];
     for (cycle, codes) in shapes {
         let moving = agrees(&format!(r#"{{ "format": 1, "cycle": {cycle} }}"#));
-        assert_eq!(moving.iter().map(|(code, _)| code.as_str()).collect::<Vec<_>>(), codes, "{cycle}");
-        assert!(moving.iter().all(|(_, stated)| (stated - place).abs() < 1e-9), "{cycle}: {moving:?}");
+        assert_eq!(
+            moving
+                .iter()
+                .map(|(code, _)| code.as_str())
+                .collect::<Vec<_>>(),
+            codes,
+            "{cycle}"
+        );
+        assert!(
+            moving
+                .iter()
+                .all(|(_, stated)| (stated - place).abs() < 1e-9),
+            "{cycle}: {moving:?}"
+        );
     }
 }
 
@@ -78,8 +141,14 @@ fn places_move_and_sizes_do_not() {
 fn one_direction_takes_its_share() {
     let place = RUNOUT / 2f64.sqrt();
     let near = |moving: &[(String, f64)], code: &str, by_hand: f64| {
-        let (_, stated) = moving.iter().find(|(own, _)| own == code).unwrap_or_else(|| panic!("{code}: {moving:?}"));
-        assert!((stated - by_hand).abs() < 1e-9, "{code}: {stated}, by hand {by_hand}");
+        let (_, stated) = moving
+            .iter()
+            .find(|(own, _)| own == code)
+            .unwrap_or_else(|| panic!("{code}: {moving:?}"));
+        assert!(
+            (stated - by_hand).abs() < 1e-9,
+            "{code}: {stated}, by hand {by_hand}"
+        );
     };
     let groove = agrees(r#"{ "format": 1, "cycle": { "type": "groove", "rotation": 30 } }"#);
     let cos = 3f64.sqrt() / 2.0;
@@ -99,7 +168,10 @@ fn one_direction_takes_its_share() {
 /// 1411: both circles move alike, so the rotation does not change; repeated touches move alike, too, where their scatter would shrink.
 #[test]
 fn two_circles_move_together() {
-    for extrusion in ["null", r#"{ "direction": 3, "points": 4, "length": -6, "modal": 0 }"#] {
+    for extrusion in [
+        "null",
+        r#"{ "direction": 3, "points": 4, "length": -6, "modal": 0 }"#,
+    ] {
         let text = format!(
             r#"{{ "format": 1, "cycle": {{ "type": "probing-two-circles", "diameter1": 24, "probePoints": 5, "extrusion": {extrusion} }},
                 "control": {{ "post": "heidenhain", "form": "cycle" }} }}"#
@@ -107,9 +179,19 @@ fn two_circles_move_together() {
         let moving = agrees(&text);
         let place = RUNOUT / 2f64.sqrt();
         for code in ["Q950", "Q951", "Q953", "Q954"] {
-            assert!(moving.iter().any(|(own, x)| own == code && (x - place).abs() < 1e-6), "{code}: {moving:?}");
+            assert!(
+                moving
+                    .iter()
+                    .any(|(own, x)| own == code && (x - place).abs() < 1e-6),
+                "{code}: {moving:?}"
+            );
         }
-        assert!(moving.iter().all(|(code, _)| !matches!(code.as_str(), "Q964" | "Q965" | "Q966" | "Q967")), "{moving:?}");
+        assert!(
+            moving
+                .iter()
+                .all(|(code, _)| !matches!(code.as_str(), "Q964" | "Q965" | "Q966" | "Q967")),
+            "{moving:?}"
+        );
     }
 }
 
@@ -117,9 +199,17 @@ fn two_circles_move_together() {
 #[test]
 fn a_displaced_part_changes_little() {
     let part = r#""part": { "offset": [0.4, -0.3, 0], "rotation": 0.5 }"#;
-    for cycle in ["internal-rectangle-protected", "hole-protected", "double-wall-external-corner"] {
+    for cycle in [
+        "internal-rectangle-protected",
+        "hole-protected",
+        "double-wall-external-corner",
+    ] {
         assert_eq!(
-            agrees_within(&format!(r#"{{ "format": 1, "cycle": {{ "type": "{cycle}" }}, {part} }}"#), 0.03).len(),
+            agrees_within(
+                &format!(r#"{{ "format": 1, "cycle": {{ "type": "{cycle}" }}, {part} }}"#),
+                0.03
+            )
+            .len(),
             2,
             "{cycle}"
         );
@@ -130,8 +220,9 @@ fn a_displaced_part_changes_little() {
 /// there is none.
 #[test]
 fn it_adds_to_the_scatter_and_calibration_takes_it_out() {
-    let pocket =
-        job(r#"{ "format": 1, "stylus": { "repeatability": 0.003 }, "cycle": { "type": "internal-rectangle-protected" } }"#);
+    let pocket = job(
+        r#"{ "format": 1, "stylus": { "repeatability": 0.003 }, "cycle": { "type": "internal-rectangle-protected" } }"#,
+    );
     let row = |job: &Value| planned(job).results[0].clone();
     let alone = row(&pocket).uncertainty.unwrap();
     assert_eq!(row(&pocket).uncertainty_runout, None);
@@ -140,9 +231,17 @@ fn it_adds_to_the_scatter_and_calibration_takes_it_out() {
     assert!((alone - 0.003 / 2f64.sqrt()).abs() < 1e-12);
     assert!((row(&eccentric).uncertainty.unwrap() - 0.005 / 2f64.sqrt()).abs() < 1e-12);
     let oriented = row(&with(&eccentric, "control.orient", number(0.0)));
-    assert_eq!((oriented.uncertainty, oriented.uncertainty_runout), (Some(alone), None));
+    assert_eq!(
+        (oriented.uncertainty, oriented.uncertainty_runout),
+        (Some(alone), None)
+    );
     // A large eccentricity is not the fault of the touches.
-    assert!(planned(&with(&pocket, "stylus.runout", number(0.1))).findings.iter().all(|f| f.code != "uncertain-result"));
+    assert!(
+        planned(&with(&pocket, "stylus.runout", number(0.1)))
+            .findings
+            .iter()
+            .all(|f| f.code != "uncertain-result")
+    );
 }
 
 /// In G18 abscissa and ordinate are Z and X; in inch it is the same share.
@@ -151,7 +250,10 @@ fn planes_and_inches() {
     let inch = r#"{ "format": 1, "units": "inch", "plane": "G18", "stylus": { "diameter": 0.25, "runout": 0.001 }, "cycle": { "type": "hole" } }"#;
     let plan = planned(&job(inch));
     for row in &plan.results[..2] {
-        assert!((row.uncertainty_runout.unwrap() - 0.001 / 2f64.sqrt()).abs() < 1e-12, "{row:?}");
+        assert!(
+            (row.uncertainty_runout.unwrap() - 0.001 / 2f64.sqrt()).abs() < 1e-12,
+            "{row:?}"
+        );
     }
     assert_eq!(plan.results[2].uncertainty_runout, Some(0.0));
 }

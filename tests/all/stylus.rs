@@ -13,7 +13,9 @@ fn found(job: &Value, code: &str) -> Vec<Finding> {
 
 /// Whether a place that is named has this coordinate.
 fn says(finding: &Finding, coordinate: &str) -> bool {
-    values(finding).iter().any(|place| place.split(", ").any(|known| known.ends_with(coordinate)))
+    values(finding)
+        .iter()
+        .any(|place| place.split(", ").any(|known| known.ends_with(coordinate)))
 }
 
 /// A pocket of 80 × 50, its touches 10 deep, ball 6.
@@ -29,18 +31,34 @@ fn pocket(stylus: &str, cycle: &str) -> Value {
 /// the wall. At the length itself it stands on the top side's level, and clears it.
 #[test]
 fn the_body_meets_the_top_of_a_deep_pocket() {
-    let deep = |depth: f64| with(&pocket(r#""length": 50, "shank": 4, "body": 40"#, ""), "cycle.depth", number(depth));
+    let deep = |depth: f64| {
+        with(
+            &pocket(r#""length": 50, "shank": 4, "body": 40"#, ""),
+            "cycle.depth",
+            number(depth),
+        )
+    };
     assert_eq!(found(&deep(50.0), "shank-collision"), []);
-    let [finding] = &found(&deep(50.01), "shank-collision")[..] else { panic!() };
-    assert_eq!((finding.level, finding.path.as_str()), (Level::Error, "stylus.length"));
+    let [finding] = &found(&deep(50.01), "shank-collision")[..] else {
+        panic!()
+    };
+    assert_eq!(
+        (finding.level, finding.path.as_str()),
+        (Level::Error, "stylus.length")
+    );
     // Down from 10 above: the ball centre is 50 below the top side when the body comes to it.
-    assert_eq!(values(finding), ["4", "3", "X 32, Y 0, Z -50", "50 mm", "50.01 mm"]);
+    assert_eq!(
+        values(finding),
+        ["4", "3", "X 32, Y 0, Z -50", "50 mm", "50.01 mm"]
+    );
     assert_eq!(found(&deep(50.01), "stylus-not-known"), []);
     // A body that fits between the walls goes in: 32 + 8 wide at most.
     let narrow = |body: f64| with(&deep(60.0), "stylus.body", number(body));
     assert_eq!(found(&narrow(5.9), "shank-collision"), []);
     // The touch brings the ball to 3 from the wall: a body of 6.1 meets it then, with 60 the depth of the touch.
-    let [finding] = &found(&narrow(6.1), "shank-collision")[..] else { panic!() };
+    let [finding] = &found(&narrow(6.1), "shank-collision")[..] else {
+        panic!()
+    };
     assert_eq!(finding.path, "stylus.length");
     assert_eq!(values(finding)[..4], ["5", "4", "1", "X 36.95, Y 0, Z -60"]);
 }
@@ -49,22 +67,47 @@ fn the_body_meets_the_top_of_a_deep_pocket() {
 #[test]
 fn a_thick_shank_meets_the_wall_first() {
     assert_eq!(found(&pocket(r#""shank": 6"#, ""), "shank-collision"), []);
-    let [finding] = &found(&pocket(r#""shank": 6.2"#, ""), "shank-collision")[..] else { panic!() };
-    assert_eq!((finding.level, finding.path.as_str()), (Level::Error, "stylus.shank"));
-    assert_eq!(values(finding), ["5", "4", "1", "X 36.9, Y 0, Z -10", "6.2 mm", "6 mm"]);
+    let [finding] = &found(&pocket(r#""shank": 6.2"#, ""), "shank-collision")[..] else {
+        panic!()
+    };
+    assert_eq!(
+        (finding.level, finding.path.as_str()),
+        (Level::Error, "stylus.shank")
+    );
+    assert_eq!(
+        values(finding),
+        ["5", "4", "1", "X 36.9, Y 0, Z -10", "6.2 mm", "6 mm"]
+    );
     // A corner knows no top side: its walls stand at least as high as they are touched, and the shank begins there.
-    let corner =
-        r#"{ "format": 1, "stylus": { "diameter": 6, "shank": 6.2 }, "cycle": { "type": "double-wall-internal-corner" } }"#;
+    let corner = r#"{ "format": 1, "stylus": { "diameter": 6, "shank": 6.2 }, "cycle": { "type": "double-wall-internal-corner" } }"#;
     assert_eq!(found(&job(corner), "shank-collision").len(), 1);
 }
 
 /// The ball goes 49.8 below the drawing's top side. On a part that lies 0.5 lower that is 49.3, on one that lies 0.5 higher 50.3: the body comes down on it.
 #[test]
 fn the_displaced_part_counts() {
-    let near = with(&pocket(r#""length": 50, "shank": 4, "body": 40"#, ""), "cycle.depth", number(49.8));
-    assert_eq!(found(&with(&near, "part.offset", point([0.0, 0.0, -0.5])), "shank-collision"), []);
-    let [finding] = &found(&with(&near, "part.offset", point([0.0, 0.0, 0.5])), "shank-collision")[..] else { panic!() };
-    assert_eq!((finding.level, finding.path.as_str()), (Level::Error, "part"));
+    let near = with(
+        &pocket(r#""length": 50, "shank": 4, "body": 40"#, ""),
+        "cycle.depth",
+        number(49.8),
+    );
+    assert_eq!(
+        found(
+            &with(&near, "part.offset", point([0.0, 0.0, -0.5])),
+            "shank-collision"
+        ),
+        []
+    );
+    let [finding] = &found(
+        &with(&near, "part.offset", point([0.0, 0.0, 0.5])),
+        "shank-collision",
+    )[..] else {
+        panic!()
+    };
+    assert_eq!(
+        (finding.level, finding.path.as_str()),
+        (Level::Error, "part")
+    );
     // The top side is at 0.5: the ball centre 50 below it is at −49.5.
     assert!(says(finding, "Z -49.5"), "{finding:?}");
 }
@@ -72,23 +115,38 @@ fn the_displaced_part_counts() {
 /// What is not given is noted once, where the ball goes deeper than it is wide, and never taken for something.
 #[test]
 fn what_is_not_known_is_noted_once() {
-    let [note] = &found(&pocket(r#""length": null"#, ""), "stylus-not-known")[..] else { panic!() };
-    assert_eq!((note.level, note.path.as_str()), (Level::Info, "stylus.length"));
+    let [note] = &found(&pocket(r#""length": null"#, ""), "stylus-not-known")[..] else {
+        panic!()
+    };
+    assert_eq!(
+        (note.level, note.path.as_str()),
+        (Level::Info, "stylus.length")
+    );
     assert_eq!(values(note), ["10 mm"]);
     let shallow = with(&pocket(r#""length": 50"#, ""), "cycle.depth", number(6.0));
     assert_eq!(found(&shallow, "stylus-not-known"), []);
     // Heights that the cycle does not say: a corner, and the objects of 1411.
-    for cycle in ["double-wall-external-corner", "triple-wall-internal-corner", "probing-two-circles"] {
+    for cycle in [
+        "double-wall-external-corner",
+        "triple-wall-internal-corner",
+        "probing-two-circles",
+    ] {
         let own = job(&format!(
             r#"{{ "format": 1, "stylus": {{ "length": 30, "shank": 4, "body": 40 }}, "cycle": {{ "type": "{cycle}" }},
                 "control": {{ "post": "linuxcnc" }} }}"#
         ));
         assert_eq!(found(&own, "shank-collision"), [], "{cycle}");
-        let [note] = &found(&own, "stylus-not-known")[..] else { panic!("{cycle}") };
+        let [note] = &found(&own, "stylus-not-known")[..] else {
+            panic!("{cycle}")
+        };
         assert_eq!(values(note), ["30 mm"], "{cycle}");
     }
     let top = job(r#"{ "format": 1, "cycle": { "type": "surface" } }"#);
-    assert_eq!(found(&top, "stylus-not-known"), [], "below a top side nothing stands beside the stylus");
+    assert_eq!(
+        found(&top, "stylus-not-known"),
+        [],
+        "below a top side nothing stands beside the stylus"
+    );
 }
 
 /// Holes and bosses by hand: a hole of 40, touched 30 deep with a stylus of 20. The body of 30 fits in the middle, and not at the wall (17 + 15 > 20);
@@ -100,34 +158,67 @@ fn holes_and_bosses() {
             r#"{{ "format": 1, "stylus": {{ "length": 20, "shank": 4, "body": {body} }}, "control": {{ "post": "linuxcnc" }},
                 "cycle": {{ "type": "{cycle}", "diameter": 40, "depth": 30 }} }}"#
         ));
-        found(&own, "shank-collision").into_iter().map(|f| (values(&f), f.path)).collect::<Vec<_>>()
+        found(&own, "shank-collision")
+            .into_iter()
+            .map(|f| (values(&f), f.path))
+            .collect::<Vec<_>>()
     };
     // The hole is entered in the middle: 15 < 20; on the way to the wall 5 + 15 = 20.
-    let [(said, path)] = &round("hole", 30.0)[..] else { panic!() };
+    let [(said, path)] = &round("hole", 30.0)[..] else {
+        panic!()
+    };
     assert_eq!(path, "stylus.length");
     assert_eq!(said[2..4], ["1", "X 5, Y 0, Z -30"]);
     // Too wide for the hole: it comes down on the plate.
-    let [(said, path)] = &round("hole", 41.0)[..] else { panic!() };
+    let [(said, path)] = &round("hole", 41.0)[..] else {
+        panic!()
+    };
     assert_eq!(path, "stylus.length");
-    assert_eq!(said[2], "X 0, Y 0, Z -20", "in positioning, which has no number of a touch");
+    assert_eq!(
+        said[2], "X 0, Y 0, Z -20",
+        "in positioning, which has no number of a touch"
+    );
     assert_eq!(round("hole", 5.9), []);
-    let [(said, _)] = &round("boss", 60.0)[..] else { panic!() };
-    assert!(said.iter().any(|place| place.ends_with("Z -20")), "{said:?}");
+    let [(said, _)] = &round("boss", 60.0)[..] else {
+        panic!()
+    };
+    assert!(
+        said.iter().any(|place| place.ends_with("Z -20")),
+        "{said:?}"
+    );
     assert_eq!(round("boss", 5.9), []);
 }
 
 /// Turned, in every plane, in inch: the same stylus meets the same part.
 #[test]
 fn planes_turns_and_inches() {
-    let deep = with(&pocket(r#""length": 50, "shank": 4, "body": 40"#, ""), "cycle.depth", number(55.0));
+    let deep = with(
+        &pocket(r#""length": 50, "shank": 4, "body": 40"#, ""),
+        "cycle.depth",
+        number(55.0),
+    );
     for plane in ["G17", "G18", "G19"] {
         for rotation in [0.0, 30.0] {
-            let own = with(&with(&deep, "plane", Value::Text(plane.to_owned())), "cycle.rotation", number(rotation));
-            let [finding] = &found(&own, "shank-collision")[..] else { panic!("{plane} {rotation}") };
-            let height = format!("{} -50", ["Z", "Y", "X"][["G17", "G18", "G19"].iter().position(|p| *p == plane).unwrap()]);
+            let own = with(
+                &with(&deep, "plane", Value::Text(plane.to_owned())),
+                "cycle.rotation",
+                number(rotation),
+            );
+            let [finding] = &found(&own, "shank-collision")[..] else {
+                panic!("{plane} {rotation}")
+            };
+            let height = format!(
+                "{} -50",
+                ["Z", "Y", "X"][["G17", "G18", "G19"]
+                    .iter()
+                    .position(|p| *p == plane)
+                    .unwrap()]
+            );
             assert!(says(finding, &height), "{finding:?}");
             let inch = touchpath::job::convert_units(&own, "inch").unwrap();
-            let [finding] = &found(&inch, "shank-collision")[..] else { panic!("{plane} {rotation}") };
+            let [finding] = &found(&inch, "shank-collision")[..] else {
+                panic!("{plane} {rotation}")
+            };
             assert!(says(finding, "-1.9685"), "{finding:?}");
         }
     }
@@ -138,16 +229,31 @@ fn is_inside(surfaces: &[Surface], p: Vec3, up: Vec3) -> bool {
     let flat = |body: usize| {
         let mut walls = surfaces
             .iter()
-            .filter_map(|s| if let Surface::Flat(wall) = s { Some(wall) } else { None })
+            .filter_map(|s| {
+                if let Surface::Flat(wall) = s {
+                    Some(wall)
+                } else {
+                    None
+                }
+            })
             .filter(|w| w.body == body);
         let any = walls.clone().next().is_some();
-        any && walls.all(|w| (p - w.point).dot(w.normal) < 0.0 && (!w.has_top || (p - w.point).dot(up) < 0.0))
+        any && walls.all(|w| {
+            (p - w.point).dot(w.normal) < 0.0 && (!w.has_top || (p - w.point).dot(up) < 0.0)
+        })
     };
     let round = |s: &Surface| {
-        let Surface::Round(round) = s else { return false };
+        let Surface::Round(round) = s else {
+            return false;
+        };
         let away = p - round.center;
         let (height, far) = (away.dot(up), (away - up * away.dot(up)).length());
-        height < 0.0 && if round.hole { far > round.radius && far < round.plate.unwrap_or(0.0) } else { far < round.radius }
+        height < 0.0
+            && if round.hole {
+                far > round.radius && far < round.plate.unwrap_or(0.0)
+            } else {
+                far < round.radius
+            }
     };
     (0..surfaces.len()).any(flat) || surfaces.iter().any(round)
 }
@@ -171,7 +277,9 @@ fn points_on_the_cylinders_agree() {
     ];
     for (k, cycle) in cycles.into_iter().cycle().take(9 * 12).enumerate() {
         // Anything, the same in every run.
-        let draw = |n: usize, low: f64, high: f64| low + (high - low) * (((k * 7919 + n * 104_729) % 1009) as f64 / 1009.0);
+        let draw = |n: usize, low: f64, high: f64| {
+            low + (high - low) * (((k * 7919 + n * 104_729) % 1009) as f64 / 1009.0)
+        };
         let own = job(&format!(
             r#"{{ "format": 1, "plane": "{}", "cycle": {{ "type": "{cycle}", "rotation": {} }},
                 "part": {{ "offset": [{}, {}, {}], "rotation": {} }} }}"#,
@@ -182,28 +290,42 @@ fn points_on_the_cylinders_agree() {
             draw(4, -0.5, 0.5),
             draw(5, -0.3, 0.3)
         ));
-        let touchpath::job::Planned { job: checked, path, surfaces, run, .. } = touchpath::job::planned(&own).unwrap();
+        let touchpath::job::Planned {
+            job: checked,
+            path,
+            surfaces,
+            run,
+            ..
+        } = touchpath::job::planned(&own).unwrap();
         assert!(run.collision.is_none());
         let up = path.frame.w;
-        let shape = Shape { length: Some(draw(6, 2.0, 14.0)), shank: Some(draw(7, 1.0, 9.0)), body: Some(draw(8, 8.0, 60.0)) };
+        let shape = Shape {
+            length: Some(draw(6, 2.0, 14.0)),
+            shank: Some(draw(7, 1.0, 9.0)),
+            body: Some(draw(8, 8.0, 60.0)),
+        };
         let found = part::struck(&path, &surfaces, &shape, checked.setup.radius, &run);
         let topped = path.top.is_some();
         // The deepest that a point of a cylinder lies in material, at this place of the ball.
         let in_part = |center: Vec3, shrink: f64| {
-            [(shape.shank.unwrap(), 0.0, true), (shape.body.unwrap(), shape.length.unwrap(), topped)].into_iter().any(
-                |(diameter, rise, counts)| {
-                    let radius = diameter / 2.0 - shrink;
-                    counts
-                        && (0..90).any(|i| {
-                            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 90.0).sin_cos();
-                            [1.0, 0.5, 0.0].into_iter().any(|part| {
-                                let p =
-                                    center + up * (rise + shrink) + (path.frame.u * cos + path.frame.v * sin) * (radius * part);
-                                is_inside(&surfaces, p, up)
-                            })
+            [
+                (shape.shank.unwrap(), 0.0, true),
+                (shape.body.unwrap(), shape.length.unwrap(), topped),
+            ]
+            .into_iter()
+            .any(|(diameter, rise, counts)| {
+                let radius = diameter / 2.0 - shrink;
+                counts
+                    && (0..90).any(|i| {
+                        let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 90.0).sin_cos();
+                        [1.0, 0.5, 0.0].into_iter().any(|part| {
+                            let p = center
+                                + up * (rise + shrink)
+                                + (path.frame.u * cos + path.frame.v * sin) * (radius * part);
+                            is_inside(&surfaces, p, up)
                         })
-                },
-            )
+                    })
+            })
         };
         let mut at = path.start;
         'moves: for (index, step) in path.moves.iter().enumerate() {
@@ -216,7 +338,8 @@ fn points_on_the_cylinders_agree() {
                 let center = from + (to - from) * (f64::from(i) / 10.0);
                 if let Some(found) = found
                     && (found.index < index
-                        || (found.index == index && (center - from).length() >= (found.center - from).length()))
+                        || (found.index == index
+                            && (center - from).length() >= (found.center - from).length()))
                 {
                     break 'moves;
                 }
@@ -231,8 +354,13 @@ fn points_on_the_cylinders_agree() {
             None => clear += 1,
             Some(found) => {
                 met += 1;
-                assert!(in_part(found.center, -0.02), "{cycle} {k}: {found:?} meets nothing, {shape:?}");
-                assert!(found.part == Above::Body || shape.shank.unwrap() > 2.0 * checked.setup.radius);
+                assert!(
+                    in_part(found.center, -0.02),
+                    "{cycle} {k}: {found:?} meets nothing, {shape:?}"
+                );
+                assert!(
+                    found.part == Above::Body || shape.shank.unwrap() > 2.0 * checked.setup.radius
+                );
             }
         }
     }
@@ -247,10 +375,23 @@ fn the_stylus_is_seen_from_the_side() {
     let planned_job = touchpath::job::planned(&own).unwrap();
     let seen = |view| planned_job.picture(view, 1.0, None).scene.stylus;
     assert!(seen(Projection::Top).is_empty());
-    let [shank, body] = seen(Projection::Front)[..] else { panic!() };
+    let [shank, body] = seen(Projection::Front)[..] else {
+        panic!()
+    };
     // It leaves the ball at √(3² − 2²).
-    assert_eq!(shank.map(|corner| corner.to_array()), [[-2.0, 5f64.sqrt()], [2.0, 5f64.sqrt()], [2.0, 50.0], [-2.0, 50.0]]);
-    assert_eq!([body[0], body[1]].map(|corner| corner.to_array()), [[-20.0, 50.0], [20.0, 50.0]]);
+    assert_eq!(
+        shank.map(|corner| corner.to_array()),
+        [
+            [-2.0, 5f64.sqrt()],
+            [2.0, 5f64.sqrt()],
+            [2.0, 50.0],
+            [-2.0, 50.0]
+        ]
+    );
+    assert_eq!(
+        [body[0], body[1]].map(|corner| corner.to_array()),
+        [[-20.0, 50.0], [20.0, 50.0]]
+    );
     assert_eq!(seen(Projection::Side)[0], shank);
     assert!((seen(Projection::Isometric)[0][2][1] - 50.0 * (2f64 / 3.0).sqrt()).abs() < 1e-9);
     assert!(

@@ -28,13 +28,23 @@ fn run(plan: &Plan) -> (bool, bool, String) {
     match plan.program.post {
         "linuxcnc" => {
             let (ran, error) = interpret_until_stop(&on_virtual_part(plan));
-            let said = error.clone().unwrap_or_else(|| format!("{:?}", ran.messages));
-            (error.is_some(), !plan.program.writes.is_empty() && ran.written.is_some(), said)
+            let said = error
+                .clone()
+                .unwrap_or_else(|| format!("{:?}", ran.messages));
+            (
+                error.is_some(),
+                !plan.program.writes.is_empty() && ran.written.is_some(),
+                said,
+            )
         }
         "sinumerik" => {
             let mut machine = Machine::new(plan.triggers.clone());
             machine.run(&read(&plan.program.text).unwrap()).unwrap();
-            (machine.alarm.is_some(), machine.writes > 0, machine.messages.join("\n"))
+            (
+                machine.alarm.is_some(),
+                machine.writes > 0,
+                machine.messages.join("\n"),
+            )
         }
         post => {
             let mut control = Control::new(post == "haas", false);
@@ -43,7 +53,10 @@ fn run(plan: &Plan) -> (bool, bool, String) {
                 control.variables.insert(origin, 100.0);
             }
             control.run(&plan.program.text).unwrap();
-            let said = control.alarm.clone().unwrap_or_else(|| control.messages.join("\n"));
+            let said = control
+                .alarm
+                .clone()
+                .unwrap_or_else(|| control.messages.join("\n"));
             (control.alarm.is_some(), !control.writes.is_empty(), said)
         }
     }
@@ -53,21 +66,32 @@ fn run(plan: &Plan) -> (bool, bool, String) {
 fn a_result_out_of_its_tolerance_stops_the_program_or_is_marked_or_only_judged() {
     for post in computing() {
         // Within, above and below 25 to 25.021 mm; by hand.
-        for (off, good) in [(0.0205, true), (0.0005, true), (0.0215, false), (-0.0005, false)] {
+        for (off, good) in [
+            (0.0205, true),
+            (0.0005, true),
+            (0.0215, false),
+            (-0.0005, false),
+        ] {
             for (offset, writes) in [("1", true), ("null", false)] {
                 let case = format!("{post}, {off}, {offset}");
                 let (alarm, wrote, said) = run(&planned(&bore(post, offset, "stop", off)));
-                assert_eq!((alarm, wrote), (!good, writes && good), "stop: {case}: {said}");
+                assert_eq!(
+                    (alarm, wrote),
+                    (!good, writes && good),
+                    "stop: {case}: {said}"
+                );
                 assert_eq!(
                     good,
-                    !said.to_lowercase().contains("diameter out") && !said.contains("not 25 to 25.021"),
+                    !said.to_lowercase().contains("diameter out")
+                        && !said.contains("not 25 to 25.021"),
                     "{case}: {said}"
                 );
                 let (alarm, wrote, said) = run(&planned(&bore(post, offset, "mark", off)));
                 assert_eq!((alarm, wrote), (false, writes), "mark: {case}: {said}");
                 assert_eq!(
                     !good,
-                    said.to_lowercase().contains("diameter out") || said.contains("not 25 to 25.021"),
+                    said.to_lowercase().contains("diameter out")
+                        || said.contains("not 25 to 25.021"),
                     "{case}: {said}"
                 );
                 let (alarm, wrote, _) = run(&planned(&bore(post, offset, "go", off)));
@@ -88,7 +112,10 @@ fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {
         ));
         let text = planned(&job).program.text;
         let lines: Vec<String> = text.lines().map(str::to_owned).collect();
-        let retract = lines.iter().rposition(|line| line.starts_with("G1 X")).unwrap();
+        let retract = lines
+            .iter()
+            .rposition(|line| line.starts_with("G1 X"))
+            .unwrap();
         lines[retract + 1].clone()
     };
     for (post, halt) in [("fanuc", "G53"), ("haas", "G103 P1")] {
@@ -101,10 +128,26 @@ fn a_control_that_reads_ahead_asks_when_the_last_retract_is_done() {
 #[test]
 fn a_tolerance_that_nothing_follows_from_changes_no_block() {
     for post in computing() {
-        let with_it = with(&bore(post, "1", "go", 0.0), "control.header", Value::Text("short".to_owned()));
-        let Value::Map(entries) = &with_it else { unreachable!() };
-        let without = Value::Map(entries.iter().filter(|(key, _)| key != "tolerances").cloned().collect());
-        assert_eq!(planned(&with_it).program.text, planned(&without).program.text, "{post}");
+        let with_it = with(
+            &bore(post, "1", "go", 0.0),
+            "control.header",
+            Value::Text("short".to_owned()),
+        );
+        let Value::Map(entries) = &with_it else {
+            unreachable!()
+        };
+        let without = Value::Map(
+            entries
+                .iter()
+                .filter(|(key, _)| key != "tolerances")
+                .cloned()
+                .collect(),
+        );
+        assert_eq!(
+            planned(&with_it).program.text,
+            planned(&without).program.text,
+            "{post}"
+        );
     }
 }
 
@@ -112,10 +155,21 @@ fn a_tolerance_that_nothing_follows_from_changes_no_block() {
 #[test]
 fn a_verdict_says_whether_the_uncertainty_leaves_it_open() {
     let verdict = |off: f64| {
-        let job = with(&bore("linuxcnc", "null", "go", off), "stylus.repeatability", Value::Number(0.001));
-        let row = planned(&job).results.into_iter().find(|row| row.code == "diameter").unwrap();
+        let job = with(
+            &bore("linuxcnc", "null", "go", off),
+            "stylus.repeatability",
+            Value::Number(0.001),
+        );
+        let row = planned(&job)
+            .results
+            .into_iter()
+            .find(|row| row.code == "diameter")
+            .unwrap();
         assert!((row.uncertainty.unwrap() - 0.001).abs() < 1e-6, "{row:?}");
-        assert_eq!(row.limits.map(|ends| ends.map(|x| (x * 1e6).round() / 1e6)), Some([25.0, 25.021]));
+        assert_eq!(
+            row.limits.map(|ends| ends.map(|x| (x * 1e6).round() / 1e6)),
+            Some([25.0, 25.021])
+        );
         row.verdict.unwrap()
     };
     for (off, says) in [
@@ -138,7 +192,12 @@ fn measured_values_are_judged_likewise() {
     let job = bore("fanuc", "null", "stop", 0.0);
     let rows = |diameter: f64| {
         let text = format!("center.x=0\ncenter.y=0\ndiameter={diameter}\nresidual=0");
-        evaluate(&job, &Value::Text(text)).unwrap().into_iter().find(|row| row.code == "diameter").unwrap().verdict
+        evaluate(&job, &Value::Text(text))
+            .unwrap()
+            .into_iter()
+            .find(|row| row.code == "diameter")
+            .unwrap()
+            .verdict
     };
     assert_eq!(rows(25.01).as_deref(), Some("good"));
     assert_eq!(rows(25.04).as_deref(), Some("out"));
@@ -149,13 +208,30 @@ fn measured_values_are_judged_likewise() {
 fn the_plan_says_what_the_program_would_do_on_the_virtual_part() {
     let said = |then: &str, off: f64, offset: &str| {
         let plan = planned(&bore("sinumerik", offset, then, off));
-        plan.findings.into_iter().find(|finding| finding.code == "out-of-tolerance").map(|finding| finding.message)
+        plan.findings
+            .into_iter()
+            .find(|finding| finding.code == "out-of-tolerance")
+            .map(|finding| finding.message)
     };
     let stops = said("stop", 0.03, "1").unwrap();
-    assert!(stops.contains("writes nothing") && stops.contains("25.03 mm, not 25 mm to 25.021 mm"), "{stops}");
-    assert!(said("stop", 0.03, "null").unwrap().starts_with("On this part the program stops with an alarm: "));
+    assert!(
+        stops.contains("writes nothing") && stops.contains("25.03 mm, not 25 mm to 25.021 mm"),
+        "{stops}"
+    );
+    assert!(
+        said("stop", 0.03, "null")
+            .unwrap()
+            .starts_with("On this part the program stops with an alarm: ")
+    );
     assert!(said("mark", 0.03, "1").unwrap().contains("marks"));
-    assert_eq!([said("go", 0.03, "1"), said("stop", 0.01, "1"), said("mark", 0.02, "1")], [None, None, None]);
+    assert_eq!(
+        [
+            said("go", 0.03, "1"),
+            said("stop", 0.01, "1"),
+            said("mark", 0.02, "1")
+        ],
+        [None, None, None]
+    );
 }
 
 /// In a set-up results are named after their cycles, and each acts for itself.
@@ -172,24 +248,53 @@ fn every_cycle_of_a_set_up_has_its_own() {
     };
     let of = |left: f64, right: f64| {
         let plan = planned(&job(left, right));
-        let verdicts: Vec<Option<String>> =
-            plan.results.iter().filter(|row| row.code == "diameter").map(|row| row.verdict.clone()).collect();
+        let verdicts: Vec<Option<String>> = plan
+            .results
+            .iter()
+            .filter(|row| row.code == "diameter")
+            .map(|row| row.verdict.clone())
+            .collect();
         let (alarm, wrote, said) = run(&plan);
-        (verdicts.into_iter().flatten().collect::<Vec<_>>().join(", "), alarm, wrote, said)
+        (
+            verdicts
+                .into_iter()
+                .flatten()
+                .collect::<Vec<_>>()
+                .join(", "),
+            alarm,
+            wrote,
+            said,
+        )
     };
     let (verdicts, alarm, wrote, _) = of(0.0, 0.01);
-    assert_eq!((verdicts.as_str(), alarm, wrote), ("good, good", false, true));
+    assert_eq!(
+        (verdicts.as_str(), alarm, wrote),
+        ("good, good", false, true)
+    );
     let (verdicts, alarm, wrote, said) = of(0.06, 0.01);
-    assert_eq!((verdicts.as_str(), alarm, wrote), ("out, good", false, true));
-    assert!(said.contains("LEFT.diameter") && said.contains("not 24.95 to 25.05"), "{said}");
+    assert_eq!(
+        (verdicts.as_str(), alarm, wrote),
+        ("out, good", false, true)
+    );
+    assert!(
+        said.contains("LEFT.diameter") && said.contains("not 24.95 to 25.05"),
+        "{said}"
+    );
     let (verdicts, alarm, wrote, said) = of(0.0, 0.04);
-    assert_eq!((verdicts.as_str(), alarm, wrote), ("good, out", true, false));
+    assert_eq!(
+        (verdicts.as_str(), alarm, wrote),
+        ("good, out", true, false)
+    );
     assert!(said.contains("RIGHT.diameter"), "{said}");
 }
 
 /// The job with this tolerance of the diameter.
 fn with_tolerance(given: &str) -> Value {
-    with(&bore("linuxcnc", "1", "stop", 0.0), "tolerances", job(given))
+    with(
+        &bore("linuxcnc", "1", "stop", 0.0),
+        "tolerances",
+        job(given),
+    )
 }
 
 fn findings(job: &Value) -> Vec<(Level, String, String)> {
@@ -197,22 +302,65 @@ fn findings(job: &Value) -> Vec<(Level, String, String)> {
         Ok(plan) => plan.findings,
         Err(JobError { findings, .. }) => findings,
     };
-    findings.into_iter().map(|finding| (finding.level, finding.code, finding.path)).collect()
+    findings
+        .into_iter()
+        .map(|finding| (finding.level, finding.code, finding.path))
+        .collect()
 }
 
 #[test]
 fn what_is_no_tolerance_is_said_at_its_place() {
     for (given, code, path) in [
-        (r#"{ "diameter": { "tolerance": "H77" } }"#, "not-a-tolerance", "tolerances.diameter.tolerance"),
-        (r#"{ "diameter": { "tolerance": "25" } }"#, "not-a-tolerance", "tolerances.diameter.tolerance"),
-        (r#"{ "center.x": { "tolerance": "H7" } }"#, "not-a-tolerance", "tolerances.center.x.tolerance"),
-        (r#"{ "diameter": { "tolerance": 0.02 } }"#, "wrong-type", "tolerances.diameter.tolerance"),
-        (r#"{ "diameter": { "action": "stop" } }"#, "missing", "tolerances.diameter.tolerance"),
-        (r#"{ "diameter": { "tolerance": "H7", "action": "halt" } }"#, "unknown-value", "tolerances.diameter.action"),
-        (r#"{ "diameter": { "tolerance": "H7", "else": 1 } }"#, "unknown-key", "tolerances.diameter.else"),
-        (r#"{ "diameter": "H7" }"#, "wrong-type", "tolerances.diameter"),
-        (r#"{ "width": { "tolerance": "H7" } }"#, "tolerance-unknown", "tolerances.width"),
-        (r#"{ "diameter": { "tolerance": "±0.6" } }"#, "tolerance-beyond-limit", "tolerances.diameter.tolerance"),
+        (
+            r#"{ "diameter": { "tolerance": "H77" } }"#,
+            "not-a-tolerance",
+            "tolerances.diameter.tolerance",
+        ),
+        (
+            r#"{ "diameter": { "tolerance": "25" } }"#,
+            "not-a-tolerance",
+            "tolerances.diameter.tolerance",
+        ),
+        (
+            r#"{ "center.x": { "tolerance": "H7" } }"#,
+            "not-a-tolerance",
+            "tolerances.center.x.tolerance",
+        ),
+        (
+            r#"{ "diameter": { "tolerance": 0.02 } }"#,
+            "wrong-type",
+            "tolerances.diameter.tolerance",
+        ),
+        (
+            r#"{ "diameter": { "action": "stop" } }"#,
+            "missing",
+            "tolerances.diameter.tolerance",
+        ),
+        (
+            r#"{ "diameter": { "tolerance": "H7", "action": "halt" } }"#,
+            "unknown-value",
+            "tolerances.diameter.action",
+        ),
+        (
+            r#"{ "diameter": { "tolerance": "H7", "else": 1 } }"#,
+            "unknown-key",
+            "tolerances.diameter.else",
+        ),
+        (
+            r#"{ "diameter": "H7" }"#,
+            "wrong-type",
+            "tolerances.diameter",
+        ),
+        (
+            r#"{ "width": { "tolerance": "H7" } }"#,
+            "tolerance-unknown",
+            "tolerances.width",
+        ),
+        (
+            r#"{ "diameter": { "tolerance": "±0.6" } }"#,
+            "tolerance-beyond-limit",
+            "tolerances.diameter.tolerance",
+        ),
         (
             r#"{ "diameter": { "tolerance": "                                                                 H7" } }"#,
             "text-too-long",
@@ -221,33 +369,71 @@ fn what_is_no_tolerance_is_said_at_its_place() {
         (r#"[1]"#, "wrong-type", "tolerances"),
     ] {
         let found = findings(&with_tolerance(given));
-        assert!(found.contains(&(Level::Error, code.to_owned(), path.to_owned())), "{given}: {found:?}");
+        assert!(
+            found.contains(&(Level::Error, code.to_owned(), path.to_owned())),
+            "{given}: {found:?}"
+        );
     }
-    let elsewhere = findings(&with_tolerance(r#"{ "diameter": { "tolerance": "25.2H7" } }"#));
+    let elsewhere = findings(&with_tolerance(
+        r#"{ "diameter": { "tolerance": "25.2H7" } }"#,
+    ));
     assert!(
-        elsewhere.iter().any(|(level, code, _)| *level == Level::Warning && code == "tolerance-elsewhere"),
+        elsewhere
+            .iter()
+            .any(|(level, code, _)| *level == Level::Warning && code == "tolerance-elsewhere"),
         "{elsewhere:?}"
     );
-    assert_eq!(findings(&with_tolerance("null")), findings(&with_tolerance("{}")));
+    assert_eq!(
+        findings(&with_tolerance("null")),
+        findings(&with_tolerance("{}"))
+    );
 }
 
 /// A program that cannot compare is refused what follows, and judged by whoever reads it.
 #[test]
 fn a_control_that_cannot_compare_is_not_asked_to() {
-    let moves = without(&of_moves(), &computing()).into_iter().map(|post| (post, "moves"));
+    let moves = without(&of_moves(), &computing())
+        .into_iter()
+        .map(|post| (post, "moves"));
     for (post, form) in moves.chain(calling().into_iter().map(|post| (post, "cycle"))) {
         for then in ["mark", "stop"] {
-            let job = with(&bore(post, "null", then, 0.0), "control.form", Value::Text(form.to_owned()));
+            let job = with(
+                &bore(post, "null", then, 0.0),
+                "control.form",
+                Value::Text(form.to_owned()),
+            );
             let found = findings(&job);
-            let wanted = (Level::Error, "tolerance-unsupported".to_owned(), "tolerances.diameter.action".to_owned());
+            let wanted = (
+                Level::Error,
+                "tolerance-unsupported".to_owned(),
+                "tolerances.diameter.action".to_owned(),
+            );
             assert!(found.contains(&wanted), "{post}: {found:?}");
         }
-        let job = with(&bore(post, "null", "go", 0.01), "control.form", Value::Text(form.to_owned()));
-        let row = planned(&job).results.into_iter().find(|row| row.code == "diameter");
-        assert!(row.is_none_or(|row| row.value.is_none() || row.verdict.as_deref() == Some("good")), "{post}");
+        let job = with(
+            &bore(post, "null", "go", 0.01),
+            "control.form",
+            Value::Text(form.to_owned()),
+        );
+        let row = planned(&job)
+            .results
+            .into_iter()
+            .find(|row| row.code == "diameter");
+        assert!(
+            row.is_none_or(|row| row.value.is_none() || row.verdict.as_deref() == Some("good")),
+            "{post}"
+        );
     }
-    let circles = with(&default_job("probing-two-circles").unwrap(), "tolerances", job(r#"{ "Q966": { "tolerance": "H7" } }"#));
-    assert!(findings(&circles).iter().any(|(_, code, _)| code == "tolerance-unsupported"));
+    let circles = with(
+        &default_job("probing-two-circles").unwrap(),
+        "tolerances",
+        job(r#"{ "Q966": { "tolerance": "H7" } }"#),
+    );
+    assert!(
+        findings(&circles)
+            .iter()
+            .any(|(_, code, _)| code == "tolerance-unsupported")
+    );
 }
 
 #[test]
@@ -255,27 +441,51 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
     for post in computing() {
         let plan = planned(&bore(post, "1", "stop", 0.0));
         let back = import(&plan.program.text).unwrap().job;
-        assert_eq!(text_at(&back, &["tolerances", "diameter", "tolerance"]), "H7", "{post}");
+        assert_eq!(
+            text_at(&back, &["tolerances", "diameter", "tolerance"]),
+            "H7",
+            "{post}"
+        );
         assert_eq!(planned(&back).program.text, plan.program.text, "{post}");
         // What a comment cannot hold is written otherwise, and is the same.
         let signs = r#"{ "diameter": { "tolerance": "25 ±0,02" }, "center.x": { "tolerance": "+0.1/-.2", "action": "mark" } }"#;
-        let plan = planned(&with(&bore(post, "1", "stop", 0.0), "tolerances", job(signs)));
+        let plan = planned(&with(
+            &bore(post, "1", "stop", 0.0),
+            "tolerances",
+            job(signs),
+        ));
         let again = planned(&import(&plan.program.text).unwrap().job);
         assert_eq!(again.program.text, plan.program.text, "{post}");
-        let limits = |plan: &Plan| plan.results.iter().map(|row| row.limits).collect::<Vec<_>>();
+        let limits = |plan: &Plan| {
+            plan.results
+                .iter()
+                .map(|row| row.limits)
+                .collect::<Vec<_>>()
+        };
         assert_eq!(limits(&again), limits(&plan), "{post}");
         assert_eq!(limits(&plan).iter().flatten().count(), 2);
     }
     let mm = with(
         &bore("linuxcnc", "1", "stop", 0.0),
         "tolerances",
-        job(r#"{ "diameter": { "tolerance": "25±0.0254" }, "center.x": { "tolerance": "-0.254..0.254" } }"#),
+        job(
+            r#"{ "diameter": { "tolerance": "25±0.0254" }, "center.x": { "tolerance": "-0.254..0.254" } }"#,
+        ),
     );
     let inch = convert_units(&mm, "inch").unwrap();
-    assert_eq!(text_at(&inch, &["tolerances", "diameter", "tolerance"]), "0.984252±0.001");
+    assert_eq!(
+        text_at(&inch, &["tolerances", "diameter", "tolerance"]),
+        "0.984252±0.001"
+    );
     let limits = |job: &Value| {
         let rows = planned(job).results;
-        let of = |code: &str| rows.iter().find(|row| row.code == code).unwrap().limits.unwrap();
+        let of = |code: &str| {
+            rows.iter()
+                .find(|row| row.code == code)
+                .unwrap()
+                .limits
+                .unwrap()
+        };
         [of("diameter"), of("center.x")].concat()
     };
     for (a, b) in limits(&mm).iter().zip(limits(&inch)) {
@@ -283,8 +493,18 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
     }
     // An angle is one in any units.
     let wall = default_job("wall-angle").unwrap();
-    let wall = with(&wall, "tolerances", job(r#"{ "rotation": { "tolerance": "±0.5" } }"#));
-    assert_eq!(text_at(&convert_units(&wall, "inch").unwrap(), &["tolerances", "rotation", "tolerance"]), "±0.5");
+    let wall = with(
+        &wall,
+        "tolerances",
+        job(r#"{ "rotation": { "tolerance": "±0.5" } }"#),
+    );
+    assert_eq!(
+        text_at(
+            &convert_units(&wall, "inch").unwrap(),
+            &["tolerances", "rotation", "tolerance"]
+        ),
+        "±0.5"
+    );
     // What is converted by its name is every angle that there is.
     for code in RESULT_CODES.iter().filter(|code| !code.starts_with('Q')) {
         let angle = code.ends_with("rotation") || code.ends_with("angle") || *code == "table.turn";
@@ -308,6 +528,9 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
             "difference",
             "mean",
         ];
-        assert!(angle || lengths.iter().any(|length| code.starts_with(length)), "{code} is neither");
+        assert!(
+            angle || lengths.iter().any(|length| code.starts_with(length)),
+            "{code} is neither"
+        );
     }
 }

@@ -77,7 +77,10 @@ impl Control {
             let full = *lines.get(next).ok_or("ran off the end: M30 is missing")?;
             let line = next + 1;
             let fail = |what: &str| format!("line {line}: {what}: {full}");
-            if full.bytes().any(|b| b.is_ascii_lowercase() || !b.is_ascii()) {
+            if full
+                .bytes()
+                .any(|b| b.is_ascii_lowercase() || !b.is_ascii())
+            {
                 return Err(fail("a sign that the control has not"));
             }
             let code = full.split('(').next().unwrap().trim();
@@ -86,27 +89,45 @@ impl Control {
             let empty = code.is_empty() || code == "%" || code.starts_with('N');
             if self.moving
                 && !empty
-                && (code.contains("#50") || code.starts_with("#3000") || code.starts_with("#52") || code.starts_with("#140"))
+                && (code.contains("#50")
+                    || code.starts_with("#3000")
+                    || code.starts_with("#52")
+                    || code.starts_with("#140"))
             {
-                return Err(fail("this is evaluated while the motion before it still runs"));
+                return Err(fail(
+                    "this is evaluated while the motion before it still runs",
+                ));
             }
             self.moving &= empty;
             let label = |word: &str| {
                 let wanted = format!("N{}", word.trim());
-                let place = lines.iter().position(|l| *l == wanted).ok_or(format!("no label {wanted}"));
-                if lines.iter().filter(|l| **l == wanted).count() > 1 { Err(format!("{wanted} twice")) } else { place }
+                let place = lines
+                    .iter()
+                    .position(|l| *l == wanted)
+                    .ok_or(format!("no label {wanted}"));
+                if lines.iter().filter(|l| **l == wanted).count() > 1 {
+                    Err(format!("{wanted} twice"))
+                } else {
+                    place
+                }
             };
             if code.is_empty() || code == "%" || code.starts_with('O') || code.starts_with('N') {
                 continue;
             }
             if let Some(rest) = code.strip_prefix("IF [") {
                 let jump = rest.rsplit_once("] GOTO ");
-                let (condition, target) =
-                    jump.or(rest.rsplit_once("] THEN ")).ok_or_else(|| fail("an IF without what it does"))?;
-                let operator = [" EQ ", " NE ", " LT ", " LE ", " GT ", " GE "].into_iter().find(|op| condition.contains(op));
+                let (condition, target) = jump
+                    .or(rest.rsplit_once("] THEN "))
+                    .ok_or_else(|| fail("an IF without what it does"))?;
+                let operator = [" EQ ", " NE ", " LT ", " LE ", " GT ", " GE "]
+                    .into_iter()
+                    .find(|op| condition.contains(op));
                 let operator = operator.ok_or_else(|| fail("no comparison"))?;
                 let (left, right) = condition.split_once(operator).unwrap();
-                let (left, right) = (self.value(left).map_err(|e| fail(&e))?, self.value(right).map_err(|e| fail(&e))?);
+                let (left, right) = (
+                    self.value(left).map_err(|e| fail(&e))?,
+                    self.value(right).map_err(|e| fail(&e))?,
+                );
                 let holds = match operator.trim() {
                     "EQ" => left == right,
                     "NE" => left != right,
@@ -118,7 +139,9 @@ impl Control {
                 if holds && jump.is_some() {
                     next = label(target)?;
                 } else if holds {
-                    let (number, value) = target.split_once('=').ok_or_else(|| fail("no assignment"))?;
+                    let (number, value) = target
+                        .split_once('=')
+                        .ok_or_else(|| fail("no assignment"))?;
                     let number: i64 = number[1..].parse().map_err(|_| fail("no variable"))?;
                     let value = self.value(value).map_err(|e| fail(&e))?;
                     assert!((100..=147).contains(&number), "{full}");
@@ -131,7 +154,9 @@ impl Control {
                 let number: i64 = number.parse().map_err(|_| fail("no variable"))?;
                 let value = self.value(value).map_err(|e| fail(&e))?;
                 if number == 3000 {
-                    let text = full.split_once('(').map_or("", |(_, text)| text.trim_end_matches(')'));
+                    let text = full
+                        .split_once('(')
+                        .map_or("", |(_, text)| text.trim_end_matches(')'));
                     if text.len() > 26 {
                         return Err(fail("a message is longer than the control shows"));
                     }
@@ -165,7 +190,9 @@ impl Control {
             let number = |word: &str| -> Result<f64, String> {
                 // Without its point a number counts in the smallest step.
                 if word.contains('.') {
-                    word[1..].parse().map_err(|_| format!("{word} is no number"))
+                    word[1..]
+                        .parse()
+                        .map_err(|_| format!("{word} is no number"))
                 } else {
                     Err(format!("{word} has no point"))
                 }
@@ -173,15 +200,24 @@ impl Control {
             match word.as_bytes()[0] {
                 b'X' | b'Y' | b'Z' => {
                     let sum = word[1..].starts_with('[') && word.contains('.');
-                    to[usize::from(word.as_bytes()[0] - b'X')] = if sum { self.value(&word[1..])? } else { number(word)? };
+                    to[usize::from(word.as_bytes()[0] - b'X')] = if sum {
+                        self.value(&word[1..])?
+                    } else {
+                        number(word)?
+                    };
                     axes += 1;
                 }
                 b'F' => feed = Some(number(word)?),
                 _ => match *word {
                     "G0" | "G1" | "G31" => motion = word,
-                    "G20" | "G21" if words.len() == 1 && self.modal[0].1 == word[1..].parse::<f64>().unwrap() => {}
-                    "G17" | "G18" | "G19" | "G40" | "G80" | "G90" | "G94" | "G53" | "M5" | "M9" => {}
-                    "G54" | "G55" | "G56" | "G57" | "G58" | "G59" => self.offset = (*word).to_owned(),
+                    "G20" | "G21"
+                        if words.len() == 1
+                            && self.modal[0].1 == word[1..].parse::<f64>().unwrap() => {}
+                    "G17" | "G18" | "G19" | "G40" | "G80" | "G90" | "G94" | "G53" | "M5" | "M9" => {
+                    }
+                    "G54" | "G55" | "G56" | "G57" | "G58" | "G59" => {
+                        self.offset = (*word).to_owned()
+                    }
                     "G154" if self.haas => self.offset = code.to_owned(),
                     "G54.1" if !self.haas => self.offset = code.to_owned(),
                     "G103" if self.haas => {}
@@ -194,13 +230,18 @@ impl Control {
                     "POPEN" | "PCLOS" => {}
                     _ if word.starts_with("DPRNT[") => {}
                     "M30" => return Ok(true),
-                    _ if word.starts_with('P') && matches!(words[0], "G154" | "G103" | "G54.1") => {}
+                    _ if word.starts_with('P') && matches!(words[0], "G154" | "G103" | "G54.1") => {
+                    }
                     _ => return Err(format!("{word} is not known")),
                 },
             }
         }
         if axes == 0 {
-            return if motion.is_empty() { Ok(false) } else { Err("a motion to nowhere".to_owned()) };
+            return if motion.is_empty() {
+                Ok(false)
+            } else {
+                Err("a motion to nowhere".to_owned())
+            };
         }
         if motion.is_empty() || (motion != "G0" && feed.is_none_or(|f| f <= 0.0)) {
             return Err("a motion without its word or feed".to_owned());
@@ -208,7 +249,11 @@ impl Control {
         let mut met = None;
         if motion == "G31" {
             let number = self.variables.get(&149).copied();
-            met = self.contacts.first().copied().filter(|contact| on_the_way(self.at, to, *contact));
+            met = self
+                .contacts
+                .first()
+                .copied()
+                .filter(|contact| on_the_way(self.at, to, *contact));
             if met.is_some() && self.early != number {
                 self.contacts.remove(0);
             } else if self.early.is_some() && self.early == number {
@@ -220,7 +265,8 @@ impl Control {
             }
             let stop = met.unwrap_or(to);
             for (axis, place) in stop.into_iter().enumerate() {
-                self.variables.insert(5061 + axis as i64, place + self.bias(axis));
+                self.variables
+                    .insert(5061 + axis as i64, place + self.bias(axis));
             }
         }
         self.at = met.unwrap_or(to);
@@ -234,7 +280,11 @@ impl Control {
     }
 
     fn bias(&self, axis: usize) -> f64 {
-        if axis == 2 && self.length_included { self.length } else { 0.0 }
+        if axis == 2 && self.length_included {
+            self.length
+        } else {
+            0.0
+        }
     }
 
     fn known(&self, number: i64) -> Result<f64, String> {
@@ -244,17 +294,27 @@ impl Control {
             // Wear and length of tool 7, of two kinds of memory.
             2007 if !self.haas => 0.25,
             2207 if !self.haas => self.length - 0.25,
-            4006..=4022 | 4111 => {
-                self.modal.iter().find(|(code, _)| *code == number).map(|(_, value)| *value).ok_or("modal")?
-            }
-            _ => *self.variables.get(&number).ok_or(format!("#{number} is empty"))?,
+            4006..=4022 | 4111 => self
+                .modal
+                .iter()
+                .find(|(code, _)| *code == number)
+                .map(|(_, value)| *value)
+                .ok_or("modal")?,
+            _ => *self
+                .variables
+                .get(&number)
+                .ok_or(format!("#{number} is empty"))?,
         })
     }
 
     fn value(&self, text: &str) -> Result<f64, String> {
         let mut rest = text.trim().as_bytes();
         let value = self.sum(&mut rest)?;
-        if rest.is_empty() { Ok(value) } else { Err(format!("{} is left", String::from_utf8_lossy(rest))) }
+        if rest.is_empty() {
+            Ok(value)
+        } else {
+            Err(format!("{} is left", String::from_utf8_lossy(rest)))
+        }
     }
 
     fn sum(&self, rest: &mut &[u8]) -> Result<f64, String> {
@@ -272,14 +332,20 @@ impl Control {
         while let [sign @ (b'*' | b'/'), tail @ ..] = *rest {
             *rest = tail;
             let next = self.factor(rest)?;
-            value = if *sign == b'*' { value * next } else { value / next };
+            value = if *sign == b'*' {
+                value * next
+            } else {
+                value / next
+            };
         }
         Ok(value)
     }
 
     fn factor(&self, rest: &mut &[u8]) -> Result<f64, String> {
         for name in ["SIN", "COS", "SQRT", "ABS", "ATAN"] {
-            let Some(tail) = rest.strip_prefix(name.as_bytes()) else { continue };
+            let Some(tail) = rest.strip_prefix(name.as_bytes()) else {
+                continue;
+            };
             *rest = tail;
             let x = self.factor(rest)?;
             return Ok(match name {
@@ -288,10 +354,16 @@ impl Control {
                 "SQRT" => x.sqrt(),
                 "ABS" => x.abs(),
                 _ => {
-                    let Some(tail) = rest.strip_prefix(b"/") else { return Err("ATAN without its second value".to_owned()) };
+                    let Some(tail) = rest.strip_prefix(b"/") else {
+                        return Err("ATAN without its second value".to_owned());
+                    };
                     *rest = tail;
                     let angle = x.atan2(self.factor(rest)?).to_degrees();
-                    if self.full_circle { angle.rem_euclid(360.0) } else { angle }
+                    if self.full_circle {
+                        angle.rem_euclid(360.0)
+                    } else {
+                        angle
+                    }
                 }
             });
         }
@@ -316,13 +388,18 @@ impl Control {
                 let number = digits(rest).parse::<i64>().map_err(|_| "no variable")?;
                 self.known(number)
             }
-            _ => digits(rest).parse::<f64>().map_err(|_| "no number".to_owned()),
+            _ => digits(rest)
+                .parse::<f64>()
+                .map_err(|_| "no number".to_owned()),
         }
     }
 }
 
 fn digits(rest: &mut &[u8]) -> String {
-    let end = rest.iter().position(|b| !(b.is_ascii_digit() || *b == b'.')).unwrap_or(rest.len());
+    let end = rest
+        .iter()
+        .position(|b| !(b.is_ascii_digit() || *b == b'.'))
+        .unwrap_or(rest.len());
     let (taken, tail) = rest.split_at(end);
     *rest = tail;
     String::from_utf8_lossy(taken).into_owned()
@@ -334,6 +411,9 @@ pub fn on_the_way(from: [f64; 3], to: [f64; 3], place: [f64; 3]) -> bool {
     let off = [0, 1, 2].map(|i| place[i] - from[i]);
     let square: f64 = way.iter().map(|x| x * x).sum();
     let along = way.iter().zip(&off).map(|(a, b)| a * b).sum::<f64>() / square;
-    let aside: f64 = (0..3).map(|i| (off[i] - along * way[i]).powi(2)).sum::<f64>().sqrt();
+    let aside: f64 = (0..3)
+        .map(|i| (off[i] - along * way[i]).powi(2))
+        .sum::<f64>()
+        .sqrt();
     square > 0.0 && (0.0..=1.0).contains(&along) && aside < 2e-3
 }

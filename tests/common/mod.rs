@@ -35,7 +35,10 @@ pub struct Draws(pub u64);
 
 impl Draws {
     pub fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as f64 / (1u64 << 31) as f64
     }
 
@@ -50,7 +53,11 @@ impl Draws {
 
 /// Whether a block is nothing but words of a letter and a number, behind its number and a block skip.
 fn is_plain(mut code: &str) -> bool {
-    let digits = |text: &str| text.bytes().take_while(|b| b.is_ascii_digit() || *b == b'.').count();
+    let digits = |text: &str| {
+        text.bytes()
+            .take_while(|b| b.is_ascii_digit() || *b == b'.')
+            .count()
+    };
     while !code.is_empty() {
         let rest = code[1..].trim_start_matches([' ', '\t']);
         code = match code.as_bytes()[0] {
@@ -72,9 +79,14 @@ fn is_plain(mut code: &str) -> bool {
 /// A program with a comment behind every block that is nothing but such words: it means the same, and its reader reads it word by word.
 pub fn with_comments(text: &str) -> String {
     text.split_inclusive('\n')
-        .map(|line| match line.strip_suffix('\n').filter(|code| code.is_ascii() && is_plain(code) && !code.trim().is_empty()) {
-            Some(code) => format!("{code} ;\n"),
-            None => line.to_owned(),
+        .map(|line| {
+            match line
+                .strip_suffix('\n')
+                .filter(|code| code.is_ascii() && is_plain(code) && !code.trim().is_empty())
+            {
+                Some(code) => format!("{code} ;\n"),
+                None => line.to_owned(),
+            }
         })
         .collect()
 }
@@ -82,13 +94,20 @@ pub fn with_comments(text: &str) -> String {
 /// The jobs of the repository: name and value.
 pub fn jobs() -> Vec<(String, Value)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/jobs");
-    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder).expect("tests/jobs").map(|e| e.expect("entry").path()).collect();
+    let mut paths: Vec<PathBuf> = std::fs::read_dir(folder)
+        .expect("tests/jobs")
+        .map(|e| e.expect("entry").path())
+        .collect();
     paths.sort();
     paths
         .into_iter()
         .map(|path| {
             let text = std::fs::read_to_string(&path).expect("a job file");
-            let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+            let name = path
+                .file_stem()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned();
             (name, from_json(&text).expect("a job file is JSON"))
         })
         .collect()
@@ -98,12 +117,17 @@ pub fn jobs() -> Vec<(String, Value)> {
 pub fn unlimited(job: &Value) -> Value {
     ["position", "size", "angle", "residual"]
         .iter()
-        .fold(job.clone(), |job, limit| with(&job, &format!("limits.{limit}"), Value::Null))
+        .fold(job.clone(), |job, limit| {
+            with(&job, &format!("limits.{limit}"), Value::Null)
+        })
 }
 
 /// Those of the repository, likewise.
 pub fn unlimited_jobs() -> Vec<(String, Value)> {
-    jobs().into_iter().map(|(name, job)| (name, unlimited(&job))).collect()
+    jobs()
+        .into_iter()
+        .map(|(name, job)| (name, unlimited(&job)))
+        .collect()
 }
 
 /// A plan that must be there.
@@ -127,14 +151,24 @@ pub struct Read {
 /// Reads a text.
 pub fn import(text: &str) -> Result<Read, JobError> {
     Ok(match touchpath::import::import(text)? {
-        Imported::Job { job, findings } => Read { job, trace: None, findings },
-        Imported::Moves { trace, findings } => Read { job: Value::Null, trace: Some(trace), findings },
+        Imported::Job { job, findings } => Read {
+            job,
+            trace: None,
+            findings,
+        },
+        Imported::Moves { trace, findings } => Read {
+            job: Value::Null,
+            trace: Some(trace),
+            findings,
+        },
     })
 }
 
 /// The same job with another value at a path such as `cycle.width1`.
 pub fn with(job: &Value, path: &str, value: Value) -> Value {
-    let (key, rest) = path.split_once('.').map_or((path, None), |(k, r)| (k, Some(r)));
+    let (key, rest) = path
+        .split_once('.')
+        .map_or((path, None), |(k, r)| (k, Some(r)));
     let mut entries = match job {
         Value::Map(entries) => entries.clone(),
         _ => Vec::new(),
@@ -213,36 +247,58 @@ pub fn interpret_until_stop(program: &str) -> (Interpreted, Option<String>) {
 /// A program for LinuxCNC whose touches end at these places, by their numbers: a probing move of its interpreter ends where its block ends.
 pub fn ending_at(plan: &Plan, place: impl Fn(usize) -> [f64; 3]) -> String {
     let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-    for (index, step) in plan.moves.iter().enumerate().filter(|(_, step)| step.kind == "touch") {
+    for (index, step) in plan
+        .moves
+        .iter()
+        .enumerate()
+        .filter(|(_, step)| step.kind == "touch")
+    {
         let [x, y, z] = place(step.touch.expect("a touch has its number"));
-        lines[usize::try_from(plan.program.move_lines[index]).expect("a line")] = format!("G38.2 X{x:.7} Y{y:.7} Z{z:.7} F150");
+        lines[usize::try_from(plan.program.move_lines[index]).expect("a line")] =
+            format!("G38.2 X{x:.7} Y{y:.7} Z{z:.7} F150");
     }
     lines.join("\n") + "\n"
 }
 
 /// The same on the virtual part of the plan.
 pub fn on_virtual_part(plan: &Plan) -> String {
-    ending_at(plan, |k| plan.triggers[k].expect("every touch meets the part"))
+    ending_at(plan, |k| {
+        plan.triggers[k].expect("every touch meets the part")
+    })
 }
 
 /// The canonical calls, a line each.
 pub fn canonical(program: &str) -> Vec<String> {
-    run_interpreter(program).0.lines().map(str::to_owned).collect()
+    run_interpreter(program)
+        .0
+        .lines()
+        .map(str::to_owned)
+        .collect()
 }
 
 /// The command of LinuxCNC's interpreter.
 fn interpreter() -> PathBuf {
-    let command = std::env::var("RS274").map(PathBuf::from).unwrap_or_else(|_| {
-        let target = std::env::var("CARGO_TARGET_DIR").unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));
-        PathBuf::from(target).join("tools/linuxcnc/rs274")
-    });
-    assert!(command.exists(), "LinuxCNC's interpreter is not set up: run `npm run test:setup` once");
+    let command = std::env::var("RS274")
+        .map(PathBuf::from)
+        .unwrap_or_else(|_| {
+            let target = std::env::var("CARGO_TARGET_DIR")
+                .unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));
+            PathBuf::from(target).join("tools/linuxcnc/rs274")
+        });
+    assert!(
+        command.exists(),
+        "LinuxCNC's interpreter is not set up: run `npm run test:setup` once"
+    );
     command
 }
 
 /// A folder for the files of one run.
 fn own_folder() -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("touchpath-{}-{:?}", std::process::id(), std::thread::current().id()));
+    let folder = std::env::temp_dir().join(format!(
+        "touchpath-{}-{:?}",
+        std::process::id(),
+        std::thread::current().id()
+    ));
     std::fs::create_dir_all(&folder).expect("a folder");
     folder
 }
@@ -260,7 +316,10 @@ pub fn preview(programs: &[&str]) -> Vec<String> {
     let paths: Vec<PathBuf> = paths.collect();
     let libraries = format!("{0}/usr/lib:{0}/usr/lib/x86_64-linux-gnu", root.display());
     let output = Command::new("python3")
-        .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/preview.py"))
+        .arg(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/tests/common/preview.py"
+        ))
         .arg(root)
         .args(&paths)
         .env("LD_LIBRARY_PATH", libraries)
@@ -268,8 +327,16 @@ pub fn preview(programs: &[&str]) -> Vec<String> {
         .output()
         .expect("Python runs");
     std::fs::remove_dir_all(&folder).expect("the folder goes");
-    let said: Vec<String> = String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect();
-    assert_eq!(said.len(), programs.len(), "{}", String::from_utf8_lossy(&output.stderr));
+    let said: Vec<String> = String::from_utf8_lossy(&output.stdout)
+        .lines()
+        .map(str::to_owned)
+        .collect();
+    assert_eq!(
+        said.len(),
+        programs.len(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     said
 }
 
@@ -296,7 +363,8 @@ fn run_interpreter(program: &str) -> (String, Option<String>) {
         .expect("the interpreter runs");
     std::fs::remove_dir_all(&folder).expect("the folder goes");
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let error = (!output.status.success()).then(|| String::from_utf8_lossy(&output.stderr).into_owned());
+    let error =
+        (!output.status.success()).then(|| String::from_utf8_lossy(&output.stderr).into_owned());
     (text, error)
 }
 
@@ -307,20 +375,36 @@ fn read(text: &str) -> Interpreted {
     let mut given_back = false;
     for line in text.lines() {
         if let Some((name, value)) = line.split_once('=').filter(|_| !line.contains("N.....")) {
-            found.prints.push((name.to_owned(), value.parse().unwrap_or(f64::NAN)));
+            found
+                .prints
+                .push((name.to_owned(), value.parse().unwrap_or(f64::NAN)));
             continue;
         }
-        let Some((word, rest)) = line.split_once("N..... ").and_then(|(_, call)| call.split_once('(')) else {
+        let Some((word, rest)) = line
+            .split_once("N..... ")
+            .and_then(|(_, call)| call.split_once('('))
+        else {
             continue;
         };
-        let numbers: Vec<f64> = rest.trim_end_matches(')').split(',').filter_map(|n| n.trim().parse().ok()).collect();
+        let numbers: Vec<f64> = rest
+            .trim_end_matches(')')
+            .split(',')
+            .filter_map(|n| n.trim().parse().ok())
+            .collect();
         // What is shown on the screen.
         // One result, or several with their names.
         let message = rest.trim_matches(['"', ')']);
         if word == "MESSAGE" && message.contains('=') {
-            let pairs: Vec<(&str, &str)> = message.split(' ').filter_map(|pair| pair.split_once('=')).collect();
+            let pairs: Vec<(&str, &str)> = message
+                .split(' ')
+                .filter_map(|pair| pair.split_once('='))
+                .collect();
             let number = |value: &str| value.parse().unwrap_or(f64::NAN);
-            found.prints.extend(pairs.into_iter().map(|(name, value)| (name.to_owned(), number(value))));
+            found.prints.extend(
+                pairs
+                    .into_iter()
+                    .map(|(name, value)| (name.to_owned(), number(value))),
+            );
             continue;
         }
         if word == "MESSAGE" {
@@ -345,9 +429,13 @@ fn read(text: &str) -> Interpreted {
             }
             "SET_G5X_OFFSET" => {
                 if !given_back {
-                    found.offsets_after_moves.push([numbers[1], numbers[2], numbers[3]]);
+                    found
+                        .offsets_after_moves
+                        .push([numbers[1], numbers[2], numbers[3]]);
                 }
-                found.written.get_or_insert((numbers[0] as usize, [numbers[1], numbers[2], numbers[3]]));
+                found
+                    .written
+                    .get_or_insert((numbers[0] as usize, [numbers[1], numbers[2], numbers[3]]));
                 continue;
             }
             "SET_XY_ROTATION" => {
@@ -381,10 +469,20 @@ fn read(text: &str) -> Interpreted {
                 p
             };
             let arc = Some((place(numbers[2], numbers[3]), numbers[4] > 0.0));
-            found.moves.push(Canon { kind, to: place(numbers[0], numbers[1]), feed, arc });
+            found.moves.push(Canon {
+                kind,
+                to: place(numbers[0], numbers[1]),
+                feed,
+                arc,
+            });
             continue;
         }
-        found.moves.push(Canon { kind, to: [numbers[0], numbers[1], numbers[2]], feed, arc: None });
+        found.moves.push(Canon {
+            kind,
+            to: [numbers[0], numbers[1], numbers[2]],
+            feed,
+            arc: None,
+        });
     }
     found
 }
@@ -392,12 +490,32 @@ fn read(text: &str) -> Interpreted {
 /// Runs a program with the ball where the job says it is before the start.
 pub fn interpret_from(program: &str, job: &Value) -> Result<Interpreted, String> {
     let start = match job.get("cycle").and_then(|c| c.get("start")) {
-        Some(Value::List(items)) => [0, 1, 2].map(|i| if let Value::Number(x) = items[i] { x } else { f64::NAN }),
-        _ => [0.0, 0.0, if job.get("units") == Some(&Value::Text("inch".into())) { 100.0 / 25.4 } else { 100.0 }],
+        Some(Value::List(items)) => [0, 1, 2].map(|i| {
+            if let Value::Number(x) = items[i] {
+                x
+            } else {
+                f64::NAN
+            }
+        }),
+        _ => [
+            0.0,
+            0.0,
+            if job.get("units") == Some(&Value::Text("inch".into())) {
+                100.0 / 25.4
+            } else {
+                100.0
+            },
+        ],
     };
-    let unit = if program.lines().any(|l| l == "G20") { "G20" } else { "G21" };
+    let unit = if program.lines().any(|l| l == "G20") {
+        "G20"
+    } else {
+        "G21"
+    };
     let [x, y, z] = start;
-    let mut ran = interpret(&format!("{unit} G90\nG0 X{x:.9} Y{y:.9} Z{z:.9}\n{program}"))?;
+    let mut ran = interpret(&format!(
+        "{unit} G90\nG0 X{x:.9} Y{y:.9} Z{z:.9}\n{program}"
+    ))?;
     ran.moves.remove(0);
     Ok(ran)
 }
@@ -409,13 +527,21 @@ pub fn watches(plan: &Plan) -> bool {
 
 /// Compares the interpreter's moves with the plan's: units, places within half a last digit of its print, kinds, feeds, count. To a first
 /// place that is reached from anywhere the ball comes in two or three moves; an arc that is watched is made of straight pieces on it.
-pub fn compare_moves(plan: &Plan, search: impl Fn(usize) -> f64, ran: &Interpreted) -> Result<(), String> {
+pub fn compare_moves(
+    plan: &Plan,
+    search: impl Fn(usize) -> f64,
+    ran: &Interpreted,
+) -> Result<(), String> {
     if ran.inch != plan.results.iter().any(|r| r.unit == "inch") {
         return Err("the program runs in the other units".to_owned());
     }
     let known_start = plan.results.iter().any(|r| r.code == "Q950");
     let Some(first) = plan.moves.first() else {
-        return if ran.moves.is_empty() { Ok(()) } else { Err("moves run where none is planned".to_owned()) };
+        return if ran.moves.is_empty() {
+            Ok(())
+        } else {
+            Err("moves run where none is planned".to_owned())
+        };
     };
     if known_start {
         return compare_rest(plan, &search, &ran.moves, 0);
@@ -423,9 +549,14 @@ pub fn compare_moves(plan: &Plan, search: impl Fn(usize) -> f64, ran: &Interpret
     // Up where the stylus is lower, across, down.
     let mut why = "the first place is not reached".to_owned();
     for steps in [3, 2] {
-        let Some((approach, rest)) = ran.moves.split_at_checked(steps) else { continue };
-        let near = (0..3).all(|axis| (approach[steps - 1].to[axis] - first.to[axis]).abs() < 1.01e-4);
-        let kinds = approach.iter().all(|m| matches!(m.kind, "feed" | "rapid") || (watches(plan) && m.kind == "probe"));
+        let Some((approach, rest)) = ran.moves.split_at_checked(steps) else {
+            continue;
+        };
+        let near =
+            (0..3).all(|axis| (approach[steps - 1].to[axis] - first.to[axis]).abs() < 1.01e-4);
+        let kinds = approach
+            .iter()
+            .all(|m| matches!(m.kind, "feed" | "rapid") || (watches(plan) && m.kind == "probe"));
         if near && kinds {
             match compare_rest(plan, &search, rest, 1) {
                 Ok(()) => return Ok(()),
@@ -436,9 +567,19 @@ pub fn compare_moves(plan: &Plan, search: impl Fn(usize) -> f64, ran: &Interpret
     Err(why)
 }
 
-fn compare_rest(plan: &Plan, search: &impl Fn(usize) -> f64, moves: &[Canon], from: usize) -> Result<(), String> {
-    let distance = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
-    let inch = if plan.results.iter().any(|r| r.unit == "inch") { 25.4 } else { 1.0 };
+fn compare_rest(
+    plan: &Plan,
+    search: &impl Fn(usize) -> f64,
+    moves: &[Canon],
+    from: usize,
+) -> Result<(), String> {
+    let distance =
+        |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+    let inch = if plan.results.iter().any(|r| r.unit == "inch") {
+        25.4
+    } else {
+        1.0
+    };
     let watched = watches(plan);
     let known_start = plan.results.iter().any(|r| r.code == "Q950");
     let mut rest = moves.iter();
@@ -465,7 +606,10 @@ fn compare_rest(plan: &Plan, search: &impl Fn(usize) -> f64, moves: &[Canon], fr
                 (.., None) => &["feed"],
             };
             if !kinds.contains(&canon.kind) {
-                return Err(format!("move {i} runs as {}, planned as {kinds:?}", canon.kind));
+                return Err(format!(
+                    "move {i} runs as {}, planned as {kinds:?}",
+                    canon.kind
+                ));
             }
             if let (Some(arc), Some((center, counter_clockwise))) = (&step.arc, canon.arc)
                 && ((0..3).any(|axis| (center[axis] - arc.center[axis]).abs() > 2.1e-4)
@@ -478,7 +622,10 @@ fn compare_rest(plan: &Plan, search: &impl Fn(usize) -> f64, moves: &[Canon], fr
                 break;
             }
             let Some(arc) = step.arc.as_ref().filter(|_| watched) else {
-                return Err(format!("move {i} runs to {:?}, planned to {to:?}", canon.to));
+                return Err(format!(
+                    "move {i} runs to {:?}, planned to {to:?}",
+                    canon.to
+                ));
             };
             if (distance(canon.to, arc.center) - distance(step.to, arc.center)).abs() > 2e-4 {
                 return Err(format!("move {i} leaves its arc at {:?}", canon.to));
@@ -493,7 +640,11 @@ fn compare_rest(plan: &Plan, search: &impl Fn(usize) -> f64, moves: &[Canon], fr
 
 /// Compares a SINUMERIK program's path with the plan's: purposes, places within the last digit it writes, numbers, and lines. An
 /// arc may be made of straight pieces that end on it.
-pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &crate::common::mpf::Program) -> Result<(), String> {
+pub fn compare_mpf(
+    plan: &Plan,
+    search: impl Fn(usize) -> f64,
+    program: &crate::common::mpf::Program,
+) -> Result<(), String> {
     use crate::common::mpf::Purpose;
     let steps = program.moves().map_err(|t| format!("{t:?}"))?;
     let mut read = steps.iter().peekable();
@@ -507,21 +658,35 @@ pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &crate::
         if let (Some(k), Purpose::Touch) = (planned.touch, wanted) {
             to = [0, 1, 2].map(|axis| to[axis] - search(k) * plan.touches[k].vector[axis]);
         }
-        let near = |a: &[f64; 3], b: [f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < 1.01e-4);
+        let near =
+            |a: &[f64; 3], b: [f64; 3]| (0..3).all(|axis| (a[axis] - b[axis]).abs() < 1.01e-4);
         let first = *read.peek().ok_or(format!("move {i} is missing"))?;
         if plan.program.move_lines[i] + 1 != first.line as i32 {
-            return Err(format!("move {i} is in line {}, not {}", first.line, plan.program.move_lines[i] + 1));
+            return Err(format!(
+                "move {i} is in line {}, not {}",
+                first.line,
+                plan.program.move_lines[i] + 1
+            ));
         }
         loop {
             let step = read.next().ok_or(format!("move {i} is missing"))?;
             if step.purpose != wanted || (wanted != Purpose::Back && step.number != Some(i + 1)) {
-                return Err(format!("move {i} is read as {step:?}, planned as {planned:?}"));
+                return Err(format!(
+                    "move {i} is read as {step:?}, planned as {planned:?}"
+                ));
             }
             if near(&step.to, to) {
                 break;
             }
-            let Some(arc) = &planned.arc else { return Err(format!("move {i} runs to {:?}, planned to {to:?}", step.to)) };
-            let from = |p: [f64; 3]| (0..3).map(|axis| (p[axis] - arc.center[axis]).powi(2)).sum::<f64>().sqrt();
+            let Some(arc) = &planned.arc else {
+                return Err(format!("move {i} runs to {:?}, planned to {to:?}", step.to));
+            };
+            let from = |p: [f64; 3]| {
+                (0..3)
+                    .map(|axis| (p[axis] - arc.center[axis]).powi(2))
+                    .sum::<f64>()
+                    .sqrt()
+            };
             if (from(step.to) - from(planned.to)).abs() > 2e-4 {
                 return Err(format!("move {i} leaves its arc at {:?}", step.to));
             }
@@ -535,8 +700,17 @@ pub fn compare_mpf(plan: &Plan, search: impl Fn(usize) -> f64, program: &crate::
 
 /// Asks a law of so many cases. Each says whether it came to its assertions: a law that hardly any case reaches says nothing.
 #[cfg(not(target_arch = "wasm32"))]
-pub fn law<S: Strategy>(cases: u32, least: usize, strategy: S, ask: impl Fn(S::Value) -> Result<bool, TestCaseError>) {
-    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
+pub fn law<S: Strategy>(
+    cases: u32,
+    least: usize,
+    strategy: S,
+    ask: impl Fn(S::Value) -> Result<bool, TestCaseError>,
+) {
+    let config = ProptestConfig {
+        cases,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    };
     let reached = std::cell::Cell::new(0);
     let mut runner = proptest::test_runner::TestRunner::new(config);
     let result = runner.run(&strategy, |case| {
@@ -544,5 +718,9 @@ pub fn law<S: Strategy>(cases: u32, least: usize, strategy: S, ask: impl Fn(S::V
         Ok(())
     });
     result.unwrap_or_else(|why| panic!("{why}"));
-    assert!(reached.get() >= least, "only {} of {cases} cases reached the assertions, at least {least} should", reached.get());
+    assert!(
+        reached.get() >= least,
+        "only {} of {cases} cases reached the assertions, at least {least} should",
+        reached.get()
+    );
 }

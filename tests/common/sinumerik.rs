@@ -75,11 +75,18 @@ impl Machine {
         let mut at = self.start;
         let mut next = 0;
         for _ in 0..20_000 {
-            let block = program.blocks.get(next).ok_or("ran off the end: M30 is missing")?;
+            let block = program
+                .blocks
+                .get(next)
+                .ok_or("ran off the end: M30 is missing")?;
             let line = block.line;
             let jump = |label: &str| {
-                let found = program.blocks[next..].iter().position(|b| b.statement == Statement::Label(label.to_owned()));
-                found.map(|i| next + i).ok_or(format!("line {line}: no label {label}"))
+                let found = program.blocks[next..]
+                    .iter()
+                    .position(|b| b.statement == Statement::Label(label.to_owned()));
+                found
+                    .map(|i| next + i)
+                    .ok_or(format!("line {line}: no label {label}"))
             };
             let mut then = next + 1;
             match &block.statement {
@@ -97,7 +104,9 @@ impl Machine {
                     let value = self.value(value, at)?;
                     match place {
                         Term::Register(n) => drop(self.r.insert(*n, value)),
-                        Term::Name(name) if self.names.contains_key(name) => drop(self.names.insert(name.clone(), value)),
+                        Term::Name(name) if self.names.contains_key(name) => {
+                            self.names.insert(name.clone(), value);
+                        }
                         Term::System(name, parts) if name == "$P_UIFR" => {
                             let (part, axis) = component(parts)?;
                             self.frame[part][axis] = value;
@@ -119,18 +128,36 @@ impl Machine {
                         // MEAS waits for the edge of the signal: of a probe that is deflected already it sees nothing.
                         self.state = 0.0;
                         // The check two blocks on says whether this is meant to touch.
-                        let touch = matches!(&program.blocks[next + 2].statement, Statement::If(Term::Binary("==", ..), _));
+                        let touch = matches!(
+                            &program.blocks[next + 2].statement,
+                            Statement::If(Term::Binary("==", ..), _)
+                        );
                         if touch {
                             if motion.axes.contains(&None) {
-                                return Err(format!("line {line}: MEAS latches the axes that its block names"));
+                                return Err(format!(
+                                    "line {line}: MEAS latches the axes that its block names"
+                                ));
                             }
-                            if let Some(Some(trigger)) = self.triggers.get(self.touched).filter(|_| connected && !deflected) {
+                            if let Some(Some(trigger)) = self
+                                .triggers
+                                .get(self.touched)
+                                .filter(|_| connected && !deflected)
+                            {
                                 (to, self.state) = (*trigger, 1.0);
                             }
                             self.touched += 1;
-                        } else if connected && !deflected && self.contact_in == self.names.get("TP_MOVE").copied() {
+                        } else if connected
+                            && !deflected
+                            && self.contact_in == self.names.get("TP_MOVE").copied()
+                        {
                             self.state = 1.0;
-                            to = [0, 1, 2].map(|i| if at[i].is_nan() { to[i] } else { (at[i] + to[i]) / 2.0 });
+                            to = [0, 1, 2].map(|i| {
+                                if at[i].is_nan() {
+                                    to[i]
+                                } else {
+                                    (at[i] + to[i]) / 2.0
+                                }
+                            });
                         }
                     }
                     at = to;
@@ -148,7 +175,9 @@ impl Machine {
                         self.messages.push(self.message.clone());
                     }
                     // A line of a file in the control.
-                    ("WRITE", [Some(_), Some(_), Some(text)]) => self.written.push(self.text(text, at)?),
+                    ("WRITE", [Some(_), Some(_), Some(text)]) => {
+                        self.written.push(self.text(text, at)?)
+                    }
                     ("SETAL", [Some(number)]) => self.alarm = Some(self.value(number, at)?),
                     // The hundreds of its variant: it corrects the work offset by itself.
                     ("CYCLE977" | "CYCLE978", [Some(Term::Number(variant)), ..]) => {
@@ -174,8 +203,14 @@ impl Machine {
         let truth = |b: bool| f64::from(u8::from(b));
         Ok(match term {
             Term::Number(x) => *x,
-            Term::Register(n) => *self.r.get(n).ok_or(format!("R{n} is read before it is set"))?,
-            Term::Name(name) => *self.names.get(name).ok_or(format!("{name} is not declared"))?,
+            Term::Register(n) => *self
+                .r
+                .get(n)
+                .ok_or(format!("R{n} is read before it is set"))?,
+            Term::Name(name) => *self
+                .names
+                .get(name)
+                .ok_or(format!("{name} is not declared"))?,
             Term::Minus(a) => -self.value(a, at)?,
             Term::Binary(op, a, b) => {
                 let (a, b) = (self.value(a, at)?, self.value(b, at)?);
@@ -193,7 +228,8 @@ impl Machine {
                 }
             }
             Term::Call(name, a) => {
-                let values: Result<Vec<f64>, String> = a.iter().map(|a| self.value(a, at)).collect();
+                let values: Result<Vec<f64>, String> =
+                    a.iter().map(|a| self.value(a, at)).collect();
                 match (name.as_str(), values?.as_slice()) {
                     ("SIN", [x]) => x.to_radians().sin(),
                     ("COS", [x]) => x.to_radians().cos(),
@@ -204,7 +240,11 @@ impl Machine {
                 }
             }
             Term::System(name, parts) => match (name.as_str(), parts.as_slice()) {
-                ("$AC_MEA" | "$A_PROBE", [Term::Number(input)]) if *input != f64::from(self.input) => 0.0,
+                ("$AC_MEA" | "$A_PROBE", [Term::Number(input)])
+                    if *input != f64::from(self.input) =>
+                {
+                    0.0
+                }
                 ("$AC_MEA", _) => self.state,
                 ("$P_TOOL", []) => f64::from(self.tool_offset),
                 // What the measuring cycles give is theirs.
@@ -218,7 +258,10 @@ impl Machine {
                 }
                 (name, [axis, Term::Name(part)]) => {
                     let frames = ["$P_PFRAME", "$P_TOOLFRAME", "$P_WPFRAME"];
-                    let frame = frames.iter().position(|f| *f == name).ok_or(format!("{name}?"))?;
+                    let frame = frames
+                        .iter()
+                        .position(|f| *f == name)
+                        .ok_or(format!("{name}?"))?;
                     self.behind[frame][part_of(part)?][axis_of(axis)?]
                 }
                 (name, _) => return Err(format!("{name}?")),
@@ -230,13 +273,19 @@ impl Machine {
 
 fn axis_of(term: &Term) -> Result<usize, String> {
     match term {
-        Term::Name(name) => ["X", "Y", "Z"].iter().position(|n| n == name).ok_or(format!("axis {name}?")),
+        Term::Name(name) => ["X", "Y", "Z"]
+            .iter()
+            .position(|n| n == name)
+            .ok_or(format!("axis {name}?")),
         other => Err(format!("{other:?} is no axis")),
     }
 }
 
 fn part_of(part: &str) -> Result<usize, String> {
-    ["TR", "RT", "MI", "SC", "FI"].iter().position(|p| *p == part).ok_or(format!("{part}?"))
+    ["TR", "RT", "MI", "SC", "FI"]
+        .iter()
+        .position(|p| *p == part)
+        .ok_or(format!("{part}?"))
 }
 
 fn component(parts: &[Term]) -> Result<(usize, usize), String> {

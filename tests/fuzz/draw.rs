@@ -7,7 +7,9 @@ pub struct Draw {
 
 impl Draw {
     pub fn new(seed: u64) -> Self {
-        let mut draw = Draw { state: seed.wrapping_mul(0x2545_f491_4f6c_dd1d) | 1 };
+        let mut draw = Draw {
+            state: seed.wrapping_mul(0x2545_f491_4f6c_dd1d) | 1,
+        };
         draw.bits();
         draw.bits();
         draw

@@ -1,7 +1,9 @@
 //! Whole jobs, and the laws that each must hold.
 
 use crate::common::{import, values};
-use touchpath::describe::{Catalog, CycleEntry, DefaultEntry, FieldEntry, PostEntry, RelationEntry, export_table};
+use touchpath::describe::{
+    Catalog, CycleEntry, DefaultEntry, FieldEntry, PostEntry, RelationEntry, export_table,
+};
 use touchpath::form::{Level, Value};
 use touchpath::job::{Plan, check, convert_units, plan};
 
@@ -60,7 +62,11 @@ fn value(draw: &mut Draw, field: &FieldEntry, scale: f64) -> Value {
         return Value::Null;
     }
     match field.kind {
-        "number" => Value::Number(number(draw, field, if is_metric(field) { scale } else { 1.0 })),
+        "number" => Value::Number(number(
+            draw,
+            field,
+            if is_metric(field) { scale } else { 1.0 },
+        )),
         "count" => {
             let [min, max] = field.range.expect("a count has a range");
             Value::Number(draw.between(min, max.min(9.0) + 1.0).floor())
@@ -74,11 +80,22 @@ fn value(draw: &mut Draw, field: &FieldEntry, scale: f64) -> Value {
         }
         "nominalPoint" => {
             let side = if field.key == "point2" { 1.0 } else { -1.0 };
-            let place = [side * draw.between(25.0, 120.0), draw.between(-50.0, 50.0), draw.between(-40.0, 10.0)];
+            let place = [
+                side * draw.between(25.0, 120.0),
+                draw.between(-50.0, 50.0),
+                draw.between(-40.0, 10.0),
+            ];
             Value::List(place.iter().map(|x| nominal(draw, *x, scale)).collect())
         }
-        "point" => Value::List((0..3).map(|_| Value::Number(draw.between(-200.0, 200.0).round() / scale)).collect()),
-        kind => panic!("{} is of a kind that the fuzzer does not know: {kind}", field.key),
+        "point" => Value::List(
+            (0..3)
+                .map(|_| Value::Number(draw.between(-200.0, 200.0).round() / scale))
+                .collect(),
+        ),
+        kind => panic!(
+            "{} is of a kind that the fuzzer does not know: {kind}",
+            field.key
+        ),
     }
 }
 
@@ -90,7 +107,9 @@ fn is_metric(field: &FieldEntry) -> bool {
 fn form(draw: &mut Draw, fields: &[FieldEntry], scale: f64, least: usize) -> Vec<(String, Value)> {
     // A job may leave out what it likes.
     let said: Vec<&FieldEntry> = fields.iter().filter(|_| !draw.once_in(least)).collect();
-    said.into_iter().map(|f| (f.key.to_owned(), value(draw, f, scale))).collect()
+    said.into_iter()
+        .map(|f| (f.key.to_owned(), value(draw, f, scale)))
+        .collect()
 }
 
 fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
@@ -102,27 +121,54 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     if draw.once_in(60) {
         let job = led(catalog, draw);
-        return if draw.once_in(4) { tolerated(draw, job, &catalog.relations) } else { job };
+        return if draw.once_in(4) {
+            tolerated(draw, job, &catalog.relations)
+        } else {
+            job
+        };
     }
     let job = without_tolerances(catalog, draw, index);
     // Of cycles of the control's own few are planned.
     let own = word(&job, &["control", "form"]) == "cycle";
-    let often = if own { 1 } else { 4 - 2 * usize::from(job.get("cycles").is_some()) };
-    if draw.once_in(often) { tolerated(draw, job, &catalog.relations) } else { job }
+    let often = if own {
+        1
+    } else {
+        4 - 2 * usize::from(job.get("cycles").is_some())
+    };
+    if draw.once_in(often) {
+        tolerated(draw, job, &catalog.relations)
+    } else {
+        job
+    }
 }
 
 /// A part that lies a little elsewhere, and cycles that go where the first two lead them: as random as leaves most of them possible.
 fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     // LinuxCNC twice as often: its own interpreter can run what fails.
-    let computing = catalog.posts.iter().filter(|post| post.computes).map(|post| post.id);
+    let computing = catalog
+        .posts
+        .iter()
+        .filter(|post| post.computes)
+        .map(|post| post.id);
     let posts: Vec<&str> = std::iter::once("linuxcnc").chain(computing).collect();
     let post = draw.word(&posts);
     let (plane, axes) = *draw.of(&[("G17", [0, 1, 2]), ("G18", [2, 0, 1]), ("G19", [1, 2, 0])]);
     let scale = if draw.once_in(3) { 25.4 } else { 1.0 };
     let angle = *draw.of(&[0.05, 0.4, 2.0, 6.0]);
-    let mut places: Vec<[f64; 3]> =
-        (0..2).map(|i| [draw.between(-40.0, 40.0), 200.0 * f64::from(i), draw.between(-20.0, 20.0)]).collect();
-    places.push([draw.between(-60.0, 60.0), draw.between(-90.0, -70.0) - 130.0, 0.0]);
+    let mut places: Vec<[f64; 3]> = (0..2)
+        .map(|i| {
+            [
+                draw.between(-40.0, 40.0),
+                200.0 * f64::from(i),
+                draw.between(-20.0, 20.0),
+            ]
+        })
+        .collect();
+    places.push([
+        draw.between(-60.0, 60.0),
+        draw.between(-90.0, -70.0) - 130.0,
+        0.0,
+    ]);
     let in_work = |place: [f64; 3]| {
         let mut work = [0.0; 3];
         (0..3).for_each(|i| work[axes[i]] = place[i]);
@@ -132,8 +178,14 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     let origin = |place: [f64; 3]| in_work(place).map(|x| Value::Number(round(x)));
     let length = |mm: f64| Value::Number(round(mm));
     let heading = draw.between(-180.0, 180.0).round() + 0.0;
-    let cycle =
-        |entries: Vec<(&str, Value)>| Value::Map(entries.into_iter().map(|(key, value)| (key.to_owned(), value)).collect());
+    let cycle = |entries: Vec<(&str, Value)>| {
+        Value::Map(
+            entries
+                .into_iter()
+                .map(|(key, value)| (key.to_owned(), value))
+                .collect(),
+        )
+    };
     let diameter = draw.between(22.0, 60.0);
     let first = cycle(vec![
         ("name", text("C1")),
@@ -161,7 +213,11 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     let mut at = origin(places[2]);
     let mut led = vec![("name", text("C3")), ("type", text(key))];
     // By the middle between two holes, or by one; along the line through both, or along a side.
-    let other = [places[0][0] - draw.between(80.0, 160.0), places[0][1] + draw.between(-60.0, 60.0), places[0][2]];
+    let other = [
+        places[0][0] - draw.between(80.0, 160.0),
+        places[0][1] + draw.between(-60.0, 60.0),
+        places[0][2],
+    ];
     let both = draw.once_in(2);
     let own = [0, 1].map(|i| round(places[0][i]));
     let middle = [0, 1].map(|i| (own[i] + round(other[i])) / 2.0);
@@ -173,7 +229,10 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     };
     if both || draw.once_in(2) {
         for (i, letter) in ["x", "y"].into_iter().enumerate() {
-            at[axes[i]] = text(&format!("={name}.center.{letter}{:+}", round(places[2][i]) - from[i]));
+            at[axes[i]] = text(&format!(
+                "={name}.center.{letter}{:+}",
+                round(places[2][i]) - from[i]
+            ));
         }
     }
     led.push(("origin", Value::List(at.to_vec())));
@@ -185,27 +244,62 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     };
     if sizes.is_empty() || draw.once_in(2) {
         let of = if both && draw.once_in(2) { "ROW" } else { "C2" };
-        led.push(("rotation", text(&format!("={of}.rotation{:+}", draw.between(-180.0, 180.0).round() + 0.0))));
+        led.push((
+            "rotation",
+            text(&format!(
+                "={of}.rotation{:+}",
+                draw.between(-180.0, 180.0).round() + 0.0
+            )),
+        ));
     } else {
         for size in sizes {
-            led.push((size, text(&format!("=C1.diameter{:+}", round(draw.between(22.0, 70.0)) - round(diameter)))));
+            led.push((
+                size,
+                text(&format!(
+                    "=C1.diameter{:+}",
+                    round(draw.between(22.0, 70.0)) - round(diameter)
+                )),
+            ));
         }
     }
     let mut cycles = vec![first, side, cycle(led)];
     let mut relations = Vec::new();
     if both {
-        let hole = [("name", text("C0")), ("type", text("hole")), ("diameter", length(30.0))];
+        let hole = [
+            ("name", text("C0")),
+            ("type", text("hole")),
+            ("diameter", length(30.0)),
+        ];
         let at = ("origin", Value::List(origin(other).to_vec()));
         cycles.insert(draw.index(3), cycle(hole.into_iter().chain([at]).collect()));
-        for (name, kind, one) in [("ROW", "line", "C0"), ("MID", "center", "C0"), ("NEAR", "center", "MID")] {
+        for (name, kind, one) in [
+            ("ROW", "line", "C0"),
+            ("MID", "center", "C0"),
+            ("NEAR", "center", "MID"),
+        ] {
             let of = Value::List(vec![text(one), text("C1")]);
-            relations.push(cycle(vec![("name", text(name)), ("type", text(kind)), ("of", of)]));
+            relations.push(cycle(vec![
+                ("name", text(name)),
+                ("type", text(kind)),
+                ("of", of),
+            ]));
         }
     }
-    if draw.once_in(2) && !matches!(key, "web" | "groove" | "surface" | "wall-angle" | "double-wall-internal-corner") {
+    if draw.once_in(2)
+        && !matches!(
+            key,
+            "web" | "groove" | "surface" | "wall-angle" | "double-wall-internal-corner"
+        )
+    {
         let mut at = origin([places[2][0], places[2][1] - 180.0, places[2][2]]);
-        at[axes[0]] = text(&format!("=C3.center.x{:+}", round(draw.between(-20.0, 20.0))));
-        at[axes[1]] = text(&format!("=C3.center.y{:+}", round(draw.between(-200.0, -160.0))));
+        at[axes[0]] = text(&format!(
+            "=C3.center.x{:+}",
+            round(draw.between(-20.0, 20.0))
+        ));
+        at[axes[1]] = text(&format!(
+            "=C3.center.y{:+}",
+            round(draw.between(-200.0, -160.0))
+        ));
         cycles.push(cycle(vec![
             ("name", text("C4")),
             ("type", text("hole")),
@@ -215,16 +309,32 @@ fn led(catalog: &Catalog, draw: &mut Draw) -> Value {
     }
     let small = |draw: &mut Draw| Value::Number(draw.between(-0.4, 0.4) / scale);
     let offset = vec![small(draw), small(draw), small(draw)];
-    let part = cycle(vec![("offset", Value::List(offset)), ("rotation", Value::Number(draw.between(-angle, angle) * 1.02))]);
-    let limits =
-        vec![("position", length(9.0)), ("angle", Value::Number(angle)), ("size", length(*draw.of(&[0.01, 0.4, 3.0])))];
-    let offset = if draw.once_in(3) { Value::Null } else { Value::Number(1.0) };
+    let part = cycle(vec![
+        ("offset", Value::List(offset)),
+        (
+            "rotation",
+            Value::Number(draw.between(-angle, angle) * 1.02),
+        ),
+    ]);
+    let limits = vec![
+        ("position", length(9.0)),
+        ("angle", Value::Number(angle)),
+        ("size", length(*draw.of(&[0.01, 0.4, 3.0]))),
+    ];
+    let offset = if draw.once_in(3) {
+        Value::Null
+    } else {
+        Value::Number(1.0)
+    };
     cycle(vec![
         ("format", Value::Number(2.0)),
         ("units", text(if scale == 1.0 { "mm" } else { "inch" })),
         ("plane", text(plane)),
         ("overtravel", length(8.0)),
-        ("control", cycle(vec![("post", text(post)), ("workOffset", offset)])),
+        (
+            "control",
+            cycle(vec![("post", text(post)), ("workOffset", offset)]),
+        ),
         ("limits", cycle(limits)),
         ("cycles", Value::List(cycles)),
         ("relations", Value::List(relations)),
@@ -239,10 +349,16 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
         Ok(_) => job,
         Err(_) => return job,
     };
-    let Ok(plan) = plan(&related) else { return related };
+    let Ok(plan) = plan(&related) else {
+        return related;
+    };
     let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
     let mut tolerances = Vec::new();
-    for row in plan.results.iter().filter(|row| row.nominal.is_some() && !row.code.starts_with("offset.")) {
+    for row in plan
+        .results
+        .iter()
+        .filter(|row| row.nominal.is_some() && !row.code.starts_with("offset."))
+    {
         // A program of calls that writes nothing may correct a tool by any size.
         let corrects = plan.program.own && plan.program.writes.is_empty();
         if !draw.once_in(if corrects { 2 } else { 3 }) {
@@ -254,16 +370,27 @@ fn tolerated(draw: &mut Draw, job: Value, kinds: &[RelationEntry]) -> Value {
         };
         let unit = if row.unit == "inch" { 25.4 } else { 1.0 };
         let off = *draw.of(&[0.001, 0.02, 0.2]) / unit;
-        let size = ["diameter", "width", "distance"].iter().any(|code| row.code.starts_with(code));
+        let size = ["diameter", "width", "distance"]
+            .iter()
+            .any(|code| row.code.starts_with(code));
         // On the very end of a zone rounding decides: the nominal value is within or out of it.
         let tolerance = match draw.index(6) {
             0 if size || draw.once_in(10) => "js9".to_owned(),
             1 => format!("+{off}/-{}", off / 2.0),
-            2 => format!("{}..{}", row.nominal.unwrap_or(0.0) - off, row.nominal.unwrap_or(0.0) + 2.0 * off),
+            2 => format!(
+                "{}..{}",
+                row.nominal.unwrap_or(0.0) - off,
+                row.nominal.unwrap_or(0.0) + 2.0 * off
+            ),
             _ => format!("±{off}"),
         };
-        let mut entries =
-            vec![("tolerance".to_owned(), text(&tolerance)), ("action".to_owned(), text(draw.word(&["go", "mark", "stop"])))];
+        let mut entries = vec![
+            ("tolerance".to_owned(), text(&tolerance)),
+            (
+                "action".to_owned(),
+                text(draw.word(&["go", "mark", "stop"])),
+            ),
+        ];
         if corrects && draw.once_in(if size { 1 } else { 40 }) {
             entries[1].1 = text("go");
             entries.push(("wear".to_owned(), wear(draw)));
@@ -285,39 +412,73 @@ fn wear(draw: &mut Draw) -> Value {
     maybe("percent", percent, draw);
     maybe("deadBand", band, draw);
     if draw.once_in(3) {
-        entries.push(("parts".to_owned(), Value::Number(2.0 + draw.index(98) as f64)));
-        entries.push(("store".to_owned(), Value::Number(1.0 + draw.index(999) as f64)));
+        entries.push((
+            "parts".to_owned(),
+            Value::Number(2.0 + draw.index(98) as f64),
+        ));
+        entries.push((
+            "store".to_owned(),
+            Value::Number(1.0 + draw.index(999) as f64),
+        ));
     }
     Value::Map(entries)
 }
 
 /// Relations of places and results that the cycles measure.
 fn related(draw: &mut Draw, job: Value, plan: &Plan, kinds: &[RelationEntry]) -> Value {
-    let axis = |key: &str| plan.datum.iter().find(|row| row.axis == key).map_or(Vec::new(), |row| row.choices.clone());
+    let axis = |key: &str| {
+        plan.datum
+            .iter()
+            .find(|row| row.axis == key)
+            .map_or(Vec::new(), |row| row.choices.clone())
+    };
     let place = |choice: &String| choice.split_once('.').map(|(name, _)| name.to_owned());
     let y: Vec<String> = axis("y").iter().filter_map(place).collect();
-    let places: Vec<String> = axis("x").iter().filter_map(place).filter(|name| y.contains(name)).collect();
-    let measured = plan.results.iter().filter(|row| row.value.is_some() && !row.code.starts_with("offset."));
-    let unit = plan.results.get(draw.index(plan.results.len().max(1))).map_or("", |row| row.unit);
+    let places: Vec<String> = axis("x")
+        .iter()
+        .filter_map(place)
+        .filter(|name| y.contains(name))
+        .collect();
+    let measured = plan
+        .results
+        .iter()
+        .filter(|row| row.value.is_some() && !row.code.starts_with("offset."));
+    let unit = plan
+        .results
+        .get(draw.index(plan.results.len().max(1)))
+        .map_or("", |row| row.unit);
     let measured = measured.filter(|row| row.unit == unit);
     let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
-    let results: Vec<String> = measured.map(|row| format!("{}.{}", names[row.cycle], row.code)).collect();
+    let results: Vec<String> = measured
+        .map(|row| format!("{}.{}", names[row.cycle], row.code))
+        .collect();
     let mut relations = match job.get("relations") {
         Some(Value::List(known)) => known.clone(),
         _ => Vec::new(),
     };
     for i in 0..1 + draw.index(3) {
         let from = |def: &RelationEntry| if def.places { &places } else { &results };
-        let possible: Vec<&RelationEntry> = kinds.iter().filter(|def| from(def).len() >= def.least).collect();
+        let possible: Vec<&RelationEntry> = kinds
+            .iter()
+            .filter(|def| from(def).len() >= def.least)
+            .collect();
         if possible.is_empty() {
             continue;
         }
         let def = possible[draw.index(possible.len())];
         let from = from(def);
         let first = draw.index(from.len());
-        let of = (0..def.least).map(|k| text(&from[(first + k) % from.len()])).collect();
-        let entries = [("name", text(&format!("R{i}"))), ("type", text(def.key)), ("of", Value::List(of))];
-        relations.push(Value::Map(entries.map(|(key, value)| (key.to_owned(), value)).to_vec()));
+        let of = (0..def.least)
+            .map(|k| text(&from[(first + k) % from.len()]))
+            .collect();
+        let entries = [
+            ("name", text(&format!("R{i}"))),
+            ("type", text(def.key)),
+            ("of", Value::List(of)),
+        ];
+        relations.push(Value::Map(
+            entries.map(|(key, value)| (key.to_owned(), value)).to_vec(),
+        ));
     }
     crate::common::with(&job, "relations", Value::List(relations))
 }
@@ -332,8 +493,14 @@ fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     };
     let def: &CycleEntry = &catalog.cycles[at(catalog.cycles.len())];
     let post: &PostEntry = &catalog.posts[at(catalog.posts.len())];
-    let own_cycle = post.cycles.iter().any(|entry| entry.key == def.key && entry.form == "cycle" && entry.supported);
-    let moves = post.cycles.iter().any(|entry| entry.key == def.key && entry.form == "moves" && entry.supported);
+    let own_cycle = post
+        .cycles
+        .iter()
+        .any(|entry| entry.key == def.key && entry.form == "cycle" && entry.supported);
+    let moves = post
+        .cycles
+        .iter()
+        .any(|entry| entry.key == def.key && entry.form == "moves" && entry.supported);
     let plane = ["G17", "G18", "G19"][at(3)];
     let (units, scale) = [("mm", 1.0), ("inch", 25.4)][at(2)];
     let mut job = vec![("format".to_owned(), Value::Number(1.0))];
@@ -347,28 +514,54 @@ fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
                 continue;
             }
             "control" => {
-                let kind = if own_cycle && (!moves || draw.once_in(3)) || draw.once_in(12) { "cycle" } else { "moves" };
+                let kind = if own_cycle && (!moves || draw.once_in(3)) || draw.once_in(12) {
+                    "cycle"
+                } else {
+                    "moves"
+                };
                 put(&mut values, "post", text(post.id));
                 put(&mut values, "form", text(kind));
-                put(&mut values, "run", text(if kind == "moves" && draw.once_in(12) { "dry" } else { "normal" }));
+                put(
+                    &mut values,
+                    "run",
+                    text(if kind == "moves" && draw.once_in(12) {
+                        "dry"
+                    } else {
+                        "normal"
+                    }),
+                );
                 if post.work_offsets == 0 {
                     put(&mut values, "workOffset", Value::Null);
                 }
             }
             // Of any size, a stylus meets most parts: mostly it is not known.
-            "stylus" if !draw.once_in(4) => values.retain(|(key, _)| !matches!(key.as_str(), "length" | "shank" | "body")),
+            "stylus" if !draw.once_in(4) => {
+                values.retain(|(key, _)| !matches!(key.as_str(), "length" | "shank" | "body"))
+            }
             // A tool whose length acts elsewhere is refused: rarely so.
             "tool" if !draw.once_in(20) => continue,
             "part" => {
-                let far = if draw.once_in(4) { 0.0 } else { *draw.of(&[0.01, 0.5, 3.0, 20.0]) };
-                let offset = (0..3).map(|_| Value::Number(draw.between(-far, far) / scale)).collect();
+                let far = if draw.once_in(4) {
+                    0.0
+                } else {
+                    *draw.of(&[0.01, 0.5, 3.0, 20.0])
+                };
+                let offset = (0..3)
+                    .map(|_| Value::Number(draw.between(-far, far) / scale))
+                    .collect();
                 values = vec![
                     ("offset".to_owned(), Value::List(offset)),
-                    ("rotation".to_owned(), Value::Number(draw.between(-far, far))),
+                    (
+                        "rotation".to_owned(),
+                        Value::Number(draw.between(-far, far)),
+                    ),
                 ];
                 let sizes = def.fields.iter().filter(|f| f.size).map(|f| {
                     let by = if f.unit == "angle" { 1.0 } else { scale };
-                    (f.key.to_owned(), Value::Number(draw.between(-far, far) / 10.0 / by))
+                    (
+                        f.key.to_owned(),
+                        Value::Number(draw.between(-far, far) / 10.0 / by),
+                    )
                 });
                 values.push(("sizes".to_owned(), Value::Map(sizes.collect())));
             }
@@ -382,7 +575,11 @@ fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     }
     job.push(("cycle".to_owned(), cycle));
     let job = Value::Map(job);
-    if def.touches && draw.once_in(5) { picked(draw, job) } else { job }
+    if def.touches && draw.once_in(5) {
+        picked(draw, job)
+    } else {
+        job
+    }
 }
 
 fn cycle(draw: &mut Draw, def: &CycleEntry, scale: f64) -> Value {
@@ -392,14 +589,23 @@ fn cycle(draw: &mut Draw, def: &CycleEntry, scale: f64) -> Value {
         // The control's own cycles are refused with repeats.
         let seldom = if section.key == "repeat" { 8 } else { 4 };
         if draw.once_in(if section.optional { seldom } else { 2 }) {
-            cycle.push((section.key.to_owned(), Value::Map(form(draw, &section.fields, scale, 3))));
+            cycle.push((
+                section.key.to_owned(),
+                Value::Map(form(draw, &section.fields, scale, 3)),
+            ));
         }
     }
     Value::Map(cycle)
 }
 
 /// The job with more cycles behind its own, mostly far enough from each other.
-fn set_up(draw: &mut Draw, catalog: &Catalog, mut job: Vec<(String, Value)>, first: Value, scale: f64) -> Value {
+fn set_up(
+    draw: &mut Draw,
+    catalog: &Catalog,
+    mut job: Vec<(String, Value)>,
+    first: Value,
+    scale: f64,
+) -> Value {
     let touching: Vec<&CycleEntry> = catalog.cycles.iter().filter(|def| def.touches).collect();
     let mut cycles = vec![first];
     for _ in 0..1 + draw.index(4) {
@@ -409,8 +615,9 @@ fn set_up(draw: &mut Draw, catalog: &Catalog, mut job: Vec<(String, Value)>, fir
     let apart = *draw.of(&[600.0, 600.0, 600.0, 60.0]) / scale;
     for (i, cycle) in cycles.iter_mut().enumerate() {
         let Value::Map(entries) = cycle else { continue };
-        for (key, value) in
-            entries.iter_mut().filter(|(key, _)| matches!(key.as_str(), "origin" | "point1" | "point2" | "start"))
+        for (key, value) in entries
+            .iter_mut()
+            .filter(|(key, _)| matches!(key.as_str(), "origin" | "point1" | "point2" | "start"))
         {
             if let Value::List(place) = value
                 && let Some(Value::Number(x)) = place.first_mut()
@@ -425,11 +632,16 @@ fn set_up(draw: &mut Draw, catalog: &Catalog, mut job: Vec<(String, Value)>, fir
     if let Some((_, Value::Map(part))) = job.iter_mut().find(|(key, _)| key == "part")
         && let Some((_, Value::Map(sizes))) = part.iter_mut().find(|(key, _)| key == "sizes")
     {
-        sizes.iter_mut().for_each(|(key, _)| *key = format!("C1.{key}"));
+        sizes
+            .iter_mut()
+            .for_each(|(key, _)| *key = format!("C1.{key}"));
     }
     put(&mut job, "format", Value::Number(2.0));
     if draw.once_in(4) {
-        job.push(("clear".to_owned(), Value::Number(draw.between(-20.0, 400.0) / scale)));
+        job.push((
+            "clear".to_owned(),
+            Value::Number(draw.between(-20.0, 400.0) / scale),
+        ));
     }
     let mut datum = Vec::new();
     for (key, codes) in [
@@ -471,34 +683,57 @@ fn follow_more(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Va
             .flat_map(|of| sizes.map(|key| (of, key)))
             .filter_map(|(of, key)| Some((of, key, number(&cycles[of], key)?)))
             .collect();
-        let own = sizes.iter().find_map(|key| Some((*key, number(&cycles[i], key)?)));
+        let own = sizes
+            .iter()
+            .find_map(|key| Some((*key, number(&cycles[i], key)?)));
         let (key, value) = match (draw.index(3), own) {
             (0, Some((key, own))) if !sized.is_empty() => {
                 let (of, code, other) = *draw.of(&sized);
-                (key, format!("=C{}.{code}{:+}", of + 1, ((own - other) * 1e4).round() / 1e4))
+                (
+                    key,
+                    format!(
+                        "=C{}.{code}{:+}",
+                        of + 1,
+                        ((own - other) * 1e4).round() / 1e4
+                    ),
+                )
             }
-            (1 | 2, _) if !turning.is_empty() => {
-                ("rotation", format!("=C{}.rotation{:+}", *draw.of(&turning) + 1, draw.between(-180.0, 180.0).round() + 0.0))
-            }
+            (1 | 2, _) if !turning.is_empty() => (
+                "rotation",
+                format!(
+                    "=C{}.rotation{:+}",
+                    *draw.of(&turning) + 1,
+                    draw.between(-180.0, 180.0).round() + 0.0
+                ),
+            ),
             _ => continue,
         };
         if let Value::Map(entries) = &mut cycles[i] {
             put(entries, key, text(&value));
         }
     }
-    let limits = [("angle", *draw.of(&[0.1, 0.5, 1.0, 5.0, 20.0])), ("size", *draw.of(&[0.02, 0.3, 2.0]) / scale)];
+    let limits = [
+        ("angle", *draw.of(&[0.1, 0.5, 1.0, 5.0, 20.0])),
+        ("size", *draw.of(&[0.02, 0.3, 2.0]) / scale),
+    ];
     for (key, limit) in limits {
         if let Some((_, limits)) = job.iter_mut().find(|(key, _)| key == "limits") {
             *limits = crate::common::with(limits, key, Value::Number(limit));
         } else {
-            job.push(("limits".to_owned(), Value::Map(vec![(key.to_owned(), Value::Number(limit))])));
+            job.push((
+                "limits".to_owned(),
+                Value::Map(vec![(key.to_owned(), Value::Number(limit))]),
+            ));
         }
     }
 }
 
 /// Puts some cycles where earlier ones find something: mostly along the same axis, and as far beside it as they stood.
 fn follow(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Value], scale: f64) {
-    let plane = job.iter().find(|(key, _)| key == "plane").map_or(Value::Null, |(_, plane)| plane.clone());
+    let plane = job
+        .iter()
+        .find(|(key, _)| key == "plane")
+        .map_or(Value::Null, |(_, plane)| plane.clone());
     let axes = if plane == text("G18") {
         [2, 0, 1]
     } else if plane == text("G19") {
@@ -515,12 +750,19 @@ fn follow(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Value],
     };
     for i in 1..cycles.len() {
         let (letter, of) = (draw.index(3), draw.index(i));
-        let axis = axes[if draw.once_in(30) { draw.index(3) } else { letter }];
-        let (Some(own), Some(other)) = (at(&cycles[i], axis), at(&cycles[of], axis)) else { continue };
+        let axis = axes[if draw.once_in(30) {
+            draw.index(3)
+        } else {
+            letter
+        }];
+        let (Some(own), Some(other)) = (at(&cycles[i], axis), at(&cycles[of], axis)) else {
+            continue;
+        };
         let beside = ((own - other) * 1e4).round() / 1e4;
         let place = format!("=C{}.{}{beside:+}", of + 1, ["x", "y", "z"][letter]);
         if let Value::Map(entries) = &mut cycles[i]
-            && let Some((_, Value::List(origin))) = entries.iter_mut().find(|(key, _)| key == "origin")
+            && let Some((_, Value::List(origin))) =
+                entries.iter_mut().find(|(key, _)| key == "origin")
         {
             origin[axis] = text(&place);
         }
@@ -529,14 +771,21 @@ fn follow(draw: &mut Draw, job: &mut Vec<(String, Value)>, cycles: &mut [Value],
     if let Some((_, limits)) = job.iter_mut().find(|(key, _)| key == "limits") {
         *limits = crate::common::with(limits, "position", Value::Number(limit));
     } else if !draw.once_in(10) {
-        job.push(("limits".to_owned(), Value::Map(vec![("position".to_owned(), Value::Number(limit))])));
+        job.push((
+            "limits".to_owned(),
+            Value::Map(vec![("position".to_owned(), Value::Number(limit))]),
+        ));
     }
 }
 
 /// The same job with its touches picked one by one, as they are or a little off.
 fn picked(draw: &mut Draw, job: Value) -> Value {
     let Ok(plan) = plan(&job) else { return job };
-    let off = if draw.once_in(2) { 0.0 } else { *draw.of(&[1e-9, 1e-4, 0.005, 1.0, 50.0]) };
+    let off = if draw.once_in(2) {
+        0.0
+    } else {
+        *draw.of(&[1e-9, 1e-4, 0.005, 1.0, 50.0])
+    };
     let wrong = draw.index(plan.touches.len().max(1));
     let triple = |p: [f64; 3]| Value::List(p.map(Value::Number).to_vec());
     let touches = plan
@@ -548,7 +797,10 @@ fn picked(draw: &mut Draw, job: Value) -> Value {
             if k == wrong {
                 point[draw.index(3)] += off;
             }
-            Value::Map(vec![("point".to_owned(), triple(point)), ("vector".to_owned(), triple(touch.vector))])
+            Value::Map(vec![
+                ("point".to_owned(), triple(point)),
+                ("vector".to_owned(), triple(touch.vector)),
+            ])
         })
         .collect();
     crate::common::with(&job, "cycle.touches", Value::List(touches))
@@ -569,15 +821,24 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         Ok(plan) => plan,
         Err(error) => {
             asked("refused");
-            let errors = error.findings.iter().filter(|f| f.level == Level::Error).count();
+            let errors = error
+                .findings
+                .iter()
+                .filter(|f| f.level == Level::Error)
+                .count();
             if let Some(fault) = error.findings.iter().find(|f| {
-                let breaks = f.code == "rule-broken" && values(f).iter().any(|rule| rule == "place-within-limit");
+                let breaks = f.code == "rule-broken"
+                    && values(f).iter().any(|rule| rule == "place-within-limit");
                 f.code == "not-proven" || breaks
             }) && !has_tiny(job)
             {
                 return Err(fault.message.clone());
             }
-            return if errors > 0 { Ok(()) } else { Err("refused without an error".to_owned()) };
+            return if errors > 0 {
+                Ok(())
+            } else {
+                Err("refused without an error".to_owned())
+            };
         }
     };
     let tool_axis = match word(job, &["plane"]).as_str() {
@@ -600,14 +861,22 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
     if plan.safety.iter().any(|row| row.rule == "tolerance-obeyed") {
         asked("planned with consequences");
     }
-    if plan.safety.iter().any(|row| row.rule == "place-within-limit") {
+    if plan
+        .safety
+        .iter()
+        .any(|row| row.rule == "place-within-limit")
+    {
         asked("planned with places that follow");
         let follows = |cycle: &Value, key: &str| matches!(cycle.get(key), Some(Value::Text(_)));
         if let Some(Value::List(cycles)) = job.get("cycles") {
             if cycles.iter().any(|cycle| follows(cycle, "rotation")) {
                 asked("planned with rotations that follow");
             }
-            if cycles.iter().any(|cycle| ["diameter", "width", "width1", "width2"].iter().any(|key| follows(cycle, key))) {
+            if cycles.iter().any(|cycle| {
+                ["diameter", "width", "width1", "width2"]
+                    .iter()
+                    .any(|key| follows(cycle, key))
+            }) {
                 asked("planned with sizes that follow");
             }
         }
@@ -626,9 +895,15 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         asked(&format!("planned with the cycles of {}", plan.program.post));
     }
     let protection = word(job, &["control", "protection"]);
-    for setting in
-        [word(job, &["plane"]), word(job, &["units"]), if protection == "none" { protection } else { "checked".to_owned() }]
-    {
+    for setting in [
+        word(job, &["plane"]),
+        word(job, &["units"]),
+        if protection == "none" {
+            protection
+        } else {
+            "checked".to_owned()
+        },
+    ] {
         asked(&format!("planned in {setting}"));
     }
     if draw.once_in(4) {
@@ -640,7 +915,8 @@ pub fn laws(job: &Value, draw: &mut Draw, tally: &mut Tally) -> Result<(), Strin
         dumped(&plan, draw)?;
     }
     // Touches that nothing is computed from, in front of limits of another cycle: whether they must meet something cannot be read from such a program.
-    let idle_touches = !plan.cycles.is_empty() && plan.findings.iter().any(|f| f.code == "no-circle");
+    let idle_touches =
+        !plan.cycles.is_empty() && plan.findings.iter().any(|f| f.code == "no-circle");
     if plan.program.post == "sinumerik" && !idle_touches && draw.once_in(4) {
         asked("program and job");
         read_back(&plan)?;
@@ -669,15 +945,24 @@ fn has_tiny(job: &Value) -> bool {
             _ => false,
         }
     }
-    ["cycle", "cycles"].into_iter().filter_map(|key| job.get(key)).any(tiny)
+    ["cycle", "cycles"]
+        .into_iter()
+        .filter_map(|key| job.get(key))
+        .any(tiny)
 }
 
 /// In the other units the same part: where rounding lets it be planned at all, with the same moves.
 fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
-    let (to, factor) = if word(job, &["units"]) == "inch" { ("mm", 25.4) } else { ("inch", 1.0 / 25.4) };
+    let (to, factor) = if word(job, &["units"]) == "inch" {
+        ("mm", 25.4)
+    } else {
+        ("inch", 1.0 / 25.4)
+    };
     let converted = convert_units(job, to).map_err(|e| e.to_string())?;
     // Six decimals of an inch may lie beyond a limit.
-    let Ok(there) = plan(&converted) else { return Ok(()) };
+    let Ok(there) = plan(&converted) else {
+        return Ok(());
+    };
     if here.moves.len() != there.moves.len() {
         return Ok(());
     }
@@ -696,17 +981,28 @@ fn other_units(job: &Value, here: &Plan) -> Result<(), String> {
 /// How much a circle through the touches magnifies their rounding: 1 / (1 − cos) of half the angle that they span.
 fn magnified(plan: &Plan) -> f64 {
     let vectors = || plan.touches.iter().map(|t| t.vector);
-    let cosine = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>().clamp(-1.0, 1.0);
-    let widest = vectors().flat_map(|a| vectors().map(move |b| cosine(a, b))).fold(1.0, f64::min).acos();
-    if widest < 1e-6 { 1.0 } else { 1.0 / (1.0 - (widest / 2.0).cos()) }
+    let cosine =
+        |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>().clamp(-1.0, 1.0);
+    let widest = vectors()
+        .flat_map(|a| vectors().map(move |b| cosine(a, b)))
+        .fold(1.0, f64::min)
+        .acos();
+    if widest < 1e-6 {
+        1.0
+    } else {
+        1.0 / (1.0 - (widest / 2.0).cos())
+    }
 }
 
 /// A table is a dump, and the dump makes a job that is not refused and has the same touches.
 fn dumped(plan: &Plan, draw: &mut Draw) -> Result<(), String> {
-    let dump = export_table(plan, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?;
+    let dump =
+        export_table(plan, draw.word(&["text", "csv", "json"])).map_err(|e| e.to_string())?;
     let imported = import(&dump).map_err(|e| format!("dump refused: {e}\n{dump}"))?;
     // The dump says no units: its numbers are read as mm, and the ball, the feeds and the overtravel are the defaults.
-    if plan.results.iter().any(|r| r.unit == "inch") || plan.findings.iter().any(|f| f.code == "result-untrue") {
+    if plan.results.iter().any(|r| r.unit == "inch")
+        || plan.findings.iter().any(|f| f.code == "result-untrue")
+    {
         return Ok(());
     }
     let refused: Vec<String> = check(&imported.job)
@@ -714,7 +1010,11 @@ fn dumped(plan: &Plan, draw: &mut Draw) -> Result<(), String> {
         .filter(|f| f.level == Level::Error && !depends_on_the_ball(&f.code))
         .map(|f| format!("{} {}: {}", f.code, f.path, f.message))
         .collect();
-    if refused.is_empty() { Ok(()) } else { Err(format!("the job of a dump is refused: {refused:?}\n{dump}")) }
+    if refused.is_empty() {
+        Ok(())
+    } else {
+        Err(format!("the job of a dump is refused: {refused:?}\n{dump}"))
+    }
 }
 
 /// Findings that another ball or overtravel than the job's brings.
@@ -740,11 +1040,12 @@ fn read_back(plan: &Plan) -> Result<(), String> {
     if check(&imported.job).iter().any(|f| f.code == "collision") {
         return Ok(());
     }
-    if let Some(f) = imported
-        .findings
-        .iter()
-        .find(|f| matches!(f.code.as_str(), "program-differs" | "unsafe-program" | "header-unsound" | "header-unknown"))
-    {
+    if let Some(f) = imported.findings.iter().find(|f| {
+        matches!(
+            f.code.as_str(),
+            "program-differs" | "unsafe-program" | "header-unsound" | "header-unknown"
+        )
+    }) {
         return Err(format!("{}: {}\n{}", f.code, f.message, plan.program.text));
     }
     Ok(())
@@ -757,10 +1058,19 @@ pub fn json(value: &Value) -> String {
         Value::Flag(on) => on.to_string(),
         Value::Number(x) if x.is_finite() => format!("{x:?}"),
         Value::Number(_) => "null".to_owned(),
-        Value::Text(text) => format!("{:?}", text.chars().filter(|c| !c.is_control()).collect::<String>()),
-        Value::List(items) => format!("[{}]", items.iter().map(json).collect::<Vec<_>>().join(", ")),
+        Value::Text(text) => format!(
+            "{:?}",
+            text.chars().filter(|c| !c.is_control()).collect::<String>()
+        ),
+        Value::List(items) => format!(
+            "[{}]",
+            items.iter().map(json).collect::<Vec<_>>().join(", ")
+        ),
         Value::Map(entries) => {
-            let entries: Vec<String> = entries.iter().map(|(key, value)| format!("{key:?}: {}", json(value))).collect();
+            let entries: Vec<String> = entries
+                .iter()
+                .map(|(key, value)| format!("{key:?}: {}", json(value)))
+                .collect();
             format!("{{ {} }}", entries.join(", "))
         }
     }

@@ -31,29 +31,44 @@ struct Share {
 type Tally = BTreeMap<String, u64>;
 
 fn main() {
-    let asked = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
+    let asked = |name: &str| {
+        std::env::var(name)
+            .ok()
+            .and_then(|text| text.parse::<u64>().ok())
+    };
     let count = asked("FUZZ_JOBS").unwrap_or(0);
     if count == 0 {
         println!("fuzz: FUZZ_JOBS is not set: nothing is run");
         return;
     }
-    let now = SystemTime::now().duration_since(UNIX_EPOCH).map_or(1, |d| d.as_nanos() as u64);
+    let now = SystemTime::now()
+        .duration_since(UNIX_EPOCH)
+        .map_or(1, |d| d.as_nanos() as u64);
     let fresh = asked("FUZZ_SEED").unwrap_or(now);
     println!("fuzz: {count} jobs, seeds {FIXED} and {fresh} (FUZZ_SEED={fresh} runs them again)");
     // A panic is caught and reported with its job; its message is printed once, there.
     std::panic::set_hook(Box::new(|_| {}));
     let start = Instant::now();
-    let fixed = Share { seed: FIXED, jobs: count / 4 };
+    let fixed = Share {
+        seed: FIXED,
+        jobs: count / 4,
+    };
     let (mut tally, known) = run(&fixed);
     // Whether a law is asked often enough is decided by the jobs that are the same in every run: no run fails by its draw alone.
     let idle = idle(&tally, fixed.jobs);
-    let (drawn, new) = run(&Share { seed: fresh, jobs: count - fixed.jobs });
+    let (drawn, new) = run(&Share {
+        seed: fresh,
+        jobs: count - fixed.jobs,
+    });
     add(&mut tally, drawn);
     let failed = known + new;
     for (law, times) in &tally {
         println!("  {times:>9}  {law}");
     }
-    println!("fuzz: {count} jobs in {:.1} s, {failed} failures", start.elapsed().as_secs_f64());
+    println!(
+        "fuzz: {count} jobs in {:.1} s, {failed} failures",
+        start.elapsed().as_secs_f64()
+    );
     for law in &idle {
         println!("fuzz: {law} was hardly asked: the law says nothing");
     }
@@ -73,7 +88,10 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
     let least = count / 2000;
     let catalog = touchpath::describe::catalog();
     let kinds = catalog.cycles.iter().map(|c| format!("planned {}", c.key));
-    let posts = catalog.posts.iter().map(|p| format!("planned for {}", p.id));
+    let posts = catalog
+        .posts
+        .iter()
+        .map(|p| format!("planned for {}", p.id));
     let laws = [
         "inch and mm",
         "dump and job",
@@ -92,8 +110,14 @@ fn idle(tally: &Tally, count: u64) -> Vec<String> {
         "planned with repeated touches",
     ]
     .map(str::to_owned);
-    let others = ["G17", "G18", "G19", "mm", "inch", "checked", "none"].map(|word| format!("planned in {word}"));
-    kinds.chain(posts).chain(laws).chain(others).filter(|name| tally.get(name).copied().unwrap_or(0) < least).collect()
+    let others = ["G17", "G18", "G19", "mm", "inch", "checked", "none"]
+        .map(|word| format!("planned in {word}"));
+    kinds
+        .chain(posts)
+        .chain(laws)
+        .chain(others)
+        .filter(|name| tally.get(name).copied().unwrap_or(0) < least)
+        .collect()
 }
 
 /// Runs a share of the jobs on every core; gives how often each law was asked and the number of failures.
@@ -107,9 +131,11 @@ fn run(share: &Share) -> (Tally, usize) {
             scope.spawn(move || {
                 let mut own = Tally::new();
                 for index in (thread..share.jobs).step_by(threads as usize) {
-                    let mut draw = Draw::new(share.seed ^ index.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+                    let mut draw =
+                        Draw::new(share.seed ^ index.wrapping_mul(0x9e37_79b9_7f4a_7c15));
                     let job = jobs::whole(catalog, &mut draw, index);
-                    let result = catch_unwind(AssertUnwindSafe(|| jobs::laws(&job, &mut draw, &mut own)));
+                    let result =
+                        catch_unwind(AssertUnwindSafe(|| jobs::laws(&job, &mut draw, &mut own)));
                     let why = match result {
                         Ok(Ok(())) => continue,
                         Ok(Err(why)) => why,
@@ -129,18 +155,24 @@ fn run(share: &Share) -> (Tally, usize) {
             });
         }
     });
-    (tally.into_inner().expect("every thread has ended"), failures.into_inner().expect("every thread has ended"))
+    (
+        tally.into_inner().expect("every thread has ended"),
+        failures.into_inner().expect("every thread has ended"),
+    )
 }
 
 fn message(panic: &(dyn std::any::Any + Send)) -> String {
     let text = panic.downcast_ref::<String>().cloned();
-    text.or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned())).unwrap_or_else(|| "no message".to_owned())
+    text.or_else(|| panic.downcast_ref::<&str>().map(|s| (*s).to_owned()))
+        .unwrap_or_else(|| "no message".to_owned())
 }
 
 /// Writes a job that broke a law where it can be run again.
 fn keep(job: &Value, seed: u64, index: u64) -> String {
-    let folder = std::env::var("CARGO_TARGET_DIR").unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));
+    let folder = std::env::var("CARGO_TARGET_DIR")
+        .unwrap_or_else(|_| format!("{}/target", env!("CARGO_MANIFEST_DIR")));
     let path = format!("{folder}/fuzz/{seed}-{index}.json");
-    let kept = std::fs::create_dir_all(format!("{folder}/fuzz")).and_then(|()| std::fs::write(&path, jobs::json(job)));
+    let kept = std::fs::create_dir_all(format!("{folder}/fuzz"))
+        .and_then(|()| std::fs::write(&path, jobs::json(job)));
     kept.map_or_else(|why| format!("nothing: {why}"), |()| path)
 }

@@ -16,9 +16,15 @@ use crate::draw::Draw;
 static PROGRAMS: LazyLock<Vec<String>> = LazyLock::new(|| {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
     let entries = std::fs::read_dir(folder).expect("tests/programs");
-    let mut paths: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()).collect();
+    let mut paths: Vec<_> = entries
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.is_file())
+        .collect();
     paths.sort();
-    paths.iter().map(|path| std::fs::read_to_string(path).expect("a program")).collect()
+    paths
+        .iter()
+        .map(|path| std::fs::read_to_string(path).expect("a program"))
+        .collect()
 });
 
 /// A text with some of it changed, left out, said twice, or put elsewhere.
@@ -68,14 +74,29 @@ fn mutate(draw: &mut Draw, text: &str) -> String {
 /// One reader in four is that of another control.
 pub fn remembered(made: &Plan, draw: &mut Draw) -> Result<(), String> {
     static READERS: LazyLock<Vec<&str>> = LazyLock::new(|| {
-        let takes_moves = |post: &&PostEntry| post.cycles.iter().any(|cycle| cycle.form == "moves" && cycle.supported);
-        catalog().posts.iter().filter(takes_moves).map(|post| post.id).collect()
+        let takes_moves = |post: &&PostEntry| {
+            post.cycles
+                .iter()
+                .any(|cycle| cycle.form == "moves" && cycle.supported)
+        };
+        catalog()
+            .posts
+            .iter()
+            .filter(takes_moves)
+            .map(|post| post.id)
+            .collect()
     });
     let text = &made.program.text;
     for text in [text, &mutate(draw, text), &mutate(draw, text)] {
-        let post = if draw.once_in(4) { *draw.of(&READERS) } else { made.program.post };
+        let post = if draw.once_in(4) {
+            *draw.of(&READERS)
+        } else {
+            made.program.post
+        };
         if reads_alike(post, text) == Some(false) {
-            return Err(format!("the reader of {post} remembers another program than\n{text}"));
+            return Err(format!(
+                "the reader of {post} remembers another program than\n{text}"
+            ));
         }
     }
     Ok(())
@@ -95,19 +116,40 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
             || path.to.iter().any(|x| x.is_infinite())
             || path.line.iter().any(|line| *line as usize > text.len())
         {
-            return Err(format!("the columns of this program do not fit together:\n{text}"));
+            return Err(format!(
+                "the columns of this program do not fit together:\n{text}"
+            ));
         }
-        if format!("{path:?}") != format!("{:?}", read_program(&with_comments(&text), Some(path.dialect))) {
-            return Err(format!("with comments behind its blocks this program is another one:\n{text}"));
+        if format!("{path:?}")
+            != format!(
+                "{:?}",
+                read_program(&with_comments(&text), Some(path.dialect))
+            )
+        {
+            return Err(format!(
+                "with comments behind its blocks this program is another one:\n{text}"
+            ));
         }
-        let Ok(imported) = import(&text) else { continue };
-        let Ok(plan) = plan(&imported.job) else { continue };
+        let Ok(imported) = import(&text) else {
+            continue;
+        };
+        let Ok(plan) = plan(&imported.job) else {
+            continue;
+        };
         let touched = plan.moves.iter().filter(|m| m.kind == "touch").count();
         // Renishaw's macros touch twice.
-        let macros = plan.program.own && plan.program.text.lines().any(|line| macro_call(line).is_some());
+        let macros = plan.program.own
+            && plan
+                .program
+                .text
+                .lines()
+                .any(|line| macro_call(line).is_some());
         let times = if macros { 2 } else { 1 };
         if touched != times * plan.touches.len() {
-            return Err(format!("{touched} of {} touches are in the path of\n{text}", plan.touches.len()));
+            return Err(format!(
+                "{touched} of {} touches are in the path of\n{text}",
+                plan.touches.len()
+            ));
         }
     }
     Ok(())
@@ -115,57 +157,107 @@ pub fn mutated(made: &Plan, draw: &mut Draw) -> Result<(), String> {
 
 /// The shortest distance between two points.
 fn nearest(points: &[[f64; 3]]) -> f64 {
-    let pairs =
-        points.iter().enumerate().flat_map(|(i, a)| points[..i].iter().map(move |b| crate::common::owed::distance(*a, *b)));
+    let pairs = points.iter().enumerate().flat_map(|(i, a)| {
+        points[..i]
+            .iter()
+            .map(move |b| crate::common::owed::distance(*a, *b))
+    });
     pairs.fold(f64::INFINITY, f64::min)
 }
 
 /// Predicted triggers, as text in every form, evaluate to the predicted results; mutated, they are refused or evaluated.
 pub fn measured(job: &Value, plan: &Plan, draw: &mut Draw) -> Result<(), String> {
     // A touch that meets another wall or an edge may make two walls parallel: their corner is then noise.
-    if plan.findings.iter().any(|f| matches!(f.code.as_str(), "wrong-wall" | "edge-contact")) {
+    if plan
+        .findings
+        .iter()
+        .any(|f| matches!(f.code.as_str(), "wrong-wall" | "edge-contact"))
+    {
         return Ok(());
     }
-    let Some(triggers) = plan.triggers.iter().copied().collect::<Option<Vec<_>>>() else { return Ok(()) };
+    let Some(triggers) = plan.triggers.iter().copied().collect::<Option<Vec<_>>>() else {
+        return Ok(());
+    };
     // A cycle that meets the last wall where its touch begins stops with an alarm: triggers, and no results.
-    if plan.findings.iter().any(|f| f.code == "collision" && f.path.starts_with("part")) {
+    if plan
+        .findings
+        .iter()
+        .any(|f| f.code == "collision" && f.path.starts_with("part"))
+    {
         return match plan.results.iter().find(|row| row.value.is_some()) {
             None => Ok(()),
-            Some(row) => Err(format!("{} is {:?} of a run that ended in the part", row.code, row.value)),
+            Some(row) => Err(format!(
+                "{} is {:?} of a run that ended in the part",
+                row.code, row.value
+            )),
         };
     }
     let separator = *draw.of(&[", ", ";", "\t", " "]);
-    let lines: Vec<String> = triggers.iter().map(|p| p.map(|x| format!("{x}")).join(separator)).collect();
+    let lines: Vec<String> = triggers
+        .iter()
+        .map(|p| p.map(|x| format!("{x}")).join(separator))
+        .collect();
     let text = lines.join("\n");
     // A part that lies far off can trigger before the approach is done: such points are refused.
     if let Ok(rows) = evaluate(job, &Value::Text(text.clone())) {
         // The direction of a wall through touches a thousandth apart has the last decimals of the triggers in it.
         let noise = 1e-9 / nearest(&triggers).max(1e-9);
-        let far = triggers.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
+        let far = triggers
+            .iter()
+            .flatten()
+            .fold(0.0, |far: f64, x| far.max(x.abs()));
         // A verdict hangs on values that the last decimals of the triggers may have moved over their limit.
-        let judged = plan.results.iter().zip(&rows).filter(|(shown, _)| shown.verdict.is_some() && !shown.unit.is_empty());
-        let moved = judged.filter_map(|(a, b)| Some((a.value? - b.value?).abs())).fold(0.0, f64::max);
+        let judged = plan
+            .results
+            .iter()
+            .zip(&rows)
+            .filter(|(shown, _)| shown.verdict.is_some() && !shown.unit.is_empty());
+        let moved = judged
+            .filter_map(|(a, b)| Some((a.value? - b.value?).abs()))
+            .fold(0.0, f64::max);
         for (shown, read) in plan.results.iter().zip(&rows) {
             let same = match (shown.value, read.value) {
-                _ if shown.unit.is_empty() && moved > 2e-8 => shown.value.is_some() == read.value.is_some(),
+                _ if shown.unit.is_empty() && moved > 2e-8 => {
+                    shown.value.is_some() == read.value.is_some()
+                }
                 // The root of what is left where sums of squares cancel.
                 // A difference or a mean may be of such.
-                (Some(a), Some(b)) if ["residual", "difference", "mean"].iter().any(|code| shown.code.starts_with(code)) => {
+                (Some(a), Some(b))
+                    if ["residual", "difference", "mean"]
+                        .iter()
+                        .any(|code| shown.code.starts_with(code)) =>
+                {
                     (a - b).abs() <= 1e-6 + noise + 1e-6 * far
                 }
                 (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * (1.0 + a.abs()) + noise,
                 (a, b) => a.is_some() == b.is_some(),
             };
             if shown.code != read.code || !same {
-                return Err(format!("{} is {:?}, from its triggers {:?}", shown.code, shown.value, read.value));
+                return Err(format!(
+                    "{} is {:?}, from its triggers {:?}",
+                    shown.code, shown.value, read.value
+                ));
             }
         }
     }
-    let reports: Vec<String> =
-        triggers.iter().map(|p| format!(">>> G38.2 X0 F9\n[PRB:{}:1]\nok", p.map(|x| format!("{x:.3}")).join(","))).collect();
-    let log = format!("G54\n$13=0\n<Idle|MPos:0.000,0.000,0.000|WCO:0.000,0.000,0.000>\n{}\n>>> M2\n", reports.join("\n"));
-    let printed: String =
-        plan.results.iter().map(|row| format!("{}={:.4}\n", row.code, row.value.unwrap_or_default())).collect();
+    let reports: Vec<String> = triggers
+        .iter()
+        .map(|p| {
+            format!(
+                ">>> G38.2 X0 F9\n[PRB:{}:1]\nok",
+                p.map(|x| format!("{x:.3}")).join(",")
+            )
+        })
+        .collect();
+    let log = format!(
+        "G54\n$13=0\n<Idle|MPos:0.000,0.000,0.000|WCO:0.000,0.000,0.000>\n{}\n>>> M2\n",
+        reports.join("\n")
+    );
+    let printed: String = plan
+        .results
+        .iter()
+        .map(|row| format!("{}={:.4}\n", row.code, row.value.unwrap_or_default()))
+        .collect();
     for text in [text, log, printed] {
         for _ in 0..3 {
             let _ = evaluate(job, &Value::Text(mutate(draw, &text)));

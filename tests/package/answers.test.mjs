@@ -8,29 +8,51 @@ import { Ajv2020 } from "ajv/dist/2020.js";
 import { csharpTypes } from "../../scripts/csharp-types.mjs";
 import { at } from "../../scripts/lib.mjs";
 import { pythonTypes } from "../../scripts/python-types.mjs";
-import { command, file, folder, run, setUp, touchpath, wrong } from "./command.mjs";
+import {
+  command,
+  file,
+  folder,
+  run,
+  setUp,
+  touchpath,
+  wrong,
+} from "./command.mjs";
 
 setUp();
 
-const answers = JSON.parse(readFileSync(at("dist", "answers.schema.json"), "utf8"));
+const answers = JSON.parse(
+  readFileSync(at("dist", "answers.schema.json"), "utf8"),
+);
 const job = JSON.parse(readFileSync(at("dist", "schema.json"), "utf8"));
 
 /** Objects closed: what is not named is a fault. @param {any} part @returns {any} */
 const closed = (part) => {
   if (Array.isArray(part)) return part.map(closed);
   if (typeof part !== "object" || part === null) return part;
-  const inner = Object.fromEntries(Object.entries(part).map(([key, value]) => [key, closed(value)]));
-  return part.type === "object" && part.properties && part.additionalProperties === undefined
+  const inner = Object.fromEntries(
+    Object.entries(part).map(([key, value]) => [key, closed(value)]),
+  );
+  return part.type === "object" &&
+    part.properties &&
+    part.additionalProperties === undefined
     ? { ...inner, additionalProperties: false }
     : inner;
 };
-const validator = (/** @type {any} */ schema) => new Ajv2020({ strict: false }).addSchema(job).addSchema(schema);
+const validator = (/** @type {any} */ schema) =>
+  new Ajv2020({ strict: false }).addSchema(job).addSchema(schema);
 const open = validator(answers);
 const strict = validator(closed(answers));
 
 /** Holds a value against a definition; as JSON, as it goes over a wire. */
-function is(/** @type {string} */ name, /** @type {unknown} */ value, ajv = strict) {
-  const good = ajv.validate(`urn:touchpath:answers:1#/$defs/${name}`, JSON.parse(JSON.stringify(value)));
+function is(
+  /** @type {string} */ name,
+  /** @type {unknown} */ value,
+  ajv = strict,
+) {
+  const good = ajv.validate(
+    `urn:touchpath:answers:1#/$defs/${name}`,
+    JSON.parse(JSON.stringify(value)),
+  );
   return good ? null : ajv.errorsText();
 }
 
@@ -41,20 +63,40 @@ test("every plan of every cycle on every control is as the schema says, and no m
     for (const { id } of posts)
       for (const form of ["moves", "cycle"]) {
         const own = touchpath.defaultJob(type);
-        const asked = /** @type {any} */ ({ ...own, control: { ...own.control, post: id, form } });
+        const asked = /** @type {any} */ ({
+          ...own,
+          control: { ...own.control, post: id, form },
+        });
         const findings = touchpath.check(asked);
         assert.equal(
-          is("Finding", findings[0] ?? { level: "info", code: "portal", path: "", message: "", said: [""] }),
+          is(
+            "Finding",
+            findings[0] ?? {
+              level: "info",
+              code: "portal",
+              path: "",
+              message: "",
+              said: [""],
+            },
+          ),
           null,
         );
         if (findings.some(({ level }) => level === "error")) continue;
         count++;
-        assert.equal(is("Plan", touchpath.plan(asked)), null, `${type} ${id} ${form}`);
+        assert.equal(
+          is("Plan", touchpath.plan(asked)),
+          null,
+          `${type} ${id} ${form}`,
+        );
       }
   assert.ok(count > 150, `${count} plans`);
   for (const name of ["vise", "two-holes", "first-article"]) {
     const path = at("examples", "set-ups", `${name}.json`);
-    assert.equal(is("Plan", touchpath.plan(JSON.parse(readFileSync(path, "utf8")))), null, name);
+    assert.equal(
+      is("Plan", touchpath.plan(JSON.parse(readFileSync(path, "utf8")))),
+      null,
+      name,
+    );
   }
 });
 
@@ -66,10 +108,25 @@ test("the other answers, and the lines of the command", () => {
     .join("\n");
   assert.equal(is("Catalog", touchpath.catalog()), null);
   assert.equal(is("Measurement", touchpath.measure(own, points)), null);
-  assert.equal(is("Lentoax", touchpath.lentoax({ frame: [{ rot: "Z", angle: 60 }] })), null);
-  assert.equal(is("Imported", touchpath.importJob(touchpath.program(own).text)), null);
-  assert.equal(is("Imported", touchpath.importJob("G21 G90\nG0 X0 Y0 Z5\nG38.2 Z0 F100\nM2\n")), null);
-  for (const outcome of touchpath.programs([own, /** @type {any} */ ({ format: 1 })]))
+  assert.equal(
+    is("Lentoax", touchpath.lentoax({ frame: [{ rot: "Z", angle: 60 }] })),
+    null,
+  );
+  assert.equal(
+    is("Imported", touchpath.importJob(touchpath.program(own).text)),
+    null,
+  );
+  assert.equal(
+    is(
+      "Imported",
+      touchpath.importJob("G21 G90\nG0 X0 Y0 Z5\nG38.2 Z0 F100\nM2\n"),
+    ),
+    null,
+  );
+  for (const outcome of touchpath.programs([
+    own,
+    /** @type {any} */ ({ format: 1 }),
+  ]))
     assert.equal(is("Programmed", outcome), null);
   const name = file("hole.json", own);
   const lines = (/** @type {string[]} */ args, input = "") =>
@@ -78,13 +135,22 @@ test("the other answers, and the lines of the command", () => {
       .split("\n")
       .map((line) => JSON.parse(line));
   const whole = lines(["plan", name, "--json"])[0];
-  assert.deepEqual(whole, JSON.parse(JSON.stringify(touchpath.plan(own))), "plan --json is the plan");
+  assert.deepEqual(
+    whole,
+    JSON.parse(JSON.stringify(touchpath.plan(own))),
+    "plan --json is the plan",
+  );
   assert.equal(is("Plan", whole), null);
-  for (const line of lines(["plan", "-", "--ndjson"], `${JSON.stringify(own)}\n{}\n`))
+  for (const line of lines(
+    ["plan", "-", "--ndjson"],
+    `${JSON.stringify(own)}\n{}\n`,
+  ))
     assert.equal(is("PlanLine", line), null);
   // A finding of a file says line and column besides.
-  for (const line of lines(["plan", name, "-o", "out", "--json"])) assert.equal(is("FileLine", line, open), null);
-  for (const line of lines(["check", name, "--json"])) assert.equal(is("CheckLine", line, open), null);
+  for (const line of lines(["plan", name, "-o", "out", "--json"]))
+    assert.equal(is("FileLine", line, open), null);
+  for (const line of lines(["check", name, "--json"]))
+    assert.equal(is("CheckLine", line, open), null);
   writeFileSync(join(folder, "points.txt"), points);
   const reported = run(["report", name, "points.txt", "--format", "json"]);
   assert.equal(reported.status, 0, reported.stderr);
@@ -95,7 +161,9 @@ test("the other answers, and the lines of the command", () => {
 });
 
 test("the schema refuses what is no answer", () => {
-  const plan = JSON.parse(JSON.stringify(touchpath.plan(touchpath.defaultJob("hole"))));
+  const plan = JSON.parse(
+    JSON.stringify(touchpath.plan(touchpath.defaultJob("hole"))),
+  );
   assert.equal(is("Plan", plan, open), null);
   const broken = (/** @type {(plan: any) => void} */ change) => {
     const copy = structuredClone(plan);
@@ -134,8 +202,15 @@ const python = /Python 3\.(1[1-9]|[2-9]\d)/.test(
 );
 
 test("the types for Python are those of the schema", () => {
-  const kept = readFileSync(at("examples", "python", "touchpath_types.py"), "utf8");
-  assert.equal(kept, pythonTypes(), "node scripts/python-types.mjs writes them");
+  const kept = readFileSync(
+    at("examples", "python", "touchpath_types.py"),
+    "utf8",
+  );
+  assert.equal(
+    kept,
+    pythonTypes(),
+    "node scripts/python-types.mjs writes them",
+  );
 });
 
 /** Holds a value against a type, key by key, and says the first difference. */
@@ -168,14 +243,22 @@ def holds(value, kind, path):
 for name, value in json.load(sys.stdin):
     print(holds(value, getattr(touchpath_types, name), name))
 `;
-test("what comes out is what Python's types say", { skip: !python && "there is no python3 of 3.11" }, () => {
+test("what comes out is what Python's types say", {
+  skip: !python && "there is no python3 of 3.11",
+}, () => {
   const { catalog, measure, plan } = touchpath;
   const hole = plan(touchpath.defaultJob("hole"));
   const values = [
     ["Plan", hole],
     ["Plan", plan(touchpath.defaultJob("probing-two-circles"))],
     ["Catalog", catalog()],
-    ["Measurement", measure(touchpath.defaultJob("hole"), "center.x=0\ncenter.y=0\ndiameter=40\nresidual=0")],
+    [
+      "Measurement",
+      measure(
+        touchpath.defaultJob("hole"),
+        "center.x=0\ncenter.y=0\ndiameter=40\nresidual=0",
+      ),
+    ],
     ["Finding", hole.findings[0]],
     // A key that is not there, a word that is none.
     ["Plan", { ...hole, moves: undefined }],
@@ -193,21 +276,37 @@ test("what comes out is what Python's types say", { skip: !python && "there is n
   assert.match(said[6] ?? "", /moves\[0\]\.kind: 'jump'/);
 });
 
-test("the example in Python plans a job by the command", { skip: !python && "there is no python3 of 3.11" }, () => {
+test("the example in Python plans a job by the command", {
+  skip: !python && "there is no python3 of 3.11",
+}, () => {
   const example = (/** @type {string} */ name) =>
-    spawnSync("python3", [at("examples", "python", "table.py"), name, "node", command], {
-      cwd: folder,
-      encoding: "utf8",
-      env: { ...process.env, PYTHONDONTWRITEBYTECODE: "1" },
-    });
+    spawnSync(
+      "python3",
+      [at("examples", "python", "table.py"), name, "node", command],
+      {
+        cwd: folder,
+        encoding: "utf8",
+        env: { ...process.env, PYTHONDONTWRITEBYTECODE: "1" },
+      },
+    );
   const own = touchpath.defaultJob("hole");
   const { table, program, touches } = touchpath.plan(own);
   const good = example(file("own.json", own));
   assert.equal(good.status, 0, good.stderr);
   const lines = good.stdout.split("\n");
-  assert.equal(lines.filter((line) => line.startsWith("CmdPrm.")).length, table.length);
-  assert.equal(lines.filter((line) => line.startsWith("touch ")).length, touches.length);
-  assert.ok(good.stdout.includes(`${program.post}: ${program.text.trimEnd().split("\n").length} lines`));
+  assert.equal(
+    lines.filter((line) => line.startsWith("CmdPrm.")).length,
+    table.length,
+  );
+  assert.equal(
+    lines.filter((line) => line.startsWith("touch ")).length,
+    touches.length,
+  );
+  assert.ok(
+    good.stdout.includes(
+      `${program.post}: ${program.text.trimEnd().split("\n").length} lines`,
+    ),
+  );
   const bad = example(file("wrong.json", wrong()));
   assert.deepEqual([bad.status, bad.stdout], [1, ""]);
   assert.match(bad.stderr, /^wrong\.json:1: cycle\.diameter: /m);
@@ -219,9 +318,18 @@ const without = { skip: !mono && "there is no mcs with Newtonsoft.Json" };
 /** Compiles a program with the types, and gives what runs it. @returns {(args: string[], input?: string) => import("node:child_process").SpawnSyncReturns<string>} */
 function compiled(/** @type {string} */ name, /** @type {string} */ source) {
   const out = join(folder, `${name}.exe`);
-  const built = spawnSync("mcs", [`-out:${out}`, `-r:${json}`, source, at("examples", "csharp", "TouchpathTypes.cs")], {
-    encoding: "utf8",
-  });
+  const built = spawnSync(
+    "mcs",
+    [
+      `-out:${out}`,
+      `-r:${json}`,
+      source,
+      at("examples", "csharp", "TouchpathTypes.cs"),
+    ],
+    {
+      encoding: "utf8",
+    },
+  );
   assert.equal(built.status, 0, built.stdout + built.stderr);
   return (args, input = "") =>
     spawnSync("mono", [out, ...args], {
@@ -233,8 +341,15 @@ function compiled(/** @type {string} */ name, /** @type {string} */ source) {
 }
 
 test("the types for C# are those of the schema", () => {
-  const kept = readFileSync(at("examples", "csharp", "TouchpathTypes.cs"), "utf8");
-  assert.equal(kept, csharpTypes(), "node scripts/csharp-types.mjs writes them");
+  const kept = readFileSync(
+    at("examples", "csharp", "TouchpathTypes.cs"),
+    "utf8",
+  );
+  assert.equal(
+    kept,
+    csharpTypes(),
+    "node scripts/csharp-types.mjs writes them",
+  );
 });
 
 /** Reads each value as its type, where a key that is not known is an error, and writes it again. */
@@ -251,31 +366,44 @@ static class Again {
     }
   }
 }`;
-test("what comes out is the same after C#'s types have read and written it", without, () => {
-  const { catalog, measure, plan } = touchpath;
-  const hole = plan(touchpath.defaultJob("hole"));
-  const values = /** @type {[string, unknown][]} */ ([
-    ["Plan", hole],
-    ["Plan", plan(touchpath.defaultJob("probing-two-circles"))],
-    ["Catalog", catalog()],
-    ["Measurement", measure(touchpath.defaultJob("hole"), "center.x=0\ncenter.y=0\ndiameter=40\nresidual=0")],
-    ["Finding", hole.findings[0]],
-    ["Plan", { ...hole, unknown: 1 }],
-    ["Plan", { ...hole, moves: [{ ...hole.moves[0], step: "one" }] }],
-  ]);
-  const ran = compiled("again", join(folder, file("again.cs", AGAIN)))([], JSON.stringify(values));
-  const said = ran.stdout
-    .trimEnd()
-    .split("\n")
-    .map((line) => JSON.parse(line));
-  assert.deepEqual(
-    said.slice(0, 5),
-    JSON.parse(JSON.stringify(values.slice(0, 5).map(([, value]) => value))),
-    ran.stderr,
-  );
-  assert.match(said[5], /Could not find member 'unknown'/);
-  assert.match(said[6], /moves\[0\]\.step/);
-});
+test(
+  "what comes out is the same after C#'s types have read and written it",
+  without,
+  () => {
+    const { catalog, measure, plan } = touchpath;
+    const hole = plan(touchpath.defaultJob("hole"));
+    const values = /** @type {[string, unknown][]} */ ([
+      ["Plan", hole],
+      ["Plan", plan(touchpath.defaultJob("probing-two-circles"))],
+      ["Catalog", catalog()],
+      [
+        "Measurement",
+        measure(
+          touchpath.defaultJob("hole"),
+          "center.x=0\ncenter.y=0\ndiameter=40\nresidual=0",
+        ),
+      ],
+      ["Finding", hole.findings[0]],
+      ["Plan", { ...hole, unknown: 1 }],
+      ["Plan", { ...hole, moves: [{ ...hole.moves[0], step: "one" }] }],
+    ]);
+    const ran = compiled("again", join(folder, file("again.cs", AGAIN)))(
+      [],
+      JSON.stringify(values),
+    );
+    const said = ran.stdout
+      .trimEnd()
+      .split("\n")
+      .map((line) => JSON.parse(line));
+    assert.deepEqual(
+      said.slice(0, 5),
+      JSON.parse(JSON.stringify(values.slice(0, 5).map(([, value]) => value))),
+      ran.stderr,
+    );
+    assert.match(said[5], /Could not find member 'unknown'/);
+    assert.match(said[6], /moves\[0\]\.step/);
+  },
+);
 
 test("the example in C# plans a job by the command", without, () => {
   const run = compiled("table", at("examples", "csharp", "Table.cs"));
@@ -284,8 +412,14 @@ test("the example in C# plans a job by the command", without, () => {
   const good = run([file("own.json", own), "node", command]);
   assert.equal(good.status, 0, good.stderr);
   const lines = good.stdout.split("\n");
-  assert.equal(lines.filter((line) => line.startsWith("CmdPrm.")).length, table.length);
-  assert.equal(lines.filter((line) => line.startsWith("touch ")).length, touches.length);
+  assert.equal(
+    lines.filter((line) => line.startsWith("CmdPrm.")).length,
+    table.length,
+  );
+  assert.equal(
+    lines.filter((line) => line.startsWith("touch ")).length,
+    touches.length,
+  );
   const bad = run([file("wrong.json", wrong()), "node", command]);
   assert.deepEqual([bad.status, bad.stdout], [1, ""]);
   assert.match(bad.stderr, /^wrong\.json: cycle\.diameter: /m);

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import * as touchpath from "touchpath";
 
-const { check, defaultJob, evaluate, exportTable, importJob, JobError, plan } = touchpath;
+const { check, defaultJob, evaluate, exportTable, importJob, JobError, plan } =
+  touchpath;
 
 /** That a good job is good, and that everything else still answers. */
 function sound(/** @type {string} */ after) {
@@ -105,7 +106,15 @@ test("a getter that calls in itself does not take the outer call's instance away
 
 test("whatever is thrown in a job, every function answers as before", () => {
   /** @type {unknown[]} */
-  const thrown = [new Error("mine"), "text", null, undefined, 7, { findings: "mine" }, Symbol("mine")];
+  const thrown = [
+    new Error("mine"),
+    "text",
+    null,
+    undefined,
+    7,
+    { findings: "mine" },
+    Symbol("mine"),
+  ];
   for (const what of thrown) {
     const job = {
       format: 1,

@@ -50,10 +50,15 @@ test("a finding says the line and the column of what it is about", () => {
     assert.ok(own.startsWith(begin), `${path} at ${line}:${column}: ${own}`);
   }
   assert.deepEqual([...seen].sort(), Object.keys(begins).sort(), stdout);
-  const json = JSON.parse(run(["check", "vise.json", "--json"]).stdout).findings;
+  const json = JSON.parse(
+    run(["check", "vise.json", "--json"]).stdout,
+  ).findings;
   assert.deepEqual(
     json
-      .filter((/** @type {any} */ f) => f.path === "feeds.work" && f.level === "error")
+      .filter(
+        (/** @type {any} */ f) =>
+          f.path === "feeds.work" && f.level === "error",
+      )
       .map((/** @type {any} */ f) => f.line),
     [11],
   );
@@ -62,21 +67,43 @@ test("a finding says the line and the column of what it is about", () => {
     join(folder, "bore.json"),
     '{ "format": 1,\n  "cycle": { "type": "hole" },\n  "tolerances": { "diameter": { "tolerance": "about 5" } } }',
   );
-  assert.match(run(["check", "bore.json"]).stdout, /^bore\.json:3:\d+: error: tolerances\.diameter/m);
+  assert.match(
+    run(["check", "bore.json"]).stdout,
+    /^bore\.json:3:\d+: error: tolerances\.diameter/m,
+  );
   writeFileSync(join(folder, "none.json"), '\ufeff\n{ "format": 1 }');
-  assert.match(run(["check", "none.json"]).stdout, /^none\.json:2:1: error: cycle: /m);
+  assert.match(
+    run(["check", "none.json"]).stdout,
+    /^none\.json:2:1: error: cycle: /m,
+  );
 });
 
 test("annotations for GitHub, at the file and the line", () => {
-  writeFileSync(join(folder, "a,b%.json"), '{ "format": 1,\n"cycle": { "type": "hole" },\n"name": 5 }');
-  const { status, stdout } = run(["check", "a,b%.json", "--reporter", "github"]);
+  writeFileSync(
+    join(folder, "a,b%.json"),
+    '{ "format": 1,\n"cycle": { "type": "hole" },\n"name": 5 }',
+  );
+  const { status, stdout } = run([
+    "check",
+    "a,b%.json",
+    "--reporter",
+    "github",
+  ]);
   assert.equal(status, 1);
-  const [first] = stdout.split("\n").filter((line) => line.startsWith("::error"));
+  const [first] = stdout
+    .split("\n")
+    .filter((line) => line.startsWith("::error"));
   assert.equal(
     first,
     "::error file=a%2Cb%25.json,line=3,col=1,title=wrong-type::name: Program name must be text, not a number",
   );
-  assert.ok(stdout.split("\n").every((line) => line === "" || /^::(error|warning|notice) file=/.test(line)));
+  assert.ok(
+    stdout
+      .split("\n")
+      .every(
+        (line) => line === "" || /^::(error|warning|notice) file=/.test(line),
+      ),
+  );
   const rows = run(
     ["check", "-", "--reporter", "github", "--ndjson"],
     `${JSON.stringify(touchpath.defaultJob("hole"))}\n{}\n`,
@@ -87,8 +114,14 @@ test("annotations for GitHub, at the file and the line", () => {
     run(["check", "l.ndjson", "--reporter", "github"]).stdout,
     /^::error file=l\.ndjson,line=1,title=missing::/m,
   );
-  assert.equal(run(["check", "a,b%.json", "--reporter", "github", "--json"]).status, 2);
-  writeFileSync(join(folder, "own.json"), JSON.stringify(touchpath.defaultJob("hole")));
+  assert.equal(
+    run(["check", "a,b%.json", "--reporter", "github", "--json"]).status,
+    2,
+  );
+  writeFileSync(
+    join(folder, "own.json"),
+    JSON.stringify(touchpath.defaultJob("hole")),
+  );
   writeFileSync(join(folder, "points.txt"), "1,2\n");
   assert.match(
     run(["evaluate", "own.json", "points.txt"]).stderr,
@@ -98,21 +131,45 @@ test("annotations for GitHub, at the file and the line", () => {
   const good = touchpath.plan(touchpath.defaultJob("hole")).program.text;
   writeFileSync(join(folder, "good.ngc"), good);
   writeFileSync(join(folder, "bad.ngc"), good.replace("F150", "F151"));
-  const verified = run(["verify", "good.ngc", "bad.ngc", "--reporter", "github"]);
+  const verified = run([
+    "verify",
+    "good.ngc",
+    "bad.ngc",
+    "--reporter",
+    "github",
+  ]);
   assert.equal(verified.status, 1);
-  assert.match(verified.stdout, /^::error file=bad\.ngc,line=\d+::bad\.ngc.*%0A.*F151%0A/m);
+  assert.match(
+    verified.stdout,
+    /^::error file=bad\.ngc,line=\d+::bad\.ngc.*%0A.*F151%0A/m,
+  );
   assert.ok(!/^::(error|warning) file=good/m.test(verified.stdout));
 });
 
 test("a report for JUnit: a case a job, hostile text and all", async () => {
   file("good.json", touchpath.defaultJob("hole"));
   file("wrong.json", { ...wrong(), '<b>&"\u0000\ud800': 1 });
-  file("warned.json", { format: 1, cycle: { type: "hole" }, stylus: { diameter: 30 } });
+  file("warned.json", {
+    format: 1,
+    cycle: { type: "hole" },
+    stylus: { diameter: 30 },
+  });
   const ran = (/** @type {string[]} */ ...more) =>
-    run(["check", "good.json", "wrong.json", "warned.json", "--reporter", "junit", ...more]);
+    run([
+      "check",
+      "good.json",
+      "wrong.json",
+      "warned.json",
+      "--reporter",
+      "junit",
+      ...more,
+    ]);
   const { status, stdout } = ran();
   assert.equal(status, 1);
-  assert.match(stdout, /^<\?xml version="1\.0" encoding="UTF-8"\?>\n<testsuites tests="3" failures="1">/);
+  assert.match(
+    stdout,
+    /^<\?xml version="1\.0" encoding="UTF-8"\?>\n<testsuites tests="3" failures="1">/,
+  );
   assert.match(
     stdout,
     /<testcase name="wrong\.json" classname="touchpath\.check"><failure message="[^"<>]+" type="[\w-]+">[^<>]*cycle\.diameter[^<>]*<\/failure>/,
@@ -120,17 +177,27 @@ test("a report for JUnit: a case a job, hostile text and all", async () => {
   assert.match(stdout, /&lt;b&gt;&amp;&quot;/);
   // biome-ignore lint/suspicious/noControlCharactersInRegex: it is what must not be there.
   assert.ok(!/[\u0000-\u0008]/.test(stdout));
-  const open = [...stdout.matchAll(/<([a-z][a-z-]*)[ >]/g)].map(([, name]) => name).sort();
-  const closed = [...stdout.matchAll(/<\/(\w[\w-]*)>/g)].map(([, name]) => name).sort();
+  const open = [...stdout.matchAll(/<([a-z][a-z-]*)[ >]/g)]
+    .map(([, name]) => name)
+    .sort();
+  const closed = [...stdout.matchAll(/<\/(\w[\w-]*)>/g)]
+    .map(([, name]) => name)
+    .sort();
   assert.deepEqual(open, closed);
-  assert.match(ran("--deny-warnings").stdout, /<testsuites tests="3" failures="2">/);
+  assert.match(
+    ran("--deny-warnings").stdout,
+    /<testsuites tests="3" failures="2">/,
+  );
   assert.equal(run(["check", "good.json", "--reporter", "junit"]).status, 0);
   assert.equal(run(["check", "good.json", "--reporter", "tap"]).status, 2);
   assert.equal(run(["plan", "good.json", "--reporter", "junit"]).status, 2);
 });
 
 test("a finding of a job in one line says its column: 12 characters stand before it", () => {
-  writeFileSync(join(folder, "line.json"), '{"format":1,"overtravel":-1,"cycle":{"type":"hole"}}');
+  writeFileSync(
+    join(folder, "line.json"),
+    '{"format":1,"overtravel":-1,"cycle":{"type":"hole"}}',
+  );
   const { status, stdout } = run(["check", "line.json"]);
   assert.equal(status, 1);
   assert.match(stdout, /^line\.json:1:13: error: /m);

@@ -17,7 +17,16 @@ import {
 } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { command, file, folder, job, run, setUp, touchpath, wrong } from "./command.mjs";
+import {
+  command,
+  file,
+  folder,
+  job,
+  run,
+  setUp,
+  touchpath,
+  wrong,
+} from "./command.mjs";
 
 setUp();
 
@@ -38,17 +47,26 @@ test("many files into a folder: patterns, folders as those of the jobs, names by
   file("many/below/c.json", job("web", "../../ESCAPE"));
   file("many/d.json", wrong());
   file("many/e.json", { ...job("groove", "TWO"), control: { post: "haas" } });
-  const { status, stdout, stderr } = run(["plan", "many/**/*.json", "-o", "out"]);
+  const { status, stdout, stderr } = run([
+    "plan",
+    "many/**/*.json",
+    "-o",
+    "out",
+  ]);
   assert.equal(status, 1);
   assert.match(stderr, /many\/d\.json:1:\d+: error: cycle\.diameter/);
   const wanted = {
     "many/ONE.ngc": programOf(job("hole", "ONE")),
     "many/below/ONE.ngc": programOf(job("boss", "ONE")),
     "many/below/ESCAPE.ngc": programOf(job("web", "../../ESCAPE")),
-    "many/TWO.nc": programOf({ ...job("groove", "TWO"), control: { post: "haas" } }),
+    "many/TWO.nc": programOf({
+      ...job("groove", "TWO"),
+      control: { post: "haas" },
+    }),
   };
   assert.deepEqual(tree("out"), wanted);
-  const sha = (/** @type {string} */ text) => createHash("sha256").update(text).digest("hex");
+  const sha = (/** @type {string} */ text) =>
+    createHash("sha256").update(text).digest("hex");
   assert.equal(
     stdout,
     [
@@ -65,7 +83,15 @@ test("many files into a folder: patterns, folders as those of the jobs, names by
     /\(fanuc, sha256 .*\), 1 warning\n$/,
   );
   // The same as JSON: with all findings, and nothing beside it.
-  const json = run(["plan", "many/**/*.json", "-o", "again", "--json", "--post", "fanuc"]);
+  const json = run([
+    "plan",
+    "many/**/*.json",
+    "-o",
+    "again",
+    "--json",
+    "--post",
+    "fanuc",
+  ]);
   assert.deepEqual([json.status, json.stderr], [1, ""]);
   const rows = json.stdout
     .trimEnd()
@@ -86,16 +112,28 @@ test("many files into a folder: patterns, folders as those of the jobs, names by
       ["many/e.json", "again/many/TWO.nc", "fanuc", true],
     ],
   );
-  for (const { file, hash } of rows) assert.equal(hash, file && sha(readFileSync(join(folder, file), "utf8")));
+  for (const { file, hash } of rows)
+    assert.equal(hash, file && sha(readFileSync(join(folder, file), "utf8")));
   // Without folders, and from a folder outside.
-  assert.equal(run(["svg", "many/below/b.json", "many/e.json", "--flat", "-o", "flat"]).status, 0);
+  assert.equal(
+    run(["svg", "many/below/b.json", "many/e.json", "--flat", "-o", "flat"])
+      .status,
+    0,
+  );
   assert.deepEqual(Object.keys(tree("flat")).sort(), ["ONE.svg", "TWO.svg"]);
-  const outside = spawnSync("node", [command, "svg", "../a.json", join(folder, "many", "e.json"), "-o", "up"], {
-    cwd: join(folder, "many", "below"),
-    encoding: "utf8",
-  });
+  const outside = spawnSync(
+    "node",
+    [command, "svg", "../a.json", join(folder, "many", "e.json"), "-o", "up"],
+    {
+      cwd: join(folder, "many", "below"),
+      encoding: "utf8",
+    },
+  );
   assert.equal(outside.status, 0, outside.stderr);
-  assert.deepEqual(Object.keys(tree("many/below/up")).sort(), ["ONE.svg", "TWO.svg"]);
+  assert.deepEqual(Object.keys(tree("many/below/up")).sort(), [
+    "ONE.svg",
+    "TWO.svg",
+  ]);
 });
 
 test("two jobs of one file were renamed without a word: they are refused before anything is written", () => {
@@ -115,14 +153,20 @@ test("two jobs of one file were renamed without a word: they are refused before 
   const apart = ["plan", "clash/c.json", "clash/below/d.json", "-o", "apart"];
   assert.equal(run(apart).status, 0);
   const before = tree("apart");
-  assert.deepEqual(Object.keys(before).sort(), ["clash/OTHER.ngc", "clash/below/OTHER.ngc"]);
+  assert.deepEqual(Object.keys(before).sort(), [
+    "clash/OTHER.ngc",
+    "clash/below/OTHER.ngc",
+  ]);
   writeFileSync(join(folder, "apart", "OTHER.ngc"), "good");
   const flat = run([...apart, "--flat"]);
   assert.equal(flat.status, 2);
   assert.match(flat.stderr, /would both be OTHER\.ngc: nothing was written\n$/);
   assert.deepEqual(tree("apart"), { ...before, "OTHER.ngc": "good" });
   // All at once, in few words.
-  file("clash/many.ndjson", Array.from({ length: 9 }, () => JSON.stringify(job("hole"))).join("\n"));
+  file(
+    "clash/many.ndjson",
+    Array.from({ length: 9 }, () => JSON.stringify(job("hole"))).join("\n"),
+  );
   const lines = run(["plan", "clash/many.ndjson", "-o", "never"]);
   assert.match(
     lines.stderr,
@@ -130,15 +174,25 @@ test("two jobs of one file were renamed without a word: they are refused before 
   );
   // A folder stands where a file must be.
   mkdirSync(join(folder, "blocked", "clash", "ONE.ngc"), { recursive: true });
-  const blocked = run(["plan", "clash/a.json", "clash/c.json", "-o", "blocked"]);
+  const blocked = run([
+    "plan",
+    "clash/a.json",
+    "clash/c.json",
+    "-o",
+    "blocked",
+  ]);
   assert.equal(blocked.status, 2);
-  assert.match(blocked.stderr, /ONE\.ngc would be a file and a folder: nothing was written/);
+  assert.match(
+    blocked.stderr,
+    /ONE\.ngc would be a file and a folder: nothing was written/,
+  );
   assert.deepEqual(tree("blocked"), {});
 });
 
 /** Waits until something holds. */
 async function until(/** @type {() => boolean} */ holds) {
-  for (let i = 0; i < 600 && !holds(); i++) await new Promise((done) => setTimeout(done, 50));
+  for (let i = 0; i < 600 && !holds(); i++)
+    await new Promise((done) => setTimeout(done, 50));
   assert.ok(holds());
 }
 
@@ -146,14 +200,36 @@ test("a run that was killed left half a program in the place of a good one: file
   mkdirSync(join(folder, "kept"));
   const good = "%\n(a good program)\n%\n";
   writeFileSync(join(folder, "kept", "FIRST.ngc"), good);
-  for (const signal of /** @type {const} */ (["SIGINT", "SIGTERM", "SIGKILL"])) {
-    const child = spawn("node", [command, "plan", "-", "--ndjson", "--jobs", "1", "-o", "kept"], { cwd: folder });
-    child.stdin.write(`${JSON.stringify(job("hole", "FIRST"))}\n${JSON.stringify(job("hole", "SECOND"))}\n`);
-    const aside = () => readdirSync(join(folder, "kept")).filter((name) => name.startsWith(".touchpath-"));
-    await until(() => aside().some((name) => readdirSync(join(folder, "kept", name)).length === 2));
+  for (const signal of /** @type {const} */ ([
+    "SIGINT",
+    "SIGTERM",
+    "SIGKILL",
+  ])) {
+    const child = spawn(
+      "node",
+      [command, "plan", "-", "--ndjson", "--jobs", "1", "-o", "kept"],
+      { cwd: folder },
+    );
+    child.stdin.write(
+      `${JSON.stringify(job("hole", "FIRST"))}\n${JSON.stringify(job("hole", "SECOND"))}\n`,
+    );
+    const aside = () =>
+      readdirSync(join(folder, "kept")).filter((name) =>
+        name.startsWith(".touchpath-"),
+      );
+    await until(() =>
+      aside().some(
+        (name) => readdirSync(join(folder, "kept", name)).length === 2,
+      ),
+    );
     child.kill(signal);
     const [status, by] = await once(child, "close");
-    assert.deepEqual([status, by], signal === "SIGKILL" ? [null, signal] : [signal === "SIGINT" ? 130 : 143, null]);
+    assert.deepEqual(
+      [status, by],
+      signal === "SIGKILL"
+        ? [null, signal]
+        : [signal === "SIGINT" ? 130 : 143, null],
+    );
     assert.equal(readFileSync(join(folder, "kept", "FIRST.ngc"), "utf8"), good);
     assert.deepEqual(
       readdirSync(join(folder, "kept")).filter((name) => !name.startsWith(".")),
@@ -162,12 +238,19 @@ test("a run that was killed left half a program in the place of a good one: file
     assert.equal(aside().length, signal === "SIGKILL" ? 1 : 0, signal);
   }
   // What a kill has left is removed by a run of another day.
-  const [left = ""] = readdirSync(join(folder, "kept")).filter((name) => name.startsWith("."));
+  const [left = ""] = readdirSync(join(folder, "kept")).filter((name) =>
+    name.startsWith("."),
+  );
   const past = new Date(Date.now() - 2 * 86_400_000);
   utimesSync(join(folder, "kept", left), past, past);
-  const done = run(["plan", "-", "--ndjson", "-o", "kept"], JSON.stringify(job("hole", "FIRST")));
+  const done = run(
+    ["plan", "-", "--ndjson", "-o", "kept"],
+    JSON.stringify(job("hole", "FIRST")),
+  );
   assert.equal(done.status, 0, done.stderr);
-  assert.deepEqual(tree("kept"), { "FIRST.ngc": programOf(job("hole", "FIRST")) });
+  assert.deepEqual(tree("kept"), {
+    "FIRST.ngc": programOf(job("hole", "FIRST")),
+  });
 });
 
 test("a full disk leaves every file as it was, and says so in one line", () => {
@@ -175,12 +258,22 @@ test("a full disk leaves every file as it was, and says so in one line", () => {
   mkdirSync(join(folder, "full"));
   writeFileSync(join(folder, "full", "BIG.ngc"), "good");
   file("big.json", job("hole", "BIG"));
-  const limited = spawnSync("bash", ["-c", `trap "" XFSZ; ulimit -f 2; exec node ${command} plan big.json -o full`], {
-    cwd: folder,
-    encoding: "utf8",
-  });
+  const limited = spawnSync(
+    "bash",
+    [
+      "-c",
+      `trap "" XFSZ; ulimit -f 2; exec node ${command} plan big.json -o full`,
+    ],
+    {
+      cwd: folder,
+      encoding: "utf8",
+    },
+  );
   assert.equal(limited.status, 2, limited.stderr);
-  assert.match(limited.stderr, /^touchpath: BIG\.ngc cannot be written: [^\n]*: nothing was written\n$/);
+  assert.match(
+    limited.stderr,
+    /^touchpath: BIG\.ngc cannot be written: [^\n]*: nothing was written\n$/,
+  );
   assert.deepEqual(tree("full"), { "BIG.ngc": "good" });
 });
 
@@ -188,12 +281,21 @@ test("the rights of a file and a link to it stay when it is replaced", () => {
   mkdirSync(join(folder, "rights"));
   mkdirSync(join(folder, "elsewhere"));
   writeFileSync(join(folder, "elsewhere", "REAL.ngc"), "old", { mode: 0o640 });
-  symlinkSync(join("..", "elsewhere", "REAL.ngc"), join(folder, "rights", "BIG.ngc"));
+  symlinkSync(
+    join("..", "elsewhere", "REAL.ngc"),
+    join(folder, "rights", "BIG.ngc"),
+  );
   file("big.json", job("hole", "BIG"));
   assert.equal(run(["plan", "big.json", "-o", "rights"]).status, 0);
   assert.ok(lstatSync(join(folder, "rights", "BIG.ngc")).isSymbolicLink());
-  assert.equal(readFileSync(join(folder, "elsewhere", "REAL.ngc"), "utf8"), programOf(job("hole", "BIG")));
-  assert.equal(statSync(join(folder, "elsewhere", "REAL.ngc")).mode & 0o777, 0o640);
+  assert.equal(
+    readFileSync(join(folder, "elsewhere", "REAL.ngc"), "utf8"),
+    programOf(job("hole", "BIG")),
+  );
+  assert.equal(
+    statSync(join(folder, "elsewhere", "REAL.ngc")).mode & 0o777,
+    0o640,
+  );
 });
 
 test("a file that was read is not written over, by whatever name it is reached", () => {
@@ -205,22 +307,50 @@ test("a file that was read is not written over, by whatever name it is reached",
     const { status, stderr } = run(["import", "own/SELF.json", "-o", out]);
     assert.deepEqual(
       [status, stderr],
-      [2, "touchpath: own/SELF.json would be written over the file that was read: nothing was written\n"],
+      [
+        2,
+        "touchpath: own/SELF.json would be written over the file that was read: nothing was written\n",
+      ],
     );
   }
-  assert.equal(run(["import", "own/SELF.json", "-o", "alias", "--flat"]).status, 2);
+  assert.equal(
+    run(["import", "own/SELF.json", "-o", "alias", "--flat"]).status,
+    2,
+  );
   assert.equal(readFileSync(join(folder, "own/SELF.json"), "utf8"), before);
   assert.deepEqual(readdirSync(join(folder, "own")), ["SELF.json"]);
 });
 
 test("a list of the programs: what is missing, changed, strange, or of another job than it was", () => {
   mkdirSync(join(folder, "shop"));
-  for (const [name, type] of Object.entries({ a: "hole", b: "boss", c: "groove", d: "web" }))
-    file(`shop/${name}.json`, job(/** @type {any} */ (type), name.toUpperCase()));
-  file("shop/many.ndjson", `${JSON.stringify(job("hole", "E"))}\n${JSON.stringify(job("boss", "F"))}\n`);
-  const args = ["plan", "shop/*.json", "shop/many.ndjson", "-o", "made", "--manifest"];
-  assert.equal(run(["plan", "shop/*.json", "-o", "made", "--manifest"]).status, 0);
-  const list = () => JSON.parse(readFileSync(join(folder, "made", "manifest.json"), "utf8"));
+  for (const [name, type] of Object.entries({
+    a: "hole",
+    b: "boss",
+    c: "groove",
+    d: "web",
+  }))
+    file(
+      `shop/${name}.json`,
+      job(/** @type {any} */ (type), name.toUpperCase()),
+    );
+  file(
+    "shop/many.ndjson",
+    `${JSON.stringify(job("hole", "E"))}\n${JSON.stringify(job("boss", "F"))}\n`,
+  );
+  const args = [
+    "plan",
+    "shop/*.json",
+    "shop/many.ndjson",
+    "-o",
+    "made",
+    "--manifest",
+  ];
+  assert.equal(
+    run(["plan", "shop/*.json", "-o", "made", "--manifest"]).status,
+    0,
+  );
+  const list = () =>
+    JSON.parse(readFileSync(join(folder, "made", "manifest.json"), "utf8"));
   const sha = (/** @type {string} */ name) =>
     createHash("sha256")
       .update(readFileSync(join(folder, name)))
@@ -234,7 +364,11 @@ test("a list of the programs: what is missing, changed, strange, or of another j
   // The same jobs make the same list, also from a file of jobs.
   assert.equal(run(args.filter((arg) => arg !== "shop/*.json")).status, 0);
   assert.deepEqual(
-    list().files.map((/** @type {any} */ one) => [one.file, one.job.file, one.job.line]),
+    list().files.map((/** @type {any} */ one) => [
+      one.file,
+      one.job.file,
+      one.job.line,
+    ]),
     [
       ["shop/E.ngc", "../shop/many.ndjson", 1],
       ["shop/F.ngc", "../shop/many.ndjson", 2],
@@ -247,9 +381,15 @@ test("a list of the programs: what is missing, changed, strange, or of another j
   rmSync(join(folder, "made/shop/E.ngc"));
   rmSync(join(folder, "made/shop/F.ngc"));
   const good = run(["verify", "made", "--manifest"]);
-  assert.deepEqual([good.status, good.stdout.trimEnd().split("\n").length], [0, 4]);
+  assert.deepEqual(
+    [good.status, good.stdout.trimEnd().split("\n").length],
+    [0, 4],
+  );
   // Each is one of what may happen to a folder.
-  writeFileSync(join(folder, "made/shop/A.ngc"), `${readFileSync(join(folder, "made/shop/A.ngc"), "utf8")}\n`);
+  writeFileSync(
+    join(folder, "made/shop/A.ngc"),
+    `${readFileSync(join(folder, "made/shop/A.ngc"), "utf8")}\n`,
+  );
   rmSync(join(folder, "made/shop/B.ngc"));
   file("shop/c.json", { ...job("groove", "C"), overtravel: 4 });
   rmSync(join(folder, "shop/d.json"));
@@ -272,7 +412,10 @@ test("a list of the programs: what is missing, changed, strange, or of another j
       ["made/notes.txt", "unlisted"],
     ].map(([source = "", state]) => [join(source), state]),
   );
-  assert.match(run(["verify", "made", "--manifest"]).stdout, /its job shop[/\\]c\.json was changed since/);
+  assert.match(
+    run(["verify", "made", "--manifest"]).stdout,
+    /its job shop[/\\]c\.json was changed since/,
+  );
   for (const wrong of [
     ["verify", "shop", "--manifest"],
     ["verify", "made/shop/A.ngc", "--manifest"],
@@ -281,7 +424,13 @@ test("a list of the programs: what is missing, changed, strange, or of another j
   ])
     assert.equal(run(wrong).status, 2, wrong.join(" "));
   const entry = (/** @type {object} */ more) => {
-    const one = { file: "x", sha256: "y", control: null, job: { file: null, line: null, sha256: "" }, ...more };
+    const one = {
+      file: "x",
+      sha256: "y",
+      control: null,
+      job: { file: null, line: null, sha256: "" },
+      ...more,
+    };
     return JSON.stringify({ files: [one] });
   };
   for (const text of [
@@ -293,7 +442,10 @@ test("a list of the programs: what is missing, changed, strange, or of another j
     entry({ file: "a\\..\\..\\b" }),
     entry({ job: { file: 2, line: null, sha256: "" } }),
     entry({ job: { file: "x", line: "x", sha256: "" } }),
-    entry({}).replace("[{", '[{"file":"X","sha256":"","control":null,"job":{"file":null,"line":null,"sha256":""}},{'),
+    entry({}).replace(
+      "[{",
+      '[{"file":"X","sha256":"","control":null,"job":{"file":null,"line":null,"sha256":""}},{',
+    ),
   ]) {
     writeFileSync(join(folder, "made/manifest.json"), text);
     assert.equal(run(["verify", "made", "--manifest"]).status, 2, text);
@@ -302,18 +454,43 @@ test("a list of the programs: what is missing, changed, strange, or of another j
 
 test("rules that are found by themselves: those of the nearest folder, named ones before them, or none", () => {
   mkdirSync(join(folder, "hall", "jobs"), { recursive: true });
-  const rules = (/** @type {string} */ title) => ({ format: 1, title, fields: { "feeds.work": { max: 100 } } });
+  const rules = (/** @type {string} */ title) => ({
+    format: 1,
+    title,
+    fields: { "feeds.work": { max: 100 } },
+  });
   file("hall/touchpath.config.json", rules("Hall"));
-  file("hall/other.json", { format: 1, fields: { "feeds.work": { max: 1000 } } });
+  file("hall/other.json", {
+    format: 1,
+    fields: { "feeds.work": { max: 1000 } },
+  });
   file("hall/jobs/fast.json", { ...job("hole", "FAST"), feeds: { work: 140 } });
   const inside = (/** @type {string[]} */ ...args) =>
-    spawnSync("node", [command, ...args], { cwd: join(folder, "hall", "jobs"), encoding: "utf8" });
+    spawnSync("node", [command, ...args], {
+      cwd: join(folder, "hall", "jobs"),
+      encoding: "utf8",
+    });
   const ruled = inside("check", "fast.json");
-  assert.deepEqual([ruled.status, /Hall.*\[not-allowed\]/.test(ruled.stdout)], [1, true], ruled.stdout);
+  assert.deepEqual(
+    [ruled.status, /Hall.*\[not-allowed\]/.test(ruled.stdout)],
+    [1, true],
+    ruled.stdout,
+  );
   assert.equal(inside("check", "fast.json", "--no-config").status, 0);
-  assert.equal(inside("check", "fast.json", "--config", "../other.json").status, 0);
-  assert.equal(inside("check", "fast.json", "--config", "../other.json", "--no-config").status, 2);
-  assert.equal(run(["check", "hall/jobs/fast.json"]).status, 0, "above it there are none");
+  assert.equal(
+    inside("check", "fast.json", "--config", "../other.json").status,
+    0,
+  );
+  assert.equal(
+    inside("check", "fast.json", "--config", "../other.json", "--no-config")
+      .status,
+    2,
+  );
+  assert.equal(
+    run(["check", "hall/jobs/fast.json"]).status,
+    0,
+    "above it there are none",
+  );
   file("hall/jobs/touchpath.config.json", { format: 1, tilte: "x" });
   const broken = inside("plan", "fast.json");
   assert.deepEqual([broken.status, broken.stdout], [2, ""]);
@@ -322,8 +499,14 @@ test("rules that are found by themselves: those of the nearest folder, named one
 });
 
 test("the programs of a file with a job a line are verified by their own lines", () => {
-  file("lines.ndjson", `${JSON.stringify(job("hole", "E"))}\n${JSON.stringify(job("boss", "F"))}\n`);
-  assert.equal(run(["plan", "lines.ndjson", "-o", "of-lines", "--manifest"]).status, 0);
+  file(
+    "lines.ndjson",
+    `${JSON.stringify(job("hole", "E"))}\n${JSON.stringify(job("boss", "F"))}\n`,
+  );
+  assert.equal(
+    run(["plan", "lines.ndjson", "-o", "of-lines", "--manifest"]).status,
+    0,
+  );
   const { status, stdout } = run(["verify", "of-lines", "--manifest"]);
   assert.equal(status, 0, stdout);
   assert.equal(stdout.trimEnd().split("\n").length, 2);

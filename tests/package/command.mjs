@@ -33,10 +33,23 @@ export const run = (/** @type {string[]} */ args, input = "") => {
   return { status, stdout, stderr };
 };
 /** Writes a file into the folder; gives its name. */
-export const file = (/** @type {string} */ name, /** @type {unknown} */ content) => {
-  writeFileSync(join(folder, name), typeof content === "string" ? content : JSON.stringify(content));
+export const file = (
+  /** @type {string} */ name,
+  /** @type {unknown} */ content,
+) => {
+  writeFileSync(
+    join(folder, name),
+    typeof content === "string" ? content : JSON.stringify(content),
+  );
   return name;
 };
 /** A job of a type under a name. */
-export const job = (/** @type {any} */ type, name = "PROBE") => ({ ...touchpath.defaultJob(type), name });
-export const wrong = () => ({ format: 1, name: "WRONG", cycle: { type: "hole", diameter: -1 } });
+export const job = (/** @type {any} */ type, name = "PROBE") => ({
+  ...touchpath.defaultJob(type),
+  name,
+});
+export const wrong = () => ({
+  format: 1,
+  name: "WRONG",
+  cycle: { type: "hole", diameter: -1 },
+});

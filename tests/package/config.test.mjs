@@ -27,7 +27,14 @@ const GOOD = {
     "control.tool": { value: 99, hidden: true },
     overtravel: { min: 2, max: 8 },
   },
-  machines: [{ name: "VF-2", control: { post: "haas", tool: 25 }, feeds: { approach: null }, overtravel: 4 }],
+  machines: [
+    {
+      name: "VF-2",
+      control: { post: "haas", tool: 25 },
+      feeds: { approach: null },
+      overtravel: 4,
+    },
+  ],
   styli: [{ name: "M4 ball 4", diameter: 4, length: 40, shank: 2.5 }],
   space: {
     zero: [0, 0, 0],
@@ -40,16 +47,33 @@ const GOOD = {
 const HOLE = { format: 1, cycle: { type: "hole", diameter: 25 } };
 
 test("the functions plan a job under a config, and say everything at once", () => {
-  const plain = touchpath.plan({ ...HOLE, control: { post: "haas", tool: 99 }, feeds: { work: 100 } });
+  const plain = touchpath.plan({
+    ...HOLE,
+    control: { post: "haas", tool: 99 },
+    feeds: { work: 100 },
+  });
   const made = touchpath.plan(HOLE, GOOD);
   assert.equal(made.program.text, plain.program.text);
   assert.equal(touchpath.program(HOLE, GOOD).text, plain.program.text);
   const own = made.findings.at(-1);
-  assert.deepEqual([own?.code, own?.level, own?.message], ["portal", "info", "Use probe 7"]);
-  assert.deepEqual(touchpath.configured(HOLE, GOOD).control, { post: "haas", tool: 99 });
-  const bad = { ...HOLE, cycle: { type: "boss", diameter: -1 }, feeds: { work: 90 }, overtravel: 9 };
+  assert.deepEqual(
+    [own?.code, own?.level, own?.message],
+    ["portal", "info", "Use probe 7"],
+  );
+  assert.deepEqual(touchpath.configured(HOLE, GOOD).control, {
+    post: "haas",
+    tool: 99,
+  });
+  const bad = {
+    ...HOLE,
+    cycle: { type: "boss", diameter: -1 },
+    feeds: { work: 90 },
+    overtravel: 9,
+  };
   const codes = (/** @type {any[]} */ findings) =>
-    findings.filter((f) => f.level === "error").map((f) => `${f.code} ${f.path}`);
+    findings
+      .filter((f) => f.level === "error")
+      .map((f) => `${f.code} ${f.path}`);
   const expected = [
     "out-of-range cycle.diameter",
     "not-allowed cycle.type",
@@ -60,9 +84,12 @@ test("the functions plan a job under a config, and say everything at once", () =
   assert.throws(
     () => touchpath.plan(/** @type {any} */ (bad), GOOD),
     (/** @type {any} */ error) =>
-      error instanceof touchpath.JobError && codes(error.findings).join() === expected.join(),
+      error instanceof touchpath.JobError &&
+      codes(error.findings).join() === expected.join(),
   );
-  const outcomes = [...touchpath.programs(/** @type {any} */ ([HOLE, bad, HOLE]), GOOD)];
+  const outcomes = [
+    ...touchpath.programs(/** @type {any} */ ([HOLE, bad, HOLE]), GOOD),
+  ];
   assert.deepEqual(
     outcomes.map(({ program }) => program?.post ?? null),
     ["haas", null, "haas"],
@@ -74,10 +101,18 @@ test("the functions plan a job under a config, and say everything at once", () =
 
 test("a wrong config is refused by every function that takes one, and by the schema", () => {
   const ajv = new Ajv2020({ strict: true, allowUnionTypes: true });
-  const schema = JSON.parse(readFileSync(at("dist", "config.schema.json"), "utf8"));
+  const schema = JSON.parse(
+    readFileSync(at("dist", "config.schema.json"), "utf8"),
+  );
   const fits = ajv.compile(schema);
-  assert.deepEqual([touchpath.checkConfig(GOOD), fits(GOOD), fits.errors], [[], true, null]);
-  assert.deepEqual([touchpath.checkConfig({ format: 1 }), fits({ format: 1 })], [[], true]);
+  assert.deepEqual(
+    [touchpath.checkConfig(GOOD), fits(GOOD), fits.errors],
+    [[], true, null],
+  );
+  assert.deepEqual(
+    [touchpath.checkConfig({ format: 1 }), fits({ format: 1 })],
+    [[], true],
+  );
   /** @type {[string, unknown][]} */
   const changes = [
     ["format", 2],
@@ -126,7 +161,10 @@ test("a wrong config is refused by every function that takes one, and by the sch
     const config = structuredClone(GOOD);
     const keys = path.split(".");
     const last = String(keys.pop());
-    const place = keys.reduce((/** @type {any} */ inside, key) => inside[key], config);
+    const place = keys.reduce(
+      (/** @type {any} */ inside, key) => inside[key],
+      config,
+    );
     if (value === undefined) delete place[last];
     else place[last] = value;
     const faults = touchpath.checkConfig(config);
@@ -134,13 +172,24 @@ test("a wrong config is refused by every function that takes one, and by the sch
       faults.some((f) => f.level === "error" && f.path.startsWith("config")),
       `${path} = ${JSON.stringify(value)} is found`,
     );
-    assert.ok(!fits(config), `${path} = ${JSON.stringify(value)} is refused by the schema`);
+    assert.ok(
+      !fits(config),
+      `${path} = ${JSON.stringify(value)} is refused by the schema`,
+    );
     assert.throws(() => touchpath.plan(HOLE, config), touchpath.JobError, path);
-    assert.throws(() => touchpath.configured(HOLE, config), touchpath.JobError, path);
+    assert.throws(
+      () => touchpath.configured(HOLE, config),
+      touchpath.JobError,
+      path,
+    );
     assert.deepEqual(touchpath.check(HOLE, config), faults, path);
   }
   // What only the check knows: what a value means at its place.
-  for (const fields of [{ "feeds.wrk": {} }, { "feeds.work": { value: 0 } }, { overtravel: { min: 3, max: 2 } }])
+  for (const fields of [
+    { "feeds.wrk": {} },
+    { "feeds.work": { value: 0 } },
+    { overtravel: { min: 3, max: 2 } },
+  ])
     assert.equal(touchpath.checkConfig({ format: 1, fields }).length, 1);
   // The lists are those of the catalog.
   const { cycles, posts } = touchpath.catalog();
@@ -175,9 +224,18 @@ test("what is no data of a job is refused as what it is, under a config too", ()
 
 test("a key that is undefined is not there", () => {
   /** @type {any} */
-  const config = { format: 1, allow: { controls: ["haas"], units: ["inch"], workOffsets: [2] } };
+  const config = {
+    format: 1,
+    allow: { controls: ["haas"], units: ["inch"], workOffsets: [2] },
+  };
   /** @type {any} */
-  const job = { format: 1, units: undefined, control: undefined, feeds: undefined, cycle: { type: "hole" } };
+  const job = {
+    format: 1,
+    units: undefined,
+    control: undefined,
+    feeds: undefined,
+    cycle: { type: "hole" },
+  };
   assert.equal(touchpath.plan(job, config).program.post, "haas");
   assert.equal(job.control, undefined, "the job itself is left alone");
 });
@@ -191,15 +249,47 @@ test("no config, however hostile, gets through a function", () => {
       throw new Error("no");
     },
   };
-  const many = { format: 1, fields: Object.fromEntries(Array.from({ length: 100_000 }, (_, i) => [`a${i}`, {}])) };
-  const proxy = new Proxy({}, { ownKeys: () => ["format", "__proto__"], get: () => 1 });
-  for (const config of [null, 5, "x", [], () => 1, Symbol("s"), 5n, cyclic, thrower, many, proxy, new Map()]) {
+  const many = {
+    format: 1,
+    fields: Object.fromEntries(
+      Array.from({ length: 100_000 }, (_, i) => [`a${i}`, {}]),
+    ),
+  };
+  const proxy = new Proxy(
+    {},
+    { ownKeys: () => ["format", "__proto__"], get: () => 1 },
+  );
+  for (const config of [
+    null,
+    5,
+    "x",
+    [],
+    () => 1,
+    Symbol("s"),
+    5n,
+    cyclic,
+    thrower,
+    many,
+    proxy,
+    new Map(),
+  ]) {
     const started = performance.now();
     const faults = touchpath.checkConfig(config);
-    assert.ok(faults.length > 0 && performance.now() - started < 2000, String(typeof config));
-    assert.ok(touchpath.check(HOLE, /** @type {any} */ (config)).some(({ level }) => level === "error"));
+    assert.ok(
+      faults.length > 0 && performance.now() - started < 2000,
+      String(typeof config),
+    );
+    assert.ok(
+      touchpath
+        .check(HOLE, /** @type {any} */ (config))
+        .some(({ level }) => level === "error"),
+    );
   }
-  const title = { format: 1, title: "A\n(MSG)\u0000", allow: { controls: ["haas"] } };
+  const title = {
+    format: 1,
+    title: "A\n(MSG)\u0000",
+    allow: { controls: ["haas"] },
+  };
   const text = touchpath.plan(HOLE, /** @type {any} */ (title)).program.text;
   assert.ok(!text.includes("MSG"), "no word of a config stands in a program");
 });
@@ -214,7 +304,10 @@ test("the command judges jobs by a file of rules", () => {
   for (const name of ["plan", "table", "svg"]) {
     const refused = run([name, bad, "--config", config]);
     assert.deepEqual([refused.status, refused.stdout], [1, ""], name);
-    assert.match(refused.stderr, /error: feeds\.work: Hall 3 fixes Work feed at 100 mm\/min: calibrated \[locked\]/);
+    assert.match(
+      refused.stderr,
+      /error: feeds\.work: Hall 3 fixes Work feed at 100 mm\/min: calibrated \[locked\]/,
+    );
   }
   assert.equal(run(["check", good, "--config", config]).status, 0);
   assert.match(run(["check", bad, "--config", config]).stdout, /\[locked\]/);
@@ -236,14 +329,28 @@ test("the command judges jobs by a file of rules", () => {
     file("wrong.json", { format: 1, tilte: "A", allow: { cycles: ["well"] } }),
   ]);
   assert.equal(wrong.status, 2);
-  assert.match(wrong.stderr, /wrong\.json: config\.tilte: .+; config\.allow\.cycles\[0\]: /);
-  assert.equal(run(["plan", good, "--config", good]).status, 2, "a job is no config");
-  assert.equal(run(["import", good, "--config", config]).status, 2, "it is for jobs");
+  assert.match(
+    wrong.stderr,
+    /wrong\.json: config\.tilte: .+; config\.allow\.cycles\[0\]: /,
+  );
+  assert.equal(
+    run(["plan", good, "--config", good]).status,
+    2,
+    "a job is no config",
+  );
+  assert.equal(
+    run(["import", good, "--config", config]).status,
+    2,
+    "it is for jobs",
+  );
 });
 
 test("the example of the docs works", () => {
   const docs = readFileSync(at("docs", "embedding.md"), "utf8");
-  const config = JSON.parse(/<script type="application\/json">([\s\S]+?)<\/script>/.exec(docs)?.[1] ?? "");
+  const config = JSON.parse(
+    /<script type="application\/json">([\s\S]+?)<\/script>/.exec(docs)?.[1] ??
+      "",
+  );
   assert.deepEqual(touchpath.checkConfig(config), []);
   assert.equal(touchpath.plan(HOLE, config).program.post, "haas");
   /** @type {any} */
@@ -252,7 +359,9 @@ test("the example of the docs works", () => {
     cycle: { type: "hole", diameter: 25, origin: [0, -40, 0] },
     stylus: { length: 50, shank: 4, body: 40 },
   };
-  const refused = touchpath.check(near, config).filter(({ code }) => code === "keep-out");
+  const refused = touchpath
+    .check(near, config)
+    .filter(({ code }) => code === "keep-out");
   // The zone is named behind the move.
   assert.deepEqual(
     refused.map(({ path, said }) => [path, said[2]]),

@@ -11,9 +11,15 @@ const cwd = fileURLToPath(new URL("../..", import.meta.url));
 
 test("the package had no licence text", () => {
   const [packed] = JSON.parse(
-    execFileSync("npm", ["pack", "--dry-run", "--json"], { cwd, encoding: "utf8", stdio: "pipe" }),
+    execFileSync("npm", ["pack", "--dry-run", "--json"], {
+      cwd,
+      encoding: "utf8",
+      stdio: "pipe",
+    }),
   );
-  const names = packed.files.map((/** @type {{ path: string }} */ f) => f.path).sort();
+  const names = packed.files
+    .map((/** @type {{ path: string }} */ f) => f.path)
+    .sort();
   const core = [
     "api",
     "browser",
@@ -37,12 +43,24 @@ test("the package had no licence text", () => {
     "unpacked",
     "workerd",
   ];
-  const modules = core.flatMap((name) => [`dist/${name}.d.ts`, `dist/${name}.js`]);
+  const modules = core.flatMap((name) => [
+    `dist/${name}.d.ts`,
+    `dist/${name}.js`,
+  ]);
   // What the element loads is cut into pieces as the bundler likes: their number may change, their kind may not.
-  const pieces = names.filter((/** @type {string} */ name) => name.startsWith("dist/element/"));
-  assert.ok(pieces.includes("dist/element/element.js") && pieces.includes("dist/element/element.d.ts"), pieces.join());
+  const pieces = names.filter((/** @type {string} */ name) =>
+    name.startsWith("dist/element/"),
+  );
   assert.ok(
-    pieces.length < 21 && pieces.every((/** @type {string} */ name) => /\/[a-zA-Z-]+(\.d\.ts|\.js)$/.test(name)),
+    pieces.includes("dist/element/element.js") &&
+      pieces.includes("dist/element/element.d.ts"),
+    pieces.join(),
+  );
+  assert.ok(
+    pieces.length < 21 &&
+      pieces.every((/** @type {string} */ name) =>
+        /\/[a-zA-Z-]+(\.d\.ts|\.js)$/.test(name),
+      ),
     pieces.join(),
   );
   const wasm = [
@@ -57,15 +75,22 @@ test("the package had no licence text", () => {
   const all = (/** @type {string} */ folder) =>
     readdirSync(join(cwd, folder), { recursive: true, withFileTypes: true })
       .filter((entry) => entry.isFile() && !/\.(rs|pyc)$/.test(entry.name))
-      .map((entry) => relative(cwd, join(entry.parentPath, entry.name)).replaceAll("\\", "/"));
+      .map((entry) =>
+        relative(cwd, join(entry.parentPath, entry.name)).replaceAll("\\", "/"),
+      );
   const manual = [...all("docs"), ...all("examples")];
   // Nothing in it leads out of the package.
   for (const page of manual.filter((name) => name.endsWith(".md"))) {
-    const links = readFileSync(join(cwd, page), "utf8").matchAll(/\]\((?!https?:|#)([^)\s#]+)/g);
+    const links = readFileSync(join(cwd, page), "utf8").matchAll(
+      /\]\((?!https?:|#)([^)\s#]+)/g,
+    );
     for (const [, link = ""] of links) {
       const target = posix.join(dirname(page), link).replace(/\/$/, "");
       assert.ok(
-        names.some((/** @type {string} */ name) => name === target || name.startsWith(`${target}/`)),
+        names.some(
+          (/** @type {string} */ name) =>
+            name === target || name.startsWith(`${target}/`),
+        ),
         `${page}: ${link}`,
       );
     }
@@ -110,22 +135,53 @@ test("the package had no licence text", () => {
   assert.deepEqual(names, wanted.sort());
   const notices = readFileSync(join(cwd, "dist", "licences.txt"), "utf8");
   assert.match(notices, /lit[\s\S]*Google/, "what the element bundles");
-  assert.match(notices, /tinyglobby[\s\S]*Permission/, "what the command bundles");
-  for (const crate of ["glam", "js-sys", "serde", "serde-wasm-bindgen", "wasm-bindgen", "web-sys"]) {
-    const own = notices.split(/^## /m).find((part) => part.startsWith(`${crate} - `)) ?? "";
+  assert.match(
+    notices,
+    /tinyglobby[\s\S]*Permission/,
+    "what the command bundles",
+  );
+  for (const crate of [
+    "glam",
+    "js-sys",
+    "serde",
+    "serde-wasm-bindgen",
+    "wasm-bindgen",
+    "web-sys",
+  ]) {
+    const own =
+      notices.split(/^## /m).find((part) => part.startsWith(`${crate} - `)) ??
+      "";
     assert.match(own, /Permission is hereby granted|Apache License/, crate);
   }
 });
 
 test("the crate took README files and licences of node_modules with it", () => {
   const args = ["package", "--list", "--allow-dirty", "--offline"];
-  const names = execFileSync("cargo", args, { cwd, encoding: "utf8", stdio: "pipe" }).trim().split("\n");
-  const made = [".cargo_vcs_info.json", "Cargo.lock", "Cargo.toml", "Cargo.toml.orig"];
-  const own = /^(src\/.*\.(rs|md|csv|json|txt)|benches\/.*\.rs|examples\/\w+\.rs|README\.md|LICENSE-(MIT|APACHE))$/;
+  const names = execFileSync("cargo", args, {
+    cwd,
+    encoding: "utf8",
+    stdio: "pipe",
+  })
+    .trim()
+    .split("\n");
+  const made = [
+    ".cargo_vcs_info.json",
+    "Cargo.lock",
+    "Cargo.toml",
+    "Cargo.toml.orig",
+  ];
+  const own =
+    /^(src\/.*\.(rs|md|csv|json|txt)|benches\/.*\.rs|examples\/\w+\.rs|README\.md|LICENSE-(MIT|APACHE))$/;
   assert.deepEqual(
     names.filter((name) => !own.test(name) && !made.includes(name)),
     [],
   );
-  for (const name of ["src/lib.rs", "benches/plan.rs", "README.md", "LICENSE-MIT", "LICENSE-APACHE"])
+  for (const name of [
+    "src/lib.rs",
+    "benches/plan.rs",
+    "README.md",
+    "LICENSE-MIT",
+    "LICENSE-APACHE",
+  ])
     assert.ok(names.includes(name), name);
 });

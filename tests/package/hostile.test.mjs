@@ -19,9 +19,12 @@ import {
 
 /** @type {any} */
 const anything = check;
-const pocket = () => /** @type {any} */ (defaultJob("internal-rectangle-protected"));
+const pocket = () =>
+  /** @type {any} */ (defaultJob("internal-rectangle-protected"));
 const codes = (/** @type {unknown} */ job) =>
-  anything(job).map((/** @type {import("touchpath").Finding} */ f) => `${f.code} ${f.path}`);
+  anything(job).map(
+    (/** @type {import("touchpath").Finding} */ f) => `${f.code} ${f.path}`,
+  );
 
 test("what JSON cannot say is found", () => {
   const broken = (/** @type {(job: any) => void} */ change) => {
@@ -32,7 +35,10 @@ test("what JSON cannot say is found", () => {
   /** What the job says as it is. */
   const said = codes(pocket());
   assert.deepEqual(said, ["stylus-not-known stylus.length"]);
-  const feeds = "format name units plane overtravel stylus feeds limits machine control tool part cycle".split(" ");
+  const feeds =
+    "format name units plane overtravel stylus feeds limits machine control tool part cycle".split(
+      " ",
+    );
   assert.deepEqual(
     broken((job) => {
       job.cycle.width1 = Number.NaN;
@@ -120,7 +126,10 @@ test("nothing that can be handed over throws or hangs", () => {
     {
       get: () => endless,
       ownKeys: () => ["cycle", "feeds", "part"],
-      getOwnPropertyDescriptor: () => ({ configurable: true, enumerable: true }),
+      getOwnPropertyDescriptor: () => ({
+        configurable: true,
+        enumerable: true,
+      }),
     },
   );
   const long = { length: 5, 0: 1 };
@@ -139,8 +148,17 @@ test("nothing that can be handed over throws or hangs", () => {
     long,
     Object.create(null),
     { format: 1, cycle: new Map([["type", "internal-rectangle-protected"]]) },
-    { format: 1, cycle: { type: "double-wall-internal-corner", origin: new Float64Array(3) } },
-    { format: 1, cycle: { type: "hole", origin: new Proxy([], { get: () => Number.NaN }) } },
+    {
+      format: 1,
+      cycle: {
+        type: "double-wall-internal-corner",
+        origin: new Float64Array(3),
+      },
+    },
+    {
+      format: 1,
+      cycle: { type: "hole", origin: new Proxy([], { get: () => Number.NaN }) },
+    },
   ];
   for (const value of strange) {
     assert.ok(codes(value).length > 0, inspect(value, { depth: 0 }));
@@ -157,22 +175,45 @@ test("nothing that can be handed over throws or hangs", () => {
 });
 
 test("texts count in what a job can hold, and halves of characters stay where they are", () => {
-  assert.deepEqual(codes({ format: 1, name: "x".repeat(50e6), cycle: { type: "hole" } }), ["wrong-type name"]);
+  assert.deepEqual(
+    codes({ format: 1, name: "x".repeat(50e6), cycle: { type: "hole" } }),
+    ["wrong-type name"],
+  );
   assert.throws(() => importJob(" ".repeat(50e6)), JobError);
   /** @type {any} */
   const keys = {};
   for (let i = 0; i < 3000; i++) keys["k".repeat(1000) + i] = 1;
   assert.ok(codes(keys).length > 0);
   // A lone half at the end of one text, and the other at the beginning of the next.
-  const job = { format: 1, name: "A\ud83d", "\ude00b": 1, cycle: { type: "hole" } };
-  assert.deepEqual(codes(job).sort(), ["name-changed name", "unknown-key \ufffdb"]);
-  const emoji = { format: 1, name: "😀😀", é: 1, cycle: { type: "hole", ß: { "😀": 2 } } };
-  assert.deepEqual(codes(emoji).sort(), ["name-changed name", "unknown-key cycle.ß", "unknown-key é"]);
+  const job = {
+    format: 1,
+    name: "A\ud83d",
+    "\ude00b": 1,
+    cycle: { type: "hole" },
+  };
+  assert.deepEqual(codes(job).sort(), [
+    "name-changed name",
+    "unknown-key \ufffdb",
+  ]);
+  const emoji = {
+    format: 1,
+    name: "😀😀",
+    é: 1,
+    cycle: { type: "hole", ß: { "😀": 2 } },
+  };
+  assert.deepEqual(codes(emoji).sort(), [
+    "name-changed name",
+    "unknown-key cycle.ß",
+    "unknown-key é",
+  ]);
 });
 
 /** A text of so many levels around a value. */
-const nested = (/** @type {number} */ levels, inner = "1", [open = "", close = ""] = ['{"a":', "}"]) =>
-  open.repeat(levels) + inner + close.repeat(levels);
+const nested = (
+  /** @type {number} */ levels,
+  inner = "1",
+  [open = "", close = ""] = ['{"a":', "}"],
+) => open.repeat(levels) + inner + close.repeat(levels);
 
 test("a job of 200,000 levels came back as an object that no JSON can be written of: it is refused", () => {
   const refused = (/** @type {string} */ text) => {
@@ -194,15 +235,29 @@ test("a job of 200,000 levels came back as an object that no JSON can be written
     nested(101),
   ])
     assert.equal(refused(text), "nested-too-deeply", text.slice(0, 40));
-  for (const text of ["{".repeat(200_000), "[".repeat(200_000), '{"a":'.repeat(200_000), "(".repeat(200_000)])
+  for (const text of [
+    "{".repeat(200_000),
+    "[".repeat(200_000),
+    '{"a":'.repeat(200_000),
+    "(".repeat(200_000),
+  ])
     assert.equal(refused(text), "nothing-to-import", text.slice(0, 40));
   assert.equal(refused(`G38.2 Z${"[".repeat(200_000)}`), "not-understood");
   // Braces in a text are none, nor is what stands after a quote that is marked; 100 levels are read.
   const name = `${'\\"{['.repeat(50_000)}`;
-  const kept = { format: 1, name, cycle: { type: "hole" }, mine: JSON.parse(nested(99)) };
+  const kept = {
+    format: 1,
+    name,
+    cycle: { type: "hole" },
+    mine: JSON.parse(nested(99)),
+  };
   assert.deepEqual(importJob(JSON.stringify(kept)).job, kept);
   assert.equal(refused("x".repeat(1_900_000)), "nothing-to-import");
-  const long = { format: 1, name: "x".repeat(1_900_000), cycle: { type: "hole" } };
+  const long = {
+    format: 1,
+    name: "x".repeat(1_900_000),
+    cycle: { type: "hole" },
+  };
   assert.deepEqual(importJob(JSON.stringify(long)).job, long);
 });
 
@@ -236,7 +291,10 @@ test("a plan is a plain object: to clone, spread, JSON and comparison", () => {
     assert.deepStrictEqual(structuredClone(plan(job)), plain);
     assert.deepStrictEqual(plan(job), plan(job));
     assert.notDeepStrictEqual(plan(job), { ...plain, length: -1 });
-    assert.equal(inspect(plan(job), { depth: 9 }), inspect(plain, { depth: 9 }));
+    assert.equal(
+      inspect(plan(job), { depth: 9 }),
+      inspect(plain, { depth: 9 }),
+    );
     // Read twice it is the same object; written, what was written.
     assert.equal(whole.moves, whole.moves);
     whole.moves = [];
@@ -295,7 +353,11 @@ test("columns are the moves, the program is the plan's, in a row of many too", (
   assert.equal(asked, 1, "one by one");
   const rest = [...made];
   assert.equal(rest[0]?.program, null);
-  assert.ok(rest[0]?.findings.some((f) => f.code === "out-of-range" && f.path === "cycle.depth"));
+  assert.ok(
+    rest[0]?.findings.some(
+      (f) => f.code === "out-of-range" && f.path === "cycle.depth",
+    ),
+  );
   assert.equal(rest[1]?.program?.text, plan(jobs[1]).program.text);
   assert.throws(() => [...programs(/** @type {any} */ (7))], TypeError);
   assert.ok(catalog().cycles.length > 0);

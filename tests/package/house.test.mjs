@@ -9,15 +9,16 @@ const www = fileURLToPath(new URL("../../www", import.meta.url));
 
 test("files of the page make no circles, types included", () => {
   const files = readdirSync(www, { recursive: true, encoding: "utf8" }).filter(
-    (name) => name.endsWith(".ts") && !name.endsWith(".d.ts") && !name.includes("wasm"),
+    (name) =>
+      name.endsWith(".ts") && !name.endsWith(".d.ts") && !name.includes("wasm"),
   );
   /** @type {Map<string, string[]>} */
   const imports = new Map();
   for (const file of files) {
     const text = readFileSync(join(www, file), "utf8");
-    const paths = [...text.matchAll(/(?:from|import)\s*\(?"(\.[^"?]+)\.js"/g)].map(([, path = ""]) =>
-      normalize(join(dirname(file), `${path}.ts`)),
-    );
+    const paths = [
+      ...text.matchAll(/(?:from|import)\s*\(?"(\.[^"?]+)\.js"/g),
+    ].map(([, path = ""]) => normalize(join(dirname(file), `${path}.ts`)));
     imports.set(
       file,
       paths.filter((path) => files.includes(path)),

@@ -1,7 +1,14 @@
 // The package as somebody uses it: by its own name from the repository, and installed from its tarball.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -31,10 +38,17 @@ test("by its own name from the repository", async () => {
     "jobSchema",
     "version",
   ]) {
-    assert.equal(typeof touchpath[/** @type {"plan"} */ (name)], "function", name);
+    assert.equal(
+      typeof touchpath[/** @type {"plan"} */ (name)],
+      "function",
+      name,
+    );
   }
   const { defaultJob, check, plan, moveColumns, JobError, version } = touchpath;
-  assert.equal(version(), JSON.parse(readFileSync(join(root, "package.json"), "utf8")).version);
+  assert.equal(
+    version(),
+    JSON.parse(readFileSync(join(root, "package.json"), "utf8")).version,
+  );
   /** @type {any} */
   const job = defaultJob("double-wall-internal-corner");
   // Only what no job says by itself: the stylus above its ball.
@@ -57,12 +71,18 @@ test("by its own name from the repository", async () => {
     (error) => {
       assert.ok(error instanceof JobError && error instanceof Error);
       assert.deepEqual(error.findings, check(job));
-      assert.deepEqual(error.findings.map((f) => f.path).sort(), ["cycle.clearance1", "cycle.count2"]);
+      assert.deepEqual(error.findings.map((f) => f.path).sort(), [
+        "cycle.clearance1",
+        "cycle.count2",
+      ]);
       return true;
     },
   );
   assert.throws(() => defaultJob(/** @type {any} */ ("bogus")), JobError);
-  assert.throws(() => touchpath.evaluate(defaultJob("double-wall-internal-corner"), "1"), JobError);
+  assert.throws(
+    () => touchpath.evaluate(defaultJob("double-wall-internal-corner"), "1"),
+    JobError,
+  );
   const { proxy, revoke } = Proxy.revocable({}, {});
   revoke();
   assert.equal(check({ format: 1, cycle: proxy })[0]?.level, "error");
@@ -70,41 +90,78 @@ test("by its own name from the repository", async () => {
 
 test("what was measured gives results, points, the block of grbl and how it was read", async () => {
   const { defaultJob, evaluate, JobError, measure } = await import("touchpath");
-  const job = { ...defaultJob("internal-rectangle-protected"), control: { post: /** @type {const} */ ("grbl") } };
-  const log = ["-163,-150", "-237,-150", "-200,-128", "-200,-172"].map((at) => `[PRB:${at},-70:1]`).join("\n");
+  const job = {
+    ...defaultJob("internal-rectangle-protected"),
+    control: { post: /** @type {const} */ ("grbl") },
+  };
+  const log = ["-163,-150", "-237,-150", "-200,-128", "-200,-172"]
+    .map((at) => `[PRB:${at},-70:1]`)
+    .join("\n");
   const found = measure(job, `G54\nWCO:-200,-150,-60\n${log}`);
-  assert.deepEqual(Object.keys(found).sort(), ["block", "findings", "points", "results"]);
+  assert.deepEqual(Object.keys(found).sort(), [
+    "block",
+    "findings",
+    "points",
+    "results",
+  ]);
   assert.equal(found.block, "G21 G10 L20 P1 X0 Y0");
   assert.deepEqual(found.points[0], [37, 0, -10]);
   assert.deepEqual(
     found.findings.map(({ level, code, path }) => `${level} ${code} ${path}`),
     ["info converted measured", "info block-to-type measured"],
   );
-  assert.deepEqual(evaluate(job, /** @type {any} */ (found.points)), found.results);
-  const printed = measure(job, "CENTER X=  0.1000\nCENTER Y= 0\nWIDTH1= 80\nWIDTH2= 50");
-  assert.deepEqual([printed.results[0]?.value, printed.points, printed.block], [0.1, [], null]);
+  assert.deepEqual(
+    evaluate(job, /** @type {any} */ (found.points)),
+    found.results,
+  );
+  const printed = measure(
+    job,
+    "CENTER X=  0.1000\nCENTER Y= 0\nWIDTH1= 80\nWIDTH2= 50",
+  );
+  assert.deepEqual(
+    [printed.results[0]?.value, printed.points, printed.block],
+    [0.1, [], null],
+  );
   assert.throws(
     () => measure(job, log),
-    (error) => error instanceof JobError && error.findings.some((f) => f.code === "work-offset-needed"),
+    (error) =>
+      error instanceof JobError &&
+      error.findings.some((f) => f.code === "work-offset-needed"),
   );
 });
 
 /** FNV-1a of a text's bytes, 64 bits. */
 const fnv = (/** @type {string} */ text) =>
   Buffer.from(text)
-    .reduce((hash, byte) => ((hash ^ BigInt(byte)) * 0x100000001b3n) & 0xffffffffffffffffn, 0xcbf29ce484222325n)
+    .reduce(
+      (hash, byte) =>
+        ((hash ^ BigInt(byte)) * 0x100000001b3n) & 0xffffffffffffffffn,
+      0xcbf29ce484222325n,
+    )
     .toString(16)
     .padStart(16, "0");
 
 test("every job of the repository plans as the crate plans it", async () => {
   const { plan } = await import("touchpath");
-  const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
-  const native = readFileSync(join(root, "tests/snapshots/programs.snap"), "utf8");
-  const names = readdirSync(join(root, "tests/jobs")).map((file) => file.replace(".json", ""));
+  const { version } = JSON.parse(
+    readFileSync(join(root, "package.json"), "utf8"),
+  );
+  const native = readFileSync(
+    join(root, "tests/snapshots/programs.snap"),
+    "utf8",
+  );
+  const names = readdirSync(join(root, "tests/jobs")).map((file) =>
+    file.replace(".json", ""),
+  );
   assert.ok(names.length > 40);
   for (const name of names) {
-    const job = JSON.parse(readFileSync(join(root, `tests/jobs/${name}.json`), "utf8"));
-    const text = plan(job).program.text.replace(new RegExp(version.replaceAll(".", "\\."), "gi"), "VERSION");
+    const job = JSON.parse(
+      readFileSync(join(root, `tests/jobs/${name}.json`), "utf8"),
+    );
+    const text = plan(job).program.text.replace(
+      new RegExp(version.replaceAll(".", "\\."), "gi"),
+      "VERSION",
+    );
     assert.ok(
       native.includes(`\n${name} ${fnv(text)}\n`),
       `${name}: the program in wasm is the native one, byte for byte`,
@@ -120,7 +177,10 @@ test("jobs and programs are imported", async () => {
   const broken = { ...job, overtravel: -1, mine: "kept" };
   const back = importJob(JSON.stringify(broken));
   assert.deepEqual(back.job, broken, "nothing of a user's work is dropped");
-  assert.deepEqual(back.findings.map((f) => f.code).sort(), ["out-of-range", "unknown-key"]);
+  assert.deepEqual(back.findings.map((f) => f.code).sort(), [
+    "out-of-range",
+    "unknown-key",
+  ]);
   const circles = defaultJob("probing-two-circles");
   const text = plan(circles).program.text;
   const read = importJob(text);
@@ -134,7 +194,10 @@ test("a program of moves that says no job gives its moves", async () => {
   const { catalog, defaultJob, importJob, plan } = await import("touchpath");
   const job = defaultJob("hole");
   const takes = catalog().posts.filter(({ cycles }) =>
-    cycles.some(({ type, form, supported }) => type === "hole" && form === "moves" && supported),
+    cycles.some(
+      ({ type, form, supported }) =>
+        type === "hole" && form === "moves" && supported,
+    ),
   );
   assert.ok(takes.length >= 5);
   for (const { id: post } of takes) {
@@ -154,7 +217,9 @@ test("a program of moves that says no job gives its moves", async () => {
     assert.deepEqual(trace.moves.at(-1)?.to, moves.at(-1)?.to, post);
     assert.deepEqual(
       touches.map((m) => m.line),
-      moves.flatMap((m, i) => (m.kind === "touch" ? [program.moveLines[i]] : [])),
+      moves.flatMap((m, i) =>
+        m.kind === "touch" ? [program.moveLines[i]] : [],
+      ),
     );
   }
 });
@@ -165,12 +230,17 @@ for (const [page, heading] of [
 ])
   test(`the example of ${page} does what it says`, () => {
     const text = readFileSync(join(root, page ?? ""), "utf8");
-    const [, code = ""] = text.slice(text.indexOf(heading ?? "")).match(/```js\n([\s\S]*?)```/) ?? [];
+    const [, code = ""] =
+      text.slice(text.indexOf(heading ?? "")).match(/```js\n([\s\S]*?)```/) ??
+      [];
     assert.match(code, /from "touchpath"/);
     const file = join(root, "dist", "example.mjs");
     writeFileSync(file, code);
     try {
-      const shown = execFileSync("node", [file], { cwd: root, encoding: "utf8" });
+      const shown = execFileSync("node", [file], {
+        cwd: root,
+        encoding: "utf8",
+      });
       assert.match(shown, /M2\n/);
       assert.match(shown, /code: 'width1'/);
     } finally {
@@ -179,24 +249,35 @@ for (const [page, heading] of [
   });
 
 test("the README is read in two minutes", () => {
-  const words = readFileSync(join(root, "README.md"), "utf8").split(/\s+/).filter(Boolean);
+  const words = readFileSync(join(root, "README.md"), "utf8")
+    .split(/\s+/)
+    .filter(Boolean);
   assert.ok(words.length <= 600, `${words.length} words`);
 });
 
 test("a dump becomes the job again, and so does a program for SINUMERIK", async () => {
-  const { catalog, defaultJob, exportTable, importJob, plan } = await import("touchpath");
+  const { catalog, defaultJob, exportTable, importJob, plan } = await import(
+    "touchpath"
+  );
   for (const { type, number } of catalog().cycles) {
     if (number === null) continue;
     /** @type {any} */
     const job = defaultJob(type);
     job.cycle.custom = [{ code: 7, type: "Flt", value: 0.5 }];
     for (const format of /** @type {const} */ (["text", "csv", "json"])) {
-      assert.deepEqual(importJob(exportTable(job, format)).job, job, `${type} ${format}`);
+      assert.deepEqual(
+        importJob(exportTable(job, format)).job,
+        job,
+        `${type} ${format}`,
+      );
     }
     job.control.post = "sinumerik";
     const { text } = plan(job).program;
     const read = importJob(text);
-    assert.ok(read.kind === "job" && plan(read.job).program.text === text, type);
+    assert.ok(
+      read.kind === "job" && plan(read.job).program.text === text,
+      type,
+    );
   }
 });
 
@@ -204,9 +285,14 @@ test("the schema takes every good job and refuses what is none", async () => {
   const { catalog, defaultJob, jobSchema } = await import("touchpath");
   const validate = new Ajv2020({ strict: false }).compile(jobSchema());
   for (const { type } of catalog().cycles)
-    assert.ok(validate(defaultJob(type)), `${type}: ${JSON.stringify(validate.errors)}`);
+    assert.ok(
+      validate(defaultJob(type)),
+      `${type}: ${JSON.stringify(validate.errors)}`,
+    );
   for (const file of readdirSync(join(root, "tests/jobs"))) {
-    const job = JSON.parse(readFileSync(join(root, "tests/jobs", file), "utf8"));
+    const job = JSON.parse(
+      readFileSync(join(root, "tests/jobs", file), "utf8"),
+    );
     assert.ok(validate(job), `${file}: ${JSON.stringify(validate.errors)}`);
   }
   const job = () => defaultJob("hole");
@@ -225,8 +311,15 @@ test("the schema takes every good job and refuses what is none", async () => {
     { ...job(), feeds: { work: null } },
     { ...job(), tool: { frame: [{ rot: "X" }] } },
   ];
-  for (const value of broken) assert.ok(!validate(value), JSON.stringify(value).slice(0, 200));
-  assert.ok(validate({ ...job(), feeds: { longLink: null }, cycle: { type: "hole", topClearance: null } }));
+  for (const value of broken)
+    assert.ok(!validate(value), JSON.stringify(value).slice(0, 200));
+  assert.ok(
+    validate({
+      ...job(),
+      feeds: { longLink: null },
+      cycle: { type: "hole", topClearance: null },
+    }),
+  );
 });
 
 test("the parameter table as text", async () => {
@@ -234,7 +327,10 @@ test("the parameter table as text", async () => {
   const job = defaultJob("double-wall-internal-corner");
   assert.match(exportTable(job, "text"), /^CmdPrm\.Int\[-1\] = 13\n/);
   assert.deepEqual(JSON.parse(exportTable(job, "json")), plan(job).table);
-  assert.equal(exportTable(job, "csv").trimEnd().split("\n").length, plan(job).table.length + 1);
+  assert.equal(
+    exportTable(job, "csv").trimEnd().split("\n").length,
+    plan(job).table.length + 1,
+  );
   assert.throws(() => exportTable(job, /** @type {any} */ ("xml")), JobError);
 });
 
@@ -249,7 +345,10 @@ test("LENTOAX answers, and refuses what is no question", async () => {
       [1, 0, 0],
     ],
   });
-  assert.deepEqual(lentoax({ frame: [{ rot: "Z", angle: 90 }] }).axind, [2, -3, 1]);
+  assert.deepEqual(
+    lentoax({ frame: [{ rot: "Z", angle: 90 }] }).axind,
+    [2, -3, 1],
+  );
   assert.deepEqual(lentoax({ coord: "nowhere", toolActive: false }), {
     status: -1,
     axind: [0, 0, 0],
@@ -269,13 +368,20 @@ test("LENTOAX answers, and refuses what is no question", async () => {
     { tool: 1 },
     { sd42950: 3 },
   ]) {
-    assert.throws(() => lentoax(/** @type {any} */ (wrong)), JobError, JSON.stringify(wrong));
+    assert.throws(
+      () => lentoax(/** @type {any} */ (wrong)),
+      JobError,
+      JSON.stringify(wrong),
+    );
   }
 });
 
 test("installed from its tarball, in JavaScript and in strict TypeScript", () => {
   const [packed] = JSON.parse(
-    execFileSync("npm", ["pack", "--json", "--pack-destination", folder], { cwd: root, encoding: "utf8" }),
+    execFileSync("npm", ["pack", "--json", "--pack-destination", folder], {
+      cwd: root,
+      encoding: "utf8",
+    }),
   );
   const names = packed.files.map((/** @type {{ path: string }} */ f) => f.path);
   assert.ok(
@@ -285,20 +391,42 @@ test("installed from its tarball, in JavaScript and in strict TypeScript", () =>
   );
   assert.ok(
     !names.some(
-      (/** @type {string} */ n) => n.startsWith("dist/page") || n.startsWith("src") || n.startsWith("target"),
+      (/** @type {string} */ n) =>
+        n.startsWith("dist/page") ||
+        n.startsWith("src") ||
+        n.startsWith("target"),
     ),
     names.join(),
   );
   const user = join(folder, "user");
   mkdirSync(user);
-  writeFileSync(join(user, "package.json"), JSON.stringify({ name: "user", private: true, type: "module" }));
-  execFileSync("npm", ["install", "--offline", "--no-audit", "--no-fund", join(folder, packed.filename)], {
-    cwd: user,
-    stdio: "pipe",
-  });
+  writeFileSync(
+    join(user, "package.json"),
+    JSON.stringify({ name: "user", private: true, type: "module" }),
+  );
+  execFileSync(
+    "npm",
+    [
+      "install",
+      "--offline",
+      "--no-audit",
+      "--no-fund",
+      join(folder, packed.filename),
+    ],
+    {
+      cwd: user,
+      stdio: "pipe",
+    },
+  );
 
   const script = `const t = await import("touchpath"); console.log(t.plan(t.defaultJob("internal-rectangle-protected")).moves.length)`;
-  assert.equal(execFileSync("node", ["--input-type=module", "-e", script], { cwd: user, encoding: "utf8" }), "27\n");
+  assert.equal(
+    execFileSync("node", ["--input-type=module", "-e", script], {
+      cwd: user,
+      encoding: "utf8",
+    }),
+    "27\n",
+  );
 
   writeFileSync(
     join(user, "use.ts"),
@@ -345,14 +473,33 @@ export { bogus, both, deep, follows, wrong };
 `,
   );
   const tsc = join(root, "node_modules", ".bin", "tsc");
-  const types = ["--types", "", "--skipLibCheck", "false", "--lib", "ES2023,DOM"];
+  const types = [
+    "--types",
+    "",
+    "--skipLibCheck",
+    "false",
+    "--lib",
+    "ES2023,DOM",
+  ];
   for (const resolution of [
     ["--module", "nodenext"],
     ["--module", "esnext", "--moduleResolution", "bundler"],
   ]) {
-    execFileSync(tsc, ["--strict", "--noEmit", "--target", "es2022", ...types, ...resolution, "use.ts"], {
-      cwd: user,
-      stdio: "inherit",
-    });
+    execFileSync(
+      tsc,
+      [
+        "--strict",
+        "--noEmit",
+        "--target",
+        "es2022",
+        ...types,
+        ...resolution,
+        "use.ts",
+      ],
+      {
+        cwd: user,
+        stdio: "inherit",
+      },
+    );
   }
 });

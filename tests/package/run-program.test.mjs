@@ -30,7 +30,10 @@ test("runProgram: what is known moves the probe, what is not is NaN and asked fo
     part: { at: 0.5 },
   };
   const told = runProgram(MACRO, known);
-  assert.deepEqual([told.dialect, told.units, told.asks, told.kinds], ["iso", "mm", [], ["rapid", "feed", "probe"]]);
+  assert.deepEqual(
+    [told.dialect, told.units, told.asks, told.kinds],
+    ["iso", "mm", [], ["rapid", "feed", "probe"]],
+  );
   // Half way from 10 to −10 is 0; the ball's radius is 3.
   assert.deepEqual([...told.to], [-10, 0, -2, 0, 0, -2, 0, 20, -2]);
   // The write of the offset has moved X.
@@ -38,8 +41,13 @@ test("runProgram: what is known moves the probe, what is not is NaN and asked fo
   assert.deepEqual([...told.line], [2, 4, 6]);
   const early = told.rules.find(({ rule }) => rule === "offset-after-touches");
   assert.deepEqual([early?.holds, early?.lines], [false, [5]]);
-  for (const finding of told.findings) assert.ok(Array.isArray(finding.lines), finding.code);
-  assert.deepEqual(runProgram(MACRO, known), told, "the same text and knowledge give the same run");
+  for (const finding of told.findings)
+    assert.ok(Array.isArray(finding.lines), finding.code);
+  assert.deepEqual(
+    runProgram(MACRO, known),
+    told,
+    "the same text and knowledge give the same run",
+  );
 });
 
 test("runProgram: a job as the part: a program touches it where its ball makes contact", () => {
@@ -49,13 +57,24 @@ test("runProgram: a job as the part: a program touches it where its ball makes c
     part: { offset: [0.5, 0, 0], rotation: 0, sizes: {} },
     stylus: { diameter: 6 },
   };
-  const text = "G21 G90\nG0 X0 Y0 Z-5\nG38.2 X30 F50\nG0 X0\nG38.2 X-30\nG0 X0 Z20\nG38.2 X30\nM2\n";
+  const text =
+    "G21 G90\nG0 X0 Y0 Z-5\nG38.2 X30 F50\nG0 X0\nG38.2 X-30\nG0 X0 Z20\nG38.2 X30\nM2\n";
   const run = touchpath.runProgram(text, { part, start: [0, 0, 20] });
   // The wall is at 20.5 and at −19.5, the ball's radius is 3; above the hole there is nothing, and G38.2 stops the program.
   const near = (/** @type {number[]} */ own, /** @type {number[]} */ wanted) =>
-    assert.ok(own.length === wanted.length && own.every((x, i) => Math.abs(x - Number(wanted[i])) < 1e-9), `${own}`);
+    assert.ok(
+      own.length === wanted.length &&
+        own.every((x, i) => Math.abs(x - Number(wanted[i])) < 1e-9),
+      `${own}`,
+    );
   near([...run.contacts], [1, 17.5, 0, -5, 3, -16.5, 0, -5]);
-  assert.throws(() => touchpath.runProgram(text, { part: { cycle: { ...part.cycle, diameter: -1 } } }), /diameter/i);
+  assert.throws(
+    () =>
+      touchpath.runProgram(text, {
+        part: { cycle: { ...part.cycle, diameter: -1 } },
+      }),
+    /diameter/i,
+  );
 });
 
 test("runProgram: what is handed over wrongly is refused, all of it at once; nothing hangs or breaks", () => {
@@ -65,44 +84,81 @@ test("runProgram: what is handed over wrongly is refused, all of it at once; not
     try {
       anything("G21", known);
     } catch (thrown) {
-      return /** @type {any} */ (thrown).findings.map((/** @type {any} */ f) => f.path);
+      return /** @type {any} */ (thrown).findings.map(
+        (/** @type {any} */ f) => f.path,
+      );
     }
     return [];
   };
   assert.deepEqual(
-    findings({ set: { "#1": "x", 5: 1 }, start: [1], part: { at: 2 }, dialect: "apt", much: 1 }).sort(),
+    findings({
+      set: { "#1": "x", 5: 1 },
+      start: [1],
+      part: { at: 2 },
+      dialect: "apt",
+      much: 1,
+    }).sort(),
     ["dialect", "much", "part.at", "set.#1", "set.5", "start"],
   );
-  for (const junk of [7, "x", [], () => 1]) assert.equal(findings(junk).length, 1, String(junk));
-  for (const none of [undefined, null, {}]) assert.deepEqual(findings(none), []);
+  for (const junk of [7, "x", [], () => 1])
+    assert.equal(findings(junk).length, 1, String(junk));
+  for (const none of [undefined, null, {}])
+    assert.deepEqual(findings(none), []);
   /** @type {any} */
   const circle = { set: {} };
   circle.set.again = circle;
   assert.ok(findings(circle).length > 0);
   assert.throws(() => anything(5), /A program is text/);
   const endless = "o1 while [1]\nG38.3 X1 F50\no1 endwhile\n";
-  assert.ok(touchpath.runProgram(endless, { part: { at: 0.5 } }).findings.length > 0);
-  const round = "BEGIN PGM A MM\nLBL 1\nL IX+1 F100\nFN 9: IF +1 EQU +1 GOTO LBL 1\nEND PGM A MM\n";
+  assert.ok(
+    touchpath.runProgram(endless, { part: { at: 0.5 } }).findings.length > 0,
+  );
+  const round =
+    "BEGIN PGM A MM\nLBL 1\nL IX+1 F100\nFN 9: IF +1 EQU +1 GOTO LBL 1\nEND PGM A MM\n";
   assert.ok(touchpath.runProgram(round).findings.length > 0);
   assert.ok(
-    touchpath.runProgram("AGAIN:\nG1 X=IC(1) F10\nGOTOB AGAIN\nM30\n", { dialect: "sinumerik" }).findings.length > 0,
+    touchpath.runProgram("AGAIN:\nG1 X=IC(1) F10\nGOTOB AGAIN\nM30\n", {
+      dialect: "sinumerik",
+    }).findings.length > 0,
   );
 });
 
 test("examine: rules, calls and what is asked for, as text, JSON and SARIF; exit code 1 where a rule is broken", () => {
   const name = file("edge.ngc", MACRO);
-  const text = run(["examine", name, "--set", "#1=10", "--set", "#5410=6", "--start", "10,0,-2", "--at", "0.5"]);
+  const text = run([
+    "examine",
+    name,
+    "--set",
+    "#1=10",
+    "--set",
+    "#5410=6",
+    "--start",
+    "10,0,-2",
+    "--at",
+    "0.5",
+  ]);
   assert.equal(text.status, 1);
-  assert.match(text.stdout, /^edge\.ngc: iso, mm, 3 moves, 2 of them probing$/m);
-  assert.match(text.stdout, /^ {2}BREAKS +offset-after-touches +.*\[line 6\]$/m);
-  assert.match(run(["examine", name]).stdout, /^ {2}asks +--set #1=… \[lines 3, 7\]$/m);
+  assert.match(
+    text.stdout,
+    /^edge\.ngc: iso, mm, 3 moves, 2 of them probing$/m,
+  );
+  assert.match(
+    text.stdout,
+    /^ {2}BREAKS +offset-after-touches +.*\[line 6\]$/m,
+  );
+  assert.match(
+    run(["examine", name]).stdout,
+    /^ {2}asks +--set #1=… \[lines 3, 7\]$/m,
+  );
   const json = JSON.parse(run(["examine", name, "--format", "json"]).stdout);
   assert.deepEqual(
     json.rules.map((/** @type {any} */ row) => row.rule),
     touchpath.runProgram(MACRO).rules.map(({ rule }) => rule),
   );
   const calls = file("calls.nc", "G21 G90\nG65 P9812 X5. Y6.\nM30\n");
-  const log = JSON.parse(run(["examine", name, calls, "--format", "sarif"]).stdout);
+  const log = JSON.parse(
+    run(["examine", name, calls, "--format", "sarif"]).stdout,
+  );
   assert.equal(log.version, "2.1.0");
   const places = log.runs[0].results.map((/** @type {any} */ result) => [
     result.ruleId,
@@ -112,19 +168,33 @@ test("examine: rules, calls and what is asked for, as text, JSON and SARIF; exit
   ]);
   const has = (/** @type {any[]} */ ...row) =>
     assert.ok(
-      places.some((/** @type {any[]} */ own) => row.every((x, i) => own[i] === x)),
+      places.some((/** @type {any[]} */ own) =>
+        row.every((x, i) => own[i] === x),
+      ),
       row.join(" "),
     );
   has("offset-after-touches", "error", "edge.ngc", 6);
   has("call-unsound", "error", "calls.nc", 2);
-  const ids = log.runs[0].tool.driver.rules.map((/** @type {any} */ rule) => rule.id);
-  assert.deepEqual([...new Set(places.map((/** @type {any[]} */ [id]) => id))].sort(), ids);
+  const ids = log.runs[0].tool.driver.rules.map(
+    (/** @type {any} */ rule) => rule.id,
+  );
+  assert.deepEqual(
+    [...new Set(places.map((/** @type {any[]} */ [id]) => id))].sort(),
+    ids,
+  );
   // Nothing is broken: exit code 0. Subprograms of other files are run.
   const main = file("main.nc", "G21 G17 G90\nM5\no<go> call\nM2\n");
   const sub = file("go.ngc", "o<go> sub\nG38.2 Z-5 F50\no<go> endsub\n");
   const good = run(["examine", main, "--with", sub, "--start", "0,0,9"]);
-  assert.deepEqual([good.status, /1 moves, 1 of them probing/.test(good.stdout)], [0, true], good.stdout);
-  assert.match(run(["moves", main, "--with", sub, "--format", "csv"]).stdout, /^2,probe,,,-5,50$/m);
+  assert.deepEqual(
+    [good.status, /1 moves, 1 of them probing/.test(good.stdout)],
+    [0, true],
+    good.stdout,
+  );
+  assert.match(
+    run(["moves", main, "--with", sub, "--format", "csv"]).stdout,
+    /^2,probe,,,-5,50$/m,
+  );
   for (const wrong of [
     ["--set", "5"],
     ["--set", "#1=x"],
@@ -133,5 +203,8 @@ test("examine: rules, calls and what is asked for, as text, JSON and SARIF; exit
     ["--with", "no.ngc"],
   ])
     assert.equal(run(["examine", name, ...wrong]).status, 2, wrong.join(" "));
-  assert.match(run(["plan", "-", "--at", "1"]).stderr, /--at is for moves, examine/);
+  assert.match(
+    run(["plan", "-", "--at", "1"]).stderr,
+    /--at is for moves, examine/,
+  );
 });

@@ -136,14 +136,27 @@ const STRANGE = [
 ];
 
 /** Every place of a job, as a path. @returns {(string | number)[][]} */
-function places(/** @type {unknown} */ value, /** @type {(string | number)[]} */ path = []) {
+function places(
+  /** @type {unknown} */ value,
+  /** @type {(string | number)[]} */ path = [],
+) {
   if (typeof value !== "object" || value === null) return [path];
-  const keys = Array.isArray(value) ? value.map((_, i) => i) : Object.keys(value);
-  return [path, ...keys.flatMap((key) => places(/** @type {any} */ (value)[key], [...path, key]))];
+  const keys = Array.isArray(value)
+    ? value.map((_, i) => i)
+    : Object.keys(value);
+  return [
+    path,
+    ...keys.flatMap((key) =>
+      places(/** @type {any} */ (value)[key], [...path, key]),
+    ),
+  ];
 }
 
 /** Changes a job somewhere. */
-function changed(/** @type {any} */ job, /** @type {(below: number) => number} */ roll) {
+function changed(
+  /** @type {any} */ job,
+  /** @type {(below: number) => number} */ roll,
+) {
   const all = places(job);
   const path = all[1 + roll(all.length - 1)] ?? ["cycle"];
   const last = path[path.length - 1] ?? "";
@@ -154,22 +167,38 @@ function changed(/** @type {any} */ job, /** @type {(below: number) => number} *
   if (way < 1 && !Array.isArray(place)) delete place[last];
   else if (way < 2 && !Array.isArray(place)) place[`${last}x`] = 1;
   else if (way < 6 && typeof held === "number")
-    place[last] = [held * (roll(400) / 100), held + roll(20) - 10, -held, held * 1000, held / 1000][roll(5)];
+    place[last] = [
+      held * (roll(400) / 100),
+      held + roll(20) - 10,
+      -held,
+      held * 1000,
+      held / 1000,
+    ][roll(5)];
   else place[last] = structuredClone(STRANGE[roll(STRANGE.length)]);
 }
 
 test("what the schema takes and refuses, the check takes and refuses", async () => {
-  const { catalog, check, convertUnits, defaultJob, jobSchema } = await import("touchpath");
+  const { catalog, check, convertUnits, defaultJob, jobSchema } = await import(
+    "touchpath"
+  );
   const valid = new Ajv2020({ strict: false }).compile(jobSchema());
   const starts = [
     ...catalog().cycles.map(({ type }) => defaultJob(type)),
-    ...readdirSync(at("tests/jobs")).map((name) => JSON.parse(readFileSync(at("tests/jobs", name), "utf8"))),
+    ...readdirSync(at("tests/jobs")).map((name) =>
+      JSON.parse(readFileSync(at("tests/jobs", name), "utf8")),
+    ),
   ];
   const rare = defaultJob("hole");
   Object.assign(rare.cycle, {
-    custom: ["Int", "Flt", "Bol"].map((type, i) => ({ code: i + 1, type, value: [7, 0.5, true][i] })),
+    custom: ["Int", "Flt", "Bol"].map((type, i) => ({
+      code: i + 1,
+      type,
+      value: [7, 0.5, true][i],
+    })),
   });
-  Object.assign(rare.tool, { frame: [{ rot: "X", angle: 0 }, { mirror: "Z" }, { mirror: "Z" }] });
+  Object.assign(rare.tool, {
+    frame: [{ rot: "X", angle: 0 }, { mirror: "Z" }, { mirror: "Z" }],
+  });
   starts.push(rare, rare, rare);
   const setUps = readdirSync(at("examples/set-ups")).map((name) =>
     JSON.parse(readFileSync(at("examples/set-ups", name), "utf8")),
@@ -181,15 +210,20 @@ test("what the schema takes and refuses, the check takes and refuses", async () 
   const tally = { taken: 0, refused: 0, beyond: 0 };
   for (let i = 0; i < 30_000; i++) {
     const start = starts[roll(starts.length)];
-    const job = structuredClone(roll(3) === 0 ? convertUnits(start, "inch") : start);
+    const job = structuredClone(
+      roll(3) === 0 ? convertUnits(start, "inch") : start,
+    );
     for (let count = 1 + roll(3); count > 0; count--) changed(job, roll);
     const errors = check(job).filter((f) => f.level === "error");
     const codes = errors.map((f) => f.code);
     const told = () =>
       `${JSON.stringify(job)}\ncheck: ${codes}\nschema: ${JSON.stringify(valid.errors?.map((e) => [e.instancePath, e.message]))}`;
     if (valid(job)) {
-      const beyondIt = (/** @type {{ code: string, path: string }} */ { code, path }) =>
-        BEYOND.includes(code) || BEYOND_AT.some((place) => place.test(`${code} ${path}`));
+      const beyondIt = (
+        /** @type {{ code: string, path: string }} */ { code, path },
+      ) =>
+        BEYOND.includes(code) ||
+        BEYOND_AT.some((place) => place.test(`${code} ${path}`));
       const unsaid = errors.filter((error) => !beyondIt(error));
       assert.deepEqual(unsaid, [], told());
       tally[codes.length ? "beyond" : "taken"]++;
@@ -198,11 +232,16 @@ test("what the schema takes and refuses, the check takes and refuses", async () 
       tally.refused++;
     }
   }
-  assert.ok(tally.taken > 2000 && tally.refused > 5000 && tally.beyond > 300, JSON.stringify(tally));
+  assert.ok(
+    tally.taken > 2000 && tally.refused > 5000 && tally.beyond > 300,
+    JSON.stringify(tally),
+  );
 });
 
 test("the ends of every range are the same in both, in mm and in inch", async () => {
-  const { catalog, check, convertUnits, defaultJob, jobSchema } = await import("touchpath");
+  const { catalog, check, convertUnits, defaultJob, jobSchema } = await import(
+    "touchpath"
+  );
   const valid = new Ajv2020({ strict: false }).compile(jobSchema());
   let count = 0;
   for (const { type, fields } of catalog().cycles)
@@ -211,11 +250,20 @@ test("the ends of every range are the same in both, in mm and in inch", async ()
       for (const units of /** @type {const} */ (["mm", "inch"]))
         for (const end of range)
           for (const aside of [-2e-4, 0, 2e-4]) {
-            const job = /** @type {any} */ (convertUnits(defaultJob(type), units));
+            const job = /** @type {any} */ (
+              convertUnits(defaultJob(type), units)
+            );
             const scale = units === "inch" && unit === "length" ? 25.4 : 1;
-            job.cycle[key] = (kind === "count" ? end + Math.sign(aside) : end + aside) / scale;
-            const mine = check(job).some((f) => f.path === `cycle.${key}` && f.code === "out-of-range");
-            assert.equal(!valid(job), mine, `${type}.${key} = ${job.cycle[key]} ${units}`);
+            job.cycle[key] =
+              (kind === "count" ? end + Math.sign(aside) : end + aside) / scale;
+            const mine = check(job).some(
+              (f) => f.path === `cycle.${key}` && f.code === "out-of-range",
+            );
+            assert.equal(
+              !valid(job),
+              mine,
+              `${type}.${key} = ${job.cycle[key]} ${units}`,
+            );
             count++;
           }
     }
@@ -225,7 +273,9 @@ test("the ends of every range are the same in both, in mm and in inch", async ()
 test("jobs of format 1 stay readable: those that were written with it have the same path", async () => {
   const { check, jobSchema, plan } = await import("touchpath");
   const valid = new Ajv2020({ strict: false }).compile(jobSchema());
-  const lines = readFileSync(at("tests/data/format-1.ndjson"), "utf8").trim().split("\n");
+  const lines = readFileSync(at("tests/data/format-1.ndjson"), "utf8")
+    .trim()
+    .split("\n");
   assert.ok(lines.length > 40, String(lines.length));
   for (const line of lines) {
     const { job, ...path } = /** @type {any} */ (JSON.parse(line));
@@ -236,7 +286,12 @@ test("jobs of format 1 stay readable: those that were written with it have the s
       job.name,
     );
     const { touches, moves, length, table } = plan(job);
-    const now = { touches: touches.length, moves: moves.length, length: Number(length.toFixed(4)), rows: table.length };
+    const now = {
+      touches: touches.length,
+      moves: moves.length,
+      length: Number(length.toFixed(4)),
+      rows: table.length,
+    };
     assert.deepEqual(now, path, job.name);
   }
 });

@@ -7,7 +7,16 @@ import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { after, test } from "node:test";
 import { Ajv2020 } from "ajv/dist/2020.js";
-import { check, defaultJob, exportTable, measure, plan, program, svg, version } from "touchpath";
+import {
+  check,
+  defaultJob,
+  exportTable,
+  measure,
+  plan,
+  program,
+  svg,
+  version,
+} from "touchpath";
 import { at } from "../../scripts/lib.mjs";
 
 /** The services that run: a test that fails leaves none behind. @type {Set<import("node:child_process").ChildProcess>} */
@@ -18,8 +27,14 @@ after(() => {
 
 /** Starts the service; gives its address and how to end it. */
 async function service(/** @type {string[]} */ ...options) {
-  const args = options.includes("--port") ? options : ["--port", "0", ...options];
-  const child = spawn("node", [at("dist", "cli", "touchpath.js"), "serve", ...args]);
+  const args = options.includes("--port")
+    ? options
+    : ["--port", "0", ...options];
+  const child = spawn("node", [
+    at("dist", "cli", "touchpath.js"),
+    "serve",
+    ...args,
+  ]);
   running.add(child);
   let said = "";
   child.stderr.on("data", (chunk) => {
@@ -31,7 +46,9 @@ async function service(/** @type {string[]} */ ...options) {
       const [, found] = /at (http:\S+)/.exec(said) ?? [];
       if (found) done(found);
     });
-    child.on("exit", (status) => fail(new Error(`the service ended with ${status}: ${said}`)));
+    child.on("exit", (status) =>
+      fail(new Error(`the service ended with ${status}: ${said}`)),
+    );
   });
   const end = () =>
     new Promise((done) => {
@@ -48,7 +65,11 @@ async function post(
   type = "application/json",
   headers = {},
 ) {
-  const answer = await fetch(address, { method: "POST", body, headers: { "content-type": type, ...headers } });
+  const answer = await fetch(address, {
+    method: "POST",
+    body,
+    headers: { "content-type": type, ...headers },
+  });
   const text = await answer.text();
   const json = () => JSON.parse(text);
   return { status: answer.status, headers: answer.headers, text, json };
@@ -65,21 +86,53 @@ test("every route answers as the function of the package does", async () => {
   const job = defaultJob("groove");
   const text = JSON.stringify(job);
   const planned = await post(`${address}/plan`, text);
-  assert.deepEqual([planned.status, planned.json()], [200, JSON.parse(JSON.stringify(plan(job)))]);
-  assert.equal((await post(`${address}/program`, text)).text, program(job).text);
-  assert.equal((await post(`${address}/svg?view=top`, text)).text, svg(job, "top"));
-  assert.equal((await post(`${address}/table?format=csv`, text)).text, exportTable(job, "csv"));
-  assert.equal((await post(`${address}/table`, text)).text, exportTable(job, "json"));
+  assert.deepEqual(
+    [planned.status, planned.json()],
+    [200, JSON.parse(JSON.stringify(plan(job)))],
+  );
+  assert.equal(
+    (await post(`${address}/program`, text)).text,
+    program(job).text,
+  );
+  assert.equal(
+    (await post(`${address}/svg?view=top`, text)).text,
+    svg(job, "top"),
+  );
+  assert.equal(
+    (await post(`${address}/table?format=csv`, text)).text,
+    exportTable(job, "csv"),
+  );
+  assert.equal(
+    (await post(`${address}/table`, text)).text,
+    exportTable(job, "json"),
+  );
   const wrong = { ...job, cycle: { ...job.cycle, width: -1 } };
-  assert.deepEqual((await post(`${address}/check`, JSON.stringify(wrong))).json(), check(wrong));
+  assert.deepEqual(
+    (await post(`${address}/check`, JSON.stringify(wrong))).json(),
+    check(wrong),
+  );
   const refused = await post(`${address}/plan`, JSON.stringify(wrong));
-  assert.deepEqual([refused.status, refused.json().findings], [422, check(wrong)]);
-  const measured = "center.x=0.02\ncenter.y=-0.01\ndiameter=32.03\nresidual=0.002";
-  const results = await post(`${address}/evaluate`, JSON.stringify({ job: HOLE, measured }));
-  assert.deepEqual(results.json(), JSON.parse(JSON.stringify(measure(HOLE, measured).results)));
+  assert.deepEqual(
+    [refused.status, refused.json().findings],
+    [422, check(wrong)],
+  );
+  const measured =
+    "center.x=0.02\ncenter.y=-0.01\ndiameter=32.03\nresidual=0.002";
+  const results = await post(
+    `${address}/evaluate`,
+    JSON.stringify({ job: HOLE, measured }),
+  );
+  assert.deepEqual(
+    results.json(),
+    JSON.parse(JSON.stringify(measure(HOLE, measured).results)),
+  );
   const read = await post(`${address}/import`, program(job).text, "text/plain");
   assert.equal(read.json().cycle.type, "groove");
-  const moves = await post(`${address}/moves`, "G21 G90\nG0 X1 Y2 Z3\nG38.2 Z-5 F50\n", "text/plain");
+  const moves = await post(
+    `${address}/moves`,
+    "G21 G90\nG0 X1 Y2 Z3\nG38.2 Z-5 F50\n",
+    "text/plain",
+  );
   assert.deepEqual(
     moves.json().moves.map((/** @type {any} */ move) => [move.line, move.to]),
     [
@@ -88,14 +141,26 @@ test("every route answers as the function of the package does", async () => {
     ],
   );
   // A job a line, in order, a bad one among them.
-  const lines = [HOLE, { ...HOLE, cycle: { type: "hole", diameter: -1 } }, job].map((one) => JSON.stringify(one));
-  const many = await post(`${address}/programs`, `${lines.join("\n")}\n{\n`, "application/x-ndjson");
+  const lines = [
+    HOLE,
+    { ...HOLE, cycle: { type: "hole", diameter: -1 } },
+    job,
+  ].map((one) => JSON.stringify(one));
+  const many = await post(
+    `${address}/programs`,
+    `${lines.join("\n")}\n{\n`,
+    "application/x-ndjson",
+  );
   const answers = many.text
     .trimEnd()
     .split("\n")
     .map((line) => JSON.parse(line));
   assert.deepEqual(
-    answers.map(({ line, program: text, findings }) => [line, text !== null, findings[0]?.level === "error"]),
+    answers.map(({ line, program: text, findings }) => [
+      line,
+      text !== null,
+      findings[0]?.level === "error",
+    ]),
     [
       [1, true, false],
       [2, false, true],
@@ -108,8 +173,18 @@ test("every route answers as the function of the package does", async () => {
 });
 
 test("what is no request of a route is refused with its reason, and a name of the request", async () => {
-  const { address, end, said } = await service("--jobs", "1", "--limit", "body=100000");
-  for (const [path, body, type, status] of /** @type {[string, string, string, number][]} */ ([
+  const { address, end, said } = await service(
+    "--jobs",
+    "1",
+    "--limit",
+    "body=100000",
+  );
+  for (const [
+    path,
+    body,
+    type,
+    status,
+  ] of /** @type {[string, string, string, number][]} */ ([
     ["/plan", "{", "application/json", 400],
     ["/plan", "", "application/json", 400],
     ["/plan", "null", "application/json", 422],
@@ -123,98 +198,188 @@ test("what is no request of a route is refused with its reason, and a name of th
     ["/import", "hello", "text/plain", 422],
     ["/nothing", "{}", "application/json", 404],
   ])) {
-    const answer = await post(address + path, body, type, { "x-request-id": "shop-7" });
-    assert.equal(answer.status, status, `${path} ${body.slice(0, 20)}: ${answer.text}`);
+    const answer = await post(address + path, body, type, {
+      "x-request-id": "shop-7",
+    });
+    assert.equal(
+      answer.status,
+      status,
+      `${path} ${body.slice(0, 20)}: ${answer.text}`,
+    );
     assert.equal(typeof answer.json().error, "string");
     assert.equal(answer.headers.get("x-request-id"), "shop-7");
   }
   const deep = `${'{"a":'.repeat(15_000)}1${"}".repeat(15_000)}`;
   assert.equal((await post(`${address}/plan`, deep)).status, 422);
-  assert.equal((await post(`${address}/import`, deep, "text/plain")).status, 422);
+  assert.equal(
+    (await post(`${address}/import`, deep, "text/plain")).status,
+    422,
+  );
   const own = await post(`${address}/check`, "{}");
   assert.match(own.headers.get("x-request-id") ?? "", /^[0-9a-f-]{36}$/);
   // A name that is none is not given back.
-  const odd = await post(`${address}/check`, "{}", "application/json", { "x-request-id": "a b<script>" });
+  const odd = await post(`${address}/check`, "{}", "application/json", {
+    "x-request-id": "a b<script>",
+  });
   assert.match(odd.headers.get("x-request-id") ?? "", /^[0-9a-f-]{36}$/);
   assert.doesNotMatch(said(), /should not have happened|Error/);
   const lines = (await (await fetch(`${address}/metrics`)).text()).split("\n");
-  assert.ok(lines.includes('touchpath_requests_total{route="/plan",status="413"} 1'), lines.join("\n"));
-  assert.ok(lines.includes('touchpath_requests_total{route="other",status="404"} 1'));
+  assert.ok(
+    lines.includes('touchpath_requests_total{route="/plan",status="413"} 1'),
+    lines.join("\n"),
+  );
+  assert.ok(
+    lines.includes('touchpath_requests_total{route="other",status="404"} 1'),
+  );
   assert.ok(lines.includes("touchpath_threads 1"));
   for (const line of lines.filter((one) => one !== "" && !one.startsWith("#")))
-    assert.match(line, /^[a-z_]+(\{[a-z]+="[^"]*"(,[a-z]+="[^"]*")*\})? [0-9.e+]+$/);
+    assert.match(
+      line,
+      /^[a-z_]+(\{[a-z]+="[^"]*"(,[a-z]+="[^"]*")*\})? [0-9.e+]+$/,
+    );
   assert.deepEqual(await end(), [0, true]);
 });
 
 test("an answer is known again by its tag: 304 without a plan, 412 to a POST", async () => {
   const { address, end } = await service("--jobs", "1");
-  const ask = (/** @type {string} */ path, /** @type {HeadersInit} */ headers = {}) =>
-    fetch(address + path, { headers });
-  const of = (/** @type {unknown} */ job) => `?job=${encodeURIComponent(JSON.stringify(job))}`;
+  const ask = (
+    /** @type {string} */ path,
+    /** @type {HeadersInit} */ headers = {},
+  ) => fetch(address + path, { headers });
+  const of = (/** @type {unknown} */ job) =>
+    `?job=${encodeURIComponent(JSON.stringify(job))}`;
   const first = await ask(`/program${of(HOLE)}`);
   assert.equal(await first.text(), program(HOLE).text);
   const tag = first.headers.get("etag") ?? "";
   assert.match(tag, /^"[\w-]{43}"$/);
   assert.equal(first.headers.get("cache-control"), "no-cache");
-  const again = await ask(`/program${of(HOLE)}`, { "if-none-match": `"other", ${tag}` });
+  const again = await ask(`/program${of(HOLE)}`, {
+    "if-none-match": `"other", ${tag}`,
+  });
   assert.deepEqual([again.status, await again.text()], [304, ""]);
-  assert.equal((await ask(`/program${of({ ...HOLE, name: "B" })}`, { "if-none-match": tag })).status, 200);
-  assert.equal((await ask(`/plan${of(HOLE)}`, { "if-none-match": tag })).status, 200, "of another route");
-  const known = await post(`${address}/program`, JSON.stringify(HOLE), "application/json", { "if-none-match": tag });
+  assert.equal(
+    (
+      await ask(`/program${of({ ...HOLE, name: "B" })}`, {
+        "if-none-match": tag,
+      })
+    ).status,
+    200,
+  );
+  assert.equal(
+    (await ask(`/plan${of(HOLE)}`, { "if-none-match": tag })).status,
+    200,
+    "of another route",
+  );
+  const known = await post(
+    `${address}/program`,
+    JSON.stringify(HOLE),
+    "application/json",
+    { "if-none-match": tag },
+  );
   assert.deepEqual([known.status, known.headers.get("etag")], [412, tag]);
-  const views = await Promise.all(["top", "side"].map((view) => ask(`/svg${of(HOLE)}&view=${view}`)));
+  const views = await Promise.all(
+    ["top", "side"].map((view) => ask(`/svg${of(HOLE)}&view=${view}`)),
+  );
   assert.notEqual(views[0]?.headers.get("etag"), views[1]?.headers.get("etag"));
   const catalog = await ask("/catalog");
-  assert.equal((await ask("/catalog", { "if-none-match": catalog.headers.get("etag") ?? "" })).status, 304);
+  assert.equal(
+    (
+      await ask("/catalog", {
+        "if-none-match": catalog.headers.get("etag") ?? "",
+      })
+    ).status,
+    304,
+  );
   assert.deepEqual(await end(), [0, true]);
 });
 
 test("it describes itself, and what it answers is as described", async () => {
   const { address, end } = await service("--jobs", "1");
   const api = await (await fetch(`${address}/openapi.json`)).json();
-  const { Job: ofJob, ...schemas } = /** @type {any} */ (api).components.schemas;
+  const { Job: ofJob, ...schemas } = /** @type {any} */ (api).components
+    .schemas;
   const valid = new Ajv2020({ strict: false }).compile(ofJob);
-  assert.ok(valid(HOLE) && !valid({ ...HOLE, cycle: { type: "hole", diameter: -1 } }));
-  const answered = new Ajv2020({ strict: false }).addSchema({ ...ofJob, $id: "urn:touchpath:job:1" });
+  assert.ok(
+    valid(HOLE) && !valid({ ...HOLE, cycle: { type: "hole", diameter: -1 } }),
+  );
+  const answered = new Ajv2020({ strict: false }).addSchema({
+    ...ofJob,
+    $id: "urn:touchpath:job:1",
+  });
   const isPlan = answered.compile({
     $ref: "#/components/schemas/Plan",
     components: { schemas: { ...schemas, Job: {} } },
   });
-  const { example } = api.paths["/plan"].post.requestBody.content["application/json"];
-  const planned = /** @type {any} */ ((await post(`${address}/plan`, JSON.stringify(example))).json());
+  const { example } =
+    api.paths["/plan"].post.requestBody.content["application/json"];
+  const planned = /** @type {any} */ (
+    (await post(`${address}/plan`, JSON.stringify(example))).json()
+  );
   const other = { ...planned, moves: {} };
   assert.ok(isPlan(planned) && !isPlan(other));
-  const operations = Object.values(api.paths).flatMap((/** @type {any} */ path) => Object.values(path));
+  const operations = Object.values(api.paths).flatMap(
+    (/** @type {any} */ path) => Object.values(path),
+  );
   const ids = operations.map((/** @type {any} */ one) => one.operationId);
   assert.equal(new Set(ids).size, ids.length);
   // Every route that it names is there, and every example is taken.
-  for (const [path, methods] of /** @type {[string, any][]} */ (Object.entries(api.paths))) {
+  for (const [path, methods] of /** @type {[string, any][]} */ (
+    Object.entries(api.paths)
+  )) {
     if (methods.post && path !== "/programs") {
       const [type = ""] = Object.keys(methods.post.requestBody.content);
       const { example = "G0 X1" } = methods.post.requestBody.content[type];
-      const body = typeof example === "string" ? example : JSON.stringify(example);
+      const body =
+        typeof example === "string" ? example : JSON.stringify(example);
       const answer = await post(address + path, body, type);
-      assert.ok([200, 422].includes(answer.status), `${path}: ${answer.status} ${answer.text.slice(0, 200)}`);
-      assert.equal(answer.status === 422, path === "/import", `${path}: ${answer.text.slice(0, 200)}`);
+      assert.ok(
+        [200, 422].includes(answer.status),
+        `${path}: ${answer.status} ${answer.text.slice(0, 200)}`,
+      );
+      assert.equal(
+        answer.status === 422,
+        path === "/import",
+        `${path}: ${answer.text.slice(0, 200)}`,
+      );
     }
-    if (methods.get && !methods.post) assert.equal((await fetch(address + path)).status, 200, path);
+    if (methods.get && !methods.post)
+      assert.equal((await fetch(address + path)).status, 200, path);
   }
-  assert.deepEqual(await (await fetch(`${address}/health`)).json(), { good: true, version: version() });
+  assert.deepEqual(await (await fetch(`${address}/health`)).json(), {
+    good: true,
+    version: version(),
+  });
   assert.deepEqual(await end(), [0, true]);
 });
 
 test("clients that leave, that are slow, that ask in other ways", async () => {
-  const { address, end, said } = await service("--jobs", "2", "--limit", "wait=1000");
+  const { address, end, said } = await service(
+    "--jobs",
+    "2",
+    "--limit",
+    "wait=1000",
+  );
   const { hostname, port } = new URL(address);
   const ndjson =
     "POST /programs HTTP/1.1\r\nhost: x\r\ncontent-type: application/x-ndjson\r\ntransfer-encoding: chunked\r\n\r\n";
-  const slow = { ...HOLE, cycle: { ...HOLE.cycle, variant: 1, angularStep: 20, stepCount: 16, repeat: { times: 3 } } };
+  const slow = {
+    ...HOLE,
+    cycle: {
+      ...HOLE.cycle,
+      variant: 1,
+      angularStep: 20,
+      stepCount: 16,
+      repeat: { times: 3 },
+    },
+  };
   const lines = `${JSON.stringify(slow)}\n`.repeat(256);
   // As many as the threads take at once, and then the client leaves.
   for (const after of [5, 60, 150])
     await new Promise((done) => {
       const socket = connect(Number(port), hostname, () => {
-        socket.write(`${ndjson}${Buffer.byteLength(lines).toString(16)}\r\n${lines}\r\n`);
+        socket.write(
+          `${ndjson}${Buffer.byteLength(lines).toString(16)}\r\n${lines}\r\n`,
+        );
         setTimeout(() => done(socket.destroy()), after);
       });
       socket.on("error", () => undefined);
@@ -222,7 +387,9 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
   // Until the threads have noticed: a machine under load takes its time.
   for (let free = false; !free; ) {
     const start = performance.now();
-    const { status } = await fetch(`${address}/plan?job=${encodeURIComponent(JSON.stringify(HOLE))}`);
+    const { status } = await fetch(
+      `${address}/plan?job=${encodeURIComponent(JSON.stringify(HOLE))}`,
+    );
     free = status === 200 && performance.now() - start < 300;
   }
   // Jobs that come one by one, for longer than a request may take to come.
@@ -243,12 +410,16 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
     socket.on("close", () => done(text));
   });
   assert.deepEqual(
-    [...String(answered).matchAll(/"line":(\d+)/g)].map(([, line]) => Number(line)),
+    [...String(answered).matchAll(/"line":(\d+)/g)].map(([, line]) =>
+      Number(line),
+    ),
     [1, 2, 3, 4, 5, 6],
   );
   // Half a body, and away: no fault of the service.
   const half = connect(Number(port), hostname, () => {
-    half.write("POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 100\r\n\r\n{");
+    half.write(
+      "POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 100\r\n\r\n{",
+    );
     setTimeout(() => half.destroy(), 50);
   });
   await closed([half]);
@@ -260,12 +431,19 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
     fetch(`${address}/plan${of}`, { headers, method: "HEAD" }),
     fetch(`${address}/plan`, { method: "DELETE" }),
     fetch(`${address}/programs`),
-    fetch(`${address}/programs`, { method: "POST", body: "{}", headers: { "content-type": "text/plain" } }),
+    fetch(`${address}/programs`, {
+      method: "POST",
+      body: "{}",
+      headers: { "content-type": "text/plain" },
+    }),
     fetch(`${address}/plan`),
     fetch(`${address}/plan`, {
       method: "POST",
       body: "{}",
-      headers: { "content-type": "application/json", "content-encoding": "gzip" },
+      headers: {
+        "content-type": "application/json",
+        "content-encoding": "gzip",
+      },
     }),
   ]);
   assert.deepEqual(
@@ -274,7 +452,11 @@ test("clients that leave, that are slow, that ask in other ways", async () => {
   );
   assert.equal(states[2]?.headers.get("allow"), "GET, HEAD, POST");
   const bad = `?job=${encodeURIComponent('{"format":1}')}`;
-  assert.equal((await fetch(`${address}/plan${bad}`)).headers.get("etag"), null, "what is refused has no tag");
+  assert.equal(
+    (await fetch(`${address}/plan${bad}`)).headers.get("etag"),
+    null,
+    "what is refused has no tag",
+  );
   assert.doesNotMatch(said(), /Error|should not/);
   assert.deepEqual(await end(), [0, true]);
 });
@@ -287,8 +469,14 @@ test("it ends well from the first moment on, and says why it cannot begin", asyn
   }
   const { address, end } = await service("--jobs", "1");
   const { port } = new URL(address);
-  await assert.rejects(service("--port", port), /ended with 2.*touchpath: 127\.0\.0\.1:\d+ cannot be listened at/s);
-  await assert.rejects(service("--host", "no.such.host.invalid"), /ended with 2.*cannot be listened at/s);
+  await assert.rejects(
+    service("--port", port),
+    /ended with 2.*touchpath: 127\.0\.0\.1:\d+ cannot be listened at/s,
+  );
+  await assert.rejects(
+    service("--host", "no.such.host.invalid"),
+    /ended with 2.*cannot be listened at/s,
+  );
   await assert.rejects(service("--limit", "wait=5=6"), /ended with 2/);
   assert.deepEqual(await end(), [0, true]);
 });
@@ -305,9 +493,15 @@ test("jobs are judged by the rules of a file, and wrong rules or options end it 
     allow: { controls: ["haas"] },
     fields: { "feeds.work": { max: 100 } },
   });
-  await assert.rejects(service("--config", file("wrong.json", { format: 1, tilte: "x" })), /ended with 2.*tilte/s);
+  await assert.rejects(
+    service("--config", file("wrong.json", { format: 1, tilte: "x" })),
+    /ended with 2.*tilte/s,
+  );
   await assert.rejects(service("--port", "70000"), /ended with 2.*0 to 65535/s);
-  await assert.rejects(service("--limit", "bodi=3"), /ended with 2.*Did you mean body/s);
+  await assert.rejects(
+    service("--limit", "bodi=3"),
+    /ended with 2.*Did you mean body/s,
+  );
   await assert.rejects(service("--post", "haas"), /ended with 2/);
   const { address, end } = await service("--config", shop, "--jobs", "1");
   const hole = { format: 1, cycle: { type: "hole" }, feeds: { work: 90 } };
@@ -315,9 +509,15 @@ test("jobs are judged by the rules of a file, and wrong rules or options end it 
   assert.equal(good.json().program.post, "haas");
   const bad = await post(
     `${address}/plan`,
-    JSON.stringify({ ...hole, control: { post: "fanuc" }, feeds: { work: 101 } }),
+    JSON.stringify({
+      ...hole,
+      control: { post: "fanuc" },
+      feeds: { work: 101 },
+    }),
   );
-  const errors = bad.json().findings.filter((/** @type {any} */ f) => f.level === "error");
+  const errors = bad
+    .json()
+    .findings.filter((/** @type {any} */ f) => f.level === "error");
   assert.deepEqual(
     [bad.status, errors.map((/** @type {any} */ f) => `${f.code} ${f.path}`)],
     [422, ["not-allowed control.post", "not-allowed feeds.work"]],
@@ -334,13 +534,17 @@ async function halfOpen(
   const { hostname, port } = new URL(address);
   const sockets = Array.from({ length: count }, () => {
     const socket = connect(Number(port), hostname, () =>
-      socket.write(`POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n${begun}`),
+      socket.write(
+        `POST /plan HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n${begun}`,
+      ),
     );
     // What it is answered is read, and with it that the connection ends.
     return socket.on("error", () => undefined).resume();
   });
   const either = (/** @type {import("node:net").Socket} */ socket) =>
-    new Promise((done) => ["connect", "close"].map((event) => socket.once(event, done)));
+    new Promise((done) =>
+      ["connect", "close"].map((event) => socket.once(event, done)),
+    );
   await Promise.all(sockets.map(either));
   await new Promise((done) => setTimeout(done, 200));
   return sockets;
@@ -348,11 +552,22 @@ async function halfOpen(
 
 /** When every one of them is closed, also by a fault. */
 const closed = (/** @type {import("node:net").Socket[]} */ sockets) =>
-  Promise.all(sockets.map((socket) => socket.destroyed || new Promise((done) => socket.once("close", done))));
+  Promise.all(
+    sockets.map(
+      (socket) =>
+        socket.destroyed || new Promise((done) => socket.once("close", done)),
+    ),
+  );
 
 test("requests whose bodies never come block no other, and are closed", async () => {
-  const { address, end } = await service("--limit", "wait=2000", "--limit", "connections=300");
-  const planned = async () => (await post(`${address}/plan`, JSON.stringify(HOLE))).status;
+  const { address, end } = await service(
+    "--limit",
+    "wait=2000",
+    "--limit",
+    "connections=300",
+  );
+  const planned = async () =>
+    (await post(`${address}/plan`, JSON.stringify(HOLE))).status;
   const begun = Date.now();
   const sockets = [
     ...(await halfOpen(address, 100)),
@@ -369,28 +584,49 @@ test("requests whose bodies never come block no other, and are closed", async ()
 });
 
 test("too many at once are answered with 503, and connections that break off do not count for ever", async () => {
-  const { address, end } = await service("--limit", "requests=2", "--limit", "wait=3000", "--jobs", "1");
+  const { address, end } = await service(
+    "--limit",
+    "requests=2",
+    "--limit",
+    "wait=3000",
+    "--jobs",
+    "1",
+  );
   const { hostname, port } = new URL(address);
   // Long answers, one behind the other, of which nothing is read: they wait, and count.
-  const body = JSON.stringify(Object.fromEntries(Array.from({ length: 300 }, (_, i) => [`unknown${i}`, i])));
+  const body = JSON.stringify(
+    Object.fromEntries(
+      Array.from({ length: 300 }, (_, i) => [`unknown${i}`, i]),
+    ),
+  );
   const request = `POST /check HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: ${Buffer.byteLength(body)}\r\n\r\n${body}`;
-  const greedy = connect(Number(port), hostname, () => greedy.write(request.repeat(300))).pause();
+  const greedy = connect(Number(port), hostname, () =>
+    greedy.write(request.repeat(300)),
+  ).pause();
   greedy.on("error", () => undefined);
   const plain = () => post(`${address}/check`, "{}");
   // Many beside each other, some of which meet a service that is busy.
   let late = await plain();
   for (let i = 0; i < 200 && late.status === 200; i++)
-    late = (await Promise.all(Array.from({ length: 12 }, plain))).find(({ status }) => status !== 200) ?? late;
+    late =
+      (await Promise.all(Array.from({ length: 12 }, plain))).find(
+        ({ status }) => status !== 200,
+      ) ?? late;
   assert.deepEqual(
     [late.status, late.headers.get("retry-after"), late.json()],
     [503, "1", { error: "too many requests at once" }],
   );
-  assert.equal((await fetch(`${address}/health`)).status, 200, "who watches it is always answered");
+  assert.equal(
+    (await fetch(`${address}/health`)).status,
+    200,
+    "who watches it is always answered",
+  );
   greedy.destroy();
   for (let i = 0; i < 5; i++)
     await new Promise((done) => {
       const socket = connect(Number(port), hostname, () => {
-        const one = "POST /check HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 2\r\n\r\n{}";
+        const one =
+          "POST /check HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\ncontent-length: 2\r\n\r\n{}";
         socket.write(one.repeat(10), () => {
           socket.resetAndDestroy();
           done(null);
@@ -399,33 +635,44 @@ test("too many at once are answered with 503, and connections that break off do 
       socket.on("error", () => undefined);
     });
   await closed(await halfOpen(address, 2));
-  for (let i = 0; i < 50 && (await plain()).status !== 200; i++) await new Promise((done) => setTimeout(done, 50));
+  for (let i = 0; i < 50 && (await plain()).status !== 200; i++)
+    await new Promise((done) => setTimeout(done, 50));
   assert.equal((await plain()).status, 200);
   assert.deepEqual(await end(), [0, true]);
 });
 
 test("at the end what is under way is answered", async () => {
   const { address, end } = await service("--jobs", "2");
-  const many = Array.from({ length: 40 }, () => post(`${address}/plan`, JSON.stringify(HOLE)));
+  const many = Array.from({ length: 40 }, () =>
+    post(`${address}/plan`, JSON.stringify(HOLE)),
+  );
   await many[0];
   const ended = end();
   const answers = await Promise.allSettled(many);
   assert.deepEqual(await ended, [0, true]);
-  const answered = answers.flatMap((answer) => (answer.status === "fulfilled" ? [answer.value.status] : []));
-  assert.ok(answered.length > 0 && answered.every((status) => [200, 503].includes(status)), String(answered));
+  const answered = answers.flatMap((answer) =>
+    answer.status === "fulfilled" ? [answer.value.status] : [],
+  );
+  assert.ok(
+    answered.length > 0 &&
+      answered.every((status) => [200, 503].includes(status)),
+    String(answered),
+  );
   await assert.rejects(fetch(`${address}/health`), "it is gone");
 });
 
 test("the container runs what the command takes, and its health check asks the service", async () => {
   const file = readFileSync(at("examples", "service", "Containerfile"), "utf8");
-  const args = (/** @type {string} */ word) => JSON.parse(new RegExp(`${word} (\\[.*\\])`).exec(file)?.[1] ?? "[]");
+  const args = (/** @type {string} */ word) =>
+    JSON.parse(new RegExp(`${word} (\\[.*\\])`).exec(file)?.[1] ?? "[]");
   const [name, command, ...options] = args("\\nCMD");
   assert.deepEqual([name, command], ["touchpath", "serve"]);
   const { address, end } = await service(...options, "--jobs", "1");
   const { port } = new URL(address);
   const [node, flag, script] = args("HEALTHCHECK CMD");
   assert.deepEqual([node, flag], ["node", "-e"]);
-  const asks = (/** @type {string} */ at) => spawnSync("node", ["-e", script.replace(":3000/", `:${at}/`)]).status;
+  const asks = (/** @type {string} */ at) =>
+    spawnSync("node", ["-e", script.replace(":3000/", `:${at}/`)]).status;
   let status = asks(port);
   for (let i = 0; i < 20 && status !== 0; i++) status = asks(port);
   assert.equal(status, 0);
@@ -434,15 +681,27 @@ test("the container runs what the command takes, and its health check asks the s
 });
 
 test("in Kubernetes it runs what the command takes, with the config of the map, and the probes ask the service", async () => {
-  const file = readFileSync(at("examples", "kubernetes", "touchpath.yaml"), "utf8");
-  const words = (/** @type {string} */ key) => new RegExp(`\\b${key}: \\[(.*)\\]`).exec(file)?.[1]?.split(", ") ?? [];
-  const [name, command, ...options] = words("args").map((word) => word.replaceAll('"', ""));
+  const file = readFileSync(
+    at("examples", "kubernetes", "touchpath.yaml"),
+    "utf8",
+  );
+  const words = (/** @type {string} */ key) =>
+    new RegExp(`\\b${key}: \\[(.*)\\]`).exec(file)?.[1]?.split(", ") ?? [];
+  const [name, command, ...options] = words("args").map((word) =>
+    word.replaceAll('"', ""),
+  );
   assert.deepEqual([name, command], ["touchpath", "serve"]);
   const config = options.indexOf("--config") + 1;
-  assert.match(file, new RegExp(`mountPath: ${dirname(options[config] ?? "")}\\b`));
+  assert.match(
+    file,
+    new RegExp(`mountPath: ${dirname(options[config] ?? "")}\\b`),
+  );
   const folder = mkdtempSync(join(tmpdir(), "touchpath-kubernetes-"));
   options[config] = join(folder, "config.json");
-  writeFileSync(options[config], /config\.json: \|\n( {4}.*\n)+/.exec(file)?.[1] ?? "");
+  writeFileSync(
+    options[config],
+    /config\.json: \|\n( {4}.*\n)+/.exec(file)?.[1] ?? "",
+  );
   const { address, end } = await service(...options);
   for (const [, path] of file.matchAll(/httpGet: \{ path: (\S+),/g)) {
     let { status } = await fetch(new URL(String(path), address));

@@ -1,6 +1,13 @@
 // The server of `npm start`: seen by this machine only, and not ended by a file.
 import assert from "node:assert/strict";
-import { chmodSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  chmodSync,
+  mkdirSync,
+  mkdtempSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { request } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -14,7 +21,8 @@ let server;
 
 before(async () => {
   root = mkdtempSync(join(tmpdir(), "touchpath-serve-"));
-  for (const folder of ["page", "page/inner", "page/empty", "page-secret"]) mkdirSync(join(root, folder));
+  for (const folder of ["page", "page/inner", "page/empty", "page-secret"])
+    mkdirSync(join(root, folder));
   writeFileSync(join(root, "page", "index.html"), "the page");
   writeFileSync(join(root, "page", "inner", "index.html"), "inner");
   writeFileSync(join(root, "page-secret", "key.txt"), "secret");
@@ -33,14 +41,26 @@ after(() => {
  */
 const get = (path, base = addressOf(server)) =>
   new Promise((done, fail) => {
-    request({ ...(({ hostname, port }) => ({ hostname, port }))(new URL(base)), path }, (response) => {
-      let text = "";
-      response.setEncoding("utf8");
-      response.on("data", (part) => {
-        text += part;
-      });
-      response.on("end", () => done({ status: response.statusCode, type: response.headers["content-type"], text }));
-    })
+    request(
+      {
+        ...(({ hostname, port }) => ({ hostname, port }))(new URL(base)),
+        path,
+      },
+      (response) => {
+        let text = "";
+        response.setEncoding("utf8");
+        response.on("data", (part) => {
+          text += part;
+        });
+        response.on("end", () =>
+          done({
+            status: response.statusCode,
+            type: response.headers["content-type"],
+            text,
+          }),
+        );
+      },
+    )
       .on("error", fail)
       .end();
   });

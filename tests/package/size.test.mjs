@@ -6,7 +6,8 @@ import { fileURLToPath } from "node:url";
 import { brotliCompressSync, constants, gzipSync } from "node:zlib";
 import { functions } from "../../scripts/functions.mjs";
 
-const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const at = (/** @type {string} */ path) =>
+  fileURLToPath(new URL(`../../${path}`, import.meta.url));
 
 /**
  * Bytes. Measured: 609.5 kB for the module, and 840 kB for all that an English page loads sooner or later; before 0.3, 294.3 and 453. What came since: what machines print (17 kB of
@@ -16,25 +17,59 @@ const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`
  * A first visit begins without what reads texts from outside and without LENTOAX: 469.9 kB. The page with it, 840 kB before, has 736.4, of which 21 are the answers that its first job is shown with until that module is there.
  * Each language's words, 65 to 73 kB, are loaded where they are wanted, and so are the editor of opened programs and the worker that reads long texts.
  */
-const BUDGET = { module: 612_000, first: 471_000, page: 743_000, words: 80_000, editor: 70_000, reader: 10_100 };
+const BUDGET = {
+  module: 612_000,
+  first: 471_000,
+  page: 743_000,
+  words: 80_000,
+  editor: 70_000,
+  reader: 10_100,
+};
 
 test("the module and the page stay within their budgets", () => {
   const wasm = readFileSync(at("dist/wasm/touchpath_bg.wasm"));
-  const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 24 };
+  const params = {
+    [constants.BROTLI_PARAM_QUALITY]: 11,
+    [constants.BROTLI_PARAM_LGWIN]: 24,
+  };
   const module = brotliCompressSync(wasm, { params }).length;
-  const first = brotliCompressSync(readFileSync(at("www/core/wasm/first.wasm")), { params }).length;
-  const languages = readdirSync(at("dist/words")).map((name) => `${name.replace(".json", "")}-`);
-  const isWords = (/** @type {string} */ name) => languages.some((language) => name.startsWith(language));
-  const isEditor = (/** @type {string} */ name) => name.startsWith("program-editor-");
+  const first = brotliCompressSync(
+    readFileSync(at("www/core/wasm/first.wasm")),
+    { params },
+  ).length;
+  const languages = readdirSync(at("dist/words")).map(
+    (name) => `${name.replace(".json", "")}-`,
+  );
+  const isWords = (/** @type {string} */ name) =>
+    languages.some((language) => name.startsWith(language));
+  const isEditor = (/** @type {string} */ name) =>
+    name.startsWith("program-editor-");
   const isReader = (/** @type {string} */ name) => name.startsWith("reader-");
-  const isWhole = (/** @type {string} */ name) => name.startsWith("touchpath_bg-");
+  const isWhole = (/** @type {string} */ name) =>
+    name.startsWith("touchpath_bg-");
   const all = readdirSync(at("dist/page/assets"));
   const zipped = (/** @type {string} */ name) =>
     gzipSync(readFileSync(at(`dist/page/assets/${name}`)), { level: 9 }).length;
-  assert.equal(all.filter(isWords).length, languages.length, "each language has a file of words");
-  assert.equal(all.filter(isEditor).length, 1, "the editor has a file of its own");
-  assert.equal(all.filter(isReader).length, 1, "the worker has a file of its own");
-  assert.equal(all.filter(isWhole).length, 1, "the whole module is there for who opens a text");
+  assert.equal(
+    all.filter(isWords).length,
+    languages.length,
+    "each language has a file of words",
+  );
+  assert.equal(
+    all.filter(isEditor).length,
+    1,
+    "the editor has a file of its own",
+  );
+  assert.equal(
+    all.filter(isReader).length,
+    1,
+    "the worker has a file of its own",
+  );
+  assert.equal(
+    all.filter(isWhole).length,
+    1,
+    "the whole module is there for who opens a text",
+  );
   for (const [rare, budget] of /** @type {const} */ ([
     [isWords, BUDGET.words],
     [isEditor, BUDGET.editor],
@@ -42,10 +77,16 @@ test("the module and the page stay within their budgets", () => {
   ]))
     for (const name of all.filter(rare)) {
       const bytes = zipped(name);
-      assert.ok(bytes <= budget, `${name} has ${bytes} bytes in gzip, ${budget} are allowed`);
+      assert.ok(
+        bytes <= budget,
+        `${name} has ${bytes} bytes in gzip, ${budget} are allowed`,
+      );
     }
   const assets = all
-    .filter((name) => ![isWords, isEditor, isReader, isWhole].some((rare) => rare(name)))
+    .filter(
+      (name) =>
+        ![isWords, isEditor, isReader, isWhole].some((rare) => rare(name)),
+    )
     .map((name) => at(`dist/page/assets/${name}`));
   const page = [at("dist/page/index.html"), ...assets].reduce(
     (sum, file) => sum + gzipSync(readFileSync(file), { level: 9 }).length,
@@ -53,11 +94,30 @@ test("the module and the page stay within their budgets", () => {
   );
   // As the compiler left it: with names.
   const target = process.env.CARGO_TARGET_DIR ?? at("target");
-  const largest = functions(readFileSync(`${target}/wasm/wasm32-unknown-unknown/release/touchpath.wasm`));
-  assert.ok(largest.length > 500 && largest.some(({ name }) => name.includes("touchpath")), "the functions are found");
-  const list = largest.slice(0, 20).map(({ size, name }) => `${String(size).padStart(8)}  ${name}`);
+  const largest = functions(
+    readFileSync(
+      `${target}/wasm/wasm32-unknown-unknown/release/touchpath.wasm`,
+    ),
+  );
+  assert.ok(
+    largest.length > 500 &&
+      largest.some(({ name }) => name.includes("touchpath")),
+    "the functions are found",
+  );
+  const list = largest
+    .slice(0, 20)
+    .map(({ size, name }) => `${String(size).padStart(8)}  ${name}`);
   const told = `\nThe largest functions, bytes before wasm-opt:\n${list.join("\n")}`;
-  assert.ok(module <= BUDGET.module, `the module has ${module} bytes in brotli, ${BUDGET.module} are allowed${told}`);
-  assert.ok(first <= BUDGET.first, `the first module has ${first} bytes in brotli, ${BUDGET.first} are allowed${told}`);
-  assert.ok(page <= BUDGET.page, `a first visit loads ${page} bytes in gzip, ${BUDGET.page} are allowed${told}`);
+  assert.ok(
+    module <= BUDGET.module,
+    `the module has ${module} bytes in brotli, ${BUDGET.module} are allowed${told}`,
+  );
+  assert.ok(
+    first <= BUDGET.first,
+    `the first module has ${first} bytes in brotli, ${BUDGET.first} are allowed${told}`,
+  );
+  assert.ok(
+    page <= BUDGET.page,
+    `a first visit loads ${page} bytes in gzip, ${BUDGET.page} are allowed${told}`,
+  );
 });

@@ -51,7 +51,12 @@ export function setUp() {
       build: {
         ssr: true,
         rolldownOptions: {
-          input: Object.fromEntries(Object.entries(MODULES).map(([name, file]) => [name, at("www", file)])),
+          input: Object.fromEntries(
+            Object.entries(MODULES).map(([name, file]) => [
+              name,
+              at("www", file),
+            ]),
+          ),
         },
         outDir: folder,
         emptyOutDir: true,
@@ -60,11 +65,15 @@ export function setUp() {
         {
           name: "core",
           enforce: "pre",
-          resolveId: (id) => (id.endsWith("core/browser.js") ? { id: core, external: true } : null),
+          resolveId: (id) =>
+            id.endsWith("core/browser.js")
+              ? { id: core, external: true }
+              : null,
         },
       ],
     });
-    const load = (/** @type {keyof typeof MODULES} */ name) => import(pathToFileURL(join(folder, `${name}.js`)).href);
+    const load = (/** @type {keyof typeof MODULES} */ name) =>
+      import(pathToFileURL(join(folder, `${name}.js`)).href);
     ({ Store } = await load("store"));
     ({ readNumber } = await load("number"));
     ({ read } = await load("text"));
@@ -80,9 +89,23 @@ export function setUp() {
 }
 
 /** Types a text into the field of a path, as the page's form takes it. */
-export function type(/** @type {any} */ store, /** @type {string} */ path, /** @type {string} */ text) {
+export function type(
+  /** @type {any} */ store,
+  /** @type {string} */ path,
+  /** @type {string} */ text,
+) {
   const { unit, size } = store.fieldAt(path);
-  store.set(path, readNumber(text, unit, store.units, store.comma, size && !path.startsWith("part.")), text);
+  store.set(
+    path,
+    readNumber(
+      text,
+      unit,
+      store.units,
+      store.comma,
+      size && !path.startsWith("part."),
+    ),
+    text,
+  );
 }
 
 /** The errors, warnings and notes at a path, in words. */
@@ -90,13 +113,16 @@ export const said = (/** @type {any} */ store, /** @type {string} */ path) =>
   store.at(path).map((/** @type {any} */ finding) => finding.message);
 
 /** The lines of the program. @returns {string} */
-export const program = (/** @type {any} */ store) => store.plan.program.text.trimEnd();
+export const program = (/** @type {any} */ store) =>
+  store.plan.program.text.trimEnd();
 
 /** What a store tells its user beside what was asked for, in words. */
 export function listen(/** @type {any} */ store) {
   /** @type {string[]} */
   const told = [];
-  store.addEventListener("told", (/** @type {any} */ event) => told.push(store.say(event.detail)));
+  store.addEventListener("told", (/** @type {any} */ event) =>
+    told.push(store.say(event.detail)),
+  );
   return told;
 }
 
@@ -110,7 +136,8 @@ export function listen(/** @type {any} */ store) {
 export function asInBrowser(kept, work, language = "en-GB") {
   const storage = (/** @type {Map<string, string>} */ texts) => ({
     getItem: (/** @type {string} */ key) => texts.get(key) ?? null,
-    setItem: (/** @type {string} */ key, /** @type {string} */ text) => void texts.set(key, text),
+    setItem: (/** @type {string} */ key, /** @type {string} */ text) =>
+      void texts.set(key, text),
   });
   /** @type {Record<string, unknown>} */
   const own = {
@@ -120,14 +147,26 @@ export function asInBrowser(kept, work, language = "en-GB") {
     document: new EventTarget(),
     addEventListener: () => {},
   };
-  const before = Object.keys(own).map((name) => [name, Object.getOwnPropertyDescriptor(globalThis, name)]);
+  const before = Object.keys(own).map((name) => [
+    name,
+    Object.getOwnPropertyDescriptor(globalThis, name),
+  ]);
   for (const [name, value] of Object.entries(own))
-    Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
+    Object.defineProperty(globalThis, name, {
+      value,
+      configurable: true,
+      writable: true,
+    });
   try {
     work();
   } finally {
     for (const [name, descriptor] of before)
-      if (descriptor) Object.defineProperty(globalThis, String(name), /** @type {PropertyDescriptor} */ (descriptor));
+      if (descriptor)
+        Object.defineProperty(
+          globalThis,
+          String(name),
+          /** @type {PropertyDescriptor} */ (descriptor),
+        );
       else Reflect.deleteProperty(globalThis, String(name));
   }
 }

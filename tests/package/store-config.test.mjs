@@ -8,32 +8,54 @@ setUp();
 const HALL = {
   format: 1,
   title: "Hall 3",
-  allow: { cycles: ["hole", "web"], controls: ["haas", "fanuc"], units: ["mm"], workOffsets: [1, 2], setUps: false },
+  allow: {
+    cycles: ["hole", "web"],
+    controls: ["haas", "fanuc"],
+    units: ["mm"],
+    workOffsets: [1, 2],
+    setUps: false,
+  },
   hide: { panels: ["checks"] },
   fields: {
-    "feeds.work": { value: 100, locked: true, reason: "the probe was calibrated at it" },
+    "feeds.work": {
+      value: 100,
+      locked: true,
+      reason: "the probe was calibrated at it",
+    },
     "control.tool": { value: 99, hidden: true },
     "cycle.depth": { value: 7 },
   },
-  machines: [{ name: "VF-2", control: { post: "haas", tool: 25 }, overtravel: 4 }],
+  machines: [
+    { name: "VF-2", control: { post: "haas", tool: 25 }, overtravel: 4 },
+  ],
   styli: [{ name: "Ball 4", diameter: 4 }],
 };
 
 /** What the element gives its store, as the page around sets it: each input in its turn. */
 function given(/** @type {[string, unknown][]} */ ...inputs) {
   const store = new Store();
-  for (const [input, value] of inputs) assert.deepEqual(store.outside.input(input, value), [], input);
+  for (const [input, value] of inputs)
+    assert.deepEqual(store.outside.input(input, value), [], input);
   return store;
 }
 
 const errors = (/** @type {any} */ store) =>
-  store.findings.flatMap((/** @type {any} */ f) => (f.level === "error" ? [`${f.code} ${f.path}`] : []));
+  store.findings.flatMap((/** @type {any} */ f) =>
+    f.level === "error" ? [`${f.code} ${f.path}`] : [],
+  );
 
 test("a job begins with what the config allows and fills in", () => {
   const store = given(["config", HALL]);
   const { cycle, feeds, control } = store.job;
   assert.deepEqual(
-    [cycle.type, cycle.depth, feeds.work, control.post, control.tool, control.workOffset],
+    [
+      cycle.type,
+      cycle.depth,
+      feeds.work,
+      control.post,
+      control.tool,
+      control.workOffset,
+    ],
     ["hole", 7, 100, "haas", 99, 1],
   );
   assert.deepEqual(errors(store), []);
@@ -43,15 +65,33 @@ test("a job begins with what the config allows and fills in", () => {
 test("a job of the portal's that breaks its own rules has no program until it is put right", () => {
   const store = given(
     ["config", HALL],
-    ["job", { format: 1, cycle: { type: "hole" }, feeds: { work: 300 }, control: { post: "heidenhain" } }],
+    [
+      "job",
+      {
+        format: 1,
+        cycle: { type: "hole" },
+        feeds: { work: 300 },
+        control: { post: "heidenhain" },
+      },
+    ],
   );
-  assert.deepEqual(errors(store), ["not-allowed control.post", "locked feeds.work"]);
+  assert.deepEqual(errors(store), [
+    "not-allowed control.post",
+    "locked feeds.work",
+  ]);
   assert.ok(store.stale);
-  assert.match(store.at("feeds.work")[0].message, /^Hall 3 fixes Work feed at 100 mm\/min/);
+  assert.match(
+    store.at("feeds.work")[0].message,
+    /^Hall 3 fixes Work feed at 100 mm\/min/,
+  );
   store.set("feeds.work", 100, "100");
   assert.deepEqual(errors(store), ["not-allowed control.post"]);
   store.set("feeds.work", 90, "90");
-  assert.equal(store.get("feeds.work"), 100, "it has the value that it must have");
+  assert.equal(
+    store.get("feeds.work"),
+    100,
+    "it has the value that it must have",
+  );
   store.chooseControl("haas");
   assert.deepEqual(errors(store), []);
   assert.ok(store.plan.program.text.length > 100);
@@ -60,9 +100,19 @@ test("a job of the portal's that breaks its own rules has no program until it is
 test("machines and styli of the portal are taken into the job, and the rest of it stays", () => {
   const store = given(["config", HALL]);
   store.usePreset(store.rules.machines[0]);
-  assert.deepEqual([store.get("control.tool"), store.get("overtravel"), store.get("control.workOffset")], [25, 4, 1]);
+  assert.deepEqual(
+    [
+      store.get("control.tool"),
+      store.get("overtravel"),
+      store.get("control.workOffset"),
+    ],
+    [25, 4, 1],
+  );
   store.useStylus(store.rules.styli("mm")[0].stylus);
-  assert.deepEqual([store.get("stylus.diameter"), store.get("stylus.repeatability")], [4, 0.001]);
+  assert.deepEqual(
+    [store.get("stylus.diameter"), store.get("stylus.repeatability")],
+    [4, 0.001],
+  );
   store.undo();
   assert.equal(store.get("stylus.diameter"), 6);
 });
@@ -80,13 +130,23 @@ test("the order in which job and config are set does not matter, and what the us
   assert.deepEqual(result(first), result(last));
   assert.deepEqual(result(first).slice(0, 3), ["haas", 7, 100]);
   last.set("cycle.width", 21, "21");
-  assert.deepEqual(last.outside.input("config", { ...HALL, fields: { "cycle.depth": { value: 3 } } }), []);
+  assert.deepEqual(
+    last.outside.input("config", {
+      ...HALL,
+      fields: { "cycle.depth": { value: 3 } },
+    }),
+    [],
+  );
   assert.equal(last.get("cycle.depth"), 7);
 });
 
 test("a config that is wrong changes nothing, and every fault of it is said", () => {
   const store = given(["config", HALL]);
-  const faults = store.outside.input("config", { format: 1, tilte: "A", allow: { cycles: ["well"] } });
+  const faults = store.outside.input("config", {
+    format: 1,
+    tilte: "A",
+    allow: { cycles: ["well"] },
+  });
   assert.deepEqual(
     faults.map((/** @type {any} */ f) => `${f.code} ${f.path}`),
     ["unknown-key config.tilte", "unknown-value config.allow.cycles[0]"],
@@ -98,17 +158,30 @@ test("a config that is wrong changes nothing, and every fault of it is said", ()
 
 test("a config that fills in nothing holds for the job that was set before it", () => {
   const store = given(
-    ["job", { format: 1, cycle: { type: "web", width: 20 }, feeds: { work: 150 } }],
+    [
+      "job",
+      { format: 1, cycle: { type: "web", width: 20 }, feeds: { work: 150 } },
+    ],
     ["config", { format: 1, findings: [{ message: "The order is closed" }] }],
   );
   assert.deepEqual(errors(store), ["portal "]);
   assert.ok(store.stale);
-  store.outside.input("config", { format: 1, fields: { "feeds.work": { value: 100 } } });
-  assert.deepEqual([errors(store), store.get("feeds.work")], [[], 150], "what the job says stays");
+  store.outside.input("config", {
+    format: 1,
+    fields: { "feeds.work": { value: 100 } },
+  });
+  assert.deepEqual(
+    [errors(store), store.get("feeds.work")],
+    [[], 150],
+    "what the job says stays",
+  );
   store.outside.release("config");
   // A job that is the one that is shown is the portal's all the same.
   store.outside.input("job", structuredClone(store.job));
-  store.outside.input("config", { format: 1, fields: { "feeds.work": { value: 90 } } });
+  store.outside.input("config", {
+    format: 1,
+    fields: { "feeds.work": { value: 90 } },
+  });
   assert.equal(store.get("feeds.work"), 150);
 });
 
@@ -120,8 +193,14 @@ test("nothing that the user does changes a fixed field", () => {
   };
   const styli = [{ name: "Ball 4", diameter: 4, length: 30 }];
   const machines = [{ name: "VF-2", stylus: { diameter: 3, shank: 2 } }];
-  const store = given(["config", { format: 1, fields, styli, machines }], ["cycle", "hole"]);
-  const now = () => ["cycle.diameter", "stylus.diameter", "part.rotation"].map((path) => store.get(path));
+  const store = given(
+    ["config", { format: 1, fields, styli, machines }],
+    ["cycle", "hole"],
+  );
+  const now = () =>
+    ["cycle.diameter", "stylus.diameter", "part.rotation"].map((path) =>
+      store.get(path),
+    );
   const before = now();
   assert.equal(before[1], 5);
   store.useStylus(store.rules.styli("mm")[0].stylus);
@@ -141,28 +220,59 @@ test("nothing that the user does changes a fixed field", () => {
 });
 
 test("the defaults of a cycle are for a control that is allowed, in a form that it has", () => {
-  for (const controls of [["grbl"], ["linuxcnc"], ["sinumerik"], ["heidenhain"], ["haas", "heidenhain"]]) {
-    const store = given(["config", { format: 1, allow: { controls } }], ["cycle", "probing-two-circles"]);
+  for (const controls of [
+    ["grbl"],
+    ["linuxcnc"],
+    ["sinumerik"],
+    ["heidenhain"],
+    ["haas", "heidenhain"],
+  ]) {
+    const store = given(
+      ["config", { format: 1, allow: { controls } }],
+      ["cycle", "probing-two-circles"],
+    );
     store.reset();
-    assert.deepEqual([controls.includes(store.get("control.post")), store.stale], [true, false], `${controls}`);
+    assert.deepEqual(
+      [controls.includes(store.get("control.post")), store.stale],
+      [true, false],
+      `${controls}`,
+    );
   }
 });
 
 test("a control that the config fills in is that of a new job, and one that is asked for goes before it", () => {
   const fields = { "control.post": { value: "haas" } };
-  for (const rules of [{ fields }, { allow: { controls: ["linuxcnc", "haas"] }, fields }]) {
+  for (const rules of [
+    { fields },
+    { allow: { controls: ["linuxcnc", "haas"] }, fields },
+  ]) {
     const store = given(["config", { format: 1, ...rules }], ["cycle", "hole"]);
     assert.equal(store.get("control.post"), "haas");
     store.reset();
     assert.equal(store.get("control.post"), "haas");
   }
-  assert.equal(given(["config", { format: 1, fields }], ["post", "fanuc"]).get("control.post"), "fanuc");
+  assert.equal(
+    given(["config", { format: 1, fields }], ["post", "fanuc"]).get(
+      "control.post",
+    ),
+    "fanuc",
+  );
 });
 
 test("a path beyond the travel of the machine is planned, and has no program", () => {
-  const store = given(["config", { format: 1, space: { travel: { min: [-20, -20, -100], max: [20, 20, 100] } } }]);
+  const store = given([
+    "config",
+    {
+      format: 1,
+      space: { travel: { min: [-20, -20, -100], max: [20, 20, 100] } },
+    },
+  ]);
   assert.ok(errors(store).length > 0);
-  assert.ok(errors(store).every((/** @type {string} */ error) => error === "beyond-travel cycle"));
+  assert.ok(
+    errors(store).every(
+      (/** @type {string} */ error) => error === "beyond-travel cycle",
+    ),
+  );
   assert.ok(store.stale);
   assert.match(store.withheld, /beyond the travel/);
   store.outside.release("config");

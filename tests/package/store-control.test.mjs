@@ -10,7 +10,10 @@ test("a cycle that its control does not take goes back to the control before it,
   const told = listen(store);
   store.chooseControl("sinumerik");
   store.choose("probing-two-circles");
-  assert.match(told.at(-1) ?? "", /^This is a cycle of HEIDENHAIN TNC7 \(Klartext\); the program for SINUMERIK/);
+  assert.match(
+    told.at(-1) ?? "",
+    /^This is a cycle of HEIDENHAIN TNC7 \(Klartext\); the program for SINUMERIK/,
+  );
   store.chooseControl("heidenhain");
   store.choose("double-wall-internal-corner");
   assert.equal(store.get("control.post"), "sinumerik");
@@ -23,12 +26,17 @@ test("a cycle that its control does not take goes back to the control before it,
 test("the number of a work offset was taken to another control, where it is another offset", () => {
   const store = new Store();
   const told = listen(store);
-  const held = () => [store.get("control.post"), store.get("control.workOffset")];
+  const held = () => [
+    store.get("control.post"),
+    store.get("control.workOffset"),
+  ];
   assert.equal(store.writes(7), "writes G59.1");
   store.put("control.workOffset", 7);
   store.chooseControl("sinumerik");
   assert.equal(store.get("control.workOffset"), null);
-  assert.deepEqual(told, ["This control has no G59.1: the program now writes no work offset"]);
+  assert.deepEqual(told, [
+    "This control has no G59.1: the program now writes no work offset",
+  ]);
   store.undo();
   assert.deepEqual(held(), ["linuxcnc", 7]);
   // G55 is G55 everywhere, and grbl has none.
@@ -50,8 +58,15 @@ test("a Fanuc program has the number of the job's name, and a number is ignored 
   assert.match(program(store), /^%\nO2201\(BORE2201\)\n/);
   store.put("control.number", 7);
   store.chooseControl("linuxcnc");
-  assert.equal(store.get("control.number"), 7, "it is there to be seen and removed");
-  assert.match(said(store, "control.number").join(), /have no number: it is ignored/);
+  assert.equal(
+    store.get("control.number"),
+    7,
+    "it is there to be seen and removed",
+  );
+  assert.match(
+    said(store, "control.number").join(),
+    /have no number: it is ignored/,
+  );
 });
 
 test("a SINUMERIK program tests each touch, and the length of the probe decides along which axis it may touch", () => {
@@ -60,15 +75,26 @@ test("a SINUMERIK program tests each touch, and the length of the probe decides 
   store.put("control.workOffset", 5);
   assert.equal(store.writes(5), store.does);
   assert.match(store.does, /^writes G505/);
-  assert.match(program(store), /MEAS=1 G1 X42 Y0 Z-10 F150\nSTOPRE\nIF \$AC_MEA\[1\]==0 GOTOF TP_MISSED/);
+  assert.match(
+    program(store),
+    /MEAS=1 G1 X42 Y0 Z-10 F150\nSTOPRE\nIF \$AC_MEA\[1\]==0 GOTOF TP_MISSED/,
+  );
   assert.match(program(store), /\$P_UIFR\[5,X,TR\]=/);
   type(store, "tool.type", "500");
   assert.match(store.withheld, /L1 acts along \+Y/);
   type(store, "tool.type", "710");
   store.put("tool.frame", [{ rot: "Z", angle: 60 }]);
-  assert.equal(store.withheld, null, "a turn about the tool axis leaves L1 where it is");
+  assert.equal(
+    store.withheld,
+    null,
+    "a turn about the tool axis leaves L1 where it is",
+  );
   const { text } = store.plan.program;
   store.reset();
   store.open(read(text));
-  assert.equal(store.plan.program.text, text, "what was written comes back byte for byte");
+  assert.equal(
+    store.plan.program.text,
+    text,
+    "what was written comes back byte for byte",
+  );
 });

@@ -37,7 +37,8 @@ test("numbers as they are typed: what is worked out is right, what can be read i
     ["(".repeat(150), "(".repeat(150)],
     ["-(".repeat(2000), "-(".repeat(2000)],
   ];
-  for (const [text, value] of cases) assert.equal(readNumber(text), value, text.slice(0, 20));
+  for (const [text, value] of cases)
+    assert.equal(readNumber(text), value, text.slice(0, 20));
 });
 
 test("a unit after a number is that unit, in a field that has one", () => {
@@ -61,7 +62,8 @@ test("a unit after a number is that unit, in a field that has one", () => {
     ["10 in mm", "length", "mm", "10 in mm"],
     ["mm", "length", "mm", "mm"],
   ];
-  for (const [text, unit, units, value] of cases) assert.equal(readNumber(text, unit, units), value, text);
+  for (const [text, unit, units, value] of cases)
+    assert.equal(readNumber(text, unit, units), value, text);
   // A thousand to some is one to others: it is asked, in either language.
   for (const [text, comma] of /** @type {const} */ ([
     ["1,000", false],
@@ -102,11 +104,15 @@ test("a tolerance in a size was taken for a sum", () => {
     ["2*12.5+0.02", 25.02],
     ["25+0.021+1+1", 27.021],
   ];
-  for (const [typed, value] of sums) assert.equal(readNumber(typed, "length", "mm", false, true), value, typed);
+  for (const [typed, value] of sums)
+    assert.equal(readNumber(typed, "length", "mm", false, true), value, typed);
   assert.equal(readNumber("25+0.021", "length", "mm"), 25.021);
   assert.equal(readNumber("90+0.4", "angle", "mm", false, true), 90.4);
   // 0.05 is much in inch, and the unit that is typed counts.
   assert.equal(readNumber("1+0.05", "length", "inch", false, true), 1.05);
   assert.equal(readNumber("1+0.001", "length", "inch", false, true), "1+0.001");
-  assert.equal(readNumber("25+0.05 mm", "length", "inch", false, true), "25+0.05 mm");
+  assert.equal(
+    readNumber("25+0.05 mm", "length", "inch", false, true),
+    "25+0.05 mm",
+  );
 });

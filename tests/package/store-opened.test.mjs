@@ -9,7 +9,13 @@ setUp();
 /** Jobs that the form cannot show, each with the path or the word that must be named. @type {[string, object][]} */
 const unusable = [
   ["cycle.touches", { format: 1, cycle: { type: "boss", touches: "abc" } }],
-  ["cycle.touches", { format: 1, cycle: { type: "boss", touches: [{ point: [1, 2], vector: [0, 0, 1] }] } }],
+  [
+    "cycle.touches",
+    {
+      format: 1,
+      cycle: { type: "boss", touches: [{ point: [1, 2], vector: [0, 0, 1] }] },
+    },
+  ],
   ["cycle.custom", { format: 1, cycle: { type: "boss", custom: 5 } }],
   ["cycle.properties", { format: 1, cycle: { type: "boss", properties: [] } }],
   ["cycle.origin", { format: 1, cycle: { type: "boss", origin: "here" } }],
@@ -17,9 +23,15 @@ const unusable = [
   ["cycle.type", { format: 1, cycle: { type: "bogus" } }],
   ["cycle", { format: 1, cycle: [] }],
   ["tool.frame", { format: 1, cycle: { type: "boss" }, tool: { frame: 5 } }],
-  ["tool.frame", { format: 1, cycle: { type: "boss" }, tool: { frame: ["X"] } }],
+  [
+    "tool.frame",
+    { format: 1, cycle: { type: "boss" }, tool: { frame: ["X"] } },
+  ],
   ["part", { format: 1, cycle: { type: "boss" }, part: 5 }],
-  ["part.sizes", { format: 1, cycle: { type: "boss" }, part: { sizes: { diameter: [] } } }],
+  [
+    "part.sizes",
+    { format: 1, cycle: { type: "boss" }, part: { sizes: { diameter: [] } } },
+  ],
   ["feeds", { format: 1, cycle: { type: "boss" }, feeds: "x" }],
   ["feeds.work", { format: 1, cycle: { type: "boss" }, feeds: { work: [] } }],
   ["newer", { format: 3, cycle: { type: "boss" } }],
@@ -44,18 +56,28 @@ test("a file that the form cannot show left three cycles at once: it changes not
 
 test("a stored state that the form cannot show left an empty page: the defaults stand, and the store says so", () => {
   for (const [path, draft] of unusable)
-    asInBrowser({ "touchpath.job.1": JSON.stringify({ draft, typed: 7 }) }, () => {
-      const store = new Store({ local: true });
-      assert.ok(store.say(store.notice).includes(path), path);
-      assert.equal(store.get("cycle.type"), "internal-rectangle-protected", path);
-      assert.equal(store.stale, false, path);
-    });
+    asInBrowser(
+      { "touchpath.job.1": JSON.stringify({ draft, typed: 7 }) },
+      () => {
+        const store = new Store({ local: true });
+        assert.ok(store.say(store.notice).includes(path), path);
+        assert.equal(
+          store.get("cycle.type"),
+          "internal-rectangle-protected",
+          path,
+        );
+        assert.equal(store.stale, false, path);
+      },
+    );
 });
 
 test("kept text that cannot be read was passed over in silence", () => {
   asInBrowser({ "touchpath.job.1": "{" }, () => {
     const store = new Store({ local: true });
-    assert.match(store.say(store.notice), /What was kept in this browser cannot be used/);
+    assert.match(
+      store.say(store.notice),
+      /What was kept in this browser cannot be used/,
+    );
     assert.equal(store.get("cycle.width1"), 80);
   });
 });
@@ -65,7 +87,14 @@ test("a kept form that is no such form is left out, and the rest is there", () =
   const left = [
     ["hole", { units: "mm", cycle: { type: "hole", touches: "abc" }, points }],
     ["web", { units: "mm", cycle: { type: "groove", width: 3 }, points }],
-    ["groove", { units: "mm", cycle: { ...defaultJob("groove").cycle, width: 33 }, points }],
+    [
+      "groove",
+      {
+        units: "mm",
+        cycle: { ...defaultJob("groove").cycle, width: 33 },
+        points,
+      },
+    ],
     ["surface", null],
     7,
   ];
@@ -101,7 +130,14 @@ test("what a job leaves out is at the catalog's default in the job's own units, 
   const jobs = [
     { format: 1, cycle: { type: "hole" }, part: null, feeds: {}, tool: null },
     { format: 1, units: "inch", cycle: { type: "hole", diameter: 1.5 } },
-    { format: 1, cycle: { type: "probing-two-circles", probe: { feed: 100 }, extrusion: { points: 3 } } },
+    {
+      format: 1,
+      cycle: {
+        type: "probing-two-circles",
+        probe: { feed: 100 },
+        extrusion: { points: 3 },
+      },
+    },
   ];
   for (const job of jobs) {
     const { part, tool, ...sound } = job;
@@ -114,7 +150,10 @@ test("what a job leaves out is at the catalog's default in the job's own units, 
     wanted.moves.forEach(({ to, feed }, k) => {
       assert.equal(store.plan.moves[k].feed, feed);
       for (const [i, x] of to.entries())
-        assert.ok(Math.abs(store.plan.moves[k].to[i] - x) < 5e-6, `move ${k + 1} of ${JSON.stringify(job)}`);
+        assert.ok(
+          Math.abs(store.plan.moves[k].to[i] - x) < 5e-6,
+          `move ${k + 1} of ${JSON.stringify(job)}`,
+        );
     });
   }
 });
@@ -131,15 +170,22 @@ test("measured points stayed across a change of cycle and units: they belong to 
   assert.equal(store.measured, "", "in inches they would be other points");
   store.setUnits("mm");
   assert.equal(store.measured, points);
-  store.open(read('{"format":1,"cycle":{"type":"internal-rectangle-protected"}}'));
+  store.open(
+    read('{"format":1,"cycle":{"type":"internal-rectangle-protected"}}'),
+  );
   assert.equal(store.measured, "");
 });
 
 test("a key that no job has is taken out, and comes back when that is taken back", () => {
   const store = new Store();
-  store.open(read('{"format":1,"colour":"red","cycle":{"type":"groove","width":41,"sideClearance":1}}'));
+  store.open(
+    read(
+      '{"format":1,"colour":"red","cycle":{"type":"groove","width":41,"sideClearance":1}}',
+    ),
+  );
   assert.equal(store.get("cycle.width"), 41);
-  const unknown = () => store.findings.filter((/** @type {any} */ f) => f.code === "unknown-key");
+  const unknown = () =>
+    store.findings.filter((/** @type {any} */ f) => f.code === "unknown-key");
   for (let left = 2; left > 0; left--) {
     assert.equal(unknown().length, left);
     assert.ok(store.stale);

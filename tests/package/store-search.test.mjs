@@ -13,14 +13,23 @@ function found(/** @type {any} */ store, /** @type {string} */ query) {
   const t = (/** @type {string} */ text) => store.t(text);
   const textOf = (/** @type {any} */ cycle) =>
     cycle === null
-      ? [t("Tool lengths"), search.LENGTHS, t(search.LENGTHS)].join(" ").toLowerCase()
+      ? [t("Tool lengths"), search.LENGTHS, t(search.LENGTHS)]
+          .join(" ")
+          .toLowerCase()
       : search.textOf(
           cycle,
           english.find(({ type }) => type === cycle.type),
           t,
         );
-  const { all, things } = search.found([...store.catalog.cycles, null], query, textOf);
-  return { all, types: things.map((/** @type {any} */ cycle) => cycle?.type ?? "lengths") };
+  const { all, things } = search.found(
+    [...store.catalog.cycles, null],
+    query,
+    textOf,
+  );
+  return {
+    all,
+    types: things.map((/** @type {any} */ cycle) => cycle?.type ?? "lengths"),
+  };
 }
 
 /** What setters say, and a cycle that they mean by it. @type {[string, string][]} */
@@ -46,7 +55,8 @@ const WORDS = [
 
 test("cycles are found by what setters call what they measure", () => {
   const store = new Store();
-  for (const [words, type] of WORDS) assert.ok(found(store, words).types.includes(type), words);
+  for (const [words, type] of WORDS)
+    assert.ok(found(store, words).types.includes(type), words);
 });
 
 test("only the tool lengths are found by the name of the function that tells them", () => {
@@ -61,13 +71,22 @@ test("“Z” is a word, and no letter of another one", () => {
 test("what nothing has whole is found by its parts; what nothing has at all is not found", () => {
   const { all, types } = found(new Store(), "pocket LENTOAX");
   assert.equal(all, false);
-  assert.ok(types.includes("internal-rectangle") && types.includes("lengths"), `${types}`);
+  assert.ok(
+    types.includes("internal-rectangle") && types.includes("lengths"),
+    `${types}`,
+  );
   assert.deepEqual(found(new Store(), "xyzzy").types, []);
-  assert.equal(found(new Store(), "").types.length, catalog().cycles.length + 1);
+  assert.equal(
+    found(new Store(), "").types.length,
+    catalog().cycles.length + 1,
+  );
 });
 
 test("in German a “Tasche” is a pocket", () => {
   const store = new Store();
   store.translate("de", wordsOf("de"));
-  assert.deepEqual(found(store, "Tasche").types.sort(), ["internal-rectangle", "internal-rectangle-protected"]);
+  assert.deepEqual(found(store, "Tasche").types.sort(), [
+    "internal-rectangle",
+    "internal-rectangle-protected",
+  ]);
 });

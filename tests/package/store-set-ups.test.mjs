@@ -6,7 +6,10 @@ import { program, read, Store, said, setUp, type } from "./state.mjs";
 setUp();
 
 /** A job that begins with this cycle and writes this work offset. */
-function begun(/** @type {string} */ cycle, /** @type {number | null} */ workOffset = null) {
+function begun(
+  /** @type {string} */ cycle,
+  /** @type {number | null} */ workOffset = null,
+) {
   const store = new Store();
   store.choose(cycle);
   store.put("control.workOffset", workOffset);
@@ -21,17 +24,27 @@ function opened(/** @type {object} */ job) {
 }
 
 /** A further cycle, this far away along an axis. */
-function add(/** @type {any} */ store, /** @type {string} */ cycle, /** @type {Record<string, number>} */ values = {}) {
+function add(
+  /** @type {any} */ store,
+  /** @type {string} */ cycle,
+  /** @type {Record<string, number>} */ values = {},
+) {
   store.addFeature(cycle);
-  for (const [path, value] of Object.entries(values)) store.put(`cycle.${path}`, value);
+  for (const [path, value] of Object.entries(values))
+    store.put(`cycle.${path}`, value);
 }
 
-const names = (/** @type {any} */ store) => store.features.all.map((/** @type {any} */ one) => one.name);
+const names = (/** @type {any} */ store) =>
+  store.features.all.map((/** @type {any} */ one) => one.name);
 /** Renames the cycle in hand. */
-const rename = (/** @type {any} */ store, /** @type {string} */ name) => store.renameFeature(store.features.hand, name);
+const rename = (/** @type {any} */ store, /** @type {string} */ name) =>
+  store.renameFeature(store.features.hand, name);
 /** Adds a relation of places. */
-const relate = (/** @type {any} */ store, /** @type {string} */ kind, /** @type {string[]} */ of) =>
-  store.relate((/** @type {any} */ features) => features.relate(kind, of));
+const relate = (
+  /** @type {any} */ store,
+  /** @type {string} */ kind,
+  /** @type {string[]} */ of,
+) => store.relate((/** @type {any} */ features) => features.relate(kind, of));
 
 test("the top and a wall added to a bore: the program writes X and Y from the bore, Z from the top, the rotation from the wall", () => {
   const store = begun("hole", 1);
@@ -43,23 +56,40 @@ test("the top and a wall added to a bore: the program writes X and Y from the bo
   assert.deepEqual(names(store), ["TOP", "BORE"]);
   add(store, "wall-angle", { "origin[0]": 100 });
   store.writeFrom("rotation", "WALL.rotation");
-  assert.deepEqual(names(store), ["TOP", "WALL", "BORE"], "behind the one in hand");
-  const from = store.plan.datum.map((/** @type {any} */ row) => [row.axis, row.from?.split(".")[0]]);
+  assert.deepEqual(
+    names(store),
+    ["TOP", "WALL", "BORE"],
+    "behind the one in hand",
+  );
+  const from = store.plan.datum.map((/** @type {any} */ row) => [
+    row.axis,
+    row.from?.split(".")[0],
+  ]);
   assert.deepEqual(from, [
     ["x", "BORE"],
     ["y", "BORE"],
     ["z", "TOP"],
     ["rotation", "WALL"],
   ]);
-  assert.match(program(store), /\(TOP: ENCY[\s\S]*\(WALL: Touchpath[\s\S]*\(BORE: ENCY/);
-  assert.match(program(store), /G10 L2 P1 R\[#5230\+#<wall_turn>\][\s\S]*G10 L20 P1 X\[[\s\S]*M72\nM2$/);
+  assert.match(
+    program(store),
+    /\(TOP: ENCY[\s\S]*\(WALL: Touchpath[\s\S]*\(BORE: ENCY/,
+  );
+  assert.match(
+    program(store),
+    /G10 L2 P1 R\[#5230\+#<wall_turn>\][\s\S]*G10 L20 P1 X\[[\s\S]*M72\nM2$/,
+  );
 });
 
 test("a move of another cycle that is kept lit brings that cycle into the form, and nothing of the job changes", () => {
   const store = begun("hole");
   add(store, "web", { "origin[0]": 120 });
   const before = program(store);
-  store.pin(store.plan.moves.findIndex((/** @type {any} */ move) => move.kind === "touch"));
+  store.pin(
+    store.plan.moves.findIndex(
+      (/** @type {any} */ move) => move.kind === "touch",
+    ),
+  );
   assert.equal(store.get("cycle.type"), "hole");
   assert.equal(program(store), before);
   store.bringFeature(1);
@@ -72,7 +102,9 @@ test("what is wrong with a cycle that is not in the form is said at its place in
   add(store, "web");
   store.put("cycle.width", -3);
   store.bringFeature(0);
-  const { path } = store.findings.find((/** @type {any} */ f) => f.level === "error");
+  const { path } = store.findings.find(
+    (/** @type {any} */ f) => f.level === "error",
+  );
   assert.equal(path, "cycles[1].width");
   assert.equal(store.features.placeOf(1), 1);
   store.bringFeature(1);
@@ -95,7 +127,11 @@ test("a cycle is duplicated, left out and taken in again, removed, and the remov
   store.removeFeature(2);
   store.removeFeature(1);
   assert.equal(store.features.several, false);
-  assert.match(program(store), /\(ENCY\/SprutCAM type 3: Hole\)/, "one cycle again");
+  assert.match(
+    program(store),
+    /\(ENCY\/SprutCAM type 3: Hole\)/,
+    "one cycle again",
+  );
   store.undo();
   assert.deepEqual(names(store), ["BORE", "BORE2"]);
 });
@@ -117,7 +153,12 @@ test("a file with several cycles is opened and saved as it is; sizes of the virt
   assert.equal(store.get("part.sizes.diameter"), 0.25);
   const { format, clear, part, cycles } = store.job;
   assert.deepEqual(
-    [format, clear, part.sizes, cycles.map((/** @type {any} */ c) => [c.name, c.type])],
+    [
+      format,
+      clear,
+      part.sizes,
+      cycles.map((/** @type {any} */ c) => [c.name, c.type]),
+    ],
     [
       2,
       77,
@@ -154,20 +195,29 @@ test("cycles without a name are called as everywhere else, and keep their sizes 
   const store = opened({
     format: 2,
     control: { workOffset: 1 },
-    cycles: [{ type: "hole" }, { name: "BORE", type: "hole", origin: [100, 0, 0] }],
+    cycles: [
+      { type: "hole" },
+      { name: "BORE", type: "hole", origin: [100, 0, 0] },
+    ],
     datum: { x: "BORE.center.x", y: "BORE.center.y" },
     part: { sizes: { "BORE.diameter": 0.1 } },
   });
   assert.deepEqual(names(store), ["BORE2", "BORE"]);
   const { cycles, datum, part } = store.job;
-  assert.deepEqual([cycles.length, datum.x, part.sizes], [2, "BORE.center.x", { "BORE.diameter": 0.1 }]);
+  assert.deepEqual(
+    [cycles.length, datum.x, part.sizes],
+    [2, "BORE.center.x", { "BORE.diameter": 0.1 }],
+  );
 });
 
 test("a list of no cycle is refused, and the last one in the program stays there", () => {
   const store = begun("hole");
   add(store, "web", { "origin[0]": 120 });
   const before = structuredClone(store.job);
-  assert.throws(() => store.open(read('{"format":2,"cycles":[]}')), /Nothing was changed/);
+  assert.throws(
+    () => store.open(read('{"format":2,"cycles":[]}')),
+    /Nothing was changed/,
+  );
   assert.deepEqual(store.job, before);
   add(store, "hole", { "origin[0]": 240 });
   assert.deepEqual(names(store), ["BORE", "WEB", "BORE2"]);
@@ -181,11 +231,15 @@ test("a relation between two cycles is computed, written from, left out and gone
   const store = begun("hole", 1);
   add(store, "hole", { "origin[0]": 90 });
   relate(store, "line", ["BORE", "BORE2"]);
-  store.relate((/** @type {any} */ features) => features.changeRelation(0, { name: "ROW" }));
+  store.relate((/** @type {any} */ features) =>
+    features.changeRelation(0, { name: "ROW" }),
+  );
   store.writeFrom("rotation", "ROW.rotation");
   assert.match(program(store), /#<row_distance>=\[SQRT\[/);
   assert.match(program(store), /G10 L2 P1 R\[/);
-  const distance = store.plan.results.find((/** @type {any} */ row) => row.code === "distance");
+  const distance = store.plan.results.find(
+    (/** @type {any} */ row) => row.code === "distance",
+  );
   assert.deepEqual([distance.unit, distance.value], ["mm", 90]);
   store.bringFeature(0);
   store.duplicateFeature(0);
@@ -203,12 +257,18 @@ test("a relation that takes a taken name for a while keeps what is written from 
   add(store, "hole", { "origin[0]": 90 });
   for (const _ of [1, 2]) relate(store, "line", ["BORE", "BORE2"]);
   const call = (/** @type {number} */ index, /** @type {string} */ name) =>
-    store.relate((/** @type {any} */ features) => features.changeRelation(index, { name }));
+    store.relate((/** @type {any} */ features) =>
+      features.changeRelation(index, { name }),
+    );
   call(0, "ROW");
   store.writeFrom("rotation", "REL2.rotation");
   call(1, "ROW");
   call(1, "LINE");
-  assert.notEqual(store.features.datum.rotation, "ROW.rotation", "never from the other one");
+  assert.notEqual(
+    store.features.datum.rotation,
+    "ROW.rotation",
+    "never from the other one",
+  );
 });
 
 test("a rotation and a size follow results of earlier cycles, and keep to them when those are renamed", () => {
@@ -232,8 +292,14 @@ test("a cycle follows a relation of the cycles before it, by its name of the day
   relate(store, "line", ["BORE", "BORE2"]);
   add(store, "groove", { "origin[1]": 80 });
   type(store, "cycle.rotation", "=REL1.rotation+90");
-  assert.match(program(store), /#<rel1_rotation>[\s\S]*#<groove_turned_by>/, "computed before the groove");
-  store.relate((/** @type {any} */ features) => features.changeRelation(0, { name: "ROW" }));
+  assert.match(
+    program(store),
+    /#<rel1_rotation>[\s\S]*#<groove_turned_by>/,
+    "computed before the groove",
+  );
+  store.relate((/** @type {any} */ features) =>
+    features.changeRelation(0, { name: "ROW" }),
+  );
   assert.equal(store.get("cycle.rotation"), "=ROW.rotation+90");
 });
 
@@ -248,7 +314,10 @@ test("a place follows a result of an earlier cycle, and keeps to it when that is
   rename(store, "TOP");
   store.bringFeature(1);
   assert.equal(store.get("cycle.origin[2]"), "=TOP.z-2");
-  assert.match(program(store), /TOP\.point\.z is #<top_point_z>, more than 1 from 0/);
+  assert.match(
+    program(store),
+    /TOP\.point\.z is #<top_point_z>, more than 1 from 0/,
+  );
   // A number stands there again as any other does.
   store.put("cycle.origin[2]", -2);
   assert.doesNotMatch(program(store), /shift_z/);

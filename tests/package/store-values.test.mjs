@@ -3,7 +3,16 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { catalog } from "touchpath";
 import { wordsOf } from "../../scripts/words.mjs";
-import { asInBrowser, program, Store, said, sentences, setUp, type, words } from "./state.mjs";
+import {
+  asInBrowser,
+  program,
+  Store,
+  said,
+  sentences,
+  setUp,
+  type,
+  words,
+} from "./state.mjs";
 
 setUp();
 
@@ -13,8 +22,15 @@ test("a keystroke changes program, parameters and results", () => {
   type(store, "cycle.width1", "90");
   assert.match(program(store), /G38\.2 X47 Y0 Z-10 F150/);
   const { table, results } = store.plan;
-  assert.equal(table.find((/** @type {any} */ row) => row.code === "CmdPrm.Flt[-53]").value, 90);
-  assert.equal(results.find((/** @type {any} */ row) => row.code === "width1").value, 90);
+  assert.equal(
+    table.find((/** @type {any} */ row) => row.code === "CmdPrm.Flt[-53]")
+      .value,
+    90,
+  );
+  assert.equal(
+    results.find((/** @type {any} */ row) => row.code === "width1").value,
+    90,
+  );
 });
 
 test("a decimal comma is a number and stays as it was typed", () => {
@@ -41,14 +57,16 @@ test("every cycle has a plan without an error, and its moves are of its document
     store.choose(type);
     assert.equal(store.withheld, null, type);
     assert.equal(store.plan.moves.length > 0, steps.length > 0, type);
-    for (const { step } of store.plan.moves) assert.ok(steps[step - 1], `${type}: step ${step}`);
+    for (const { step } of store.plan.moves)
+      assert.ok(steps[step - 1], `${type}: step ${step}`);
   }
 });
 
 test("units convert what is shown, not the part", () => {
   const store = new Store();
   // What nobody has touched begins as in inch: everything of this job was given.
-  for (const section of ["cycle", "stylus", "feeds", "overtravel"]) store.put(section, store.get(section));
+  for (const section of ["cycle", "stylus", "feeds", "overtravel"])
+    store.put(section, store.get(section));
   store.setUnits("inch");
   assert.equal(store.get("cycle.width1"), 3.149606);
   assert.match(program(store), /G20/);
@@ -66,7 +84,14 @@ test("inch is designed: en-US begins with it, and no field that nobody has touch
       assert.equal(store.units, "inch");
       const values = () => {
         const { stylus, feeds, cycle, overtravel } = store.draft;
-        return [stylus.diameter, stylus.repeatability, feeds.longLink, cycle.feedDistance, cycle.width1, overtravel];
+        return [
+          stylus.diameter,
+          stylus.repeatability,
+          feeds.longLink,
+          cycle.feedDistance,
+          cycle.width1,
+          overtravel,
+        ];
       };
       assert.deepEqual(values(), [0.236, 0.00005, 40, 0.8, 3, 0.2]);
       store.setUnits("mm");
@@ -96,7 +121,10 @@ test("an error is said at its field, and the last good program stays", () => {
   assert.equal(program(store), good);
   assert.ok(store.stale);
   type(store, "cycle.depth", "ten");
-  assert.equal(store.findings.filter((/** @type {any} */ f) => f.level === "error").length, 2);
+  assert.equal(
+    store.findings.filter((/** @type {any} */ f) => f.level === "error").length,
+    2,
+  );
   type(store, "cycle.depth", "10");
   type(store, "cycle.sideClearance1", "8");
   assert.ok(!store.stale);
@@ -105,10 +133,15 @@ test("an error is said at its field, and the last good program stays", () => {
 test("each move is said in words with its step, its touch and its place", () => {
   const store = new Store();
   const { moves } = store.plan;
-  const first = moves.findIndex((/** @type {any} */ move) => move.kind === "touch");
+  const first = moves.findIndex(
+    (/** @type {any} */ move) => move.kind === "touch",
+  );
   const { step, to } = moves[first];
   const inWords = () => sentences.moveInWords(store, first, false);
-  assert.equal(inWords(), `step ${step}, touch 1, work, to X${to[0]} Y${to[1]} Z${to[2]}`);
+  assert.equal(
+    inWords(),
+    `step ${step}, touch 1, work, to X${to[0]} Y${to[1]} Z${to[2]}`,
+  );
   type(store, "cycle.depth", "12.5");
   assert.match(inWords(), /Z-12\.5$/);
 });
@@ -118,13 +151,24 @@ test("numbers are typed in either way, and are the same in the job and in the pr
   store.translate("de", wordsOf("de"));
   type(store, "cycle.width1", "80,5");
   type(store, "cycle.width2", "50.25");
-  assert.deepEqual([store.job.cycle.width1, store.job.cycle.width2], [80.5, 50.25]);
+  assert.deepEqual(
+    [store.job.cycle.width1, store.job.cycle.width2],
+    [80.5, 50.25],
+  );
   assert.equal(store.number(String(store.get("cycle.width2"))), "50,25");
   assert.match(program(store), /X40\.25\b|X4\d\.\d/, "a program has points");
   type(store, "cycle.width1", "80,000");
-  assert.equal(store.get("cycle.width1"), 80, "in a language with a comma that is no thousand");
+  assert.equal(
+    store.get("cycle.width1"),
+    80,
+    "in a language with a comma that is no thousand",
+  );
   store.set("plane", "1.5");
-  assert.match(store.say(store.at("plane")[0].said), /"1\.5"/, "what a user wrote is quoted as it was written");
+  assert.match(
+    store.say(store.at("plane")[0].said),
+    /"1\.5"/,
+    "what a user wrote is quoted as it was written",
+  );
 });
 
 test("a language tag leads to the words of its language: Taiwan's are traditional", () => {
@@ -138,5 +182,8 @@ test("a language tag leads to the words of its language: Taiwan's are traditiona
     [["xx"], null],
   ]))
     assert.equal(words.languageOf(tags), lang, `${tags}`);
-  assert.deepEqual([wordsOf("zh-Hans").Program, wordsOf("zh-Hant").Program], ["程序", "程式"]);
+  assert.deepEqual(
+    [wordsOf("zh-Hans").Program, wordsOf("zh-Hant").Program],
+    ["程序", "程式"],
+  );
 });

@@ -12,7 +12,11 @@ test("a value that is set is in the job, the plan and the event", () => {
   store.set("cycle.width1", 64, "64,0");
   assert.equal(store.get("cycle.width1"), 64);
   assert.equal(store.typed.get("cycle.width1"), "64,0");
-  assert.equal(store.plan.results.find((/** @type {any} */ row) => row.code === "width1").nominal, 64);
+  assert.equal(
+    store.plan.results.find((/** @type {any} */ row) => row.code === "width1")
+      .nominal,
+    64,
+  );
   assert.equal(changes, 1);
   store.drop("cycle.width1");
   assert.equal(store.get("cycle.width1"), undefined);
@@ -67,17 +71,32 @@ test("what nobody has touched begins with numbers of its units; what was typed, 
   store.set("cycle.width1", 80);
   store.setUnits("inch");
   // 80 mm were typed, though they are the default; 50 mm were not.
-  assert.deepEqual([store.get("cycle.width1"), store.get("cycle.width2")], [3.149606, 2]);
-  assert.deepEqual([store.get("stylus.diameter"), store.get("stylus.repeatability")], [0.236, 0.00005]);
+  assert.deepEqual(
+    [store.get("cycle.width1"), store.get("cycle.width2")],
+    [3.149606, 2],
+  );
+  assert.deepEqual(
+    [store.get("stylus.diameter"), store.get("stylus.repeatability")],
+    [0.236, 0.00005],
+  );
   store.undo();
-  assert.deepEqual([store.get("cycle.width1"), store.get("cycle.width2"), store.units], [80, 50, "mm"]);
+  assert.deepEqual(
+    [store.get("cycle.width1"), store.get("cycle.width2"), store.units],
+    [80, 50, "mm"],
+  );
   store.redo();
   store.setUnits("mm");
-  assert.deepEqual([store.get("cycle.width1"), store.get("cycle.width2")], [80, 50]);
+  assert.deepEqual(
+    [store.get("cycle.width1"), store.get("cycle.width2")],
+    [80, 50],
+  );
   const opened = new Store();
   opened.load(structuredClone(opened.draft));
   opened.setUnits("inch");
-  assert.deepEqual([opened.get("cycle.width2"), opened.get("stylus.diameter")], [1.968504, 0.23622]);
+  assert.deepEqual(
+    [opened.get("cycle.width2"), opened.get("stylus.diameter")],
+    [1.968504, 0.23622],
+  );
 });
 
 test("of several sizes that were judged the narrowest limit holds, and a job that can only be looked at is not judged", () => {
@@ -85,10 +104,18 @@ test("of several sizes that were judged the narrowest limit holds, and a job tha
   store.judge("cycle.width1", 80.015, 0.015, "80H7");
   store.judge("cycle.width2", 50.031, 0.031, "50H9");
   assert.equal(store.get("limits.size"), 0.015);
-  assert.equal(store.draft.name, "POCKET-80_015X50_031", "a pocket has two sizes in its name");
+  assert.equal(
+    store.draft.name,
+    "POCKET-80_015X50_031",
+    "a pocket has two sizes in its name",
+  );
   store.set("cycle.width1", 70);
   store.judge("cycle.width2", 50.031, 0.031, "50H9");
-  assert.equal(store.get("limits.size"), 0.031, "what was judged before is another size now");
+  assert.equal(
+    store.get("limits.size"),
+    0.031,
+    "what was judged before is another size now",
+  );
   const shut = new Store();
   shut.readonly = true;
   shut.judge("cycle.width1", 80.015, 0.015, "80H7");
@@ -116,17 +143,28 @@ test("the form follows the control, and the control stays where it takes the cyc
   store.chooseControl("sinumerik");
   store.set("control.form", "cycle");
   store.chooseControl("fanuc");
-  assert.equal(store.get("control.form"), "cycle", "it was chosen, and this control has macros");
+  assert.equal(
+    store.get("control.form"),
+    "cycle",
+    "it was chosen, and this control has macros",
+  );
   store.choose("probing-two-circles");
   assert.equal(store.get("control.post"), "fanuc");
   store.chooseControl("heidenhain");
   assert.equal(store.get("control.form"), "cycle");
   store.chooseControl("fanuc");
-  assert.equal(store.get("control.form"), "moves", "it was the only one there, and not chosen");
+  assert.equal(
+    store.get("control.form"),
+    "moves",
+    "it was the only one there, and not chosen",
+  );
   store.chooseControl("heidenhain");
   store.set("control.workOffset", 3);
   store.choose("hole");
-  assert.deepEqual([store.get("control.post"), store.get("control.form")], ["heidenhain", "cycle"]);
+  assert.deepEqual(
+    [store.get("control.post"), store.get("control.form")],
+    ["heidenhain", "cycle"],
+  );
   store.choose("double-wall-internal-corner");
   assert.notEqual(store.get("control.post"), "heidenhain");
 });
@@ -136,7 +174,13 @@ test("a text that is no job changes nothing", () => {
   store.set("cycle.width1", 71);
   const before = structuredClone(store.draft);
   const moves = "G21 G17 G90 G94\nM5\nG0 X1 Y2\nG0 Z3\nG38.2 Z-5 F100\nM2\n";
-  for (const text of ["nothing", "{", '{"format":9,"cycle":{"type":"hole"}}', moves, "x".repeat(3_000_000)]) {
+  for (const text of [
+    "nothing",
+    "{",
+    '{"format":9,"cycle":{"type":"hole"}}',
+    moves,
+    "x".repeat(3_000_000),
+  ]) {
     assert.throws(() => store.open(read(text)), /./);
     assert.deepEqual(store.draft, before);
   }
@@ -147,7 +191,12 @@ test("a program for any control is opened as the job that made it", () => {
   const store = new Store();
   store.set("cycle.width1", 66);
   for (const { id, cycles } of store.catalog.posts) {
-    if (!cycles.some((/** @type {any} */ c) => c.type === store.cycle.type && c.supported)) continue;
+    if (
+      !cycles.some(
+        (/** @type {any} */ c) => c.type === store.cycle.type && c.supported,
+      )
+    )
+      continue;
     store.set("control.post", id);
     const { text } = store.plan.program;
     const other = new Store();
@@ -192,7 +241,10 @@ test("every job was called PROBE: a name that was not typed follows what is meas
 
 test("a work offset was lost on the way over a control that has none", () => {
   const store = new Store();
-  const held = () => [store.get("control.post"), store.get("control.workOffset")];
+  const held = () => [
+    store.get("control.post"),
+    store.get("control.workOffset"),
+  ];
   store.chooseControl("fanuc");
   store.put("control.workOffset", 2);
   store.chooseControl("grbl");
@@ -245,13 +297,22 @@ test("a file that held another program when it was saved before is known", () =>
 test("fields that change nothing are known, and what the program does is one sentence", () => {
   const store = new Store();
   store.choose("hole");
-  const counts = (/** @type {string} */ path) => store.counts(path, store.fieldAt(path));
-  for (const key of ["startAngle", "angularStep", "stepCount"]) assert.equal(counts(`cycle.${key}`), false, key);
+  const counts = (/** @type {string} */ path) =>
+    store.counts(path, store.fieldAt(path));
+  for (const key of ["startAngle", "angularStep", "stepCount"])
+    assert.equal(counts(`cycle.${key}`), false, key);
   store.set("cycle.variant", 1);
-  for (const key of ["startAngle", "angularStep", "stepCount", "diameter"]) assert.ok(counts(`cycle.${key}`), key);
-  assert.deepEqual([counts("control.number"), counts("control.tool")], [false, false]);
+  for (const key of ["startAngle", "angularStep", "stepCount", "diameter"])
+    assert.ok(counts(`cycle.${key}`), key);
+  assert.deepEqual(
+    [counts("control.number"), counts("control.tool")],
+    [false, false],
+  );
   store.chooseControl("fanuc");
-  assert.deepEqual([counts("control.number"), counts("control.tool")], [true, false]);
+  assert.deepEqual(
+    [counts("control.number"), counts("control.tool")],
+    [true, false],
+  );
   assert.equal(store.does, "measures only");
   store.put("control.workOffset", 1);
   assert.equal(store.does, "writes G54 X Y");
@@ -271,8 +332,19 @@ test("any run of steps taken back is the state before it, and taken again the st
     seed = (seed * 1103515245 + 12345) % 2147483648;
     return Math.floor((seed / 2147483648) * n);
   };
-  const state = () => JSON.stringify([store.draft, [...store.typed], store.measured, store.units]);
-  const cycles = ["hole", "boss", "internal-rectangle-protected", "probing-two-circles"];
+  const state = () =>
+    JSON.stringify([
+      store.draft,
+      [...store.typed],
+      store.measured,
+      store.units,
+    ]);
+  const cycles = [
+    "hole",
+    "boss",
+    "internal-rectangle-protected",
+    "probing-two-circles",
+  ];
   const steps = [
     () => store.set("cycle.depth", draw(50), String(draw(50))),
     () => store.set("part.offset", [draw(3), 0, 0]),
@@ -285,7 +357,12 @@ test("any run of steps taken back is the state before it, and taken again the st
       store.measured = `${draw(9)}, 0, 0`;
     },
     () => store.open(read('{"format":1,"cycle":{"type":"web"}}')),
-    () => store.usePreset({ name: "x", units: "inch", sections: { stylus: { diameter: 0.1 } } }),
+    () =>
+      store.usePreset({
+        name: "x",
+        units: "inch",
+        sections: { stylus: { diameter: 0.1 } },
+      }),
   ];
   const states = [state()];
   for (let i = 0; i < 120; i++) {
@@ -331,8 +408,13 @@ test("a dry run says so in its first line, its file name and what the program do
   store.set("control.run", "dry");
   assert.match(store.plan.program.text, /^\(DRY RUN: the moves alone/);
   assert.match(store.fileName("ngc"), /^[A-Z0-9_-]+-DRY\.ngc$/);
-  assert.match(store.does, /^makes a dry run: measures nothing, writes nothing/i);
-  assert.ok(store.plan.results.every((/** @type {any} */ row) => row.value === null));
+  assert.match(
+    store.does,
+    /^makes a dry run: measures nothing, writes nothing/i,
+  );
+  assert.ok(
+    store.plan.results.every((/** @type {any} */ row) => row.value === null),
+  );
   store.set("control.run", "normal");
   assert.equal(store.plan.program.text, text);
 });

@@ -5,11 +5,14 @@ import { test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { languages, simplified, texts, wordsOf } from "../../scripts/words.mjs";
 
-const at = (/** @type {string} */ path) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
-const found = (/** @type {RegExp} */ what, /** @type {string} */ text) => [...new Set(text.match(what) ?? [])].sort();
+const at = (/** @type {string} */ path) =>
+  fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const found = (/** @type {RegExp} */ what, /** @type {string} */ text) =>
+  [...new Set(text.match(what) ?? [])].sort();
 const NAMES = /\{[A-Za-z0-9_]+\}/g;
 /** Codes that are typed or read on a control. */
-const CODES = /\b(?:Q[1-9]\d+|G\d+(?:\.\d)?|R\d+|CYCLE\d+|SD\d+|CmdPrm[.\w]*|MEAS|LENTOAX)\b|\$\w+|#\d+/g;
+const CODES =
+  /\b(?:Q[1-9]\d+|G\d+(?:\.\d)?|R\d+|CYCLE\d+|SD\d+|CmdPrm[.\w]*|MEAS|LENTOAX)\b|\$\w+|#\d+/g;
 
 test("simplified Chinese is that of the traditional words, as `node scripts/words.mjs` makes it", () => {
   assert.deepEqual(wordsOf("zh-Hans"), simplified());
@@ -49,13 +52,18 @@ for (const language of languages()) {
 
 test("no part of the page says an English text of its own", () => {
   // What Lit puts between tags or into an attribute that people read.
-  const shown = />\s*([A-Z][a-z]+(?: [a-z]+)*)\s*<\/|(?:aria-label|title|placeholder|alt)="([A-Za-z][^"$]+)"/g;
+  const shown =
+    />\s*([A-Z][a-z]+(?: [a-z]+)*)\s*<\/|(?:aria-label|title|placeholder|alt)="([A-Za-z][^"$]+)"/g;
   const names = new Set(["Touchpath"]);
   let parts = 0;
-  for (const name of readdirSync(at("www/parts")).filter((name) => name.endsWith(".ts"))) {
+  for (const name of readdirSync(at("www/parts")).filter((name) =>
+    name.endsWith(".ts"),
+  )) {
     parts++;
     const source = readFileSync(at(`www/parts/${name}`), "utf8");
-    const own = [...source.matchAll(shown)].map(([, text, attribute]) => text ?? attribute ?? "");
+    const own = [...source.matchAll(shown)].map(
+      ([, text, attribute]) => text ?? attribute ?? "",
+    );
     assert.deepEqual(
       own.filter((text) => !names.has(text)),
       [],
@@ -66,17 +74,24 @@ test("no part of the page says an English text of its own", () => {
   // What a style sheet writes has no words in any language.
   for (const name of ["style", "page"]) {
     const source = readFileSync(at(`www/${name}.css`), "utf8");
-    assert.deepEqual(source.match(/\bcontent:[^;"]*"[^";]*[A-Za-z][^";]*"/g), null, name);
+    assert.deepEqual(
+      source.match(/\bcontent:[^;"]*"[^";]*[A-Za-z][^";]*"/g),
+      null,
+      name,
+    );
   }
 });
 
 test("the words of a language are a file of the package", async () => {
-  const { default: words } = await import("touchpath/words/de.json", { with: { type: "json" } });
+  const { default: words } = await import("touchpath/words/de.json", {
+    with: { type: "json" },
+  });
   assert.deepEqual(words, wordsOf("de"));
 });
 
 test("what is said is the message, and the message in another language", async () => {
-  const { check, defaultJob, evaluate, lentoaxWords, meanings, plan, say } = await import("touchpath");
+  const { check, defaultJob, evaluate, lentoaxWords, meanings, plan, say } =
+    await import("touchpath");
   const words = wordsOf("de");
   const all = new Set(Object.keys(words));
   /** @type {Set<string>} */
@@ -87,12 +102,17 @@ test("what is said is the message, and the message in another language", async (
       .replaceAll(NAMES, "")
       .split(/[^a-zA-Z]+/)
       .some((word) => /[a-z]/.test(word) && word.length > 1);
-  const walk = (/** @type {import("touchpath").Said} */ [template, ...values]) => {
+  const walk = (
+    /** @type {import("touchpath").Said} */ [template, ...values],
+  ) => {
     if (needs(template) && !all.has(template)) english.add(template);
     for (const value of values) if (Array.isArray(value)) walk(value);
   };
   let count = 0;
-  const said = (/** @type {string} */ message, /** @type {import("touchpath").Said} */ what) => {
+  const said = (
+    /** @type {string} */ message,
+    /** @type {import("touchpath").Said} */ what,
+  ) => {
     assert.equal(say(what), message);
     walk(what);
     count++;
@@ -115,10 +135,18 @@ test("what is said is the message, and the message in another language", async (
           overtravel: -1,
           more: 1,
         },
-        { cycle: { ...job.cycle, touches: [{ point: [1], vector: [0, 0, 3] }], custom: 7, depth: Number.NaN } },
+        {
+          cycle: {
+            ...job.cycle,
+            touches: [{ point: [1], vector: [0, 0, 3] }],
+            custom: 7,
+            depth: Number.NaN,
+          },
+        },
       ]) {
         const changed = /** @type {any} */ ({ ...job, ...change });
-        for (const finding of check(changed)) said(finding.message, finding.said);
+        for (const finding of check(changed))
+          said(finding.message, finding.said);
         if (check(changed).some((f) => f.level === "error")) continue;
         const made = plan(changed);
         for (const row of made.safety) said(row.message, row.said);
@@ -135,8 +163,10 @@ test("what is said is the message, and the message in another language", async (
           ),
         ]) {
           said(row.meaning, row.said.meaning);
-          if (row.said.note) said(/** @type {string} */ (row.note), row.said.note);
-          if (row.said.verdict) said(/** @type {string} */ (row.verdict), row.said.verdict);
+          if (row.said.note)
+            said(/** @type {string} */ (row.note), row.said.note);
+          if (row.said.verdict)
+            said(/** @type {string} */ (row.verdict), row.said.verdict);
         }
       }
   }
@@ -149,7 +179,14 @@ test("what is said is the message, and the message in another language", async (
   assert.equal(finding?.message, "Overtravel must be from 0.01 to 1000 mm");
   assert.equal(
     say(/** @type {any} */ (finding?.said), words),
-    say(["{label} must be {allowed}", ["Overtravel"], ["from {min} to {max}{unit}", "0.01", "1000", " mm"]], words),
+    say(
+      [
+        "{label} must be {allowed}",
+        ["Overtravel"],
+        ["from {min} to {max}{unit}", "0.01", "1000", " mm"],
+      ],
+      words,
+    ),
   );
   assert.match(say(/** @type {any} */ (finding?.said), words), /0,01/);
 });

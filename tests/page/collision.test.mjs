@@ -1,7 +1,16 @@
 // A run that ends in the part is drawn up to where it ends.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, page, pixels, program, put, saveButton, setUp, textOf } from "./common.mjs";
+import {
+  field,
+  page,
+  pixels,
+  program,
+  put,
+  saveButton,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
@@ -10,13 +19,21 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   await field("part.offset[0]").fill("60");
   const stamp = page.locator(".verdict.warning");
   await stamp.waitFor();
-  assert.match(await textOf(stamp), /Move \d+ \(step \d+, .*\) hits the part with the ball centre at X/);
+  assert.match(
+    await textOf(stamp),
+    /Move \d+ \(step \d+, .*\) hits the part with the ball centre at X/,
+  );
   assert.ok(await saveButton().isEnabled());
   assert.equal(await program(), nominal);
-  assert.match(await textOf(page.locator(".scrub output")), /The run ends in the part/);
+  assert.match(
+    await textOf(page.locator(".scrub output")),
+    /The run ends in the part/,
+  );
   await page.getByRole("tab", { name: "Results" }).click();
   assert.equal(
-    await textOf(page.locator("tp-results tbody tr").first().locator("td").nth(2)),
+    await textOf(
+      page.locator("tp-results tbody tr").first().locator("td").nth(2),
+    ),
     "–",
     "nothing is stored",
   );
@@ -27,24 +44,40 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   assert.ok(place);
   const red = await page.evaluate(
     ([x, y]) => {
-      const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
-      const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("tp-picture canvas"));
+      const root = /** @type {ShadowRoot} */ (
+        document.querySelector("touch-path")?.shadowRoot
+      );
+      const canvas = /** @type {HTMLCanvasElement} */ (
+        root.querySelector("tp-picture canvas")
+      );
       const picture = /** @type {any} */ (root.querySelector("tp-picture"));
       // The part's origin lies 60 mm beside the work origin: two handles give the picture's scale.
       const at = picture.drawing.use((/** @type {any} */ view) => {
         const [hx, hy] = view.handleSpot("shift");
-        const reach = view.dragPart("shift", hx + 100, hy).offset[0] - view.dragPart("shift", hx, hy).offset[0];
+        const reach =
+          view.dragPart("shift", hx + 100, hy).offset[0] -
+          view.dragPart("shift", hx, hy).offset[0];
         return [hx + ((x - 60) * 100) / reach, hy - (y * 100) / reach];
       });
-      const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+      const drawn = /** @type {CanvasRenderingContext2D} */ (
+        canvas.getContext("2d")
+      );
       const ratio = canvas.width / canvas.clientWidth;
-      const [r = 0, g = 0, b = 0] = drawn.getImageData(Math.round(at[0] * ratio), Math.round(at[1] * ratio), 1, 1).data;
+      const [r = 0, g = 0, b = 0] = drawn.getImageData(
+        Math.round(at[0] * ratio),
+        Math.round(at[1] * ratio),
+        1,
+        1,
+      ).data;
       return [r, g, b];
     },
     /** @type {[number, number]} */ ([Number(place[1]), Number(place[2])]),
   );
   assert.ok((red[0] ?? 0) > 150 && (red[1] ?? 255) < 100, `${red}`);
-  await page.locator("tp-findings").getByRole("button", { name: "Back to nominal" }).click();
+  await page
+    .locator("tp-findings")
+    .getByRole("button", { name: "Back to nominal" })
+    .click();
   assert.equal(await field("part.offset[0]").inputValue(), "0");
   await page.locator(".trial").waitFor({ state: "detached" });
   assert.equal(await page.locator(".trial").count(), 0);

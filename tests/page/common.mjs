@@ -26,7 +26,11 @@ export let page;
 export let problems = [];
 
 /** Chromium, without a window. */
-export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", args });
+export const launch = () =>
+  chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args,
+  });
 
 /** The widths that the page is made for, with heights they come with. @type {[number, number][]} */
 export const SIZES = [
@@ -46,7 +50,13 @@ const UNDONE = {
     await page.unrouteAll({ behavior: "ignoreErrors" });
     await context.unrouteAll({ behavior: "ignoreErrors" });
   },
-  emulateMedia: () => page.emulateMedia({ media: null, colorScheme: null, reducedMotion: null, forcedColors: null }),
+  emulateMedia: () =>
+    page.emulateMedia({
+      media: null,
+      colorScheme: null,
+      reducedMotion: null,
+      forcedColors: null,
+    }),
   setViewportSize: () => page.setViewportSize(opened),
   setOffline: () => context.setOffline(false),
   newPage: async () => {
@@ -67,7 +77,10 @@ let opened = { width: 1280, height: 800 };
  * @param {{ width: number, height: number }} viewport
  * @param {"allow" | "block"} serviceWorkers
  */
-export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = "block") {
+export function setUp(
+  viewport = { width: 1280, height: 800 },
+  serviceWorkers = "block",
+) {
   before(async () => {
     server = await serve(0);
     browser = await launch();
@@ -78,7 +91,11 @@ export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = 
     opened = viewport;
     asOpened = true;
     changed.clear();
-    const watch = (/** @type {any} */ one, /** @type {string} */ name, /** @type {() => void} */ note) => {
+    const watch = (
+      /** @type {any} */ one,
+      /** @type {string} */ name,
+      /** @type {() => void} */ note,
+    ) => {
       const own = one[name];
       one[name] = (/** @type {unknown[]} */ ...args) => {
         note();
@@ -86,12 +103,21 @@ export function setUp(viewport = { width: 1280, height: 800 }, serviceWorkers = 
       };
     };
     for (const one of /** @type {any[]} */ ([page, context, page.clock])) {
-      for (const name of LASTING.filter((name) => name in one)) watch(one, name, () => (asOpened = false));
-      for (const name of /** @type {(keyof typeof UNDONE)[]} */ (Object.keys(UNDONE)).filter((name) => name in one))
+      for (const name of LASTING.filter((name) => name in one))
+        watch(one, name, () => (asOpened = false));
+      for (const name of /** @type {(keyof typeof UNDONE)[]} */ (
+        Object.keys(UNDONE)
+      ).filter((name) => name in one))
         watch(one, name, () => changed.add(name));
     }
   });
-  afterEach(() => assert.deepEqual(problems, [], "nothing is complained about on the console"));
+  afterEach(() =>
+    assert.deepEqual(
+      problems,
+      [],
+      "nothing is complained about on the console",
+    ),
+  );
   after(async () => {
     await browser?.close();
     server?.close();
@@ -135,14 +161,19 @@ export async function open(options) {
 }
 
 /** A message on the console, with the file it is about. */
-const complaint = (/** @type {import("playwright-core").ConsoleMessage} */ message) =>
-  `${message.text()} (${message.location().url})`;
+const complaint = (
+  /** @type {import("playwright-core").ConsoleMessage} */ message,
+) => `${message.text()} (${message.location().url})`;
 
 /** One more tab of the same browser. */
 export async function openTab() {
   const tab = await context.newPage();
   tab.on("pageerror", (error) => problems.push(String(error)));
-  tab.on("console", (message) => message.type() === "error" && problems.push(complaint(message)));
+  tab.on(
+    "console",
+    (message) =>
+      message.type() === "error" && problems.push(complaint(message)),
+  );
   await tab.goto(addressOf(server));
   await ready(tab);
   return tab;
@@ -153,7 +184,9 @@ export async function ready(tab = page) {
   await tab.getByRole("heading", { name: "Touchpath" }).waitFor();
   await tab.locator(`tp-picture ${PICTURE}`).waitFor({ state: "attached" });
   // A first visit is shown before its module is there.
-  await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
+  await tab.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).ready,
+  );
   await unfold(tab);
 }
 
@@ -170,12 +203,18 @@ export const unfold = (tab = page) =>
   });
 
 /** What the bar has where there is room; else it is in the menu, by a longer name. @type {Record<string, string>} */
-const IN_BAR = { "Setup sheet to print": "Setup sheet", "Open a file": "Open", "Copy a link to this job": "Share" };
+const IN_BAR = {
+  "Setup sheet to print": "Setup sheet",
+  "Open a file": "Open",
+  "Copy a link to this job": "Share",
+};
 
 /** Chooses in the menu of what is rarely used, or in the bar, where it is one click. */
 export async function more(/** @type {string | RegExp} */ name, tab = page) {
   const short = typeof name === "string" ? IN_BAR[name] : undefined;
-  const beside = tab.locator("tp-bar").getByRole("button", { name: short ?? "none", exact: true });
+  const beside = tab
+    .locator("tp-bar")
+    .getByRole("button", { name: short ?? "none", exact: true });
   if (short && (await beside.isVisible())) {
     await beside.click();
     return;
@@ -193,7 +232,11 @@ export const reset = () => more("Reset");
 /** Sets a value of the job, as a file or another program would: also one that the page does not offer. */
 export const put = (/** @type {string} */ path, /** @type {unknown} */ value) =>
   page.evaluate(
-    ([path, value]) => /** @type {any} */ (document.querySelector("touch-path")).store.set(path, value),
+    ([path, value]) =>
+      /** @type {any} */ (document.querySelector("touch-path")).store.set(
+        path,
+        value,
+      ),
     /** @type {[string, unknown]} */ ([path, value]),
   );
 
@@ -202,26 +245,38 @@ export const undo = () => page.getByRole("button", { name: "Undo" });
 export const redo = () => page.getByRole("button", { name: "Redo" });
 
 /** The primary button. */
-export const saveButton = () => page.getByRole("button", { name: /^(Save )?\S+\.(ngc|nc|mpf|h)$/i });
+export const saveButton = () =>
+  page.getByRole("button", { name: /^(Save )?\S+\.(ngc|nc|mpf|h)$/i });
 
 /** A field by its path in the job. */
-export const field = (/** @type {string} */ path, tab = page) => tab.locator(`[id="f-${path}"]`);
+export const field = (/** @type {string} */ path, tab = page) =>
+  tab.locator(`[id="f-${path}"]`);
 
 /** Chooses the units of the job. */
 export const chooseUnits = (/** @type {string} */ units) =>
   page.getByRole("radio", { name: units, exact: true }).check();
 
 /** What a locator shows, as text. */
-export const textOf = async (/** @type {import("playwright-core").Locator} */ locator) =>
-  (await locator.textContent()) ?? "";
+export const textOf = async (
+  /** @type {import("playwright-core").Locator} */ locator,
+) => (await locator.textContent()) ?? "";
 
 /** The program as it is shown. */
-export const program = async (tab = page) => (await tab.locator("tp-program .text").allTextContents()).join("\n");
+export const program = async (tab = page) =>
+  (await tab.locator("tp-program .text").allTextContents()).join("\n");
 
 /** Chooses a file with this text. */
-export async function openText(/** @type {string} */ text, name = "job.json", tab = page) {
+export async function openText(
+  /** @type {string} */ text,
+  name = "job.json",
+  tab = page,
+) {
   const file = tab.locator("#file");
-  await file.setInputFiles({ name, mimeType: "text/plain", buffer: Buffer.from(text) });
+  await file.setInputFiles({
+    name,
+    mimeType: "text/plain",
+    buffer: Buffer.from(text),
+  });
   // The page empties it when the text is read: until then the job before is shown.
   await settles(async () => (await file.inputValue()) === "", tab);
 }
@@ -232,10 +287,16 @@ export const PICTURE = "canvas:not(.over, .mini)";
 /** The ends of the dimensions' lines, in the window. */
 export const dimensionLines = () =>
   page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    );
     const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-    const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
-    const all = picture.drawing.use((/** @type {any} */ view) => view.dimensionLines());
+    const box = /** @type {HTMLElement} */ (
+      picture.querySelector("canvas")
+    ).getBoundingClientRect();
+    const all = picture.drawing.use((/** @type {any} */ view) =>
+      view.dimensionLines(),
+    );
     return Object.fromEntries(
       all.map((/** @type {any} */ [field, x1, y1, x2, y2]) => [
         field,
@@ -249,7 +310,9 @@ export const dimensionLines = () =>
 
 /** Until what was changed is drawn: once a frame. */
 export const framed = (tab = page) =>
-  tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => done(null))));
+  tab.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => done(null))),
+  );
 
 /** The drawn pixels of a canvas and of what lies over it: how many are not background, and a sum to tell pictures apart. */
 export const pixels = async () => {
@@ -261,9 +324,15 @@ export const pixels = async () => {
       let count = 0;
       let sum = 0;
       const over = node.parentElement?.querySelector("canvas.over");
-      for (const canvas of /** @type {HTMLCanvasElement[]} */ (over ? [node, over] : [node])) {
-        const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-        const data = new Uint32Array(drawn.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+      for (const canvas of /** @type {HTMLCanvasElement[]} */ (
+        over ? [node, over] : [node]
+      )) {
+        const drawn = /** @type {CanvasRenderingContext2D} */ (
+          canvas.getContext("2d")
+        );
+        const data = new Uint32Array(
+          drawn.getImageData(0, 0, canvas.width, canvas.height).data.buffer,
+        );
         data.forEach((pixel, i) => {
           if (pixel === data[0]) return;
           count++;
@@ -275,7 +344,10 @@ export const pixels = async () => {
 };
 
 /** How many pixels of a part's picture have exactly this colour of the theme, and in how many columns they are. */
-export const painted = async (/** @type {string} */ part, /** @type {string} */ colour) => {
+export const painted = async (
+  /** @type {string} */ part,
+  /** @type {string} */ colour,
+) => {
   await framed();
   return page
     .locator(`${part} ${PICTURE}`)
@@ -283,12 +355,21 @@ export const painted = async (/** @type {string} */ part, /** @type {string} */ 
     .evaluate((node, colour) => {
       const canvas = /** @type {HTMLCanvasElement} */ (node);
       const probe = document.createElement("i");
-      probe.style.color = getComputedStyle(canvas).getPropertyValue(`--c-${colour}`);
+      probe.style.color = getComputedStyle(canvas).getPropertyValue(
+        `--c-${colour}`,
+      );
       canvas.after(probe);
       const wanted = getComputedStyle(probe).color.match(/\d+/g)?.join();
       probe.remove();
-      const drawn = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-      const { data, width } = drawn.getImageData(0, 0, canvas.width, canvas.height);
+      const drawn = /** @type {CanvasRenderingContext2D} */ (
+        canvas.getContext("2d")
+      );
+      const { data, width } = drawn.getImageData(
+        0,
+        0,
+        canvas.width,
+        canvas.height,
+      );
       const columns = new Set();
       let count = 0;
       for (let i = 0; i < data.length; i += 4) {
@@ -301,7 +382,9 @@ export const painted = async (/** @type {string} */ part, /** @type {string} */ 
 };
 
 /** Where a part of the page stands in the window. */
-export async function boxOf(/** @type {import("playwright-core").Locator} */ locator) {
+export async function boxOf(
+  /** @type {import("playwright-core").Locator} */ locator,
+) {
   const box = await locator.boundingBox();
   assert.ok(box, "it is on the page");
   return box;
@@ -309,24 +392,39 @@ export async function boxOf(/** @type {import("playwright-core").Locator} */ loc
 
 /** The id of what has the focus. */
 export const focusedId = () =>
-  page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id ?? "");
+  page.evaluate(
+    () =>
+      document.querySelector("touch-path")?.shadowRoot?.activeElement?.id ?? "",
+  );
 
 /** Until a field holds a text. */
 export const until = (/** @type {string} */ path, /** @type {string} */ text) =>
   page.waitForFunction(
     ([id, text]) => {
-      const input = document.querySelector("touch-path")?.shadowRoot?.getElementById(id ?? "");
-      return /** @type {HTMLInputElement | null | undefined} */ (input)?.value === text;
+      const input = document
+        .querySelector("touch-path")
+        ?.shadowRoot?.getElementById(id ?? "");
+      return (
+        /** @type {HTMLInputElement | null | undefined} */ (input)?.value ===
+        text
+      );
     },
     [`f-${path}`, text],
   );
 
 /** The value at a path of the job as the page holds it. */
 export const held = (/** @type {string} */ path, tab = page) =>
-  tab.evaluate((path) => /** @type {any} */ (document.querySelector("touch-path")).store.get(path), path);
+  tab.evaluate(
+    (path) =>
+      /** @type {any} */ (document.querySelector("touch-path")).store.get(path),
+    path,
+  );
 
 /** Until something holds that no selector says. */
-export async function settles(/** @type {() => Promise<boolean>} */ holds, tab = page) {
+export async function settles(
+  /** @type {() => Promise<boolean>} */ holds,
+  tab = page,
+) {
   for (let i = 0; i < 80; i++) {
     if (await holds()) return;
     await tab.waitForTimeout(50);

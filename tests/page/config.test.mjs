@@ -2,26 +2,51 @@
 // What it fills in and fixes, whatever the user does: tests/package/store-config.test.mjs.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, heard, inner, LISTEN, on, open, page, set, setUp } from "./element.mjs";
+import {
+  field,
+  heard,
+  inner,
+  LISTEN,
+  on,
+  open,
+  page,
+  set,
+  setUp,
+} from "./element.mjs";
 
 setUp();
 
 const HALL = {
   format: 1,
   title: "Hall 3",
-  allow: { cycles: ["hole", "web"], controls: ["haas", "fanuc"], units: ["mm"], workOffsets: [1, 2], setUps: false },
+  allow: {
+    cycles: ["hole", "web"],
+    controls: ["haas", "fanuc"],
+    units: ["mm"],
+    workOffsets: [1, 2],
+    setUps: false,
+  },
   hide: { panels: ["checks"] },
   fields: {
-    "feeds.work": { value: 100, locked: true, reason: "the probe was calibrated at it" },
+    "feeds.work": {
+      value: 100,
+      locked: true,
+      reason: "the probe was calibrated at it",
+    },
     "control.tool": { value: 99, hidden: true },
     "cycle.depth": { value: 7 },
   },
-  machines: [{ name: "VF-2", control: { post: "haas", tool: 25 }, overtravel: 4 }],
+  machines: [
+    { name: "VF-2", control: { post: "haas", tool: 25 }, overtravel: 4 },
+  ],
   styli: [{ name: "Ball 4", diameter: 4 }],
 };
-const script = (/** @type {unknown} */ config) => `<script type="application/json">${JSON.stringify(config)}</script>`;
+const script = (/** @type {unknown} */ config) =>
+  `<script type="application/json">${JSON.stringify(config)}</script>`;
 const options = (/** @type {string} */ id) =>
-  page.locator(`select[id="f-${id}"] option`).evaluateAll((all) => all.map((one) => one.textContent?.trim()));
+  page
+    .locator(`select[id="f-${id}"] option`)
+    .evaluateAll((all) => all.map((one) => one.textContent?.trim()));
 const errors = () =>
   on((element) =>
     element.findings
@@ -33,7 +58,14 @@ test("the form offers what the config allows, and begins with what it fills in",
   await open(`<touch-path>${script(HALL)}</touch-path>`);
   const job = await on((element) => element.job);
   assert.deepEqual(
-    [job.cycle.type, job.cycle.depth, job.feeds.work, job.control.post, job.control.tool, job.control.workOffset],
+    [
+      job.cycle.type,
+      job.cycle.depth,
+      job.feeds.work,
+      job.control.post,
+      job.control.tool,
+      job.control.workOffset,
+    ],
     ["hole", 7, 100, "haas", 99, 1],
   );
   assert.deepEqual(await errors(), []);
@@ -43,8 +75,15 @@ test("the form offers what the config allows, and begins with what it fills in",
   assert.deepEqual(machines.slice(0, 1), ["VF-2"]);
   assert.deepEqual(machines.slice(-2), ["Fanuc 30i / 0i-F", "Haas NGC"]);
   assert.equal(machines.length, 3);
-  assert.equal((await options("control.workOffset")).length, 3, "two work offsets, and the way to the limits");
-  assert.equal(await page.locator(`${inner("bar")} input[name="units"]`).count(), 1);
+  assert.equal(
+    (await options("control.workOffset")).length,
+    3,
+    "two work offsets, and the way to the limits",
+  );
+  assert.equal(
+    await page.locator(`${inner("bar")} input[name="units"]`).count(),
+    1,
+  );
   assert.equal(await page.locator("#tab-checks").count(), 0);
   assert.equal(await page.getByLabel("Add a cycle to this program").count(), 0);
   // The gallery and the list of everything offer no more.
@@ -62,28 +101,55 @@ test("the form offers what the config allows, and begins with what it fills in",
   await page.getByRole("button", { name: "Back to the job" }).click();
   await page.locator(`${inner("bar")} .find`).click();
   await page.locator(`${inner("commands")} input`).fill("control");
-  const found = await page.locator(`${inner("commands")} li b`).allTextContents();
-  assert.ok(found.includes("Haas NGC") && !found.some((name) => /LinuxCNC|HEIDENHAIN/.test(name)), `${found}`);
+  const found = await page
+    .locator(`${inner("commands")} li b`)
+    .allTextContents();
+  assert.ok(
+    found.includes("Haas NGC") &&
+      !found.some((name) => /LinuxCNC|HEIDENHAIN/.test(name)),
+    `${found}`,
+  );
   await page.keyboard.press("Escape");
 });
 
 test("a fixed field cannot be changed and says why, a hidden one is not there", async () => {
   await open(`<touch-path>${script(HALL)}</touch-path>`);
-  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
+  await on(
+    (element, form) => element.app.querySelector(form).unfold(),
+    inner("form"),
+  );
   const work = field("feeds.work");
   assert.ok(await work.isDisabled());
   assert.equal(
     await page.locator("fieldset.locked").getAttribute("title"),
     "Fixed by Hall 3: the probe was calibrated at it",
   );
-  assert.ok(await page.locator("p.why").getByText("Fixed by Hall 3: the probe was calibrated at it").isVisible());
+  assert.ok(
+    await page
+      .locator("p.why")
+      .getByText("Fixed by Hall 3: the probe was calibrated at it")
+      .isVisible(),
+  );
   assert.equal(await field("control.tool").count(), 0);
   assert.ok(await field("feeds.approach").isEnabled());
   // A job of the portal's that has another value can be put right.
-  await set("job", { format: 1, cycle: { type: "hole" }, feeds: { work: 300 }, control: { post: "heidenhain" } });
-  assert.deepEqual(await errors(), ["not-allowed control.post", "locked feeds.work"]);
+  await set("job", {
+    format: 1,
+    cycle: { type: "hole" },
+    feeds: { work: 300 },
+    control: { post: "heidenhain" },
+  });
+  assert.deepEqual(await errors(), [
+    "not-allowed control.post",
+    "locked feeds.work",
+  ]);
   assert.equal(await on((element) => element.plan), null);
-  assert.ok(await page.getByText("Hall 3 fixes Work feed at 100 mm/min").first().isVisible());
+  assert.ok(
+    await page
+      .getByText("Hall 3 fixes Work feed at 100 mm/min")
+      .first()
+      .isVisible(),
+  );
   await work.fill("100");
   assert.deepEqual(await errors(), ["not-allowed control.post"]);
   assert.ok(await work.isDisabled(), "it has the value that it must have");
@@ -94,15 +160,28 @@ test("a fixed field cannot be changed and says why, a hidden one is not there", 
 
 test("machines and styli of the portal are chosen by name", async () => {
   await open(`<touch-path>${script(HALL)}</touch-path>`);
-  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
-  await page.locator('select[id="f-control.post"]').selectOption("machine:VF-2");
+  await on(
+    (element, form) => element.app.querySelector(form).unfold(),
+    inner("form"),
+  );
+  await page
+    .locator('select[id="f-control.post"]')
+    .selectOption("machine:VF-2");
   assert.deepEqual(
-    await on((element) => [element.job.control.tool, element.job.overtravel, element.job.control.workOffset]),
+    await on((element) => [
+      element.job.control.tool,
+      element.job.overtravel,
+      element.job.control.workOffset,
+    ]),
     [25, 4, 1],
   );
   await page.locator("#f-styli").selectOption({ label: "Ball 4" });
   assert.equal(await on((element) => element.job.stylus.diameter), 4);
-  assert.equal(await on((element) => element.job.stylus.repeatability), 0.001, "the rest stays");
+  assert.equal(
+    await on((element) => element.job.stylus.repeatability),
+    0.001,
+    "the rest stays",
+  );
   await page.getByRole("button", { name: "Undo" }).click();
   assert.equal(await on((element) => element.job.stylus.diameter), 6);
 });
@@ -112,7 +191,11 @@ test("a path beyond the travel is drawn, and has no program", async () => {
   await heard();
   const travel = { min: [-20, -20, -100], max: [20, 20, 100] };
   await set("config", { format: 1, space: { travel } });
-  assert.ok((await errors()).every((/** @type {string} */ code) => code === "beyond-travel cycle"));
+  assert.ok(
+    (await errors()).every(
+      (/** @type {string} */ code) => code === "beyond-travel cycle",
+    ),
+  );
   assert.ok((await errors()).length > 0);
   assert.ok(
     await page
@@ -141,7 +224,9 @@ test("a config that is wrong changes nothing, and every fault of it is said", as
   await open(`<touch-path>${script(HALL)}</touch-path>`, LISTEN);
   await heard();
   await set("config", { format: 1, tilte: "A", allow: { cycles: ["well"] } });
-  const refused = (await heard()).find(([name, detail]) => name === "finding" && detail.refused)?.[1];
+  const refused = (await heard()).find(
+    ([name, detail]) => name === "finding" && detail.refused,
+  )?.[1];
   assert.deepEqual(
     refused.findings.map((/** @type {any} */ f) => `${f.code} ${f.path}`),
     ["unknown-key config.tilte", "unknown-value config.allow.cycles[0]"],
@@ -149,7 +234,9 @@ test("a config that is wrong changes nothing, and every fault of it is said", as
   assert.equal(await on((element) => element.config.title), "Hall 3");
   await set("config", "{");
   assert.equal((await heard()).at(-1)?.[1].findings[0].code, "not-json");
-  await on((element) => element.setAttribute("config", '{ "format": 1, "title": "Hall 4" }'));
+  await on((element) =>
+    element.setAttribute("config", '{ "format": 1, "title": "Hall 4" }'),
+  );
   assert.equal(await on((element) => element.config.title), "Hall 4");
 });
 
@@ -160,15 +247,28 @@ test("what the bar asks can be hidden, and is there again where it must be put r
     "control.workOffset": { hidden: true },
     "feeds.work": { hidden: true, locked: true, value: 90 },
   };
-  await open(`<touch-path>${script({ format: 1, allow: { controls: ["haas"] }, fields })}</touch-path>`);
-  await on((element, form) => element.app.querySelector(form).unfold(), inner("form"));
+  await open(
+    `<touch-path>${script({ format: 1, allow: { controls: ["haas"] }, fields })}</touch-path>`,
+  );
+  await on(
+    (element, form) => element.app.querySelector(form).unfold(),
+    inner("form"),
+  );
   const seen = async () => {
-    const all = ["control.post", "control.workOffset", "feeds.work"].map((path) =>
-      page.locator(`[id="f-${path}"]`).count(),
+    const all = ["control.post", "control.workOffset", "feeds.work"].map(
+      (path) => page.locator(`[id="f-${path}"]`).count(),
     );
-    return [...(await Promise.all(all)), await page.locator(`${inner("bar")} input[name="units"]`).count()];
+    return [
+      ...(await Promise.all(all)),
+      await page.locator(`${inner("bar")} input[name="units"]`).count(),
+    ];
   };
   assert.deepEqual(await seen(), [0, 0, 0, 0]);
-  await set("job", { format: 1, cycle: { type: "hole" }, control: { post: "fanuc" }, feeds: { work: 80 } });
+  await set("job", {
+    format: 1,
+    cycle: { type: "hole" },
+    control: { post: "fanuc" },
+    feeds: { work: 80 },
+  });
   assert.deepEqual(await seen(), [1, 0, 1, 0]);
 });

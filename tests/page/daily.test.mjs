@@ -23,7 +23,9 @@ setUp();
 const dialog = () => page.getByRole("dialog", { name: "My machines" });
 const keep = async (/** @type {string} */ name) => {
   await dialog().getByLabel("Name of the machine").fill(name);
-  await dialog().getByRole("button", { name: "Keep the present values" }).click();
+  await dialog()
+    .getByRole("button", { name: "Keep the present values" })
+    .click();
 };
 
 test("a preset of the same name gave way without a word, and a forgotten one was gone; what is not chosen of one stays", async () => {
@@ -40,7 +42,10 @@ test("a preset of the same name gave way without a word, and a forgotten one was
   assert.equal(await held("stylus.diameter"), 6, "the first one is back");
   assert.equal(await held("feeds.work"), 90, "feeds were not chosen");
   await dialog().getByRole("button", { name: "Forget A" }).click();
-  assert.equal(await dialog().getByRole("button", { name: "Use A" }).count(), 0);
+  assert.equal(
+    await dialog().getByRole("button", { name: "Use A" }).count(),
+    0,
+  );
   await dialog().getByRole("button", { name: "Undo" }).click();
   await dialog().getByRole("button", { name: "Use A" }).waitFor();
 });
@@ -50,16 +55,24 @@ test("the form of another cycle began where the one before was scrolled to", asy
   await page.getByRole("button", { name: "Gallery" }).click();
   await page.locator("[data-type=surface]").click();
   await page.locator("tp-gallery").waitFor({ state: "detached" });
-  assert.equal(await page.locator("tp-form").evaluate((form) => form.scrollTop), 0);
+  assert.equal(
+    await page.locator("tp-form").evaluate((form) => form.scrollTop),
+    0,
+  );
 });
 
 test("in the gallery everything is shown again where nothing is found, and Enter takes the first that is", async () => {
   await page.getByRole("button", { name: "Gallery" }).click();
   const search = page.locator("tp-gallery input");
   const found = () =>
-    page.locator("tp-gallery [data-type]:visible").evaluateAll((all) => all.map((one) => one.dataset.type));
+    page
+      .locator("tp-gallery [data-type]:visible")
+      .evaluateAll((all) => all.map((one) => one.dataset.type));
   await search.fill("pocket");
-  assert.deepEqual(await found(), ["internal-rectangle", "internal-rectangle-protected"]);
+  assert.deepEqual(await found(), [
+    "internal-rectangle",
+    "internal-rectangle-protected",
+  ]);
   await search.fill("xyzzy");
   await page.getByRole("button", { name: "Show all" }).click();
   assert.equal((await found()).length, 19);
@@ -96,9 +109,12 @@ test("a browser that keeps nothing is said, once", async () => {
   await page.reload();
   await ready();
   await field("cycle.width1").fill("70");
-  const said = page.locator("tp-findings .note", { hasText: "This browser keeps nothing" });
+  const said = page.locator("tp-findings .note", {
+    hasText: "This browser keeps nothing",
+  });
   await said.waitFor();
-  const refused = () => page.evaluate(() => /** @type {any} */ (globalThis).refused);
+  const refused = () =>
+    page.evaluate(() => /** @type {any} */ (globalThis).refused);
   const before = await refused();
   await field("cycle.width1").fill("71");
   await said.waitFor({ state: "detached" });
@@ -111,15 +127,27 @@ test("a browser that keeps nothing is said, once", async () => {
 test("with an error the menu offered a sheet that did not come, and points of the part before were filled in", async () => {
   await put("cycle.depth", -1);
   await page.getByRole("button", { name: "More" }).click();
-  const item = page.locator("#menu").getByRole("button", { name: "Save the picture (SVG)" });
+  const item = page
+    .locator("#menu")
+    .getByRole("button", { name: "Save the picture (SVG)" });
   assert.equal(await item.isDisabled(), true);
   assert.match((await item.getAttribute("title")) ?? "", /Depth/);
   await page.keyboard.press("Escape");
-  assert.equal(await page.getByRole("button", { name: "Setup sheet" }).isDisabled(), true);
+  assert.equal(
+    await page.getByRole("button", { name: "Setup sheet" }).isDisabled(),
+    true,
+  );
   await page.getByRole("tab", { name: "Results" }).click();
   await page.getByText("Points that a machine measured").click();
-  assert.equal(await page.getByRole("button", { name: "Fill in the points shown" }).isDisabled(), true);
-  const pale = await page.locator("tp-results .triggers").evaluate((box) => box.closest(".stale") !== null);
+  assert.equal(
+    await page
+      .getByRole("button", { name: "Fill in the points shown" })
+      .isDisabled(),
+    true,
+  );
+  const pale = await page
+    .locator("tp-results .triggers")
+    .evaluate((box) => box.closest(".stale") !== null);
   assert.equal(pale, true);
 });
 
@@ -129,12 +157,16 @@ test("the sheet prints what the virtual part gives, and says so; it is paper in 
   await page.getByRole("button", { name: "Setup sheet" }).click();
   const said = page.locator("tp-sheet .warning", { hasText: "virtual part" });
   assert.match(await textOf(said), /X \+0\.3/);
-  const ink = await page.locator("tp-sheet [data-view=top]").evaluate((canvas) => {
-    const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
-    const pen = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d");
-    // In the pocket, beside its lines.
-    return [...(pen?.getImageData(width * 0.6, height * 0.57, 1, 1).data ?? [])];
-  });
+  const ink = await page
+    .locator("tp-sheet [data-view=top]")
+    .evaluate((canvas) => {
+      const { width, height } = /** @type {HTMLCanvasElement} */ (canvas);
+      const pen = /** @type {HTMLCanvasElement} */ (canvas).getContext("2d");
+      // In the pocket, beside its lines.
+      return [
+        ...(pen?.getImageData(width * 0.6, height * 0.57, 1, 1).data ?? []),
+      ];
+    });
   assert.deepEqual(ink.slice(0, 3), [255, 255, 255]);
 });
 
@@ -152,43 +184,77 @@ test("a screen reader hears the line that the arrow keys light", async () => {
 
 test("the parameters of a touch are brought into sight", async () => {
   await page.getByRole("tab", { name: "Parameters" }).click();
-  for (const _ of [1, 2, 3]) await page.getByRole("button", { name: "Next touch" }).click();
+  for (const _ of [1, 2, 3])
+    await page.getByRole("button", { name: "Next touch" }).click();
   const row = page.locator("tp-table tr.lit").first();
-  const [seen, box] = [await boxOf(row), await boxOf(page.locator("tp-table .scroll"))];
-  assert.ok(seen.y >= box.y - 1 && seen.y + seen.height <= box.y + box.height + 1, "the first row of touch 3");
+  const [seen, box] = [
+    await boxOf(row),
+    await boxOf(page.locator("tp-table .scroll")),
+  ];
+  assert.ok(
+    seen.y >= box.y - 1 && seen.y + seen.height <= box.y + box.height + 1,
+    "the first row of touch 3",
+  );
 });
 
 test("the legend names the lines that are there, and a cycle without motion has no timeline", async () => {
   const kinds = () => page.locator(".key li").allTextContents();
-  assert.deepEqual(await kinds(), ["touch", "link, back", "positioning", "overtravel"]);
+  assert.deepEqual(await kinds(), [
+    "touch",
+    "link, back",
+    "positioning",
+    "overtravel",
+  ]);
   await put("feeds.approach", null);
   await put("part.offset[0]", 0.2);
-  assert.deepEqual(await kinds(), ["touch", "link, back", "positioning", "rapid", "overtravel", "virtual part"]);
+  assert.deepEqual(await kinds(), [
+    "touch",
+    "link, back",
+    "positioning",
+    "rapid",
+    "overtravel",
+    "virtual part",
+  ]);
   await field("cycle.type").selectOption("nc-action");
   await page.getByText("This cycle moves nothing").waitFor();
-  assert.deepEqual([await page.locator(".key li").count(), await page.locator(".scrub").count()], [0, 0]);
+  assert.deepEqual(
+    [
+      await page.locator(".key li").count(),
+      await page.locator(".scrub").count(),
+    ],
+    [0, 0],
+  );
 });
 
 test("a deviation that is drawn larger, and one that is not any more, are in the picture", async () => {
   const far = () =>
     page.evaluate(() => {
-      const canvas = /** @type {any} */ (document.querySelector("touch-path")).shadowRoot.querySelector(
-        "tp-picture canvas",
-      );
+      const canvas = /** @type {any} */ (
+        document.querySelector("touch-path")
+      ).shadowRoot.querySelector("tp-picture canvas");
       const { width, height } = canvas;
-      const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+      const { data } = canvas
+        .getContext("2d")
+        .getImageData(0, 0, width, height);
       // The outline of the virtual part, by its colour: how far apart it reaches across the picture.
       let [least, most] = [width, 0];
       for (let i = 0; i < data.length; i += 4)
-        if (Math.abs(data[i] - 180) < 12 && Math.abs(data[i + 1] - 83) < 12 && data[i + 2] < 30) {
+        if (
+          Math.abs(data[i] - 180) < 12 &&
+          Math.abs(data[i + 1] - 83) < 12 &&
+          data[i + 2] < 30
+        ) {
           const x = (i / 4) % width;
           [least, most] = [Math.min(least, x), Math.max(most, x)];
         }
       return [least / width, most / width];
     });
   await put("part.offset[0]", 0.2);
-  for (const _ of [1, 2]) await page.getByRole("button", { name: /Deviations are drawn/ }).click();
-  await page.getByRole("button", { name: "Deviations are drawn 100 times as large" }).waitFor();
+  for (const _ of [1, 2])
+    await page.getByRole("button", { name: /Deviations are drawn/ }).click();
+  await page
+    .getByRole("button", { name: "Deviations are drawn 100 times as large" })
+    .waitFor();
   await framed();
   const [left, right] = await far();
   assert.ok((left ?? 0) > 0.02 && (right ?? 1) < 0.98, `${left} ${right}`);
@@ -204,22 +270,35 @@ test("a long number in inch was printed over its unit", async () => {
     [1024, true],
     [1280, false],
   ])) {
-    await open({ viewport: { width, height: 844 }, hasTouch, isMobile: hasTouch && width < 600 });
+    await open({
+      viewport: { width, height: 844 },
+      hasTouch,
+      isMobile: hasTouch && width < 600,
+    });
     await chooseUnits("inch");
     await unfold();
     const over = await page.locator("tp-form .number").evaluateAll((boxes) => {
-      const pen = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
+      const pen = /** @type {CanvasRenderingContext2D} */ (
+        document.createElement("canvas").getContext("2d")
+      );
       return boxes.flatMap((box) => {
         const input = box.querySelector("input");
         const unit = box.querySelector(".unit");
-        if (!input || !unit?.checkVisibility() || getComputedStyle(unit).opacity === "0") return [];
+        if (
+          !input ||
+          !unit?.checkVisibility() ||
+          getComputedStyle(unit).opacity === "0"
+        )
+          return [];
         const style = getComputedStyle(input);
         pen.font = style.font;
         const end =
           input.getBoundingClientRect().left +
           Number.parseFloat(style.paddingLeft) +
           pen.measureText(input.value).width;
-        return end > unit.getBoundingClientRect().left + 1 ? [`${input.id} ${input.value}`] : [];
+        return end > unit.getBoundingClientRect().left + 1
+          ? [`${input.id} ${input.value}`]
+          : [];
       });
     });
     assert.deepEqual(over, [], `${width}`);
@@ -227,16 +306,28 @@ test("a long number in inch was printed over its unit", async () => {
 });
 
 test("on a phone the chip of the group that is looked at stands out, and one with an error, too", async () => {
-  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await open({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+  });
   const now = () => page.locator(".chips [aria-current]").allTextContents();
   assert.deepEqual(await now(), ["Place"]);
-  await page.locator(".chips").getByRole("button", { name: "Feeds and limits" }).click();
+  await page
+    .locator(".chips")
+    .getByRole("button", { name: "Feeds and limits" })
+    .click();
   await page.waitForFunction(() => {
     const root = document.querySelector("touch-path")?.shadowRoot;
-    return root?.querySelector(".chips [aria-current]")?.textContent === "Feeds and limits";
+    return (
+      root?.querySelector(".chips [aria-current]")?.textContent ===
+      "Feeds and limits"
+    );
   });
   await put("cycle.depth", -1);
-  assert.deepEqual(await page.locator(".chips .error").allTextContents(), ["Size"]);
+  assert.deepEqual(await page.locator(".chips .error").allTextContents(), [
+    "Size",
+  ]);
 });
 
 for (const [width, height] of /** @type {[number, number][]} */ ([
@@ -251,17 +342,25 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
       await framed();
       faults.push(
         ...(await page.evaluate((tab) => {
-          const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
-          const seen = (/** @type {Element} */ one) => one.checkVisibility() && one.getClientRects().length > 0;
+          const root = /** @type {ShadowRoot} */ (
+            document.querySelector("touch-path")?.shadowRoot
+          );
+          const seen = (/** @type {Element} */ one) =>
+            one.checkVisibility() && one.getClientRects().length > 0;
           const small = [
-            ...root.querySelectorAll("button, select, input:not(.unseen, [type=radio], [type=checkbox])"),
+            ...root.querySelectorAll(
+              "button, select, input:not(.unseen, [type=radio], [type=checkbox])",
+            ),
           ].filter((one) => {
-            if (!seen(one) || one.matches(".quiet, td button, p button")) return false;
+            if (!seen(one) || one.matches(".quiet, td button, p button"))
+              return false;
             const { width, height } = one.getBoundingClientRect();
             return width > 1 && (width < 43.5 || height < 43.5);
           });
           const texts = [
-            ...root.querySelectorAll("p, td, th, label, button, summary, .line, .step, .note, .verdict"),
+            ...root.querySelectorAll(
+              "p, td, th, label, button, summary, .line, .step, .note, .verdict",
+            ),
           ].filter(
             (one) =>
               seen(one) &&
@@ -270,7 +369,8 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
               Number.parseFloat(getComputedStyle(one).fontSize) < 13,
           );
           return [...small, ...texts].map(
-            (one) => `${tab}: ${one.tagName} ${one.className} ${one.textContent?.trim().slice(0, 20)}`,
+            (one) =>
+              `${tab}: ${one.tagName} ${one.className} ${one.textContent?.trim().slice(0, 20)}`,
           );
         }, tab)),
       );
@@ -298,7 +398,11 @@ test("forced colours: the picture has the user's, and what is not chosen has no 
 });
 
 test("what is pasted and cannot be read says why beside it, and Escape closes it", async () => {
-  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await open({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+  });
   await more("Paste");
   const box = page.getByRole("dialog", { name: "Paste" });
   await box.locator("#paste").fill("hello");
@@ -313,17 +417,34 @@ test("what is pasted and cannot be read says why beside it, and Escape closes it
 });
 
 test("a height turns the picture to where it is seen, an angle about the tool axis, too", async () => {
-  const view = () => page.locator(".picture .tools [aria-pressed=true]").textContent();
-  for (const type of ["hole", "internal-rectangle", "groove", "web-three-points", "probing-two-circles"]) {
+  const view = () =>
+    page.locator(".picture .tools [aria-pressed=true]").textContent();
+  for (const type of [
+    "hole",
+    "internal-rectangle",
+    "groove",
+    "web-three-points",
+    "probing-two-circles",
+  ]) {
     await field("cycle.type").selectOption(type);
     await unfold();
-    for (const key of ["topClearance", "middleClearance", "feedDistance", "clearanceHeight"]) {
+    for (const key of [
+      "topClearance",
+      "middleClearance",
+      "feedDistance",
+      "clearanceHeight",
+    ]) {
       if ((await field(`cycle.${key}`).count()) === 0) continue;
       await page.getByRole("button", { name: "top", exact: true }).click();
       await field(`cycle.${key}`).focus();
       await settles(async () => /front|side/.test((await view()) ?? ""));
     }
-    for (const key of ["rotation", "startAngle", "startingAngle", "angularLength"]) {
+    for (const key of [
+      "rotation",
+      "startAngle",
+      "startingAngle",
+      "angularLength",
+    ]) {
       if ((await field(`cycle.${key}`).count()) === 0) continue;
       await page.getByRole("button", { name: "front", exact: true }).click();
       await field(`cycle.${key}`).focus();

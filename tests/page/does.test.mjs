@@ -1,7 +1,18 @@
 // What the program does is one sentence: in the bar, under the program, on the sheet. Names of files, and fields that do not count.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, more, openTab, page, program, put, saveButton, setUp, textOf, unfold } from "./common.mjs";
+import {
+  field,
+  more,
+  openTab,
+  page,
+  program,
+  put,
+  saveButton,
+  setUp,
+  textOf,
+  unfold,
+} from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
@@ -13,39 +24,66 @@ test("a job that sets rotation and preset was said to measure only, in the bar a
   const does = page.locator("tp-bar #does");
   const chosen = () => textOf(does.locator("option:checked"));
   assert.equal(await chosen(), "measures only");
-  assert.equal(await field("control.workOffset").count(), 0, "this cycle takes none");
+  assert.equal(
+    await field("control.workOffset").count(),
+    0,
+    "this cycle takes none",
+  );
   // In the bar, where it was looked for first; the fields of the form follow.
-  await does.selectOption({ label: "sets basic rotation and preset X Y, mean of both circles" });
+  await does.selectOption({
+    label: "sets basic rotation and preset X Y, mean of both circles",
+  });
   assert.equal(await field("cycle.confirmRotation").inputValue(), "1");
   assert.equal(await field("cycle.transferPosition").inputValue(), "3");
   await field("cycle.confirmRotation").selectOption("2");
-  assert.match(await chosen(), /preset X Y/, "what is not among the common choices is said all the same");
+  assert.match(
+    await chosen(),
+    /preset X Y/,
+    "what is not among the common choices is said all the same",
+  );
   await field("cycle.confirmRotation").selectOption("1");
-  assert.equal(await textOf(page.locator("tp-program .does")), `This program ${SENTENCE}`);
-  assert.match((await program()).replaceAll(/\n\d+ ; /g, " ").toLowerCase(), new RegExp(SENTENCE.toLowerCase()));
+  assert.equal(
+    await textOf(page.locator("tp-program .does")),
+    `This program ${SENTENCE}`,
+  );
+  assert.match(
+    (await program()).replaceAll(/\n\d+ ; /g, " ").toLowerCase(),
+    new RegExp(SENTENCE.toLowerCase()),
+  );
   await page.getByRole("button", { name: "Setup sheet" }).first().click();
   const sheet = page.getByRole("article", { name: "Setup sheet" });
-  assert.ok((await textOf(sheet.locator("p").first())).includes(`, ${SENTENCE} ·`));
+  assert.ok(
+    (await textOf(sheet.locator("p").first())).includes(`, ${SENTENCE} ·`),
+  );
   assert.ok(!(await textOf(sheet)).includes("measures only"));
 });
 
 test("fields that change nothing stood there with a value", async () => {
   await field("cycle.type").selectOption("hole");
   await unfold();
-  const angular = ["startAngle", "angularStep", "stepCount"].map((key) => field(`cycle.${key}`));
+  const angular = ["startAngle", "angularStep", "stepCount"].map((key) =>
+    field(`cycle.${key}`),
+  );
   for (const one of angular) assert.equal(await one.count(), 0);
   await field("cycle.variant").selectOption("1");
   for (const one of angular) await one.waitFor();
-  for (const path of ["control.number", "control.tool"]) assert.equal(await field(path).count(), 0, path);
+  for (const path of ["control.number", "control.tool"])
+    assert.equal(await field(path).count(), 0, path);
   await field("control.post").selectOption("fanuc");
-  assert.equal(await field("control.number").inputValue(), "1000", "the number that the program has");
+  assert.equal(
+    await field("control.number").inputValue(),
+    "1000",
+    "the number that the program has",
+  );
   await put("name", "BORE2201");
   assert.equal(await field("control.number").inputValue(), "2201");
   // A value that is ignored is there to be seen and removed.
   await put("control.number", 7);
   await field("control.post").selectOption("linuxcnc");
   assert.equal(await field("control.number").inputValue(), "7");
-  await page.locator(".verdict", { hasText: "have no number: it is ignored" }).waitFor();
+  await page
+    .locator(".verdict", { hasText: "have no number: it is ignored" })
+    .waitFor();
 });
 
 test("a size with a tolerance stays as it was typed; one click judges by it, and one undo takes that back", async () => {
@@ -55,9 +93,14 @@ test("a size with a tolerance stays as it was typed; one click judges by it, and
     await diameter.fill(typed);
     await page.keyboard.press("Tab");
     assert.equal(await diameter.inputValue(), typed, "what was typed stays");
-    await page.locator(".verdict.error", { hasText: `to have "${typed}" judged` }).waitFor();
+    await page
+      .locator(".verdict.error", { hasText: `to have "${typed}" judged` })
+      .waitFor();
   }
-  await page.locator("tp-findings").getByRole("button", { name: "Judge by 25H7" }).click();
+  await page
+    .locator("tp-findings")
+    .getByRole("button", { name: "Judge by 25H7" })
+    .click();
   assert.equal(await diameter.inputValue(), "25.0105");
   assert.equal(await field("limits.size").inputValue(), "0.0105");
   assert.equal(await textOf(saveButton()), "Save BORE-D25H7.ngc");
@@ -71,10 +114,17 @@ test("Enter works a sum out and takes a fit, but no difference that may be meant
   await diameter.fill("25-0.02");
   await page.keyboard.press("Enter");
   assert.equal(await diameter.inputValue(), "25-0.02");
-  await page.locator("tp-findings").getByRole("button", { name: "Judge by 25-0.02" }).waitFor();
+  await page
+    .locator("tp-findings")
+    .getByRole("button", { name: "Judge by 25-0.02" })
+    .waitFor();
   await diameter.fill("25H7");
   await page.keyboard.press("Enter");
-  await page.locator("tp-findings .note", { hasText: "25H7 is judged: 25.0105 with a size limit of 0.0105" }).waitFor();
+  await page
+    .locator("tp-findings .note", {
+      hasText: "25H7 is judged: 25.0105 with a size limit of 0.0105",
+    })
+    .waitFor();
   assert.equal(await diameter.inputValue(), "25.0105");
   await diameter.fill("50/2+0.5");
   await page.keyboard.press("Enter");
@@ -90,11 +140,19 @@ test("another program of the same name took the place of the first without a wor
   };
   const note = page.locator("tp-findings .note");
   assert.equal(await save(), "POCKET-80X50.ngc");
-  assert.equal(await textOf(page.locator("tp-program .told:not(.found)")), "Saved POCKET-80X50.ngc");
+  assert.equal(
+    await textOf(page.locator("tp-program .told:not(.found)")),
+    "Saved POCKET-80X50.ngc",
+  );
   assert.equal(await note.count(), 0);
   await field("cycle.depth").fill("12");
-  await note.filter({ hasText: "POCKET-80X50.ngc was saved before with other content" }).waitFor();
-  assert.equal(await saveButton().getAttribute("title"), "POCKET-80X50.ngc was saved before with other content");
+  await note
+    .filter({ hasText: "POCKET-80X50.ngc was saved before with other content" })
+    .waitFor();
+  assert.equal(
+    await saveButton().getAttribute("title"),
+    "POCKET-80X50.ngc was saved before with other content",
+  );
   await save();
   assert.match(
     await textOf(page.locator("tp-program .told:not(.found)")),
@@ -104,12 +162,20 @@ test("another program of the same name took the place of the first without a wor
   // Another day, another tab.
   const tab = await openTab();
   await tab.locator('[id="f-cycle.depth"]').fill("10");
-  await tab.locator("tp-findings .note", { hasText: "was saved before with other content" }).waitFor();
+  await tab
+    .locator("tp-findings .note", {
+      hasText: "was saved before with other content",
+    })
+    .waitFor();
 });
 
 test("the lines that ask the control about a turning tool asked for a milling tool", async () => {
   await more("Tool lengths");
-  await page.locator("#l-group").selectOption({ label: "Turning tools (500 to 599)" });
+  await page
+    .locator("#l-group")
+    .selectOption({ label: "Turning tools (500 to 599)" });
   const lines = page.locator("tp-lentoax pre");
-  await lines.filter({ hasText: "_AXIND[0]<>2) OR (_AXIND[1]<>1) OR (_AXIND[2]<>3)" }).waitFor();
+  await lines
+    .filter({ hasText: "_AXIND[0]<>2) OR (_AXIND[1]<>1) OR (_AXIND[2]<>3)" })
+    .waitFor();
 });

@@ -3,7 +3,17 @@ import assert from "node:assert/strict";
 import { cpSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { field, folder, inner, on, open, page, problems, setUp, visit } from "./element.mjs";
+import {
+  field,
+  folder,
+  inner,
+  on,
+  open,
+  page,
+  problems,
+  setUp,
+  visit,
+} from "./element.mjs";
 
 setUp();
 
@@ -23,15 +33,21 @@ test("put into the page again, an element left a listener behind each time", asy
   const listeners = async () => {
     await session.send("HeapProfiler.collectGarbage");
     const { metrics } = await session.send("Performance.getMetrics");
-    return metrics.find((m) => m.name === "JSEventListeners")?.value ?? Number.NaN;
+    return (
+      metrics.find((m) => m.name === "JSEventListeners")?.value ?? Number.NaN
+    );
   };
   const again = (/** @type {number} */ count) =>
     page.evaluate(async (count) => {
-      const element = /** @type {HTMLElement} */ (document.querySelector("touch-path"));
+      const element = /** @type {HTMLElement} */ (
+        document.querySelector("touch-path")
+      );
       for (let i = 0; i < count; i++) {
         element.remove();
         document.body.append(element);
-        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+        await new Promise((done) =>
+          requestAnimationFrame(() => requestAnimationFrame(done)),
+        );
       }
     }, count);
   await again(5);
@@ -48,12 +64,20 @@ test("200 times into the page and out of it leave nothing behind", async () => {
   const measure = async () => {
     await session.send("HeapProfiler.collectGarbage");
     const { metrics } = await session.send("Performance.getMetrics");
-    const of = (/** @type {string} */ name) => metrics.find((m) => m.name === name)?.value ?? Number.NaN;
+    const of = (/** @type {string} */ name) =>
+      metrics.find((m) => m.name === name)?.value ?? Number.NaN;
     const memory = await page.evaluate(async () => {
-      const { default: init } = await import(/* @vite-ignore */ `${location.origin}/touchpath/wasm/touchpath.js`);
+      const { default: init } = await import(
+        /* @vite-ignore */ `${location.origin}/touchpath/wasm/touchpath.js`
+      );
       return (await init()).memory.buffer.byteLength;
     });
-    return { listeners: of("JSEventListeners"), nodes: of("Nodes"), heap: of("JSHeapUsedSize"), memory };
+    return {
+      listeners: of("JSEventListeners"),
+      nodes: of("Nodes"),
+      heap: of("JSHeapUsedSize"),
+      memory,
+    };
   };
   const rounds = (/** @type {number} */ count, fresh = true) =>
     page.evaluate(
@@ -74,17 +98,30 @@ test("200 times into the page and out of it leave nothing behind", async () => {
   await rounds(150);
   await rounds(50, false);
   const now = await measure();
-  assert.ok(now.listeners <= before.listeners + 10, `listeners ${before.listeners}, ${now.listeners}`);
-  assert.ok(now.nodes <= before.nodes + 200, `nodes ${before.nodes}, ${now.nodes}`);
-  assert.ok(now.heap <= before.heap + 3_000_000, `heap ${before.heap}, ${now.heap}`);
+  assert.ok(
+    now.listeners <= before.listeners + 10,
+    `listeners ${before.listeners}, ${now.listeners}`,
+  );
+  assert.ok(
+    now.nodes <= before.nodes + 200,
+    `nodes ${before.nodes}, ${now.nodes}`,
+  );
+  assert.ok(
+    now.heap <= before.heap + 3_000_000,
+    `heap ${before.heap}, ${now.heap}`,
+  );
   assert.equal(now.memory, before.memory, "the module's memory has not grown");
 });
 
 test("moved in the page, an element keeps its job and its steps back", async () => {
-  await open("<div><touch-path cycle=hole></touch-path></div><section></section>");
+  await open(
+    "<div><touch-path cycle=hole></touch-path></div><section></section>",
+  );
   await field("cycle.diameter").fill("47");
   await page.evaluate(() =>
-    document.querySelector("section")?.append(/** @type {Node} */ (document.querySelector("touch-path"))),
+    document
+      .querySelector("section")
+      ?.append(/** @type {Node} */ (document.querySelector("touch-path"))),
   );
   assert.equal(await field("cycle.diameter").inputValue(), "47");
   await page.getByRole("button", { name: "Undo" }).click();
@@ -93,14 +130,19 @@ test("moved in the page, an element keeps its job and its steps back", async () 
 
 test("an element that cannot be loaded says so, and its promise fails", async () => {
   rmSync(join(folder, "broken"), { recursive: true, force: true });
-  cpSync(join(folder, "touchpath"), join(folder, "broken"), { recursive: true });
+  cpSync(join(folder, "touchpath"), join(folder, "broken"), {
+    recursive: true,
+  });
   rmSync(join(folder, "broken", "wasm", "touchpath_bg.wasm"));
   writeFileSync(
     join(folder, "broken.html"),
     `<!doctype html><title>x</title><script type="module" src="broken/element/element.js"></script><touch-path></touch-path>`,
   );
   await visit("broken.html");
-  await page.getByRole("alert").getByText("Touchpath could not be loaded").waitFor();
+  await page
+    .getByRole("alert")
+    .getByText("Touchpath could not be loaded")
+    .waitFor();
   const failed = await page.evaluate(async () => {
     try {
       await document.querySelector("touch-path")?.ready;
@@ -127,12 +169,15 @@ test("what is set before anything is loaded counts more than the attributes, and
        });
      }).observe(document, { childList: true, subtree: true });`,
   );
-  assert.deepEqual(await on((element) => [element.job.name, element.cycle, element.post]), [
+  assert.deepEqual(
+    await on((element) => [element.job.name, element.cycle, element.post]),
+    ["EARLY", "boss", "sinumerik"],
+  );
+  assert.equal(
+    JSON.parse(await page.evaluate(() => /** @type {any} */ (window).sent.j))
+      .name,
     "EARLY",
-    "boss",
-    "sinumerik",
-  ]);
-  assert.equal(JSON.parse(await page.evaluate(() => /** @type {any} */ (window).sent.j)).name, "EARLY");
+  );
 });
 
 test("taken out while it loads, and put in again", async () => {
@@ -145,7 +190,10 @@ test("taken out while it loads, and put in again", async () => {
     await element.ready;
     place.append(element);
     await new Promise((done) => setTimeout(done, 300));
-    return { lines: element.shadowRoot?.querySelectorAll(".line").length, plan: element.plan !== null };
+    return {
+      lines: element.shadowRoot?.querySelectorAll(".line").length,
+      plan: element.plan !== null,
+    };
   });
   assert.ok((state.lines ?? 0) > 20 && state.plan, JSON.stringify(state));
 });
@@ -156,7 +204,9 @@ test("an element whose files did not come is tried again where it is put into th
   const ready = () =>
     page.evaluate(async () => {
       const place = /** @type {Element} */ (document.querySelector("main"));
-      const element = /** @type {any} */ (place.firstElementChild ?? document.createElement("touch-path"));
+      const element = /** @type {any} */ (
+        place.firstElementChild ?? document.createElement("touch-path")
+      );
       element.remove();
       place.append(element);
       return element.ready.then(
@@ -165,7 +215,9 @@ test("an element whose files did not come is tried again where it is put into th
       );
     });
   assert.equal(await ready(), "failed");
-  assert.deepEqual(problems.splice(0), ["Failed to load resource: net::ERR_FAILED"]);
+  assert.deepEqual(problems.splice(0), [
+    "Failed to load resource: net::ERR_FAILED",
+  ]);
   await page.unroute(/\/app\.js$/);
   assert.equal(await ready(), "shown");
 });

@@ -4,7 +4,19 @@ import { cpSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { PICTURE, settles } from "./common.mjs";
-import { folder, heard, inner, LISTEN, on, open, POLICY, page, problems, set, setUp } from "./element.mjs";
+import {
+  folder,
+  heard,
+  inner,
+  LISTEN,
+  on,
+  open,
+  POLICY,
+  page,
+  problems,
+  set,
+  setUp,
+} from "./element.mjs";
 
 setUp();
 
@@ -18,13 +30,16 @@ const ready = (/** @type {string} */ selector) =>
   page.evaluate(
     (selector) =>
       Promise.race([
-        /** @type {any} */ (document.querySelector(selector)).ready.then(() => true),
+        /** @type {any} */ (document.querySelector(selector)).ready.then(
+          () => true,
+        ),
         new Promise((done) => setTimeout(() => done(false), 1000)),
       ]),
     selector,
   );
 const allReady = async () => {
-  for (const name of ["form", "picture", "program"]) assert.ok(await ready(`touch-${name}`), name);
+  for (const name of ["form", "picture", "program"])
+    assert.ok(await ready(`touch-${name}`), name);
 };
 
 test("form, picture and program stand where the portal puts them, and are one job", async () => {
@@ -35,26 +50,38 @@ test("form, picture and program stand where the portal puts them, and are one jo
     ["form", "picture", "program"].map((name) => {
       const root = document.querySelector(`touch-${name}`)?.shadowRoot;
       const shown = (/** @type {string} */ what) =>
-        [...(root?.querySelectorAll(what) ?? [])].some((one) => one.checkVisibility());
-      return [".setup", ".picture", ".code", "header", "footer", ".tabs"].filter(shown).join(" ");
+        [...(root?.querySelectorAll(what) ?? [])].some((one) =>
+          one.checkVisibility(),
+        );
+      return [".setup", ".picture", ".code", "header", "footer", ".tabs"]
+        .filter(shown)
+        .join(" ");
     }),
   );
   assert.deepEqual(seen, [".setup", ".picture", ".code"]);
-  assert.equal(await page.locator("#job").isVisible(), false, "hidden is hidden");
+  assert.equal(
+    await page.locator("#job").isVisible(),
+    false,
+    "hidden is hidden",
+  );
 
   await width().fill("64");
   await width().press("Tab");
   await settles(async () => {
-    const shown = await part("program").locator(".line.touch .text").allTextContents();
+    const shown = await part("program")
+      .locator(".line.touch .text")
+      .allTextContents();
     const { lines, text } = await on(({ plan }) => ({
       lines: plan.program.moveLines.filter(
-        (/** @type {number} */ _, /** @type {number} */ move) => plan.moves[move].kind === "touch",
+        (/** @type {number} */ _, /** @type {number} */ move) =>
+          plan.moves[move].kind === "touch",
       ),
       text: plan.program.text.split("\n"),
     }));
     return (
       (await on((element) => element.job.cycle.width1)) === 64 &&
-      shown.join() === lines.map((/** @type {number} */ line) => text[line]).join()
+      shown.join() ===
+        lines.map((/** @type {number} */ line) => text[line]).join()
     );
   }, page);
   const changes = (await heard()).filter(([name]) => name === "job-change");
@@ -67,8 +94,13 @@ test("form, picture and program stand where the portal puts them, and are one jo
   // What is set from outside is shown in all.
   await set("cycle", "boss");
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
-  await width().or(part("form").locator('[id="f-cycle.diameter"]')).press("Control+z");
-  await settles(async () => (await on((element) => element.job.cycle.type)) !== "boss", page);
+  await width()
+    .or(part("form").locator('[id="f-cycle.diameter"]'))
+    .press("Control+z");
+  await settles(
+    async () => (await on((element) => element.job.cycle.type)) !== "boss",
+    page,
+  );
 });
 
 test("a line lights up its move in the other panels, and a dimension leads to its field", async () => {
@@ -77,23 +109,36 @@ test("a line lights up its move in the other panels, and a dimension leads to it
   const over = () =>
     part("picture")
       .locator("canvas.over")
-      .evaluate((canvas) => /** @type {HTMLCanvasElement} */ (canvas).toDataURL());
+      .evaluate((canvas) =>
+        /** @type {HTMLCanvasElement} */ (canvas).toDataURL(),
+      );
   const before = await over();
   await part("program").locator(".line.touch").first().hover();
   await settles(async () => (await over()) !== before, page);
   // Escape in the picture unpins; a click on a dimension asks for its field, which another element has.
   await page.evaluate((name) => {
-    const picture = document.querySelector("touch-picture")?.shadowRoot?.querySelector(name);
-    picture?.dispatchEvent(new CustomEvent("go", { detail: "cycle.width2", bubbles: true }));
+    const picture = document
+      .querySelector("touch-picture")
+      ?.shadowRoot?.querySelector(name);
+    picture?.dispatchEvent(
+      new CustomEvent("go", { detail: "cycle.width2", bubbles: true }),
+    );
   }, inner("picture"));
   await settles(
-    () => page.evaluate(() => document.querySelector("touch-form")?.shadowRoot?.activeElement?.id === "f-cycle.width2"),
+    () =>
+      page.evaluate(
+        () =>
+          document.querySelector("touch-form")?.shadowRoot?.activeElement
+            ?.id === "f-cycle.width2",
+      ),
     page,
   );
 });
 
 test("theme, language, rules and panels of the element hold in its panels elsewhere", async () => {
-  await open(`${PARTS.replace("<touch-program ", '<touch-program panels="program results checks" ')}`);
+  await open(
+    `${PARTS.replace("<touch-program ", '<touch-program panels="program results checks" ')}`,
+  );
   await allReady();
   await part("program").getByRole("tab", { name: "Results" }).click();
   assert.ok(await part("program").locator("#panel-results").isVisible());
@@ -102,7 +147,10 @@ test("theme, language, rules and panels of the element hold in its panels elsewh
     await page.evaluate(
       (app) =>
         ["form", "picture", "program"].map((name) =>
-          document.querySelector(`touch-${name}`)?.shadowRoot?.querySelector(app)?.classList.contains("dark"),
+          document
+            .querySelector(`touch-${name}`)
+            ?.shadowRoot?.querySelector(app)
+            ?.classList.contains("dark"),
         ),
       inner("app"),
     ),
@@ -111,7 +159,10 @@ test("theme, language, rules and panels of the element hold in its panels elsewh
   await set("lang", "de");
   await part("program").getByRole("tab", { name: "Ergebnisse" }).waitFor();
   await set("config", { format: 1, hide: { panels: ["results"] } });
-  await settles(async () => (await part("program").getByRole("tab").count()) === 2, page);
+  await settles(
+    async () => (await part("program").getByRole("tab").count()) === 2,
+    page,
+  );
   await set("readonly", true);
   await settles(async () => !(await width().isEditable()), page);
 });
@@ -120,7 +171,9 @@ test("the picture elsewhere is the element's picture: its view, as SVG, drawn", 
   await open(PARTS);
   await allReady();
   await set("view", "isometric");
-  await part("picture").locator('button[aria-pressed="true"]', { hasText: "isometric" }).waitFor();
+  await part("picture")
+    .locator('button[aria-pressed="true"]', { hasText: "isometric" })
+    .waitFor();
   assert.equal(await on((element) => element.view), "isometric");
   assert.match(await on((element) => element.picture()), /^<svg/);
   const ink = await part("picture")
@@ -130,7 +183,9 @@ test("the picture elsewhere is the element's picture: its view, as SVG, drawn", 
       const context = /** @type {CanvasRenderingContext2D} */ (
         /** @type {HTMLCanvasElement} */ (canvas).getContext("2d")
       );
-      return new Set(new Uint32Array(context.getImageData(0, 0, width, height).data.buffer)).size;
+      return new Set(
+        new Uint32Array(context.getImageData(0, 0, width, height).data.buffer),
+      ).size;
     });
   assert.ok(ink > 10, `${ink} colours`);
 });
@@ -139,17 +194,33 @@ test("panels find an element that comes later, follow another one, and leave not
   await open('<touch-form for="late"></touch-form>');
   assert.equal(await ready("touch-form"), false);
   await page.evaluate(() => {
-    const late = Object.assign(document.createElement("touch-path"), { id: "late", panels: "none", cycle: "boss" });
+    const late = Object.assign(document.createElement("touch-path"), {
+      id: "late",
+      panels: "none",
+      cycle: "boss",
+    });
     document.body.append(late);
-    const other = Object.assign(document.createElement("touch-path"), { id: "other", panels: "none", cycle: "wall" });
+    const other = Object.assign(document.createElement("touch-path"), {
+      id: "other",
+      panels: "none",
+      cycle: "wall",
+    });
     document.body.append(other);
   });
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
   const lent = () =>
-    page.evaluate(() => ["late", "other"].map((id) => /** @type {any} */ (document.getElementById(id)).lent.size));
+    page.evaluate(() =>
+      ["late", "other"].map(
+        (id) => /** @type {any} */ (document.getElementById(id)).lent.size,
+      ),
+    );
   assert.deepEqual(await lent(), [1, 0]);
   await part("form").evaluate((form) => form.setAttribute("for", "other"));
-  await settles(async () => (await part("form").locator('[id="f-cycle.diameter"]').count()) === 0, page);
+  await settles(
+    async () =>
+      (await part("form").locator('[id="f-cycle.diameter"]').count()) === 0,
+    page,
+  );
   await settles(async () => (await lent()).join() === "0,1", page);
   await page.evaluate(async () => {
     const form = /** @type {any} */ (document.querySelector("touch-form"));
@@ -174,19 +245,27 @@ test("panels find an element that comes later, follow another one, and leave not
 });
 
 test("an element that comes back has its panels again, and what is looked at is kept", async () => {
-  await open(PARTS.replace("<touch-program ", '<touch-program panels="program results" '));
+  await open(
+    PARTS.replace(
+      "<touch-program ",
+      '<touch-program panels="program results" ',
+    ),
+  );
   await allReady();
   await part("program").getByRole("tab", { name: "Results" }).click();
   await page.evaluate(async () => {
     const [path, form, program] = /** @type {any[]} */ (
-      ["touch-path", "touch-form", "touch-program"].map((name) => document.querySelector(name))
+      ["touch-path", "touch-form", "touch-program"].map((name) =>
+        document.querySelector(name),
+      )
     );
     path.remove();
     form.remove();
     // Another element that comes meanwhile changes nothing.
     document.body.append(document.createElement("touch-path"));
     await new Promise((done) => setTimeout(done, 100));
-    if (program.shadowRoot.querySelector(".tabs") === null) throw new Error("the program is gone");
+    if (program.shadowRoot.querySelector(".tabs") === null)
+      throw new Error("the program is gone");
     program.remove();
     path.cycle = "boss";
     document.body.append(form);
@@ -196,8 +275,16 @@ test("an element that comes back has its panels again, and what is looked at is 
   });
   // What has changed meanwhile is shown.
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
-  await part("program").locator("tr", { hasText: "Diameter" }).first().waitFor();
-  assert.equal(await part("program").getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "true");
+  await part("program")
+    .locator("tr", { hasText: "Diameter" })
+    .first()
+    .waitFor();
+  assert.equal(
+    await part("program")
+      .getByRole("tab", { name: "Results" })
+      .getAttribute("aria-selected"),
+    "true",
+  );
 });
 
 test("panels of an element that could not be loaded say so, and come when it is tried again", async () => {
@@ -207,7 +294,9 @@ test("panels of an element that could not be loaded say so, and come when it is 
     page.evaluate(async () => {
       const form = /** @type {any} */ (document.querySelector("touch-form"));
       const place = /** @type {Element} */ (document.querySelector("main"));
-      const element = /** @type {any} */ (place.firstElementChild ?? document.createElement("touch-path"));
+      const element = /** @type {any} */ (
+        place.firstElementChild ?? document.createElement("touch-path")
+      );
       element.id = "later";
       element.remove();
       place.append(element);
@@ -223,18 +312,30 @@ test("panels of an element that could not be loaded say so, and come when it is 
 });
 
 test("a form that is sent leads to what is wrong in a panel elsewhere, and a panel sends no input of its own", async () => {
-  await open(`<form id="around">${PARTS.replace("<touch-path", '<touch-path name="job"')}<button>Send</button></form>`);
+  await open(
+    `<form id="around">${PARTS.replace("<touch-path", '<touch-path name="job"')}<button>Send</button></form>`,
+  );
   await allReady();
   await page.evaluate(() => {
     const own = /** @type {any} */ (window);
     own.inputs = [];
-    document.addEventListener("input", (event) => own.inputs.push(/** @type {Element} */ (event.target).localName));
+    document.addEventListener("input", (event) =>
+      own.inputs.push(/** @type {Element} */ (event.target).localName),
+    );
   });
   await part("form").locator('[id="f-cycle.width2"]').fill("-3");
-  assert.deepEqual(await page.evaluate(() => /** @type {any} */ (window).inputs), ["touch-path"]);
+  assert.deepEqual(
+    await page.evaluate(() => /** @type {any} */ (window).inputs),
+    ["touch-path"],
+  );
   await page.getByRole("button", { name: "Send" }).click();
   await settles(
-    () => page.evaluate(() => document.querySelector("touch-form")?.shadowRoot?.activeElement?.id === "f-cycle.width2"),
+    () =>
+      page.evaluate(
+        () =>
+          document.querySelector("touch-form")?.shadowRoot?.activeElement
+            ?.id === "f-cycle.width2",
+      ),
     page,
   );
 });
@@ -249,16 +350,28 @@ test("findings lead to lines and fields of other panels", async () => {
     .locator("li button", { hasText: /[Ll]ine/ })
     .first()
     .click();
-  await settles(async () => (await part("program").locator(".line.match").count()) > 0, page);
+  await settles(
+    async () => (await part("program").locator(".line.match").count()) > 0,
+    page,
+  );
   await page.locator("#job").getByRole("button", { name: "Go to it" }).click();
   // The length of the stylus is left out: its box has the focus.
   const focused = () =>
-    page.evaluate(() => document.querySelector("touch-picture")?.shadowRoot?.activeElement?.ariaLabel);
-  await settles(async () => ((await focused()) ?? "").startsWith("Stylus length"), page);
+    page.evaluate(
+      () =>
+        document.querySelector("touch-picture")?.shadowRoot?.activeElement
+          ?.ariaLabel,
+    );
+  await settles(
+    async () => ((await focused()) ?? "").startsWith("Stylus length"),
+    page,
+  );
 });
 
 test("what is no element of ours has no panels to show, and one that becomes one has", async () => {
-  await open("<touch-form></touch-form><div id=other></div><acme-path id=acme></acme-path><main></main>");
+  await open(
+    "<touch-form></touch-form><div id=other></div><acme-path id=acme></acme-path><main></main>",
+  );
   const shown = (/** @type {string} */ session) =>
     page.evaluate(
       `(async () => { const form = document.querySelector("touch-form"); form.session = ${session}; await new Promise((done) => setTimeout(done, 50)); return [form.session?.localName ?? null, form.shadowRoot.children[0].localName]; })()`,
@@ -274,7 +387,9 @@ test("what is no element of ours has no panels to show, and one that becomes one
     assert.deepEqual(await shown(none), [null, "slot"], none);
   await shown('document.querySelector("#acme")');
   await page.evaluate(async () => {
-    const { define } = await import(new URL("touchpath/element/element.js", location.href).href);
+    const { define } = await import(
+      new URL("touchpath/element/element.js", location.href).href
+    );
     define("acme-path");
     await /** @type {any} */ (document.querySelector("touch-form")).ready;
   });
@@ -286,9 +401,16 @@ test("a page holds two versions: the later one by a name of its own, each with i
   const next = join(folder, "next");
   cpSync(join(folder, "touchpath"), next, { recursive: true });
   const { version } = JSON.parse(readFileSync("package.json", "utf8"));
-  for (const name of readdirSync(join(next, "element")).filter((name) => name.endsWith(".js"))) {
+  for (const name of readdirSync(join(next, "element")).filter((name) =>
+    name.endsWith(".js"),
+  )) {
     const file = join(next, "element", name);
-    writeFileSync(file, readFileSync(file, "utf8").replaceAll(inner(""), "tp-9-0-0-").replaceAll(version, "9.0.0"));
+    writeFileSync(
+      file,
+      readFileSync(file, "utf8")
+        .replaceAll(inner(""), "tp-9-0-0-")
+        .replaceAll(version, "9.0.0"),
+    );
   }
   // Both make the policy of Lit's markup for themselves.
   await open(
@@ -300,7 +422,9 @@ test("a page holds two versions: the later one by a name of its own, each with i
     const file = "./next/element/element.js";
     const { define } = await import(new URL(file, location.href).href);
     define("acme-path");
-    const all = ["touch-path", "acme-path"].map((name) => /** @type {any} */ (document.querySelector(name)));
+    const all = ["touch-path", "acme-path"].map(
+      (name) => /** @type {any} */ (document.querySelector(name)),
+    );
     await Promise.all(all.map((one) => one.ready));
     let taken = "";
     try {
@@ -315,7 +439,15 @@ test("a page holds two versions: the later one by a name of its own, each with i
       taken,
     ];
   });
-  assert.deepEqual(versions, [version, "9.0.0", inner("app"), "tp-9-0-0-app", true, true, "NotSupportedError"]);
+  assert.deepEqual(versions, [
+    version,
+    "9.0.0",
+    inner("app"),
+    "tp-9-0-0-app",
+    true,
+    true,
+    "NotSupportedError",
+  ]);
   // A panel shows what its element makes of itself, whichever version it is.
   await part("form").locator('[id="f-cycle.diameter"]').waitFor();
   assert.equal(await part("form").locator("tp-9-0-0-form").count(), 1);

@@ -13,13 +13,19 @@ const LISTEN = `
     document.addEventListener(name, (event) => said.push([name, structuredClone(event.detail ?? null)]), name === "load");
 `;
 /** @returns {Promise<[string, any][]>} */
-const said = () => page.evaluate(() => /** @type {any} */ (window).said.splice(0));
+const said = () =>
+  page.evaluate(() => /** @type {any} */ (window).said.splice(0));
 const names = async () => (await said()).map(([name]) => name);
 
 test("save, undo, redo, highlight, view, picture and measured points from outside", async () => {
   await open(`<touch-path cycle="hole" view="front"></touch-path>`, LISTEN);
   const { version } = await import("touchpath");
-  assert.equal(await page.evaluate(() => /** @type {any} */ (customElements.get("touch-path")).version), version());
+  assert.equal(
+    await page.evaluate(
+      () => /** @type {any} */ (customElements.get("touch-path")).version,
+    ),
+    version(),
+  );
   assert.ok((await names()).includes("load"));
   const pressed = () =>
     page
@@ -28,9 +34,16 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
       )
       .first()
       .textContent();
-  assert.deepEqual([await on((element) => element.view), await pressed()], ["front", "front"]);
+  assert.deepEqual(
+    [await on((element) => element.view), await pressed()],
+    ["front", "front"],
+  );
   await page.getByRole("button", { name: "Side" }).click();
-  assert.equal(await on((element) => element.view), "side", "the user has turned it");
+  assert.equal(
+    await on((element) => element.view),
+    "side",
+    "the user has turned it",
+  );
   await set("view", "front");
   await page.getByRole("button", { name: "Front", pressed: true }).waitFor();
   // The picture is that which is looked at.
@@ -40,7 +53,10 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   assert.match(shown[0], /^<svg/);
   assert.ok(path(svg(shown[1], "front")) !== undefined);
   // What the user does can be taken back from outside.
-  assert.deepEqual(await on((element) => [element.undo(), element.redo()]), [false, false]);
+  assert.deepEqual(await on((element) => [element.undo(), element.redo()]), [
+    false,
+    false,
+  ]);
   await field("cycle.diameter").fill("33");
   await said();
   assert.equal(await on((element) => element.undo()), true);
@@ -50,13 +66,23 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   assert.equal(await on((element) => element.job.cycle.diameter), 33);
   await said();
   // Saved from outside as by the button.
-  await page.evaluate(() => document.addEventListener("program-save", (event) => event.preventDefault()));
+  await page.evaluate(() =>
+    document.addEventListener("program-save", (event) =>
+      event.preventDefault(),
+    ),
+  );
   assert.equal(await on((element) => element.save()), true);
   const [[name, saving]] = /** @type {[[string, any]]} */ (await said());
-  assert.deepEqual([name, saving.text], ["program-save", await on((element) => element.plan.program.text)]);
+  assert.deepEqual(
+    [name, saving.text],
+    ["program-save", await on((element) => element.plan.program.text)],
+  );
   await field("cycle.diameter").fill("");
   assert.equal(await on((element) => element.save()), false);
-  assert.ok((await on((element) => element.picture())).startsWith("<svg"), "the last good one");
+  assert.ok(
+    (await on((element) => element.picture())).startsWith("<svg"),
+    "the last good one",
+  );
   await field("cycle.diameter").fill("33");
   // Measured points: from outside without an event, by the user with one.
   await said();
@@ -73,7 +99,11 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   // A move is lit, and what is none lights nothing.
   for (const move of [2, -1, 1e9, 0.5, "x", null]) {
     await on((element, move) => element.highlight(move), move);
-    assert.equal(await on((element) => element.store.highlight), move === 2 ? 2 : null, String(move));
+    assert.equal(
+      await on((element) => element.store.highlight),
+      move === 2 ? 2 : null,
+      String(move),
+    );
   }
 });
 
@@ -81,14 +111,20 @@ test("the page hears what the user chooses: a move, its line, its touch, a field
   await open(`<touch-path cycle="hole"></touch-path>`, LISTEN);
   await said();
   const { plan } = await on((element) => ({ plan: element.plan }));
-  const move = plan.moves.findIndex((/** @type {any} */ one) => one.touch === 1);
+  const move = plan.moves.findIndex(
+    (/** @type {any} */ one) => one.touch === 1,
+  );
   await on((element, move) => element.store.pin(move), move);
   assert.deepEqual((await said()).at(-1), [
     "selection-change",
     { move, line: plan.program.moveLines[move], touch: 1, field: null },
   ]);
   await field("cycle.diameter").click();
-  assert.equal((await said()).filter(([name]) => name === "selection-change").at(-1)?.[1].field, "cycle.diameter");
+  assert.equal(
+    (await said()).filter(([name]) => name === "selection-change").at(-1)?.[1]
+      .field,
+    "cycle.diameter",
+  );
   await on((element) => element.store.pin(null));
   assert.equal((await said()).at(-1)?.[1].move, null);
 });
@@ -110,7 +146,10 @@ test("a control of a form as libraries look for it: value, type, labels, validit
   const { defaultJob } = await import("touchpath");
   const own = defaultJob("hole").cycle.diameter;
   assert.deepEqual(await state(), ["touch-path", 1, true, true, false, own]);
-  await set("value", JSON.stringify({ format: 1, cycle: { type: "hole", diameter: 31 } }));
+  await set(
+    "value",
+    JSON.stringify({ format: 1, cycle: { type: "hole", diameter: 31 } }),
+  );
   assert.equal((await state())[5], 31);
   await said();
   // A box: input with every key, change when it is left; each once.
@@ -143,7 +182,9 @@ test("a control of a form as libraries look for it: value, type, labels, validit
   assert.ok(await field("cycle.diameter").isDisabled());
   assert.deepEqual(
     await page.evaluate(() => [
-      ...new FormData(/** @type {HTMLFormElement} */ (document.querySelector("form"))).keys(),
+      ...new FormData(
+        /** @type {HTMLFormElement} */ (document.querySelector("form")),
+      ).keys(),
     ]),
     [],
   );
@@ -152,16 +193,28 @@ test("a control of a form as libraries look for it: value, type, labels, validit
 });
 
 test("of a set-up the form and the events have all cycles, and bringing one into the form changes nothing", async () => {
-  await open(`<form><touch-path name="probing" cycle="hole"></touch-path></form>`, LISTEN);
+  await open(
+    `<form><touch-path name="probing" cycle="hole"></touch-path></form>`,
+    LISTEN,
+  );
   await on((element) => element.store.addFeature("web"));
   const sent = () =>
     page.evaluate(() =>
-      JSON.parse(String(new FormData(/** @type {HTMLFormElement} */ (document.querySelector("form"))).get("probing"))),
+      JSON.parse(
+        String(
+          new FormData(
+            /** @type {HTMLFormElement} */ (document.querySelector("form")),
+          ).get("probing"),
+        ),
+      ),
     );
   assert.equal((await sent()).cycles.length, 2);
   const change = (await said()).find(([name]) => name === "job-change");
   assert.equal(change?.[1].job.cycles.length, 2);
-  assert.deepEqual(await on((element) => JSON.parse(element.value)), await sent());
+  assert.deepEqual(
+    await on((element) => JSON.parse(element.value)),
+    await sent(),
+  );
   await on((element) => element.store.bringFeature(0));
   assert.ok(!(await names()).includes("job-change"));
   await on((element) => element.store.clearAt(60));
@@ -172,9 +225,16 @@ test("of a set-up the form and the events have all cycles, and bringing one into
 test("what is chosen goes with the plan that it was of, and what the page around measured stays", async () => {
   await open(`<touch-path cycle="hole"></touch-path>`, LISTEN);
   await on((element) => element.store.pin(5));
-  assert.equal((await said()).filter(([name]) => name === "selection-change").length, 1);
+  assert.equal(
+    (await said()).filter(([name]) => name === "selection-change").length,
+    1,
+  );
   await page.locator('select[id="f-cycle.type"]').selectOption("web");
-  assert.equal((await said()).filter(([name]) => name === "selection-change").at(-1)?.[1].move, null);
+  assert.equal(
+    (await said()).filter(([name]) => name === "selection-change").at(-1)?.[1]
+      .move,
+    null,
+  );
   await field("cycle.width").fill("22");
   await set("measured", "1 2 3");
   await said();
@@ -184,7 +244,10 @@ test("what is chosen goes with the plan that it was of, and what the page around
 });
 
 test("boxes in the slots are the page's, words can be taken back, and the view holds without a picture", async () => {
-  await open(`<touch-path view="isometric" panels="form"><input slot="header" id="own"></touch-path>`, LISTEN);
+  await open(
+    `<touch-path view="isometric" panels="form"><input slot="header" id="own"></touch-path>`,
+    LISTEN,
+  );
   await said();
   await page.locator("#own").fill("x");
   assert.deepEqual(await names(), ["input"]);
@@ -195,7 +258,11 @@ test("boxes in the slots are the page's, words can be taken back, and the view h
   assert.notEqual((await picture())[1], before);
   await set("view", "isometric");
   await set("panels", null);
-  await page.locator(`${inner("picture")} button[aria-pressed="true"]`, { hasText: "isometric" }).waitFor();
+  await page
+    .locator(`${inner("picture")} button[aria-pressed="true"]`, {
+      hasText: "isometric",
+    })
+    .waitFor();
   assert.equal(await on((element) => element.getAttribute("panels")), null);
   // The picture is that which was asked for, at once.
   const sides = await on((element) => {

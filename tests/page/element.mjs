@@ -1,6 +1,12 @@
 // What the tests of <touch-path> share: a page of somebody else's, the package's files beside it, and nothing between them and the browser.
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before } from "node:test";
@@ -40,7 +46,9 @@ export function setUp() {
     });
     server = await serve(0, folder);
     browser = await launch();
-    context = await browser.newContext({ viewport: { width: 1300, height: 900 } });
+    context = await browser.newContext({
+      viewport: { width: 1300, height: 900 },
+    });
   });
   afterEach(async () => {
     // Nothing is kept for the next test.
@@ -50,7 +58,11 @@ export function setUp() {
         Storage.prototype.setItem = () => {};
       });
     await page?.close();
-    assert.deepEqual(problems, [], "nothing is complained about on the console");
+    assert.deepEqual(
+      problems,
+      [],
+      "nothing is complained about on the console",
+    );
   });
   after(async () => {
     await browser?.close();
@@ -60,10 +72,12 @@ export function setUp() {
 }
 
 /** What an element inside is called in the package: by its version, since a page may hold two. */
-export const inner = (/** @type {string} */ name) => `tp-${version.replaceAll(".", "-")}-${name}`;
+export const inner = (/** @type {string} */ name) =>
+  `tp-${version.replaceAll(".", "-")}-${name}`;
 
 /** Where a file of the folder is served. */
-export const address = (/** @type {string} */ name) => `${addressOf(server)}${name}`;
+export const address = (/** @type {string} */ name) =>
+  `${addressOf(server)}${name}`;
 
 /** A file of the folder in a tab, as it is: nothing is listened to, nothing waited for. */
 export async function visit(/** @type {string} */ name) {
@@ -72,8 +86,15 @@ export async function visit(/** @type {string} */ name) {
 }
 
 /** Opens a page with this body; every element of it is loaded. */
-export async function open(/** @type {string} */ body, script = "", policy = POLICY) {
-  writeFileSync(join(folder, "page.css"), "html, body { height: 100%; margin: 0 } touch-path { height: 650px }");
+export async function open(
+  /** @type {string} */ body,
+  script = "",
+  policy = POLICY,
+) {
+  writeFileSync(
+    join(folder, "page.css"),
+    "html, body { height: 100%; margin: 0 } touch-path { height: 650px }",
+  );
   writeFileSync(join(folder, "page.js"), script);
   writeFileSync(
     join(folder, "page.html"),
@@ -84,8 +105,14 @@ export async function open(/** @type {string} */ body, script = "", policy = POL
   modules = [];
   page = await context.newPage();
   page.on("pageerror", (error) => problems.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
-  page.on("request", (request) => request.url().endsWith(".wasm") && modules.push(request.url()));
+  page.on(
+    "console",
+    (message) => message.type() === "error" && problems.push(message.text()),
+  );
+  page.on(
+    "request",
+    (request) => request.url().endsWith(".wasm") && modules.push(request.url()),
+  );
   await page.goto(address("page.html"));
   await loaded();
 }
@@ -93,7 +120,9 @@ export async function open(/** @type {string} */ body, script = "", policy = POL
 const loaded = () =>
   page.evaluate(async () => {
     await customElements.whenDefined("touch-path");
-    await Promise.all([...document.querySelectorAll("touch-path")].map((one) => one.ready));
+    await Promise.all(
+      [...document.querySelectorAll("touch-path")].map((one) => one.ready),
+    );
   });
 
 /**
@@ -103,12 +132,17 @@ const loaded = () =>
  * @returns {Promise<any>}
  */
 export const on = (work, arg = null) =>
-  page.evaluate(`(${work})(document.querySelector("touch-path"), ${JSON.stringify(arg)})`);
+  page.evaluate(
+    `(${work})(document.querySelector("touch-path"), ${JSON.stringify(arg)})`,
+  );
 /** Sets a property of it. */
 export const set = (/** @type {string} */ name, /** @type {unknown} */ value) =>
   page.evaluate(
     ([name, value]) =>
-      void Object.assign(/** @type {object} */ (document.querySelector("touch-path")), { [String(name)]: value }),
+      void Object.assign(
+        /** @type {object} */ (document.querySelector("touch-path")),
+        { [String(name)]: value },
+      ),
     [name, value],
   );
 
@@ -119,6 +153,7 @@ export const LISTEN = `
   for (const name of own) document.addEventListener(name, (event) => heard.push([name, structuredClone(event.detail)]));
 `;
 /** @returns {Promise<[string, any][]>} */
-export const heard = () => page.evaluate(() => /** @type {any} */ (window).heard.splice(0));
+export const heard = () =>
+  page.evaluate(() => /** @type {any} */ (window).heard.splice(0));
 export const field = (/** @type {string} */ path, n = 0) =>
   page.locator("touch-path").nth(n).locator(`[id="f-${path}"]`);

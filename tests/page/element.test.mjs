@@ -2,7 +2,18 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { PICTURE } from "./common.mjs";
-import { field, heard, inner, LISTEN, modules, on, open, page, set, setUp } from "./element.mjs";
+import {
+  field,
+  heard,
+  inner,
+  LISTEN,
+  modules,
+  on,
+  open,
+  page,
+  set,
+  setUp,
+} from "./element.mjs";
 
 setUp();
 
@@ -11,13 +22,15 @@ test("three elements on a page are independent, and one module serves them", asy
     <touch-path job='{"format":1,"name":"THIRD","cycle":{"type":"internal-rectangle-protected","width1":77}}'></touch-path>`);
   const state = () =>
     page.evaluate(() =>
-      [...document.querySelectorAll("touch-path")].map(({ cycle, post, units, job, plan }) => ({
-        cycle,
-        post,
-        units,
-        name: job?.name,
-        text: plan?.program.text,
-      })),
+      [...document.querySelectorAll("touch-path")].map(
+        ({ cycle, post, units, job, plan }) => ({
+          cycle,
+          post,
+          units,
+          name: job?.name,
+          text: plan?.program.text,
+        }),
+      ),
     );
   const before = await state();
   assert.deepEqual(
@@ -36,7 +49,11 @@ test("three elements on a page are independent, and one module serves them", asy
   const now = await state();
   assert.notEqual(now[0]?.text, before[0]?.text);
   assert.deepEqual(now.slice(1), before.slice(1));
-  assert.equal(await page.evaluate(() => localStorage.length + sessionStorage.length), 0, "nothing is kept");
+  assert.equal(
+    await page.evaluate(() => localStorage.length + sessionStorage.length),
+    0,
+    "nothing is kept",
+  );
 });
 
 test("a job comes in as an object or as JSON, and what cannot be used changes nothing", async () => {
@@ -47,19 +64,43 @@ test("a job comes in as an object or as JSON, and what cannot be used changes no
   await set("job", job);
   assert.equal(await field("cycle.diameter").inputValue(), "33");
   const said = await heard();
-  assert.ok(said.some(([name, { plan }]) => name === "plan-change" && plan.touches.length === 4));
-  assert.ok(!said.some(([name]) => name === "job-change"), "a job that the page sets is no change by the user");
+  assert.ok(
+    said.some(
+      ([name, { plan }]) => name === "plan-change" && plan.touches.length === 4,
+    ),
+  );
+  assert.ok(
+    !said.some(([name]) => name === "job-change"),
+    "a job that the page sets is no change by the user",
+  );
   // The same again, as a framework does with every rendering.
   await set("job", await on((element) => element.job));
   assert.deepEqual(await heard(), []);
   await on((element) =>
-    element.setAttribute("job", JSON.stringify({ ...element.job, cycle: { ...element.job.cycle, depth: 7 } })),
+    element.setAttribute(
+      "job",
+      JSON.stringify({
+        ...element.job,
+        cycle: { ...element.job.cycle, depth: 7 },
+      }),
+    ),
   );
   assert.equal(await field("cycle.depth").inputValue(), "7");
   await heard();
   const kept = await on((element) => element.job);
-  const bad = ["{", "[]", '"x"', "7", '{"format":9,"cycle":{"type":"hole"}}', '{"format":1,"cycle":{"type":"holes"}}'];
-  for (const value of [...bad, '{"format":1,"cycle":{"type":"hole","touches":"abc"}}', "x".repeat(2_100_000)]) {
+  const bad = [
+    "{",
+    "[]",
+    '"x"',
+    "7",
+    '{"format":9,"cycle":{"type":"hole"}}',
+    '{"format":1,"cycle":{"type":"holes"}}',
+  ];
+  for (const value of [
+    ...bad,
+    '{"format":1,"cycle":{"type":"hole","touches":"abc"}}',
+    "x".repeat(2_100_000),
+  ]) {
     await on((element, value) => element.setAttribute("job", value), value);
     const [[name, detail], ...rest] = /** @type {any} */ (await heard());
     assert.deepEqual(
@@ -85,7 +126,11 @@ test("a job comes in as an object or as JSON, and what cannot be used changes no
       ["finding", true, "unknown-value", []],
       input,
     );
-    assert.equal(await on((element, input) => element[input], input), before, `${input} is what it was`);
+    assert.equal(
+      await on((element, input) => element[input], input),
+      before,
+      `${input} is what it was`,
+    );
   }
   await page.evaluate(() => {
     const element = /** @type {any} */ (document.querySelector("touch-path"));
@@ -95,7 +140,11 @@ test("a job comes in as an object or as JSON, and what cannot be used changes no
         throw new Error("no");
       },
     };
-    element.job = { format: 1, cycle: { type: "hole" }, part: { sizes: () => 7 } };
+    element.job = {
+      format: 1,
+      cycle: { type: "hole" },
+      part: { sizes: () => 7 },
+    };
     element.job = null;
     element.job = undefined;
   });
@@ -106,7 +155,11 @@ test("a job comes in as an object or as JSON, and what cannot be used changes no
       ["finding", true],
     ],
   );
-  assert.deepEqual(await on((element) => element.job), kept, "nothing was lost");
+  assert.deepEqual(
+    await on((element) => element.job),
+    kept,
+    "nothing was lost",
+  );
 });
 
 test("the user's changes have their events, and a program is saved by the page where it cancels the event", async () => {
@@ -126,22 +179,39 @@ test("the user's changes have their events, and a program is saved by the page w
     ["job-change", "finding"],
   );
   assert.equal(wrong[1]?.[1].findings[0].path, "cycle.diameter");
-  assert.equal(await on((element) => element.plan), null, "a job with an error has no plan");
+  assert.equal(
+    await on((element) => element.plan),
+    null,
+    "a job with an error has no plan",
+  );
   await field("cycle.diameter").fill("45");
   await heard();
   const save = page.getByRole("button", { name: /^Save / });
-  const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    save.click(),
+  ]);
   assert.equal(download.suggestedFilename(), "BORE-D45.ngc");
   const text = await on((element) => element.plan.program.text);
   assert.deepEqual(await heard(), [
-    ["program-save", { name: "BORE-D45.ngc", text, post: "linuxcnc", extension: "ngc" }],
+    [
+      "program-save",
+      { name: "BORE-D45.ngc", text, post: "linuxcnc", extension: "ngc" },
+    ],
   ]);
   let saved = 0;
   page.on("download", () => saved++);
-  await page.evaluate(() => document.addEventListener("program-save", (event) => event.preventDefault()));
+  await page.evaluate(() =>
+    document.addEventListener("program-save", (event) =>
+      event.preventDefault(),
+    ),
+  );
   await save.click();
   await page.keyboard.press("Control+s");
-  assert.equal((await heard()).filter(([name]) => name === "program-save").length, 2);
+  assert.equal(
+    (await heard()).filter(([name]) => name === "program-save").length,
+    2,
+  );
   await page.waitForTimeout(200);
   assert.equal(saved, 0);
 });
@@ -154,11 +224,15 @@ test("readonly: nothing changes the job but the page around, and the program can
   const kept = await on((element) => element.job);
   await page.locator(`${inner("picture")} ${PICTURE}`).focus();
   await page.keyboard.press("Control+z");
-  const canvas = await page.locator(`${inner("picture")} ${PICTURE}`).boundingBox();
+  const canvas = await page
+    .locator(`${inner("picture")} ${PICTURE}`)
+    .boundingBox();
   assert.ok(canvas);
   // The virtual part's handle stands at the feature's own origin.
   const spot = await page.evaluate((name) => {
-    const picture = /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector(name));
+    const picture = /** @type {any} */ (
+      document.querySelector("touch-path")?.shadowRoot?.querySelector(name)
+    );
     return [
       ...picture.drawing.use((/** @type {any} */ view) => {
         view.grips(true);
@@ -172,19 +246,36 @@ test("readonly: nothing changes the job but the page around, and the program can
   await page.mouse.up();
   await page.evaluate(() => {
     const data = new DataTransfer();
-    data.items.add(new File(['{"format":1,"cycle":{"type":"boss"}}'], "job.json"));
-    const target = document.querySelector("touch-path")?.shadowRoot?.querySelector("main");
-    target?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, bubbles: true, cancelable: true }));
+    data.items.add(
+      new File(['{"format":1,"cycle":{"type":"boss"}}'], "job.json"),
+    );
+    const target = document
+      .querySelector("touch-path")
+      ?.shadowRoot?.querySelector("main");
+    target?.dispatchEvent(
+      new DragEvent("drop", {
+        dataTransfer: data,
+        bubbles: true,
+        cancelable: true,
+      }),
+    );
   });
   await page.getByText("this job is read-only").waitFor();
   assert.deepEqual(await on((element) => element.job), kept);
   assert.ok(await page.getByRole("button", { name: /^Save / }).isEnabled());
   await set("cycle", "boss");
-  assert.equal(await on((element) => element.job.cycle.type), "boss", "the page around may");
+  assert.equal(
+    await on((element) => element.job.cycle.type),
+    "boss",
+    "the page around may",
+  );
   await set("readonly", false);
   await field("cycle.diameter").fill("22");
   assert.equal(await on((element) => element.job.cycle.diameter), 22);
-  assert.deepEqual((await heard()).filter(([name]) => name === "job-change").length, 1);
+  assert.deepEqual(
+    (await heard()).filter(([name]) => name === "job-change").length,
+    1,
+  );
 });
 
 test("a word that is not known was passed over in silence: it is refused, and what was shown stays", async () => {
@@ -196,10 +287,14 @@ test("a word that is not known was passed over in silence: it is refused, and wh
       ["theme", "drak"],
       ["storage", "locl"],
     ])
-      element.setAttribute(/** @type {string} */ (name), /** @type {string} */ (value));
+      element.setAttribute(
+        /** @type {string} */ (name),
+        /** @type {string} */ (value),
+      );
     /** @type {any} */ (window).refused = [];
     element.addEventListener("finding", ({ detail }) => {
-      if (detail.refused) /** @type {any} */ (window).refused.push(detail.findings[0]?.message);
+      if (detail.refused)
+        /** @type {any} */ (window).refused.push(detail.findings[0]?.message);
     });
     document.querySelector("touch-path")?.replaceWith(element);
     return element.ready;
@@ -212,22 +307,40 @@ test("a word that is not known was passed over in silence: it is refused, and wh
     "storage must be one of none, local",
   ])
     assert.ok(said.join("\n").includes(reason), reason);
-  assert.ok(await page.locator(inner("form")).isVisible(), "all is shown, as without the attribute");
+  assert.ok(
+    await page.locator(inner("form")).isVisible(),
+    "all is shown, as without the attribute",
+  );
   await set("panels", "stage");
   await set("panels", "stage forms");
-  assert.ok(!(await page.locator(inner("form")).isVisible()) && (await page.locator(inner("picture")).isVisible()));
+  assert.ok(
+    !(await page.locator(inner("form")).isVisible()) &&
+      (await page.locator(inner("picture")).isVisible()),
+  );
 });
 
 test("another job is another document: the user cannot undo into the one before, and no value of it comes back", async () => {
   await open("<touch-path></touch-path>", LISTEN);
-  await set("job", { format: 1, name: "A", cycle: { type: "hole", diameter: 32 } });
-  await set("job", { format: 1, name: "B", cycle: { type: "boss", diameter: 20 } });
+  await set("job", {
+    format: 1,
+    name: "A",
+    cycle: { type: "hole", diameter: 32 },
+  });
+  await set("job", {
+    format: 1,
+    name: "B",
+    cycle: { type: "boss", diameter: 20 },
+  });
   assert.ok(await page.getByRole("button", { name: "Undo" }).isDisabled());
   await page.locator(`${inner("picture")} ${PICTURE}`).focus();
   await page.keyboard.press("Control+z");
   assert.equal(await on((element) => element.job.name), "B");
   await set("cycle", "hole");
-  assert.equal(await field("cycle.diameter").inputValue(), "40", "not the 32 of A");
+  assert.equal(
+    await field("cycle.diameter").inputValue(),
+    "40",
+    "not the 32 of A",
+  );
 });
 
 test("a host that returns each changed job late does not overwrite what is typed", async () => {
@@ -239,7 +352,9 @@ test("a host that returns each changed job late does not overwrite what is typed
   await page.keyboard.press("Control+a");
   await page.keyboard.type("31.25", { delay: 70 });
   await page.waitForFunction(
-    () => /** @type {any} */ (document.querySelector("touch-path")).job.cycle.diameter === 31.25,
+    () =>
+      /** @type {any} */ (document.querySelector("touch-path")).job.cycle
+        .diameter === 31.25,
   );
   assert.equal(await field("cycle.diameter").inputValue(), "31.25");
 });
@@ -247,8 +362,14 @@ test("a host that returns each changed job late does not overwrite what is typed
 test("what is handed out are copies; points stay with their job, and no job is said to change with them", async () => {
   await open("<touch-path cycle=hole readonly></touch-path>", LISTEN);
   // Of a job that can only be looked at, too, a log of the probe is taken: its points change no job.
-  const log = ["20 0", "0 20", "-20 0", "0 -20"].map((at) => `${at} -10 0 0 0 0 0 0\n`).join("");
-  await page.locator("#file").setInputFiles({ name: "probe.log", mimeType: "text/plain", buffer: Buffer.from(log) });
+  const log = ["20 0", "0 20", "-20 0", "0 -20"]
+    .map((at) => `${at} -10 0 0 0 0 0 0\n`)
+    .join("");
+  await page.locator("#file").setInputFiles({
+    name: "probe.log",
+    mimeType: "text/plain",
+    buffer: Buffer.from(log),
+  });
   await page.getByText("4 measured points were taken from this log").waitFor();
   await on((element) => {
     element.plan.program.text = "M30";
@@ -256,7 +377,9 @@ test("what is handed out are copies; points stay with their job, and no job is s
   });
   assert.match(await on((element) => element.plan.program.text), /M2\n$/);
   await heard();
-  await page.locator("#measured").fill("17,0,-10\n0,17,-10\n-17,0,-10\n0,-17,-10");
+  await page
+    .locator("#measured")
+    .fill("17,0,-10\n0,17,-10\n-17,0,-10\n0,-17,-10");
   assert.deepEqual(await heard(), []);
   await on((element) => {
     element.job = { ...element.job, overtravel: 6 };
@@ -271,18 +394,31 @@ test("the log of a sender gives results, and the block to type with a button tha
   const log = ["117.5,50", "83.5,50", "100,66.99264", "100,33.00736"]
     .map((xy) => `<<< [PRB:${xy},-90:1]\n<<< ok\n`)
     .join("");
-  await page.locator("#file").setInputFiles({ name: "run.log", mimeType: "text/plain", buffer: Buffer.from(log) });
+  await page.locator("#file").setInputFiles({
+    name: "run.log",
+    mimeType: "text/plain",
+    buffer: Buffer.from(log),
+  });
   await page.getByText("4 measured points were taken from this log").waitFor();
   await page.getByText("Type $# and paste the answer").waitFor();
   assert.equal(await page.locator(".block").count(), 0);
   await page.locator("#measured").fill(`G55\nWCO:100,50,-80\n${log}`);
   await page.getByText("Type this before anything moves").waitFor();
-  assert.equal(await page.locator(".block .code").textContent(), "G21 G10 L20 P2 X-0.5 Y0");
-  assert.match((await page.locator(".measured").textContent()) ?? "", /WCO in line 2: X100 Y50 Z-80 \(mm\)/);
+  assert.equal(
+    await page.locator(".block .code").textContent(),
+    "G21 G10 L20 P2 X-0.5 Y0",
+  );
+  assert.match(
+    (await page.locator(".measured").textContent()) ?? "",
+    /WCO in line 2: X100 Y50 Z-80 \(mm\)/,
+  );
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await page.locator(".block").getByRole("button", { name: "Copy" }).click();
   await page.locator(".block").getByText("Copied").waitFor();
-  assert.equal(await page.evaluate(() => navigator.clipboard.readText()), "G21 G10 L20 P2 X-0.5 Y0");
+  assert.equal(
+    await page.evaluate(() => navigator.clipboard.readText()),
+    "G21 G10 L20 P2 X-0.5 Y0",
+  );
 });
 
 test("what a page puts in as undefined is not there: the default stands in, and units convert", async () => {
@@ -308,7 +444,10 @@ test("what a page puts in as undefined is not there: the default stands in, and 
 test("a job of thousands of touches held up the page: few of them are listed", async () => {
   await open("<touch-path cycle=hole></touch-path>");
   const rows = await on(async (element, form) => {
-    const touches = Array.from({ length: 5000 }, () => ({ point: [1, 2, 3], vector: [1, 0, 0] }));
+    const touches = Array.from({ length: 5000 }, () => ({
+      point: [1, 2, 3],
+      vector: [1, 0, 0],
+    }));
     element.job = { format: 1, cycle: { type: "hole", touches } };
     await element.app.updateComplete;
     await element.shadowRoot.querySelector(form).updateComplete;

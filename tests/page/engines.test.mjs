@@ -26,7 +26,14 @@ const ENGINES = {
   // It has no mode without a screen: it gets one that nobody sees.
   WebKit: (port) => {
     const { driver, screen } = ensureWebKit();
-    const command = [screen, "-a", "-s", "-screen 0 1600x1200x24", driver, `--port=${port}`];
+    const command = [
+      screen,
+      "-a",
+      "-s",
+      "-screen 0 1600x1200x24",
+      driver,
+      `--port=${port}`,
+    ];
     return { command, capabilities: {} };
   },
 };
@@ -35,7 +42,9 @@ const ENGINES = {
 async function freePort() {
   const probe = createServer().listen(0, "127.0.0.1");
   await once(probe, "listening");
-  const { port } = /** @type {import("node:net").AddressInfo} */ (probe.address());
+  const { port } = /** @type {import("node:net").AddressInfo} */ (
+    probe.address()
+  );
   probe.close();
   await once(probe, "close");
   return port;
@@ -66,12 +75,18 @@ for (const [name, driven] of Object.entries(ENGINES))
     }
 
     /** Runs a function in the page; what it promises is waited for. @param {(...args: any[]) => unknown} work @param {unknown[]} args */
-    const run = (work, ...args) => ask("POST", "/execute/sync", { script: `return (${work})(...arguments)`, args });
+    const run = (work, ...args) =>
+      ask("POST", "/execute/sync", {
+        script: `return (${work})(...arguments)`,
+        args,
+      });
 
     /** Presses a button of the element. */
     const press = (/** @type {string} */ name) =>
       run((name) => {
-        const button = document.querySelector("touch-path")?.shadowRoot?.querySelector(`[aria-label='${name}']`);
+        const button = document
+          .querySelector("touch-path")
+          ?.shadowRoot?.querySelector(`[aria-label='${name}']`);
         /** @type {HTMLElement | null | undefined} */ (button)?.click();
       }, name);
 
@@ -80,7 +95,10 @@ for (const [name, driven] of Object.entries(ENGINES))
       const port = await freePort();
       const { command, capabilities } = driven(String(port));
       // With a group of its own: the screen, the driver and the browser end together.
-      driver = spawn(command[0] ?? "", command.slice(1), { stdio: "ignore", detached: true });
+      driver = spawn(command[0] ?? "", command.slice(1), {
+        stdio: "ignore",
+        detached: true,
+      });
       session = `http://127.0.0.1:${port}`;
       for (let i = 0; ; i++) {
         const there = await fetch(`${session}/status`).then(
@@ -108,7 +126,12 @@ for (const [name, driven] of Object.entries(ENGINES))
         await /** @type {any} */ (document.querySelector("touch-path")).ready;
       });
       // By the keyboard, as a user types.
-      await run(() => document.querySelector("touch-path")?.shadowRoot?.getElementById("f-cycle.width1")?.focus());
+      await run(() =>
+        document
+          .querySelector("touch-path")
+          ?.shadowRoot?.getElementById("f-cycle.width1")
+          ?.focus(),
+      );
       const active = await ask("GET", "/element/active");
       assert.ok(active);
       await ask("POST", "/actions", {
@@ -125,7 +148,8 @@ for (const [name, driven] of Object.entries(ENGINES))
       });
       const { defaultJob, plan } = await import("touchpath");
       // Where people measure in inch, a first job is in inch.
-      const units = (await run(() => navigator.language)) === "en-US" ? "inch" : "mm";
+      const units =
+        (await run(() => navigator.language)) === "en-US" ? "inch" : "mm";
       const job = defaultJob("internal-rectangle-protected", units);
       const { width1, width2 } = job.cycle;
       Object.assign(job.cycle, { width1: 64.5 });
@@ -133,39 +157,58 @@ for (const [name, driven] of Object.entries(ENGINES))
       const shown = () =>
         run(async () => {
           const root = document.querySelector("touch-path")?.shadowRoot;
-          const program = /** @type {any} */ (root?.querySelector("tp-program"));
+          const program = /** @type {any} */ (
+            root?.querySelector("tp-program")
+          );
           if (!program.everything) program.unfold();
           await program.updateComplete;
-          return [...program.querySelectorAll(".text")].map((line) => line.textContent).join("\n");
+          return [...program.querySelectorAll(".text")]
+            .map((line) => line.textContent)
+            .join("\n");
         });
       assert.equal(`${await shown()}\n`, plan(job).program.text);
       const drawn = async (/** @type {string} */ which) => {
-        await run(() => new Promise((done) => requestAnimationFrame(() => done(null))));
+        await run(
+          () => new Promise((done) => requestAnimationFrame(() => done(null))),
+        );
         return run((which) => {
           const canvas = /** @type {HTMLCanvasElement} */ (
-            document.querySelector("touch-path")?.shadowRoot?.querySelector(`tp-picture ${which}`)
+            document
+              .querySelector("touch-path")
+              ?.shadowRoot?.querySelector(`tp-picture ${which}`)
           );
           const data = new Uint32Array(
-            /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d")).getImageData(
-              0,
-              0,
-              canvas.width,
-              canvas.height,
-            ).data.buffer,
+            /** @type {CanvasRenderingContext2D} */ (
+              canvas.getContext("2d")
+            ).getImageData(0, 0, canvas.width, canvas.height).data.buffer,
           );
-          return data.reduce((sum, pixel, i) => (pixel === data[0] ? sum : (sum * 31 + i + pixel) % 1_000_000_007), 0);
+          return data.reduce(
+            (sum, pixel, i) =>
+              pixel === data[0] ? sum : (sum * 31 + i + pixel) % 1_000_000_007,
+            0,
+          );
         }, which);
       };
       assert.ok((await drawn("canvas")) > 0, "the picture is drawn");
       assert.equal(await drawn("canvas.over"), 0, "nothing lies over it");
       await press("Next touch");
-      assert.ok((await drawn("canvas.over")) > 0, "the ball is at the first touch");
+      assert.ok(
+        (await drawn("canvas.over")) > 0,
+        "the ball is at the first touch",
+      );
       await press("Undo");
       Object.assign(job.cycle, { width1 });
       job.name = `POCKET-${width1}X${width2}`;
-      await run(() => /** @type {any} */ (document.querySelector("touch-path")).app.updateComplete);
+      await run(
+        () =>
+          /** @type {any} */ (document.querySelector("touch-path")).app
+            .updateComplete,
+      );
       assert.equal(`${await shown()}\n`, plan(job).program.text);
       const png = await ask("GET", "/screenshot");
-      assert.ok(Buffer.from(png, "base64").length > 20_000, "there is something to see");
+      assert.ok(
+        Buffer.from(png, "base64").length > 20_000,
+        "there is something to see",
+      );
     });
   });

@@ -9,8 +9,10 @@ setUp({ width: 1440, height: 900 });
 
 const list = () => page.locator(".features .feature");
 const names = () => page.locator(".features .feature b").allTextContents();
-const add = (/** @type {string} */ type) => page.getByLabel("Add a cycle to this program").selectOption(type);
-const button = (/** @type {string} */ name) => page.getByRole("button", { name, exact: true });
+const add = (/** @type {string} */ type) =>
+  page.getByLabel("Add a cycle to this program").selectOption(type);
+const button = (/** @type {string} */ name) =>
+  page.getByRole("button", { name, exact: true });
 
 test("one cycle looks as before; of several the list, the sentence of what is written, the chapters and the tables are seen", async () => {
   await field("cycle.type").selectOption("hole");
@@ -25,11 +27,27 @@ test("one cycle looks as before; of several the list, the sentence of what is wr
   assert.deepEqual(await names(), ["TOP", "BORE"]);
   await add("wall-angle");
   await put("cycle.origin[0]", 100);
-  await page.getByLabel("rotation is written from").selectOption("WALL.rotation");
-  assert.equal(await textOf(page.locator(".datum p").first()), "X Y from BORE, Z from TOP, rotation from WALL → G54");
+  await page
+    .getByLabel("rotation is written from")
+    .selectOption("WALL.rotation");
+  assert.equal(
+    await textOf(page.locator(".datum p").first()),
+    "X Y from BORE, Z from TOP, rotation from WALL → G54",
+  );
   // Chapters in the program, a table a cycle in the results, the numbers of touches begin anew.
-  assert.deepEqual(await page.locator("tp-program .chapter").allTextContents(), ["TOP", "WALL", "BORE"]);
-  assert.deepEqual(await page.locator("tp-program .disc").allTextContents(), ["1", "1", "2", "1", "2", "3", "4"]);
+  assert.deepEqual(
+    await page.locator("tp-program .chapter").allTextContents(),
+    ["TOP", "WALL", "BORE"],
+  );
+  assert.deepEqual(await page.locator("tp-program .disc").allTextContents(), [
+    "1",
+    "1",
+    "2",
+    "1",
+    "2",
+    "3",
+    "4",
+  ]);
   // A click on a line of another cycle brings it into the form.
   await page.locator("tp-program .line.touch").first().click();
   assert.equal(await field("cycle.type").inputValue(), "surface");
@@ -37,11 +55,18 @@ test("one cycle looks as before; of several the list, the sentence of what is wr
   assert.equal(await field("cycle.type").inputValue(), "hole");
   await page.getByLabel("Height between cycles").fill("5");
   await page.keyboard.press("Tab");
-  assert.match(await textOf(page.locator(".datum .problem")), /goes across at 5 mm/);
+  assert.match(
+    await textOf(page.locator(".datum .problem")),
+    /goes across at 5 mm/,
+  );
   await page.getByLabel("Height between cycles").fill("");
   await page.keyboard.press("Tab");
   await page.locator("#tab-results").click();
-  assert.equal(await page.locator("tp-results table caption").count(), 4, "three cycles and what is written");
+  assert.equal(
+    await page.locator("tp-results table caption").count(),
+    4,
+    "three cycles and what is written",
+  );
 });
 
 test("what is wrong with a cycle is marked at its name, and leads into its form", async () => {
@@ -53,7 +78,9 @@ test("what is wrong with a cycle is marked at its name, and leads into its form"
   await page.getByRole("button", { name: "Go to it" }).click();
   assert.equal(await field("cycle.width").inputValue(), "-3");
   assert.equal(
-    await page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id),
+    await page.evaluate(
+      () => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id,
+    ),
     "f-cycle.width",
   );
 });
@@ -80,25 +107,45 @@ test("the buttons of a cycle duplicate it, leave it out, take it in again and re
 });
 
 /** The program, which its panel does not list while another one is shown. */
-const planned = () => page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).plan.program.text);
+const planned = () =>
+  page.evaluate(
+    () =>
+      /** @type {any} */ (document.querySelector("touch-path")).plan.program
+        .text,
+  );
 
 test("tolerances are typed beside the results that they are of, with what they come to and what follows from them", async () => {
   await field("cycle.type").selectOption("hole");
   await put("cycle.diameter", 25);
   await page.locator("#tab-results").click();
   await page.locator(".tolerances > summary").click();
-  const box = (/** @type {string} */ code) => page.getByRole("textbox", { name: `Tolerance of ${code}:` });
+  const box = (/** @type {string} */ code) =>
+    page.getByRole("textbox", { name: `Tolerance of ${code}:` });
   await box("diameter").fill("H7");
-  assert.equal(await textOf(page.locator(".tolerances small")), "25.0000 … 25.0210");
-  assert.match(await page.locator("tp-results table").first().innerText(), /good within ±/);
-  await page.getByLabel("What follows from diameter out of its tolerance").selectOption("stop");
-  assert.match(await planned(), /\(ABORT,diameter is #<diameter>, not 25 to 25\.021\)/);
+  assert.equal(
+    await textOf(page.locator(".tolerances small")),
+    "25.0000 … 25.0210",
+  );
+  assert.match(
+    await page.locator("tp-results table").first().innerText(),
+    /good within ±/,
+  );
+  await page
+    .getByLabel("What follows from diameter out of its tolerance")
+    .selectOption("stop");
+  assert.match(
+    await planned(),
+    /\(ABORT,diameter is #<diameter>, not 25 to 25\.021\)/,
+  );
   // Of several cycles a result has the name of its own.
   await add("boss");
   await put("cycle.origin[0]", 120);
   assert.equal(await box("BORE.diameter").inputValue(), "H7");
   await box("BORE.diameter").fill("H77");
-  assert.match(await page.locator(".tolerances .problem").first().innerText(), /ISO 286 has no H77/);
+  assert.match(
+    await page.locator(".tolerances .problem").first().innerText(),
+    /ISO 286 has no H77/,
+  );
   await box("BORE.diameter").fill("");
   assert.doesNotMatch(await planned(), /not 25 to/);
 });
@@ -113,10 +160,15 @@ test("a relation is added from a list and named; it stands in the results and am
   const name = page.getByLabel("Name of this relation");
   await name.fill("ROW");
   await page.keyboard.press("Tab");
-  await page.getByLabel("rotation is written from").selectOption("ROW.rotation");
+  await page
+    .getByLabel("rotation is written from")
+    .selectOption("ROW.rotation");
   assert.match(await planned(), /#<row_distance>=\[SQRT\[[\s\S]*G10 L2 P1 R\[/);
   await page.locator("#tab-results").click();
-  assert.match(await page.locator("tp-results").innerText(), /Relations[\s\S]*distance mm[\s\S]*90\.000/);
+  assert.match(
+    await page.locator("tp-results").innerText(),
+    /Relations[\s\S]*distance mm[\s\S]*90\.000/,
+  );
   await button("Duplicate BORE2").click();
   await put("cycle.origin[1]", 80);
   await relate.selectOption("pitch-circle");
@@ -130,10 +182,15 @@ test("what a machine printed of several parts becomes an inspection report", asy
   await put("cycle.diameter", 25);
   await page.locator("#tab-results").click();
   await page.locator("details.measured > summary").click();
-  const run = (/** @type {number} */ d) => `center.x=0.01\ncenter.y=0\ndiameter=${d}\nresidual=0.001\n`;
+  const run = (/** @type {number} */ d) =>
+    `center.x=0.01\ncenter.y=0\ndiameter=${d}\nresidual=0.001\n`;
   await page.locator("#measured").fill(run(25.01) + run(25.014));
   await page.getByText("2 parts").waitFor();
-  assert.match(await page.locator("tp-results table").first().innerText(), /25\.014/, "the last part");
+  assert.match(
+    await page.locator("tp-results table").first().innerText(),
+    /25\.014/,
+    "the last part",
+  );
   await page.getByLabel("Name", { exact: true }).fill("Ada");
   await page.keyboard.press("Tab");
   const saved = page.waitForEvent("download");
@@ -149,7 +206,9 @@ test("what a machine printed of several parts becomes an inspection report", asy
 
 test("results of earlier cycles and relations are proposed in the boxes that can follow them", async () => {
   const proposed = (/** @type {string} */ path) =>
-    page.locator(`datalist[id='l-${path}'] option`).evaluateAll((all) => all.map((one) => one.getAttribute("value")));
+    page
+      .locator(`datalist[id='l-${path}'] option`)
+      .evaluateAll((all) => all.map((one) => one.getAttribute("value")));
   const relate = page.getByLabel("Add a relation between cycles");
   await field("cycle.type").selectOption("hole");
   await field("control.workOffset").selectOption("1");

@@ -6,9 +6,19 @@ import { context, page, ready, setUp } from "./common.mjs";
 setUp({ width: 1440, height: 900 });
 
 /** A page of its own that waits for its module, or for what else is named, until it is let go. */
-async function waiting(/** @type {string} */ address, locale = "de-DE", held = /\.wasm$/) {
-  const browser = /** @type {import("playwright-core").Browser} */ (context.browser());
-  const own = await browser.newContext({ viewport: { width: 1440, height: 900 }, locale, serviceWorkers: "block" });
+async function waiting(
+  /** @type {string} */ address,
+  locale = "de-DE",
+  held = /\.wasm$/,
+) {
+  const browser = /** @type {import("playwright-core").Browser} */ (
+    context.browser()
+  );
+  const own = await browser.newContext({
+    viewport: { width: 1440, height: 900 },
+    locale,
+    serviceWorkers: "block",
+  });
   const tab = await own.newPage();
   /** @type {() => void} */
   let go = () => {};
@@ -24,7 +34,11 @@ async function waiting(/** @type {string} */ address, locale = "de-DE", held = /
 }
 
 const seen = (/** @type {import("playwright-core").Page} */ tab) =>
-  tab.evaluate(() => [...document.querySelectorAll(".shell svg")].map((svg) => getComputedStyle(svg).display));
+  tab.evaluate(() =>
+    [...document.querySelectorAll(".shell svg")].map(
+      (svg) => getComputedStyle(svg).display,
+    ),
+  );
 
 test("a first visit sees the picture before the page itself, where the page then draws it", async () => {
   const { own, tab, go } = await waiting(page.url(), "de-DE", /\/app-[^/]*$/);
@@ -32,9 +46,16 @@ test("a first visit sees the picture before the page itself, where the page then
   const ball = await tab.locator(".shell svg.mm circle").first().boundingBox();
   go();
   await tab.locator("tp-picture canvas").first().waitFor();
-  assert.equal(await tab.locator(".shell").isVisible(), false, "the page took over");
+  assert.equal(
+    await tab.locator(".shell").isVisible(),
+    false,
+    "the page took over",
+  );
   const canvas = await tab.locator("tp-picture canvas").first().boundingBox();
-  assert.ok(ball && canvas && ball.x > canvas.x && ball.x < canvas.x + canvas.width, "it stood where the canvas is");
+  assert.ok(
+    ball && canvas && ball.x > canvas.x && ball.x < canvas.x + canvas.width,
+    "it stood where the canvas is",
+  );
   await own.close();
 });
 
@@ -73,21 +94,45 @@ const stored = (/** @type {import("playwright-core").Page} */ tab) =>
 test("form, picture and program are read before the module, and are what the module says", async () => {
   for (const locale of ["en-GB", "en-US"]) {
     const { own, tab, go } = await waiting(page.url(), locale);
-    await tab.locator("tp-program .line").first().waitFor({ state: "attached" });
+    await tab
+      .locator("tp-program .line")
+      .first()
+      .waitFor({ state: "attached" });
     const inch = locale === "en-US";
-    assert.equal(await tab.locator("#f-cycle\\.width1").inputValue(), inch ? "3" : "80");
-    assert.match(await tab.locator("tp-program").innerText(), inch ? /G38\.2 X1\.\d/ : /G38\.2 X42 Y0 Z-10 F150/);
-    assert.equal(await tab.locator(`svg.${inch ? "inch" : "mm"}[slot=picture]`).isVisible(), true);
+    assert.equal(
+      await tab.locator("#f-cycle\\.width1").inputValue(),
+      inch ? "3" : "80",
+    );
+    assert.match(
+      await tab.locator("tp-program").innerText(),
+      inch ? /G38\.2 X1\.\d/ : /G38\.2 X42 Y0 Z-10 F150/,
+    );
+    assert.equal(
+      await tab
+        .locator(`svg.${inch ? "inch" : "mm"}[slot=picture]`)
+        .isVisible(),
+      true,
+    );
     const before = await stored(tab);
-    const ball = await tab.locator(`svg.${inch ? "inch" : "mm"}[slot=picture]`).boundingBox();
+    const ball = await tab
+      .locator(`svg.${inch ? "inch" : "mm"}[slot=picture]`)
+      .boundingBox();
     go();
-    await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
-    assert.equal(await tab.locator("svg[slot=picture]").first().isVisible(), false, "the canvas took over");
+    await tab.evaluate(
+      () => /** @type {any} */ (document.querySelector("touch-path")).ready,
+    );
+    assert.equal(
+      await tab.locator("svg[slot=picture]").first().isVisible(),
+      false,
+      "the canvas took over",
+    );
     const canvas = await tab.locator("tp-picture canvas").first().boundingBox();
     assert.deepEqual(ball, canvas, "in the same place");
     // The module answers now.
     await tab.evaluate(() => {
-      const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+      const { store } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      );
       store.changed();
     });
     assert.deepEqual(await stored(tab), before);
@@ -96,7 +141,9 @@ test("form, picture and program are read before the module, and are what the mod
 });
 
 const element = (/** @type {import("playwright-core").Page} */ tab) =>
-  tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
+  tab.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).ready,
+  );
 
 test("what is typed before the module is there is not lost, and nothing else can be done until then", async () => {
   const { own, tab, go } = await waiting(page.url(), "en-GB");
@@ -114,22 +161,38 @@ test("what is typed before the module is there is not lost, and nothing else can
   assert.equal(await width.inputValue(), "91.5");
   assert.equal((await stored(tab)).job.cycle.width1, 80, "it waits");
   // The program is that of before: it looks so, and is not handed out.
-  assert.equal(await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).save()), false);
+  assert.equal(
+    await tab.evaluate(() =>
+      /** @type {any} */ (document.querySelector("touch-path")).save(),
+    ),
+    false,
+  );
   await width.press("Control+s");
   await tab.mouse.click(700, 400);
   await tab.keyboard.press("Control+s");
   await tab.getByRole("button", { name: /^Save/ }).first().click();
   await tab.getByRole("tab", { name: "Results" }).click();
   await tab.evaluate(() => {
-    /** @type {any} */ (document.querySelector("touch-path")).measured = "1 2 3";
+    /** @type {any} */ (document.querySelector("touch-path")).measured =
+      "1 2 3";
   });
   go();
   await element(tab);
   const { job, plan } = await stored(tab);
   assert.deepEqual([job.cycle.width1, job.cycle.width2], [91.5, 44]);
   assert.match(plan.program.text, /G38\.2 X47\.75 /);
-  assert.equal(await tab.getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "false");
-  assert.equal(await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).measured), "1 2 3");
+  assert.equal(
+    await tab
+      .getByRole("tab", { name: "Results" })
+      .getAttribute("aria-selected"),
+    "false",
+  );
+  assert.equal(
+    await tab.evaluate(
+      () => /** @type {any} */ (document.querySelector("touch-path")).measured,
+    ),
+    "1 2 3",
+  );
   assert.deepEqual(saved, []);
   assert.equal(await tab.locator("touch-path").getAttribute("aria-busy"), null);
   const download = tab.waitForEvent("download");
@@ -139,7 +202,11 @@ test("what is typed before the module is there is not lost, and nothing else can
 });
 
 test("a job that another tab keeps meanwhile, and a link that is pasted, wait for the module", async () => {
-  const { own, tab, go } = await waiting(page.url(), "en-GB", /\.wasm$|\/app-[^/]*$/);
+  const { own, tab, go } = await waiting(
+    page.url(),
+    "en-GB",
+    /\.wasm$|\/app-[^/]*$/,
+  );
   await tab.evaluate(() => localStorage.setItem("touchpath.job.1", "{}"));
   go();
   await element(tab);
@@ -157,21 +224,31 @@ test("a job that another tab keeps meanwhile, and a link that is pasted, wait fo
     }
   });
   const other = await waiting(page.url(), "en-GB");
-  await other.tab.locator("tp-program .line").first().waitFor({ state: "attached" });
+  await other.tab
+    .locator("tp-program .line")
+    .first()
+    .waitFor({ state: "attached" });
   await other.tab.evaluate((hash) => {
     location.hash = hash;
   }, new URL(link).hash);
   other.go();
   await element(other.tab);
   await other.tab.waitForFunction(
-    () => /** @type {any} */ (document.querySelector("touch-path")).store.job.cycle.width1 === 77,
+    () =>
+      /** @type {any} */ (document.querySelector("touch-path")).store.job.cycle
+        .width1 === 77,
   );
   await other.own.close();
 });
 
 test("the page begins with the smaller module, and fetches the whole one when a text is opened", async () => {
-  const browser = /** @type {import("playwright-core").Browser} */ (context.browser());
-  const own = await browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
+  const browser = /** @type {import("playwright-core").Browser} */ (
+    context.browser()
+  );
+  const own = await browser.newContext({
+    locale: "en-GB",
+    serviceWorkers: "block",
+  });
   const tab = await own.newPage();
   /** @type {string[]} */
   const modules = [];
@@ -184,18 +261,27 @@ test("the page begins with the smaller module, and fetches the whole one when a 
   await tab.waitForLoadState("networkidle");
   assert.deepEqual([...new Set(modules)], ["first"]);
   const buffer = Buffer.from("G21\nG0 X1 Y2\nG1 Z-3 F100\nM2\n");
-  await tab.locator("#file").setInputFiles({ name: "some.ngc", mimeType: "text/plain", buffer });
+  await tab
+    .locator("#file")
+    .setInputFiles({ name: "some.ngc", mimeType: "text/plain", buffer });
   await tab.locator("tp-viewer").waitFor();
   assert.deepEqual([...new Set(modules)], ["first", "touchpath_bg"]);
   await own.close();
 });
 
 test("a module that came on the third attempt lost nothing", async () => {
-  const browser = /** @type {import("playwright-core").Browser} */ (context.browser());
-  const own = await browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
+  const browser = /** @type {import("playwright-core").Browser} */ (
+    context.browser()
+  );
+  const own = await browser.newContext({
+    locale: "en-GB",
+    serviceWorkers: "block",
+  });
   const tab = await own.newPage();
   let attempts = 0;
-  await tab.route(/\.wasm$/, (route) => (++attempts < 3 ? route.abort() : route.continue()));
+  await tab.route(/\.wasm$/, (route) =>
+    ++attempts < 3 ? route.abort() : route.continue(),
+  );
   await tab.goto(page.url());
   await tab.locator("#f-cycle\\.width1").fill("91");
   await element(tab);
@@ -205,12 +291,20 @@ test("a module that came on the third attempt lost nothing", async () => {
 });
 
 test("without its module the page says so in its place", async () => {
-  const browser = /** @type {import("playwright-core").Browser} */ (context.browser());
-  const own = await browser.newContext({ locale: "en-GB", serviceWorkers: "block" });
+  const browser = /** @type {import("playwright-core").Browser} */ (
+    context.browser()
+  );
+  const own = await browser.newContext({
+    locale: "en-GB",
+    serviceWorkers: "block",
+  });
   const tab = await own.newPage();
   await tab.route(/\.wasm$/, (route) => route.abort());
   await tab.goto(page.url());
   await tab.getByRole("alert").waitFor();
-  assert.match(await tab.getByRole("alert").innerText(), /^Touchpath could not be loaded: /);
+  assert.match(
+    await tab.getByRole("alert").innerText(),
+    /^Touchpath could not be loaded: /,
+  );
   await own.close();
 });

@@ -1,6 +1,12 @@
 // embed.html in a frame: a portal that is on its list, and pages that are not. Every message is held against the schema of the package.
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
@@ -20,7 +26,10 @@ let browser;
 /** @type {import("playwright-core").Page} */
 let page;
 const origin = (/** @type {number} */ n) =>
-  addressOf(/** @type {import("node:http").Server} */ (servers[n])).slice(0, -1);
+  addressOf(/** @type {import("node:http").Server} */ (servers[n])).slice(
+    0,
+    -1,
+  );
 const schema = JSON.parse(readFileSync(at("www", "frame.schema.json"), "utf8"));
 const ajv = new Ajv2020({ allowUnionTypes: true }).addSchema(schema);
 const isSpoken = (/** @type {string} */ kind, /** @type {unknown} */ message) =>
@@ -35,11 +44,18 @@ const SANDBOX = "allow-scripts allow-same-origin allow-forms allow-downloads";
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "touchpath-frame-"));
   const own = join(folder, "own");
-  cpSync(at("dist"), own, { recursive: true, filter: (source) => !source.startsWith(at("dist", "page")) });
+  cpSync(at("dist"), own, {
+    recursive: true,
+    filter: (source) => !source.startsWith(at("dist", "page")),
+  });
   const portal = join(folder, "portal");
   cpSync(join(own, "frame.js"), join(portal, "frame.js"));
   cpSync(join(own, "protocol.js"), join(portal, "protocol.js"));
-  servers = [await serve(0, own), await serve(0, portal), await serve(0, portal)];
+  servers = [
+    await serve(0, own),
+    await serve(0, portal),
+    await serve(0, portal),
+  ];
   cpSync(join(own, "embed.html"), join(own, "unconfigured.html"));
   const html = readFileSync(join(own, "embed.html"), "utf8").replace(
     'name="touchpath-origins" content=""',
@@ -52,8 +68,14 @@ before(async () => {
     `<!doctype html><html lang="en"><meta charset="utf-8"><title>Portal</title><iframe width="1200" height="700" src="${origin(0)}/embed.html" title="Probing"></iframe></html>`,
   );
   const index = readFileSync(join(portal, "index.html"), "utf8");
-  writeFileSync(join(own, "elsewhere.html"), "<!doctype html><title>Log in</title>");
-  writeFileSync(join(portal, "sandboxed.html"), index.replace("<iframe ", `<iframe sandbox="${SANDBOX}" `));
+  writeFileSync(
+    join(own, "elsewhere.html"),
+    "<!doctype html><title>Log in</title>",
+  );
+  writeFileSync(
+    join(portal, "sandboxed.html"),
+    index.replace("<iframe ", `<iframe sandbox="${SANDBOX}" `),
+  );
   browser = await launch();
 });
 afterEach(() => page?.close());
@@ -68,7 +90,9 @@ async function open(n = 1, name = "") {
   page = await browser.newPage({ viewport: { width: 1250, height: 760 } });
   await page.addInitScript(() => {
     /** @type {any} */ (window).heard = [];
-    addEventListener("message", ({ data }) => /** @type {any} */ (window).heard.push(structuredClone(data)));
+    addEventListener("message", ({ data }) =>
+      /** @type {any} */ (window).heard.push(structuredClone(data)),
+    );
   });
   await page.goto(`${origin(n)}/${name}`);
 }
@@ -77,7 +101,9 @@ async function open(n = 1, name = "") {
 const connect = (options = {}) =>
   page.evaluate(
     async (options) => {
-      const { connect } = await import(/* @vite-ignore */ `${location.origin}/frame.js`);
+      const { connect } = await import(
+        /* @vite-ignore */ `${location.origin}/frame.js`
+      );
       const iframe = document.querySelector("iframe");
       try {
         const frame = await connect(iframe, options);
@@ -107,35 +133,52 @@ const on = (/** @type {string} */ work) =>
   page.evaluate(
     `(async () => { try { return await (${work}) } catch (thrown) { return { failed: String(thrown), findings: thrown.findings } } })()`,
   );
-const told = () => page.evaluate(() => /** @type {any} */ (window).told.splice(0));
+const told = () =>
+  page.evaluate(() => /** @type {any} */ (window).told.splice(0));
 
 test("a portal sets the job, reads it, receives its events and saves the program itself", async () => {
   await open();
   const { version } = await import("touchpath");
   assert.equal(await connect({ saves: true }), version());
-  const job = { format: 1, name: "FROM_PORTAL", cycle: { type: "boss", diameter: 31 } };
+  const job = {
+    format: 1,
+    name: "FROM_PORTAL",
+    cycle: { type: "boss", diameter: 31 },
+  };
   assert.equal(
-    await on(`frame.set({ job: ${JSON.stringify(job)}, post: "fanuc", theme: "dark", panels: "form stage program" })`),
+    await on(
+      `frame.set({ job: ${JSON.stringify(job)}, post: "fanuc", theme: "dark", panels: "form stage program" })`,
+    ),
     undefined,
   );
   const { plan } = await import("touchpath");
   const state = /** @type {any} */ (await on("frame.get()"));
   isSpoken("answer", { type: "state", id: 1, state });
   assert.equal(state.job.name, "FROM_PORTAL");
-  assert.deepEqual(state.plan, JSON.parse(JSON.stringify(plan(state.job))), "the plan is that of the package");
+  assert.deepEqual(
+    state.plan,
+    JSON.parse(JSON.stringify(plan(state.job))),
+    "the plan is that of the package",
+  );
   const heard = await told();
   assert.ok(heard.some((/** @type {any} */ one) => one.type === "plan-change"));
   const inside = page.frameLocator("iframe");
   await inside.locator("[id='f-cycle.diameter']").fill("29");
   await inside.getByRole("button", { name: /^Save / }).click();
   await page.waitForFunction(() =>
-    /** @type {any} */ (window).told.some((/** @type {any} */ one) => one.type === "program-save"),
+    /** @type {any} */ (window).told.some(
+      (/** @type {any} */ one) => one.type === "program-save",
+    ),
   );
   const after = await told();
   for (const one of [...heard, ...after]) isSpoken("answer", one);
-  const change = after.find((/** @type {any} */ one) => one.type === "job-change");
+  const change = after.find(
+    (/** @type {any} */ one) => one.type === "job-change",
+  );
   assert.equal(change.detail.job.cycle.diameter, 29);
-  const saved = after.find((/** @type {any} */ one) => one.type === "program-save").detail;
+  const saved = after.find(
+    (/** @type {any} */ one) => one.type === "program-save",
+  ).detail;
   assert.deepEqual(
     [saved.name, saved.post, saved.text],
     ["FROM_PORTAL.nc", "fanuc", plan(change.detail.job).program.text],
@@ -148,29 +191,68 @@ test("a control that the portal had set was lost with the next job that names no
   const bore = { format: 1, cycle: { type: "hole" } };
   const state = async (/** @type {string} */ set) => {
     assert.equal(await on(`frame.set(${set})`), undefined);
-    const { job, plan, findings } = /** @type {any} */ (await on("frame.get()"));
+    const { job, plan, findings } = /** @type {any} */ (
+      await on("frame.get()")
+    );
     const codes = findings
       .map((/** @type {any} */ f) => f.code)
       .filter((/** @type {string} */ c) => c.startsWith("other-"));
     return [job.control.post, job.units, plan.program.post, ...codes];
   };
   const json = JSON.stringify(bore);
-  assert.deepEqual(await state('{ post: "fanuc", units: "inch" }'), ["fanuc", "inch", "fanuc"]);
+  assert.deepEqual(await state('{ post: "fanuc", units: "inch" }'), [
+    "fanuc",
+    "inch",
+    "fanuc",
+  ]);
   assert.deepEqual(await state(`{ job: ${json} }`), ["fanuc", "inch", "fanuc"]);
-  assert.deepEqual(await state(`{ job: ${json}, post: "haas" }`), ["haas", "inch", "haas"]);
-  const other = JSON.stringify({ ...bore, name: "OTHER", units: "mm", control: { post: "sinumerik" } });
-  assert.deepEqual(await state(`{ job: ${other} }`), ["sinumerik", "mm", "sinumerik", "other-control", "other-units"]);
-  assert.deepEqual(await state('{ post: "sinumerik", units: "mm" }'), ["sinumerik", "mm", "sinumerik"]);
+  assert.deepEqual(await state(`{ job: ${json}, post: "haas" }`), [
+    "haas",
+    "inch",
+    "haas",
+  ]);
+  const other = JSON.stringify({
+    ...bore,
+    name: "OTHER",
+    units: "mm",
+    control: { post: "sinumerik" },
+  });
+  assert.deepEqual(await state(`{ job: ${other} }`), [
+    "sinumerik",
+    "mm",
+    "sinumerik",
+    "other-control",
+    "other-units",
+  ]);
+  assert.deepEqual(await state('{ post: "sinumerik", units: "mm" }'), [
+    "sinumerik",
+    "mm",
+    "sinumerik",
+  ]);
   // What is set at one time has no order: the cycle beside a job is its cycle.
-  assert.deepEqual(await state(`{ job: { format: 1, name: "C" }, cycle: "groove" }`), ["sinumerik", "mm", "sinumerik"]);
-  assert.equal(/** @type {any} */ (await on("frame.get()")).job.cycle.type, "groove");
+  assert.deepEqual(
+    await state(`{ job: { format: 1, name: "C" }, cycle: "groove" }`),
+    ["sinumerik", "mm", "sinumerik"],
+  );
+  assert.equal(
+    /** @type {any} */ (await on("frame.get()")).job.cycle.type,
+    "groove",
+  );
 });
 
 test("a portal rules, dresses and works the frame: config, appearance, view, save, undo, highlight, picture", async () => {
   await open();
   await connect({ saves: true });
-  const config = { format: 1, title: "Hall 3", allow: { controls: ["haas"] }, fields: { "feeds.work": { value: 90 } } };
-  const appearance = { background: "rgb(1, 2, 3)", "on-accent": "rgb(4, 5, 6)" };
+  const config = {
+    format: 1,
+    title: "Hall 3",
+    allow: { controls: ["haas"] },
+    fields: { "feeds.work": { value: 90 } },
+  };
+  const appearance = {
+    background: "rgb(1, 2, 3)",
+    "on-accent": "rgb(4, 5, 6)",
+  };
   const set = {
     config,
     appearance,
@@ -182,29 +264,48 @@ test("a portal rules, dresses and works the frame: config, appearance, view, sav
   assert.equal(await on(`frame.set(${JSON.stringify(set)})`), undefined);
   const state = /** @type {any} */ (await on("frame.get()"));
   isSpoken("answer", { type: "state", id: 1, state });
-  assert.deepEqual([state.job.control.post, state.job.feeds.work, state.measured], ["haas", 90, "center.x=0.1"]);
+  assert.deepEqual(
+    [state.job.control.post, state.job.feeds.work, state.measured],
+    ["haas", 90, "center.x=0.1"],
+  );
   const inside = page.frameLocator("iframe");
-  const background = inside.locator(inner("app")).evaluate((app) => getComputedStyle(app).backgroundColor);
+  const background = inside
+    .locator(inner("app"))
+    .evaluate((app) => getComputedStyle(app).backgroundColor);
   assert.equal(await background, "rgb(1, 2, 3)");
-  await inside.locator(`${inner("picture")} button[aria-pressed="true"]`, { hasText: "Isometric" }).waitFor();
+  await inside
+    .locator(`${inner("picture")} button[aria-pressed="true"]`, {
+      hasText: "Isometric",
+    })
+    .waitFor();
   const picture = await on("frame.picture()");
   assert.match(String(picture), /^<svg[\s\S]+<\/svg>\s*$/);
   isSpoken("answer", { type: "picture", id: 1, picture });
-  assert.match(/** @type {any} */ (await on("frame.undo()")).failed, /nothing to undo/);
+  assert.match(
+    /** @type {any} */ (await on("frame.undo()")).failed,
+    /nothing to undo/,
+  );
   await inside.locator("[id='f-cycle.diameter']").fill("29");
   await told();
   assert.equal(await on("frame.undo()"), undefined);
   assert.equal(await on("frame.redo()"), undefined);
-  assert.equal(/** @type {any} */ (await on("frame.get()")).job.cycle.diameter, 29);
+  assert.equal(
+    /** @type {any} */ (await on("frame.get()")).job.cycle.diameter,
+    29,
+  );
   assert.equal(await on("frame.highlight(3)"), undefined);
   assert.equal(await on("frame.save()"), undefined);
   await inside.locator(".code [data-line], .code .line").last().click();
   const after = await told();
   for (const one of after) isSpoken("answer", one);
   const types = new Set(after.map((/** @type {any} */ one) => one.type));
-  for (const type of ["job-change", "program-save", "selection-change"]) assert.ok(types.has(type), type);
+  for (const type of ["job-change", "program-save", "selection-change"])
+    assert.ok(types.has(type), type);
   await inside.locator("[id='f-cycle.diameter']").fill("-1");
-  assert.match(/** @type {any} */ (await on("frame.save()")).failed, /no program to save: Diameter must be/);
+  assert.match(
+    /** @type {any} */ (await on("frame.save()")).failed,
+    /no program to save: Diameter must be/,
+  );
   for (const [wrong, why] of [
     [{ config: { format: 1, tilte: "A" } }, /config has no "tilte"/],
     [{ appearance: { background: 5 } }, /appearance has texts/],
@@ -212,20 +313,33 @@ test("a portal rules, dresses and works the frame: config, appearance, view, sav
     [{ view: "below" }, /view must be one of/],
     [{ measured: 5 }, /measured must be text/],
   ]) {
-    const refused = /** @type {any} */ (await on(`frame.set(${JSON.stringify(wrong)})`));
+    const refused = /** @type {any} */ (
+      await on(`frame.set(${JSON.stringify(wrong)})`)
+    );
     assert.match(refused.failed, /** @type {RegExp} */ (why));
   }
   assert.equal(
-    await inside.locator(inner("app")).evaluate((app) => getComputedStyle(app).backgroundColor),
+    await inside
+      .locator(inner("app"))
+      .evaluate((app) => getComputedStyle(app).backgroundColor),
     "rgb(1, 2, 3)",
   );
 });
 
 test("a frame in a sandbox works with the words of the docs, and saves a file", async () => {
-  assert.ok(readFileSync(at("docs", "embedding.md"), "utf8").includes(`sandbox="${SANDBOX}"`));
+  assert.ok(
+    readFileSync(at("docs", "embedding.md"), "utf8").includes(
+      `sandbox="${SANDBOX}"`,
+    ),
+  );
   await open(1, "sandboxed.html");
   assert.match(await connect(), /^\d+\./);
-  assert.equal(await on('frame.set({ job: { format: 1, name: "BOXED", cycle: { type: "hole" } } })'), undefined);
+  assert.equal(
+    await on(
+      'frame.set({ job: { format: 1, name: "BOXED", cycle: { type: "hole" } } })',
+    ),
+    undefined,
+  );
   const download = page.waitForEvent("download");
   assert.equal(await on("frame.save()"), undefined);
   assert.equal((await download).suggestedFilename(), "BOXED.ngc");
@@ -233,16 +347,33 @@ test("a frame in a sandbox works with the words of the docs, and saves a file", 
 
 test("any origin was an origin to connect to: it is refused, and nothing is sent", async () => {
   await open();
-  for (const any of ["*", "/", "", "null", "about:blank", "data:text/html,x", undefined]) {
-    const heard = await page.evaluate(() => /** @type {any} */ (window).heard.length);
+  for (const any of [
+    "*",
+    "/",
+    "",
+    "null",
+    "about:blank",
+    "data:text/html,x",
+    undefined,
+  ]) {
+    const heard = await page.evaluate(
+      () => /** @type {any} */ (window).heard.length,
+    );
     assert.match(
       await connect({ origin: any }),
       /FrameError: .* is no origin: it must be that of the frame/,
       String(any),
     );
-    assert.equal(await page.evaluate(() => /** @type {any} */ (window).heard.length), heard);
+    assert.equal(
+      await page.evaluate(() => /** @type {any} */ (window).heard.length),
+      heard,
+    );
   }
-  assert.match(await connect({ origin: `${origin(0)}/` }), /^\d+\./, "an address has its origin");
+  assert.match(
+    await connect({ origin: `${origin(0)}/` }),
+    /^\d+\./,
+    "an address has its origin",
+  );
 });
 
 test("a portal sets the language, and what is none is refused", async () => {
@@ -271,14 +402,24 @@ test("what cannot be used is answered with its reasons, and the conversation con
     ['{ readonly: "yes" }', /readonly must be true or false/],
     ["{ job: null }", /the job cannot be used/],
     // What is good beside it is not taken either.
-    ['{ job: { format: 1, cycle: { type: "boss" } }, post: "mazatrol", panels: "form" }', /post must be one of/],
-    ['{ cycle: "boss", units: "inch", theme: "dark", lang: "<b>" }', /lang must be a BCP 47 tag/],
+    [
+      '{ job: { format: 1, cycle: { type: "boss" } }, post: "mazatrol", panels: "form" }',
+      /post must be one of/,
+    ],
+    [
+      '{ cycle: "boss", units: "inch", theme: "dark", lang: "<b>" }',
+      /lang must be a BCP 47 tag/,
+    ],
     ['{ units: "inch", post: null }', /post must be one of/],
     ["7", /has a state/],
     ["null", /has a state/],
   ]) {
     const { failed } = /** @type {any} */ (await on(`frame.set(${state})`));
-    assert.match(failed, /** @type {RegExp} */ (reason), String(state).slice(0, 60));
+    assert.match(
+      failed,
+      /** @type {RegExp} */ (reason),
+      String(state).slice(0, 60),
+    );
   }
   // Raw messages that no client sends.
   const answers = await page.evaluate(
@@ -287,8 +428,16 @@ test("what cannot be used is answered with its reasons, and the conversation con
         const { port } = /** @type {any} */ (window).frame;
         /** @type {unknown[]} */
         const all = [];
-        port.onmessage = (/** @type {MessageEvent} */ { data }) => all.push(data) === 6 && done(all);
-        for (const message of [null, 7, "get", [], { type: "get" }, { type: "eval", id: 1.5, code: "1" }])
+        port.onmessage = (/** @type {MessageEvent} */ { data }) =>
+          all.push(data) === 6 && done(all);
+        for (const message of [
+          null,
+          7,
+          "get",
+          [],
+          { type: "get" },
+          { type: "eval", id: 1.5, code: "1" },
+        ])
           port.postMessage(message);
       }),
   );
@@ -302,7 +451,10 @@ test("what cannot be used is answered with its reasons, and the conversation con
 
 test("a page that is not on the list is refused, whatever it sends", async () => {
   await open(2);
-  assert.match(await connect(), /FrameError: The frame refuses: http:\/\/localhost:\d+ is not on the list/);
+  assert.match(
+    await connect(),
+    /FrameError: The frame refuses: http:\/\/localhost:\d+ is not on the list/,
+  );
   const heard = await page.evaluate(() => /** @type {any} */ (window).heard);
   assert.ok(heard.length > 0);
   for (const message of heard) isSpoken("refused", message);
@@ -312,7 +464,9 @@ test("a page that is not on the list is refused, whatever it sends", async () =>
     const channel = new MessageChannel();
     let answers = 0;
     channel.port1.onmessage = () => answers++;
-    frame?.postMessage({ touchpath: 1, type: "hello", saves: true }, origin, [channel.port2]);
+    frame?.postMessage({ touchpath: 1, type: "hello", saves: true }, origin, [
+      channel.port2,
+    ]);
     for (const message of [
       { type: "set", id: 1, state: { cycle: "boss" } },
       { touchpath: 1, type: "set", state: {} },
@@ -327,7 +481,13 @@ test("a page that is not on the list is refused, whatever it sends", async () =>
     return answers;
   }, origin(0));
   assert.equal(silent, 0);
-  assert.match(await page.frameLocator("iframe").locator("[id='f-cycle.type']").inputValue(), /^internal-rectangle/);
+  assert.match(
+    await page
+      .frameLocator("iframe")
+      .locator("[id='f-cycle.type']")
+      .inputValue(),
+    /^internal-rectangle/,
+  );
 });
 
 test("a frame without a list of origins refuses every page; another version of the protocol is refused", async () => {
@@ -340,7 +500,11 @@ test("a frame without a list of origins refuses every page; another version of t
         const { port2 } = new MessageChannel();
         document
           .querySelector("iframe")
-          ?.contentWindow?.postMessage({ touchpath: 2, type: "hello", saves: false }, origin, [port2]);
+          ?.contentWindow?.postMessage(
+            { touchpath: 2, type: "hello", saves: false },
+            origin,
+            [port2],
+          );
       }),
     origin(0),
   );
@@ -349,7 +513,9 @@ test("a frame without a list of origins refuses every page; another version of t
   // As the package has it: the list is empty.
   await page.evaluate(
     (src) => {
-      const iframe = /** @type {HTMLIFrameElement} */ (document.querySelector("iframe"));
+      const iframe = /** @type {HTMLIFrameElement} */ (
+        document.querySelector("iframe")
+      );
       return new Promise((done) => {
         iframe.onload = done;
         iframe.src = src;
@@ -359,10 +525,18 @@ test("a frame without a list of origins refuses every page; another version of t
   );
   assert.match(await connect(), /The frame refuses: .* is not on the list/);
   const wrong = await connect({ origin: origin(2), patience: 1200 });
-  assert.match(wrong, /does not answer/, "what is said reaches no other origin");
+  assert.match(
+    wrong,
+    /does not answer/,
+    "what is said reaches no other origin",
+  );
   assert.match(await connect({ origin: "not an origin" }), /is no origin/);
   await page.evaluate(() => document.querySelector("iframe")?.remove());
-  assert.match(await connect(), /FrameError: connect takes the iframe/, "null was taken for a wrong origin");
+  assert.match(
+    await connect(),
+    /FrameError: connect takes the iframe/,
+    "null was taken for a wrong origin",
+  );
 });
 
 test("a portal that leaves, or gives up, leaves nothing dead behind; what is asked of it fails", async () => {
@@ -372,38 +546,75 @@ test("a portal that leaves, or gives up, leaves nothing dead behind; what is ask
   assert.match(/** @type {any} */ (late).failed, /is closed/);
   const inside = page.frameLocator("iframe");
   const save = inside.getByRole("button", { name: /^Save / });
-  const [download] = await Promise.all([page.waitForEvent("download"), save.click()]);
-  assert.equal(download.suggestedFilename(), "POCKET-80X50.ngc", "the frame hands programs out by itself again");
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    save.click(),
+  ]);
+  assert.equal(
+    download.suggestedFilename(),
+    "POCKET-80X50.ngc",
+    "the frame hands programs out by itself again",
+  );
   await connect({ saves: true });
-  await page.evaluate(() => Object.assign(window, { first: /** @type {any} */ (window).frame }));
+  await page.evaluate(() =>
+    Object.assign(window, { first: /** @type {any} */ (window).frame }),
+  );
   await connect({ saves: true });
   assert.match(
-    /** @type {any} */ (await on("(await new Promise((done) => setTimeout(done, 200)), first.get())")).failed,
+    /** @type {any} */ (
+      await on(
+        "(await new Promise((done) => setTimeout(done, 200)), first.get())",
+      )
+    ).failed,
     /is closed/,
   );
-  assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "POCKET-80X50");
+  assert.equal(
+    /** @type {any} */ (await on("frame.get()")).job.name,
+    "POCKET-80X50",
+  );
 });
 
 test("a frame that is loaded anew keeps its listeners, and has back what was set and typed", async () => {
   await open();
   await connect({ saves: true });
-  await on(`frame.addEventListener("load", (event) => told.push({ type: "load", detail: event.detail }))`);
-  const job = { format: 1, name: "KEPT", cycle: { type: "boss", diameter: 31 } };
+  await on(
+    `frame.addEventListener("load", (event) => told.push({ type: "load", detail: event.detail }))`,
+  );
+  const job = {
+    format: 1,
+    name: "KEPT",
+    cycle: { type: "boss", diameter: 31 },
+  };
   const appearance = { accent: "rgb(10, 20, 30)" };
-  await on(`frame.set(${JSON.stringify({ job, post: "haas", panels: "form program", appearance })})`);
+  await on(
+    `frame.set(${JSON.stringify({ job, post: "haas", panels: "form program", appearance })})`,
+  );
   const inside = page.frameLocator("iframe");
   await inside.locator("[id='f-cycle.diameter']").fill("28");
   await inside.locator("[id='f-cycle.depth']").fill("x");
-  await page.waitForFunction(() => JSON.stringify(/** @type {any} */ (window).told).includes('"depth":"x"'));
+  await page.waitForFunction(() =>
+    JSON.stringify(/** @type {any} */ (window).told).includes('"depth":"x"'),
+  );
   await told();
   // What is asked while it is loaded waits for it.
-  await on(`document.querySelector("iframe").addEventListener("load", () => { window.during = frame.get(); })`);
-  const frames = page.frames().find((frame) => frame.url().includes("embed.html"));
+  await on(
+    `document.querySelector("iframe").addEventListener("load", () => { window.during = frame.get(); })`,
+  );
+  const frames = page
+    .frames()
+    .find((frame) => frame.url().includes("embed.html"));
   await frames?.evaluate(() => location.reload()).catch(() => undefined);
-  await page.waitForFunction(() => /** @type {any} */ (window).during !== undefined);
+  await page.waitForFunction(
+    () => /** @type {any} */ (window).during !== undefined,
+  );
   const state = /** @type {any} */ (await on("during"));
   assert.deepEqual(
-    [state.job.name, state.job.control.post, state.job.cycle.diameter, state.job.cycle.depth],
+    [
+      state.job.name,
+      state.job.control.post,
+      state.job.cycle.diameter,
+      state.job.cycle.depth,
+    ],
     ["KEPT", "haas", 28, "x"],
   );
   assert.deepEqual(
@@ -411,23 +622,37 @@ test("a frame that is loaded anew keeps its listeners, and has back what was set
     [{ type: "load", detail: { refused: null } }],
   );
   assert.equal(
-    await inside.locator("touch-path").evaluate((one) => one.style.getPropertyValue("--touchpath-accent")),
+    await inside
+      .locator("touch-path")
+      .evaluate((one) => one.style.getPropertyValue("--touchpath-accent")),
     appearance.accent,
   );
   await inside.locator("[id='f-cycle.depth']").fill("12");
   await inside.getByRole("button", { name: /^Save / }).click();
   await page.waitForFunction(() =>
-    /** @type {any} */ (window).told.some((/** @type {any} */ one) => one.type === "program-save"),
+    /** @type {any} */ (window).told.some(
+      (/** @type {any} */ one) => one.type === "program-save",
+    ),
   );
-  const saved = (await told()).find((/** @type {any} */ one) => one.type === "program-save").detail;
+  const saved = (await told()).find(
+    (/** @type {any} */ one) => one.type === "program-save",
+  ).detail;
   assert.equal(saved.name, "KEPT.nc", "the portal still saves by itself");
   // Over another page, as one that logs in: what stands there in the end is spoken to.
-  await frames?.evaluate((name) => location.assign(name), `${origin(0)}/elsewhere.html`).catch(() => undefined);
+  await frames
+    ?.evaluate((name) => location.assign(name), `${origin(0)}/elsewhere.html`)
+    .catch(() => undefined);
   await page.waitForTimeout(1300);
-  const elsewhere = page.frames().find((frame) => frame.url().includes("elsewhere.html"));
-  await elsewhere?.evaluate((name) => location.assign(name), `${origin(0)}/embed.html`).catch(() => undefined);
+  const elsewhere = page
+    .frames()
+    .find((frame) => frame.url().includes("elsewhere.html"));
+  await elsewhere
+    ?.evaluate((name) => location.assign(name), `${origin(0)}/embed.html`)
+    .catch(() => undefined);
   await page.waitForFunction(() =>
-    /** @type {any} */ (window).told.some((/** @type {any} */ one) => one.type === "load"),
+    /** @type {any} */ (window).told.some(
+      (/** @type {any} */ one) => one.type === "load",
+    ),
   );
   await page.waitForTimeout(700);
   assert.equal(/** @type {any} */ (await on("frame.get()")).job.name, "KEPT");
@@ -438,14 +663,20 @@ test("a frame that is loaded anew keeps its listeners, and has back what was set
   // Another page in its place answers nothing, and a connection that is closed does not come back.
   await on("(frame.close(), 0)");
   await frames?.evaluate(() => location.reload()).catch(() => undefined);
-  assert.match(/** @type {any} */ (await on("frame.get()")).failed, /is closed/);
+  assert.match(
+    /** @type {any} */ (await on("frame.get()")).failed,
+    /is closed/,
+  );
 });
 
 test("a frame that was taken out answers nothing: what is asked of it fails", async () => {
   await open();
   await connect({ patience: 5000 });
   await page.evaluate(() => document.querySelector("iframe")?.remove());
-  assert.match(/** @type {any} */ (await on("frame.get()")).failed, /The frame does not answer/);
+  assert.match(
+    /** @type {any} */ (await on("frame.get()")).failed,
+    /The frame does not answer/,
+  );
 });
 
 test("a frame whose module cannot be loaded says so at once", async () => {

@@ -2,7 +2,20 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { field, more, page, painted, put, redo, saveButton, settles, setUp, textOf, undo, unfold } from "./common.mjs";
+import {
+  field,
+  more,
+  page,
+  painted,
+  put,
+  redo,
+  saveButton,
+  settles,
+  setUp,
+  textOf,
+  undo,
+  unfold,
+} from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
@@ -13,14 +26,23 @@ test("the setup sheet: one printed page with what is expected, boxes for what wa
   const download = page.waitForEvent("download");
   await saveButton().click();
   const text = readFileSync(await (await download).path(), "utf8");
-  assert.ok(text.includes(`Blocks below: ${hash}`), "the sheet names the program that is at the machine");
+  assert.ok(
+    text.includes(`Blocks below: ${hash}`),
+    "the sheet names the program that is at the machine",
+  );
   assert.match(await textOf(sheet), /Width 1\s*80/);
-  assert.equal(await sheet.locator("td.box").count(), 9, "five results and four touches");
+  assert.equal(
+    await sheet.locator("td.box").count(),
+    9,
+    "five results and four touches",
+  );
   const onePage = async () => {
     await page.emulateMedia({ media: "print" });
     assert.ok(await page.locator("header").isHidden());
     for (const format of ["A4", "Letter"]) {
-      const pdf = (await page.pdf({ format, preferCSSPageSize: false })).toString("latin1");
+      const pdf = (
+        await page.pdf({ format, preferCSSPageSize: false })
+      ).toString("latin1");
       assert.equal(pdf.match(/\/Type\s*\/Page\b/g)?.length, 1, format);
     }
     await page.emulateMedia({ media: "screen" });
@@ -37,7 +59,11 @@ test("the setup sheet: one printed page with what is expected, boxes for what wa
   await field("cycle.count2").fill("8");
   await page.getByRole("button", { name: "Setup sheet" }).click();
   await sheet.getByText("Wall 1 against its nominal direction").waitFor();
-  assert.equal(await sheet.locator("td.box").count(), 22, "six results and sixteen touches");
+  assert.equal(
+    await sheet.locator("td.box").count(),
+    22,
+    "six results and sixteen touches",
+  );
   await onePage();
 });
 
@@ -51,17 +77,26 @@ test("the setup sheet says what must be so before the start, and promises no rep
     ["linuxcnc", true],
   ])) {
     await field("control.post").selectOption(post);
-    const positioning = await textOf(field("control.protection").locator("option:checked"));
+    const positioning = await textOf(
+      field("control.protection").locator("option:checked"),
+    );
     assert.doesNotMatch(positioning, /not on this control/);
     await page.getByRole("button", { name: "Setup sheet" }).click();
     const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
-    const lines = plan({ ...job, control: { ...job.control, post } }).program.text.split("\n");
+    const lines = plan({
+      ...job,
+      control: { ...job.control, post },
+    }).program.text.split("\n");
     const said = await textOf(sheet.locator(".head"));
     // From the units on, word by word, and nothing of the job's values.
     const first = lines.findIndex((line) => /^[(;] ?units/i.test(line));
     const end = lines.findIndex((line) => /^[(;] ?made by/i.test(line));
     assert.ok(first > 0 && end > first + 3, post);
-    const wanted = lines.slice(first, end).map((line) => (line.startsWith(";") ? line.slice(2) : line.slice(1, -1)));
+    const wanted = lines
+      .slice(first, end)
+      .map((line) =>
+        line.startsWith(";") ? line.slice(2) : line.slice(1, -1),
+      );
     // The columns of the program do not break its sentences on paper.
     const whole = said.split("\n").slice(1);
     assert.equal(whole.join(" "), wanted.join(" "), post);
@@ -70,13 +105,17 @@ test("the setup sheet says what must be so before the start, and promises no rep
       ["grbl", "fanuc"].includes(post),
       `${post}: ${whole.length} of ${wanted.length}`,
     );
-    assert.ok(wanted.some((line) => /probe in the spindle and switched on/i.test(line)));
+    assert.ok(
+      wanted.some((line) => /probe in the spindle and switched on/i.test(line)),
+    );
     assert.equal(/expected to report/.test(await textOf(sheet)), reports, post);
     assert.match(await textOf(sheet), /Work feed\s*150 mm\/min/);
     await page.keyboard.press("Escape");
     await sheet.waitFor({ state: "detached" });
     await page.getByRole("tab", { name: "Results" }).click();
-    const caption = reports ? "What the control will have stored" : "What the touches will give";
+    const caption = reports
+      ? "What the control will have stored"
+      : "What the touches will give";
     await page.locator("tp-results").getByText(caption).waitFor();
   }
 });
@@ -84,7 +123,8 @@ test("the setup sheet says what must be so before the start, and promises no rep
 test("the setup sheet drew the handle of the virtual part as if it were a feature", async () => {
   // A nominal part is not drawn: of its colour there is the handle alone, which stands out while a field of the part has the focus.
   await field("part.offset[0]").focus();
-  const handle = async (/** @type {string} */ part) => (await painted(part, "actual")).count;
+  const handle = async (/** @type {string} */ part) =>
+    (await painted(part, "actual")).count;
   assert.ok((await handle("tp-picture")) > 20);
   await page.getByRole("button", { name: "Setup sheet" }).click();
   await page.locator("tp-sheet [data-view=top]").waitFor();
@@ -119,8 +159,13 @@ test("results that are judged say where deviations count from", async () => {
   const results = page.locator("tp-results");
   assert.doesNotMatch(await textOf(results), /middle of the tolerance zone/);
   await field("cycle.diameter1").fill("20H7");
-  await results.getByText("Deviations are from the middle of the tolerance zone.").waitFor();
-  assert.match(await textOf(results.locator("tr", { hasText: "Q966" }).first()), /Measured diameter 1/);
+  await results
+    .getByText("Deviations are from the middle of the tolerance zone.")
+    .waitFor();
+  assert.match(
+    await textOf(results.locator("tr", { hasText: "Q966" }).first()),
+    /Measured diameter 1/,
+  );
 });
 
 test("the setup sheet is of the form as it stands: its picture follows, and with an error there is none", async () => {
@@ -130,14 +175,19 @@ test("the setup sheet is of the form as it stands: its picture follows, and with
   await field("cycle.diameter").fill("55");
   await page.getByRole("button", { name: "Setup sheet" }).click();
   const picture = () =>
-    page.locator("tp-sheet [data-view=top]").evaluate((c) => /** @type {HTMLCanvasElement} */ (c).toDataURL());
+    page
+      .locator("tp-sheet [data-view=top]")
+      .evaluate((c) => /** @type {HTMLCanvasElement} */ (c).toDataURL());
   const hole = await picture();
   await field("cycle.type").selectOption("internal-rectangle");
   await settles(async () => (await picture()) !== hole);
   await undo().click();
   await settles(async () => (await picture()) === hole);
   await undo().click();
-  assert.match(await textOf(page.locator("tp-sheet")), /No setup sheet while the form has an error/);
+  assert.match(
+    await textOf(page.locator("tp-sheet")),
+    /No setup sheet while the form has an error/,
+  );
   assert.equal(await page.locator("tp-sheet :is(article, canvas)").count(), 0);
   assert.equal(await page.getByRole("button", { name: "Print" }).count(), 0);
   await redo().click();

@@ -1,12 +1,28 @@
 // Undo over everything: every step is taken back and comes again, by button and keyboard, and Reset asks first.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { chooseUnits, field, held, more, openText, page, program, redo, reset, setUp, undo, until } from "./common.mjs";
+import {
+  chooseUnits,
+  field,
+  held,
+  more,
+  openText,
+  page,
+  program,
+  redo,
+  reset,
+  setUp,
+  undo,
+  until,
+} from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
 test("Ctrl+Z did nothing for selects, drags, files and Reset: every step is taken back, and comes again", async () => {
-  assert.ok((await undo().isDisabled()) && (await redo().isDisabled()), "nothing to take back at first");
+  assert.ok(
+    (await undo().isDisabled()) && (await redo().isDisabled()),
+    "nothing to take back at first",
+  );
   /** @type {[string, () => Promise<unknown>][]} */
   const steps = [
     ["a field", () => field("cycle.width1").fill("81")],
@@ -24,7 +40,11 @@ test("Ctrl+Z did nothing for selects, drags, files and Reset: every step is take
     ["a reset", reset],
   ];
   const whole = () =>
-    page.evaluate(() => structuredClone(/** @type {any} */ (document.querySelector("touch-path")).store.draft));
+    page.evaluate(() =>
+      structuredClone(
+        /** @type {any} */ (document.querySelector("touch-path")).store.draft,
+      ),
+    );
   const states = [await whole()];
   for (const [, step] of steps) {
     await step();
@@ -32,13 +52,25 @@ test("Ctrl+Z did nothing for selects, drags, files and Reset: every step is take
   }
   for (let i = steps.length - 1; i >= 0; i--) {
     await undo().click();
-    assert.deepEqual(await whole(), states[i], `${steps[i]?.[0]} is taken back`);
+    assert.deepEqual(
+      await whole(),
+      states[i],
+      `${steps[i]?.[0]} is taken back`,
+    );
   }
   assert.ok(await undo().isDisabled());
-  assert.match(await program(), /G38\.2 X42 Y0 Z-10 F150/, "the program is that of the first job");
+  assert.match(
+    await program(),
+    /G38\.2 X42 Y0 Z-10 F150/,
+    "the program is that of the first job",
+  );
   for (let i = 1; i < states.length; i++) {
     await redo().click();
-    assert.deepEqual(await whole(), states[i], `${steps[i - 1]?.[0]} comes again`);
+    assert.deepEqual(
+      await whole(),
+      states[i],
+      `${steps[i - 1]?.[0]} comes again`,
+    );
   }
   assert.ok(await redo().isDisabled());
 });
@@ -49,10 +81,16 @@ test("after undo and redo every choice showed what was picked last, not what the
     await field("units").inputValue(),
     await field("cycle.type").inputValue(),
   ];
-  const holds = async () => [await held("control.post"), await held("units"), await held("cycle.type")];
-  for (const post of ["grbl", "sinumerik", "linuxcnc"]) await field("control.post").selectOption(post);
+  const holds = async () => [
+    await held("control.post"),
+    await held("units"),
+    await held("cycle.type"),
+  ];
+  for (const post of ["grbl", "sinumerik", "linuxcnc"])
+    await field("control.post").selectOption(post);
   for (const units of ["inch", "mm"]) await chooseUnits(units);
-  for (const cycle of ["boss", "hole"]) await field("cycle.type").selectOption(cycle);
+  for (const cycle of ["boss", "hole"])
+    await field("cycle.type").selectOption(cycle);
   for (const button of [undo(), redo()]) {
     for (let i = 0; i < 7; i++) {
       await button.click();
@@ -68,7 +106,10 @@ test("undo took measured points away that were entered after the step: they are 
   const box = page.locator("#measured");
   await box.fill("37.1,0,-10");
   await undo().click();
-  assert.deepEqual([await box.inputValue(), await held("cycle.width1")], ["", 81]);
+  assert.deepEqual(
+    [await box.inputValue(), await held("cycle.width1")],
+    ["", 81],
+  );
   await redo().click();
   assert.equal(await box.inputValue(), "37.1,0,-10");
   await undo().click();
@@ -78,12 +119,17 @@ test("undo took measured points away that were entered after the step: they are 
 
 test("a field of an optional form showed what was typed into it before it was left out", async () => {
   await field("cycle.type").selectOption("probing-two-circles");
-  const use = page.locator("#group-Extrusion-probing-1493-").getByLabel("Use it");
+  const use = page
+    .locator("#group-Extrusion-probing-1493-")
+    .getByLabel("Use it");
   await use.check();
   await field("cycle.extrusion.length").fill("7");
   await use.uncheck();
   await use.check();
-  assert.equal(await field("cycle.extrusion.length").inputValue(), String(await held("cycle.extrusion.length")));
+  assert.equal(
+    await field("cycle.extrusion.length").inputValue(),
+    String(await held("cycle.extrusion.length")),
+  );
 });
 
 test("Ctrl+Z in a field that is not the job's, or in another tool, leaves the job alone", async () => {
@@ -92,7 +138,11 @@ test("Ctrl+Z in a field that is not the job's, or in another tool, leaves the jo
   await page.getByLabel("Filter the parameters").press("Control+z");
   await more("Tool lengths");
   await page.locator("#l-type").press("Control+z");
-  await page.locator("tp-lentoax").getByRole("button").first().press("Control+z");
+  await page
+    .locator("tp-lentoax")
+    .getByRole("button")
+    .first()
+    .press("Control+z");
   assert.equal(await held("cycle.width1"), 81);
 });
 
@@ -113,11 +163,20 @@ test("letters typed in one field are one step, in another field another, and the
   await page.keyboard.type("123");
   await page.keyboard.press("Tab");
   await page.keyboard.type("45");
-  assert.deepEqual([await held("cycle.width1"), await held("cycle.width2")], [123, 45]);
+  assert.deepEqual(
+    [await held("cycle.width1"), await held("cycle.width2")],
+    [123, 45],
+  );
   await page.keyboard.press("Control+z");
-  assert.deepEqual([await held("cycle.width1"), await held("cycle.width2")], [123, 50]);
+  assert.deepEqual(
+    [await held("cycle.width1"), await held("cycle.width2")],
+    [123, 50],
+  );
   await page.keyboard.press("Control+z");
-  assert.deepEqual([await held("cycle.width1"), await held("cycle.width2")], [80, 50]);
+  assert.deepEqual(
+    [await held("cycle.width1"), await held("cycle.width2")],
+    [80, 50],
+  );
   await page.keyboard.press("Control+y");
   assert.equal(await held("cycle.width1"), 123);
   await page.keyboard.press("Control+Shift+z");
@@ -134,7 +193,14 @@ test("on a Russian keyboard Ctrl+Z did nothing: a shortcut is a key's letter, or
     width.evaluate(
       (input, [key, code]) =>
         input.dispatchEvent(
-          new KeyboardEvent("keydown", { key, code, ctrlKey: true, bubbles: true, composed: true, cancelable: true }),
+          new KeyboardEvent("keydown", {
+            key,
+            code,
+            ctrlKey: true,
+            bubbles: true,
+            composed: true,
+            cancelable: true,
+          }),
         ),
       [key, code],
     );
@@ -155,7 +221,11 @@ test("Reset puts the form back at once, says so, and Undo brings everything back
   await field("cycle.width1").fill("71");
   await more("Reset");
   assert.equal(await field("cycle.width1").inputValue(), "80");
-  await page.locator("tp-findings .note", { hasText: "Undo brings back what was there" }).waitFor();
+  await page
+    .locator("tp-findings .note", {
+      hasText: "Undo brings back what was there",
+    })
+    .waitFor();
   await undo().click();
   assert.equal(await field("cycle.width1").inputValue(), "71");
 });

@@ -31,9 +31,14 @@ test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one 
   await page.reload();
   await page.locator(`tp-picture ${PICTURE}`).waitFor();
   const over = await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    );
     const form = /** @type {Element} */ (root.querySelector("tp-form"));
-    return [form.scrollHeight - form.clientHeight, (document.scrollingElement?.scrollHeight ?? 0) - innerHeight];
+    return [
+      form.scrollHeight - form.clientHeight,
+      (document.scrollingElement?.scrollHeight ?? 0) - innerHeight,
+    ];
   });
   assert.ok(
     over.every((pixels) => pixels <= 0),
@@ -41,9 +46,13 @@ test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one 
   );
   const places = async () =>
     Promise.all(
-      ["[id='f-cycle.width2']", `tp-picture ${PICTURE}`, "tp-program .code", "footer", "tp-help"].map((name) =>
-        boxOf(page.locator(name)),
-      ),
+      [
+        "[id='f-cycle.width2']",
+        `tp-picture ${PICTURE}`,
+        "tp-program .code",
+        "footer",
+        "tp-help",
+      ].map((name) => boxOf(page.locator(name))),
     );
   await field("cycle.width1").focus();
   const before = await places();
@@ -53,7 +62,11 @@ test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one 
   }
 });
 
-for (const [text, value, shown] of /** @type {[string, number | string, string][]} */ ([
+for (const [
+  text,
+  value,
+  shown,
+] of /** @type {[string, number | string, string][]} */ ([
   ["80/2+0.5", 40.5, "40.5"],
   ["0,1+0,2", 0.3, "0.3"],
   ["2*(3+4)-(−1)", 15, "15"],
@@ -119,10 +132,19 @@ test("a touch at F3000 and a part turned by 20° are seen without opening anythi
   await put("feeds.work", 3000);
   await put("part.rotation", 20);
   assert.ok(await page.locator("tp-findings .verdict.warning").isVisible());
-  assert.ok(await page.locator(".trial", { hasText: "turned 20°" }).isVisible());
-  const folded = (/** @type {string} */ name) => page.locator("tp-form .fold", { hasText: name });
-  assert.match((await folded("Feeds and limits").getAttribute("class")) ?? "", /warning/);
-  assert.match((await folded("Virtual part").getAttribute("class")) ?? "", /warning/);
+  assert.ok(
+    await page.locator(".trial", { hasText: "turned 20°" }).isVisible(),
+  );
+  const folded = (/** @type {string} */ name) =>
+    page.locator("tp-form .fold", { hasText: name });
+  assert.match(
+    (await folded("Feeds and limits").getAttribute("class")) ?? "",
+    /warning/,
+  );
+  assert.match(
+    (await folded("Virtual part").getAttribute("class")) ?? "",
+    /warning/,
+  );
   assert.match(await textOf(folded("Virtual part")), /turned 20°/);
   assert.match(await textOf(folded("Feeds and limits")), /3000/);
 });
@@ -131,7 +153,10 @@ test("the box at the foot says what the field in focus is, puts its default back
   const help = page.locator("tp-help");
   const { height } = await boxOf(help);
   await field("cycle.width1").fill("81");
-  assert.match(await textOf(help), /Width 1\s+CmdPrm\.Flt\[-53\].*From touch point 1 to touch point 2.*Default 80/s);
+  assert.match(
+    await textOf(help),
+    /Width 1\s+CmdPrm\.Flt\[-53\].*From touch point 1 to touch point 2.*Default 80/s,
+  );
   await help.getByRole("button", { name: /back to its default/ }).click();
   assert.equal(await field("cycle.width1").inputValue(), "80");
   await field("cycle.sideClearance1").fill("2");
@@ -143,24 +168,41 @@ test("a control that does not take this cycle says why when it is chosen, and th
   await field("cycle.type").selectOption("double-wall-internal-corner");
   const options = await field("control.post")
     .locator("option.not")
-    .evaluateAll((all) => all.map((o) => /** @type {HTMLOptionElement} */ (o).value));
+    .evaluateAll((all) =>
+      all.map((o) => /** @type {HTMLOptionElement} */ (o).value),
+    );
   assert.deepEqual(options, ["heidenhain"]);
   await field("control.post").selectOption("heidenhain");
   // By a click or a tap, where no pointer rests on an entry of a list.
-  await page.locator(".note", { hasText: /HEIDENHAIN TNC7 .* has no program for this cycle: .{20}/ }).waitFor();
+  await page
+    .locator(".note", {
+      hasText: /HEIDENHAIN TNC7 .* has no program for this cycle: .{20}/,
+    })
+    .waitFor();
   assert.equal(await held("control.post"), "linuxcnc");
-  assert.equal(await field("control.post").inputValue(), "linuxcnc", "the list shows what holds");
+  assert.equal(
+    await field("control.post").inputValue(),
+    "linuxcnc",
+    "the list shows what holds",
+  );
   await field("cycle.type").selectOption("internal-rectangle-protected");
 });
 
 test("the bar reads as the job's sentence: what is written, under which name", async () => {
   // Before, what was to be seen of it was "measures only, writes …".
-  assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "measures only");
+  assert.equal(
+    await textOf(field("control.workOffset").locator("option:checked")),
+    "measures only",
+  );
   await field("control.workOffset").selectOption("1");
-  assert.equal(await textOf(field("control.workOffset").locator("option:checked")), "writes G54 X Y");
+  assert.equal(
+    await textOf(field("control.workOffset").locator("option:checked")),
+    "writes G54 X Y",
+  );
   // A cycle that measures nothing that it could write, and one that turns the offset, too.
   await field("cycle.type").selectOption("nc-action");
-  const writes = () => textOf(field("control.workOffset").locator("option:checked"));
+  const writes = () =>
+    textOf(field("control.workOffset").locator("option:checked"));
   assert.equal(await writes(), "moves nothing, writes nothing");
   await field("cycle.type").selectOption("surface");
   assert.equal(await writes(), "writes G54 Z");
@@ -183,7 +225,10 @@ test("the bar reads as the job's sentence: what is written, under which name", a
   assert.equal((await download).suggestedFilename(), "PROBE.ngc");
   const other = page.waitForEvent("download");
   await more("Save job");
-  assert.equal((await other).suggestedFilename(), "PROBE-internal-rectangle-protected.json");
+  assert.equal(
+    (await other).suggestedFilename(),
+    "PROBE-internal-rectangle-protected.json",
+  );
 });
 
 test("a link holds the whole job, and no server gets it", async () => {
@@ -194,7 +239,9 @@ test("a link holds the whole job, and no server gets it", async () => {
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(link, /\/#job1=[\w-]+$/);
   const wanted = await page.evaluate(
-    () => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text,
+    () =>
+      /** @type {any} */ (document.querySelector("touch-path")).store.plan
+        .program.text,
   );
   const tab = await context.newPage();
   /** @type {string[]} */
@@ -209,11 +256,19 @@ test("a link holds the whole job, and no server gets it", async () => {
   await tab.getByRole("button", { name: "Redo" }).click();
   assert.equal(await field("cycle.width1", tab).inputValue(), "66.5");
   assert.equal(
-    await tab.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text),
+    await tab.evaluate(
+      () =>
+        /** @type {any} */ (document.querySelector("touch-path")).store.plan
+          .program.text,
+    ),
     wanted,
   );
   assert.ok(asked.every((url) => !url.includes("job1=")));
-  assert.equal(new URL(tab.url()).hash, "", "a reload keeps what is done since");
+  assert.equal(
+    new URL(tab.url()).hash,
+    "",
+    "a reload keeps what is done since",
+  );
   await field("cycle.width1", tab).fill("70");
   await tab.reload();
   await ready(tab);
@@ -223,11 +278,16 @@ test("a link holds the whole job, and no server gets it", async () => {
 
 test("a link of version 1 stays readable, and a broken, foreign or huge one changes nothing and says so", async () => {
   const zip = async (/** @type {string} */ text) => {
-    const stream = new Blob([text]).stream().pipeThrough(new CompressionStream("deflate-raw"));
-    return Buffer.from(await new Response(stream).arrayBuffer()).toString("base64url");
+    const stream = new Blob([text])
+      .stream()
+      .pipeThrough(new CompressionStream("deflate-raw"));
+    return Buffer.from(await new Response(stream).arrayBuffer()).toString(
+      "base64url",
+    );
   };
   // As version 1 wrote it; it must be read for ever.
-  const kept = "FcgxDoAgFETBu7yahtj92yCsUSPBIBaEcHfjlDM4y4oNtlJzaJh3xB4v_df6LYy9XMKRjpDVVLHFz-nICs9blTCYHw";
+  const kept =
+    "FcgxDoAgFETBu7yahtj92yCsUSPBIBaEcHfjlDM4y4oNtlJzaJh3xB4v_df6LYy9XMKRjpDVVLHFz-nICs9blTCYHw";
   const before = await job();
   const bad = [
     "#job1=",
@@ -245,7 +305,9 @@ test("a link of version 1 stays readable, and a broken, foreign or huge one chan
     await page.evaluate((hash) => {
       location.hash = hash;
     }, hash);
-    await page.locator(".note", { hasText: "Nothing was changed" }).waitFor({ timeout: 3000 });
+    await page
+      .locator(".note", { hasText: "Nothing was changed" })
+      .waitFor({ timeout: 3000 });
     assert.deepEqual(await job(), before, hash.slice(0, 40));
     await page.locator(".note").getByRole("button", { name: "OK" }).click();
   }
@@ -283,16 +345,26 @@ test("the times of the moves are the plan's time", async () => {
   const [sum, time] = await page.evaluate(() => {
     const app = /** @type {any} */ (document.querySelector("touch-path"));
     const times = app.shadowRoot.querySelector("tp-picture").timeline.times;
-    return [times.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0), app.store.plan.time];
+    return [
+      times.reduce(
+        (/** @type {number} */ a, /** @type {number} */ b) => a + b,
+        0,
+      ),
+      app.store.plan.time,
+    ];
   });
   assert.ok(Math.abs(sum / 60 - time) < 1e-9, `${sum} s against ${time} min`);
 });
 
 test("a click on a dimension goes to its field, and a focused depth turns the picture to where it is seen", async () => {
   const at = await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    );
     const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-    const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
+    const box = /** @type {HTMLElement} */ (
+      picture.querySelector("canvas")
+    ).getBoundingClientRect();
     return picture.drawing.use((/** @type {any} */ view) => {
       for (let y = 0; y < box.height; y += 4)
         if (view.dimensionAt(box.width / 2, y) === "cycle.width1")
@@ -303,9 +375,12 @@ test("a click on a dimension goes to its field, and a focused depth turns the pi
   assert.ok(at, "width 1 stands below or above the middle");
   await page.mouse.click(at.x, at.y);
   await page.waitForFunction(
-    () => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id === "f-cycle.width1",
+    () =>
+      document.querySelector("touch-path")?.shadowRoot?.activeElement?.id ===
+      "f-cycle.width1",
   );
-  const looks = () => page.locator(".picture .tools [aria-pressed=true]").textContent();
+  const looks = () =>
+    page.locator(".picture .tools [aria-pressed=true]").textContent();
   assert.equal(await looks(), "top");
   await field("cycle.depth").focus();
   await settles(async () => (await looks()) === "front");
@@ -315,12 +390,17 @@ test("a click on a dimension goes to its field, and a focused depth turns the pi
 });
 
 test("a line that is clicked stays lit when the pointer leaves; Escape frees it", async () => {
-  const lit = () => page.locator("tp-program [aria-selected=true] .text").allTextContents();
+  const lit = () =>
+    page.locator("tp-program [aria-selected=true] .text").allTextContents();
   await page.locator("tp-program .line", { hasText: "G38.2 X42" }).click();
   await page.locator("tp-form").hover();
   assert.deepEqual(await lit(), ["G38.2 X42 Y0 Z-10 F150"]);
   await page.locator("tp-program .line", { hasText: "G38.2 X-42" }).hover();
-  assert.deepEqual(await lit(), ["G38.2 X-42 Y0 Z-10 F150"], "pointing shows another");
+  assert.deepEqual(
+    await lit(),
+    ["G38.2 X-42 Y0 Z-10 F150"],
+    "pointing shows another",
+  );
   await page.locator("tp-form").hover();
   assert.deepEqual(await lit(), ["G38.2 X42 Y0 Z-10 F150"]);
   await page.getByRole("listbox", { name: "Program" }).press("Escape");
@@ -346,23 +426,36 @@ test("nothing plays that is not seen", async () => {
   const clock = () =>
     page.evaluate(
       () =>
-        /** @type {any} */ (document.querySelector("touch-path")).shadowRoot.querySelector("tp-picture").timeline.clock,
+        /** @type {any} */ (
+          document.querySelector("touch-path")
+        ).shadowRoot.querySelector("tp-picture").timeline.clock,
     );
   await settles(async () => (await clock()) === null);
 });
 
 test("what is narrower than a tablet keeps its order for eye and Tab: picture, form, tabs", async () => {
   await open({ viewport: { width: 390, height: 844 } });
-  const order = await page.locator("main > *:visible").evaluateAll((all) => all.map((n) => n.className));
+  const order = await page
+    .locator("main > *:visible")
+    .evaluateAll((all) => all.map((n) => n.className));
   assert.deepEqual(order, ["picture", "setup", "tabs"]);
-  const tops = await Promise.all([".picture", ".setup", ".tabs"].map(async (n) => (await boxOf(page.locator(n))).y));
+  const tops = await Promise.all(
+    [".picture", ".setup", ".tabs"].map(
+      async (n) => (await boxOf(page.locator(n))).y,
+    ),
+  );
   assert.deepEqual(
     [...tops].sort((a, b) => a - b),
     tops,
   );
   await page.setViewportSize({ width: 1440, height: 900 });
-  const wide = () => page.locator("main > *:visible").evaluateAll((all) => all.map((n) => n.className));
-  await settles(async () => (await wide()).slice(0, 3).join() === "setup,picture,tabs");
+  const wide = () =>
+    page
+      .locator("main > *:visible")
+      .evaluateAll((all) => all.map((n) => n.className));
+  await settles(
+    async () => (await wide()).slice(0, 3).join() === "setup,picture,tabs",
+  );
   // The picture is still drawn.
   await settles(async () => (await pixels()).count > 2000);
 });

@@ -18,10 +18,13 @@ import {
 
 setUp();
 
-const button = (/** @type {string | RegExp} */ name) => page.getByRole("button", { name, exact: true });
+const button = (/** @type {string | RegExp} */ name) =>
+  page.getByRole("button", { name, exact: true });
 
 /** The text that stands beside a button and that it names as its description. */
-async function reason(/** @type {import("playwright-core").Locator} */ locator) {
+async function reason(
+  /** @type {import("playwright-core").Locator} */ locator,
+) {
   const id = await locator.getAttribute("aria-describedby");
   assert.ok(id, "the button names its reason");
   const text = page.locator(`#${id}`);
@@ -61,7 +64,10 @@ test("a width in error: the table of the width before was copied and saved", asy
   }
   await page.getByRole("button", { name: "More" }).click();
   assert.ok(
-    await page.locator("#menu").getByRole("button", { name: "Save job" }).isEnabled(),
+    await page
+      .locator("#menu")
+      .getByRole("button", { name: "Save job" })
+      .isEnabled(),
     "the form itself can always be saved",
   );
 });
@@ -71,7 +77,10 @@ test("results of the form before an error say so", async () => {
   const caption = page.locator("tp-results caption").first();
   assert.doesNotMatch(await textOf(caption), /last good/);
   await field("cycle.width1").fill("-5");
-  assert.match(await textOf(caption), /The form has errors: this is the last good plan/);
+  assert.match(
+    await textOf(caption),
+    /The form has errors: this is the last good plan/,
+  );
 });
 
 /** How much is shown of a plan: moves of the timeline, lines of the program, cells of the table and of the results. */
@@ -96,7 +105,12 @@ test("a job with errors stood beside picture, program and results of the job bef
   const stamp = page.locator(".stamp");
   assert.ok((await amount()).every((n) => n > 0));
   // Its path can be drawn, though the control has no program for it.
-  await give({ format: 1, plane: "G18", cycle: { type: "hole" }, control: { post: "fanuc" } });
+  await give({
+    format: 1,
+    plane: "G18",
+    cycle: { type: "hole" },
+    control: { post: "fanuc" },
+  });
   await stamp.filter({ hasText: "No program: The tool length" }).waitFor();
   assert.ok((await pixels()).count > 300);
   assert.equal(await textOf(page.locator(".scrub output")), "");
@@ -114,7 +128,11 @@ test("a job with errors stood beside picture, program and results of the job bef
   // A later error of the same job leaves its last good plan to look at; another cycle has none of it.
   await put("stylus.diameter", -1);
   await stamp.filter({ hasText: "last good plan" }).waitFor();
-  assert.deepEqual(await amount(), [0, ...good.slice(1)], "there is no run to step through");
+  assert.deepEqual(
+    await amount(),
+    [0, ...good.slice(1)],
+    "there is no run to step through",
+  );
   await field("cycle.type").selectOption("web");
   await stamp.filter({ hasText: "No program: Ball diameter" }).waitFor();
   assert.deepEqual(await amount(), [0, 0, 0, 0]);
@@ -122,14 +140,20 @@ test("a job with errors stood beside picture, program and results of the job bef
   await page.reload();
   await stamp.filter({ hasText: "No program: Ball diameter" }).waitFor();
   assert.deepEqual(await amount(), [0, 0, 0, 0]);
-  assert.match(await textOf(page.locator("tp-results caption").first()), /No plan can be made of this form/);
+  assert.match(
+    await textOf(page.locator("tp-results caption").first()),
+    /No plan can be made of this form/,
+  );
 });
 
 test("'Copied' stood beside a program that was not the copied one", async () => {
   await button("Copy").click();
   await page.getByText("Copied").waitFor();
   await field("cycle.width1").fill("81");
-  assert.doesNotMatch(await textOf(page.locator("tp-program .tools")), /Copied/);
+  assert.doesNotMatch(
+    await textOf(page.locator("tp-program .tools")),
+    /Copied/,
+  );
 });
 
 test("to a group of fields, to the cycle or to a picked touch there was no way", async () => {
@@ -146,22 +170,39 @@ test("to a group of fields, to the cycle or to a picked touch there was no way",
     ["control.workOffset", "f-control.workOffset"],
   ]) {
     await page.getByRole("tab", { name: "Checks" }).click();
-    await page.evaluate((path) => /** @type {any} */ (document.querySelector("touch-path")).app.go(path), path);
+    await page.evaluate(
+      (path) =>
+        /** @type {any} */ (document.querySelector("touch-path")).app.go(path),
+      path,
+    );
     await settles(async () => (await focusedId()) === id);
   }
-  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.go('there is"no such field'));
-  assert.equal(await page.getByRole("tab", { name: "Checks" }).getAttribute("aria-selected"), "true");
+  await page.evaluate(() =>
+    /** @type {any} */ (document.querySelector("touch-path")).app.go(
+      'there is"no such field',
+    ),
+  );
+  assert.equal(
+    await page
+      .getByRole("tab", { name: "Checks" })
+      .getAttribute("aria-selected"),
+    "true",
+  );
 });
 
 test("a key that no job has could only be got rid of by Reset", async () => {
-  await openText('{"format":1,"colour":"red","cycle":{"type":"groove","width":41,"sideClearance":1}}');
+  await openText(
+    '{"format":1,"colour":"red","cycle":{"type":"groove","width":41,"sideClearance":1}}',
+  );
   assert.equal(await field("cycle.width").inputValue(), "41");
   const foot = page.locator("tp-findings");
   for (let left = 2; left > 0; left--) {
     await page.locator("tp-findings .verdict.error").waitFor();
     await foot.getByRole("button", { name: "Remove it" }).click();
   }
-  await page.locator("tp-findings .verdict.error").waitFor({ state: "detached" });
+  await page
+    .locator("tp-findings .verdict.error")
+    .waitFor({ state: "detached" });
   assert.match(await program(), /G38\.2/);
   await page.keyboard.press("Control+z");
   await page
@@ -175,18 +216,24 @@ test("a cycle of the control's own had the same reason fourteen times in Checks,
   await field("control.post").selectOption("heidenhain");
   await page.getByRole("tab", { name: "Checks" }).click();
   const checks = await textOf(page.locator("tp-checks"));
-  assert.equal(checks.split("The control's own cycle makes every move itself").length, 2);
+  assert.equal(
+    checks.split("The control's own cycle makes every move itself").length,
+    2,
+  );
   assert.match(checks, /The spindle is off before the first motion/);
 });
 
 test("a safety rule shows its lines in the program", async () => {
   await page.getByRole("tab", { name: "Checks" }).click();
-  const rule = page.locator("tp-checks .checks li", { hasText: "A missed touch ends the program" });
+  const rule = page.locator("tp-checks .checks li", {
+    hasText: "A missed touch ends the program",
+  });
   const lines = await page.evaluate(() => {
     const { plan } = /** @type {any} */ (document.querySelector("touch-path"));
     const { moveLines } = plan.program;
-    return plan.moves.flatMap((/** @type {any} */ move, /** @type {number} */ i) =>
-      move.kind === "touch" ? moveLines[i] : [],
+    return plan.moves.flatMap(
+      (/** @type {any} */ move, /** @type {number} */ i) =>
+        move.kind === "touch" ? moveLines[i] : [],
     );
   });
   assert.equal(lines.length, 4);
@@ -194,14 +241,20 @@ test("a safety rule shows its lines in the program", async () => {
   await rule.getByRole("button", { name: "4 lines" }).click();
   const marked = page.locator("tp-program .line.match");
   assert.deepEqual(
-    await marked.evaluateAll((all) => all.map((line) => Number(/** @type {HTMLElement} */ (line).dataset.line))),
+    await marked.evaluateAll((all) =>
+      all.map((line) => Number(/** @type {HTMLElement} */ (line).dataset.line)),
+    ),
     lines,
   );
   assert.match(await textOf(page.locator("tp-program .found")), /1 of 4/);
   assert.equal(await focusedId(), "tab-program");
-  assert.ok(await page.locator(`tp-program [data-line="${lines[0]}"].here`).isVisible());
+  assert.ok(
+    await page.locator(`tp-program [data-line="${lines[0]}"].here`).isVisible(),
+  );
   // Enter in the field goes on to the next of them, and of another program nothing is marked.
-  await page.getByRole("searchbox", { name: "Find in the program" }).press("Enter");
+  await page
+    .getByRole("searchbox", { name: "Find in the program" })
+    .press("Enter");
   assert.match(await textOf(page.locator("tp-program .found")), /2 of 4/);
   await field("cycle.width1").fill("81");
   assert.equal(await marked.count(), 0);
@@ -224,7 +277,11 @@ test("the safety rules stand in Checks, with what this control cannot hold and w
   );
   assert.equal(await checks.locator(".checks li").count(), 16);
   assert.match(
-    await textOf(checks.locator(".checks li", { hasText: "Every missed touch leads to the same exit" })),
+    await textOf(
+      checks.locator(".checks li", {
+        hasText: "Every missed touch leads to the same exit",
+      }),
+    ),
     /G38\.2 itself stops the program with an error where the ball is/,
   );
   await field("control.protection").selectOption("none");

@@ -20,10 +20,18 @@ import {
 
 setUp({ width: 1440, height: 900 });
 
-const LANGUAGES = /** @type {const} */ ({ de: "de-AT", ru: "ru", "zh-Hant": "zh-TW" });
-const inside = (/** @type {string} */ selector) => page.locator(`touch-path ${selector}`);
+const LANGUAGES = /** @type {const} */ ({
+  de: "de-AT",
+  ru: "ru",
+  "zh-Hant": "zh-TW",
+});
+const inside = (/** @type {string} */ selector) =>
+  page.locator(`touch-path ${selector}`);
 /** The page in a browser of this language. */
-const openIn = (/** @type {string} */ locale, viewport = { width: 1440, height: 900 }) => open({ viewport, locale });
+const openIn = (
+  /** @type {string} */ locale,
+  viewport = { width: 1440, height: 900 },
+) => open({ viewport, locale });
 
 for (const [language, locale] of Object.entries(LANGUAGES)) {
   test(`a browser in ${locale} gets the page in ${language}, and the same program`, async () => {
@@ -32,7 +40,10 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
     const words = wordsOf(language);
     assert.equal(await inside("tp-app").getAttribute("lang"), language);
     assert.equal(await textOf(inside("#tab-program")), words.Program);
-    assert.equal(await textOf(inside("label[for='f-cycle.width1']")), words["Width 1"]);
+    assert.equal(
+      await textOf(inside("label[for='f-cycle.width1']")),
+      words["Width 1"],
+    );
     assert.equal(await program(), english, "a program is English always");
     // A finding, in the line at the foot, in the help and at Save.
     await field("cycle.sideClearance1").fill("90");
@@ -43,7 +54,10 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
       ]
     );
     const shown = said
-      .replace("{clearance_label}", /** @type {string} */ (words["Side clearance 1"]))
+      .replace(
+        "{clearance_label}",
+        /** @type {string} */ (words["Side clearance 1"]),
+      )
       .replace("{clearance}", "90 mm")
       .replace("{label}", /** @type {string} */ (words["Width 1"]))
       .replace("{width}", "80 mm")
@@ -56,32 +70,41 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
     await openIn(locale);
     // Words of the page that are the same in that language, names, and codes.
     const same = new Set(
-      Object.entries(wordsOf(language)).flatMap(([english, words]) => (english === words ? [english] : [])),
+      Object.entries(wordsOf(language)).flatMap(([english, words]) =>
+        english === words ? [english] : [],
+      ),
     );
     const left = await page.evaluate(async () => {
       const host = /** @type {any} */ (document.querySelector("touch-path"));
       const root = host.shadowRoot;
       /** @type {string[]} */
       const found = [];
-      const skip = ".code, pre, code, #lang option, .unit, h1, option[value^='linux'], canvas + *";
+      const skip =
+        ".code, pre, code, #lang option, .unit, h1, option[value^='linux'], canvas + *";
       const walk = () => {
         const all = document.createTreeWalker(root, NodeFilter.SHOW_TEXT);
         for (let node = all.nextNode(); node; node = all.nextNode())
-          if (!node.parentElement?.closest(skip)) found.push(node.textContent?.trim() ?? "");
-        for (const one of root.querySelectorAll("[aria-label], [title], [placeholder]"))
-          for (const name of ["aria-label", "title", "placeholder"]) found.push(one.getAttribute(name) ?? "");
+          if (!node.parentElement?.closest(skip))
+            found.push(node.textContent?.trim() ?? "");
+        for (const one of root.querySelectorAll(
+          "[aria-label], [title], [placeholder]",
+        ))
+          for (const name of ["aria-label", "title", "placeholder"])
+            found.push(one.getAttribute(name) ?? "");
       };
       root.querySelector("tp-form").unfold();
       /** Until nothing more comes: two frames in which the page stays as long as it was. */
       const rest = async () => {
         for (let before = -1; before !== root.textContent.length; ) {
           before = root.textContent.length;
-          for (let frame = 0; frame < 2; frame++) await new Promise((done) => requestAnimationFrame(done));
+          for (let frame = 0; frame < 2; frame++)
+            await new Promise((done) => requestAnimationFrame(done));
         }
       };
       for (const tab of root.querySelectorAll("[role=tab]")) {
         tab.click();
-        for (const details of root.querySelectorAll("details")) details.open = true;
+        for (const details of root.querySelectorAll("details"))
+          details.open = true;
         await rest();
         walk();
       }
@@ -97,7 +120,10 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
     // A text that has words of its own must not stand there in English.
     const english = left.filter(
       (text) =>
-        Object.hasOwn(words, text) && words[text] !== text && !same.has(text) && !Object.values(words).includes(text),
+        Object.hasOwn(words, text) &&
+        words[text] !== text &&
+        !same.has(text) &&
+        !Object.values(words).includes(text),
     );
     assert.deepEqual(english, []);
   });
@@ -112,23 +138,39 @@ for (const [language, locale] of Object.entries({ en: "en-GB", ...LANGUAGES }))
     test(`${language} fits ${viewport.width} pixels`, async () => {
       await openIn(locale, viewport);
       await page.evaluate(() =>
-        /** @type {any} */ (document.querySelector("touch-path")).store.choose("probing-two-circles"),
+        /** @type {any} */ (document.querySelector("touch-path")).store.choose(
+          "probing-two-circles",
+        ),
       );
       await put("cycle.diameter2", "20H7");
-      await put("part", { offset: [0.12, -0.3, 0], rotation: 2, sizes: { diameter2: 0.05 } });
+      await put("part", {
+        offset: [0.12, -0.3, 0],
+        rotation: 2,
+        sizes: { diameter2: 0.05 },
+      });
       const wide = await page.evaluate(async () => {
-        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+        const root = /** @type {ShadowRoot} */ (
+          document.querySelector("touch-path")?.shadowRoot
+        );
         /** @type {string[]} */
         const found = [];
-        const look = (/** @type {string} */ selector, /** @type {string} */ where) => {
+        const look = (
+          /** @type {string} */ selector,
+          /** @type {string} */ where,
+        ) => {
           for (const box of root.querySelectorAll(selector))
             if (box.checkVisibility() && box.scrollWidth > box.clientWidth + 1)
-              found.push(`${where}: ${selector} ${box.scrollWidth} > ${box.clientWidth}`);
+              found.push(
+                `${where}: ${selector} ${box.scrollWidth} > ${box.clientWidth}`,
+              );
         };
-        for (const tab of /** @type {NodeListOf<HTMLElement>} */ (root.querySelectorAll("[role=tab]"))) {
+        for (const tab of /** @type {NodeListOf<HTMLElement>} */ (
+          root.querySelectorAll("[role=tab]")
+        )) {
           tab.click();
           // The panel is there in the next frame, and laid out in the one after it.
-          for (let frame = 0; frame < 2; frame++) await new Promise((done) => requestAnimationFrame(done));
+          for (let frame = 0; frame < 2; frame++)
+            await new Promise((done) => requestAnimationFrame(done));
           for (const selector of [
             ".frame",
             "header",
@@ -156,11 +198,16 @@ test("numbers are written as the language does, typed in either way, and unchang
   await field("cycle.depth").focus();
   await put("cycle.width2", 50.25);
   assert.equal(await field("cycle.width2").inputValue(), "50,25");
-  const job = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job);
+  const job = await page.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).job,
+  );
   assert.deepEqual([job.cycle.width1, job.cycle.width2], [80.5, 50.25]);
   await page.locator("#tab-results").click();
   assert.match(await textOf(inside("tp-results tbody").first()), /80,500/);
-  assert.doesNotMatch(await textOf(inside("tp-results tbody").first()), /80\.500/);
+  assert.doesNotMatch(
+    await textOf(inside("tp-results tbody").first()),
+    /80\.500/,
+  );
   assert.match(await program(), /X40\.25\b|X4\d\.\d/, "a program has points");
   // Points that are filled in to start from stay readable as points.
   await page.locator("#tab-results").click();
@@ -179,7 +226,11 @@ test("in a language with a comma a field that is only looked at stays as it is, 
   assert.equal(await width.inputValue(), "70,25");
   await width.fill("80,000");
   assert.equal(
-    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job.cycle.width1),
+    await page.evaluate(
+      () =>
+        /** @type {any} */ (document.querySelector("touch-path")).job.cycle
+          .width1,
+    ),
     80,
   );
   // What a user wrote is quoted as it was written.
@@ -191,7 +242,11 @@ test("a number in the other way of writing shows what it was read as", async () 
   await openIn("de-AT");
   const width = field("cycle.width1");
   await width.fill("81.250");
-  assert.equal(await width.inputValue(), "81.250", "nothing moves under the fingers");
+  assert.equal(
+    await width.inputValue(),
+    "81.250",
+    "nothing moves under the fingers",
+  );
   await width.blur();
   assert.equal(await width.inputValue(), "81,25");
   await openIn("en");
@@ -207,13 +262,18 @@ test("the picture that is saved has the names and numbers of the page's language
   await page.locator("tp-bar [popovertarget=menu]").click();
   const [download] = await Promise.all([
     page.waitForEvent("download"),
-    page.locator("#menu").getByRole("button", { name: words["Save the picture (SVG)"] }).click(),
+    page
+      .locator("#menu")
+      .getByRole("button", { name: words["Save the picture (SVG)"] })
+      .click(),
   ]);
   const svg = readFileSync(await download.path(), "utf8");
   const texts = svg.replaceAll(/<\/?tspan[^>]*>/g, "").replaceAll(/\s+/g, " ");
   assert.ok(texts.includes(`>${words["Width 1"]} 80,5<`), "a dimension");
   assert.ok(
-    svg.includes(`<title>POCKET-80_5X50: ${words["Internal rectangle, protected"]}</title>`),
+    svg.includes(
+      `<title>POCKET-80_5X50: ${words["Internal rectangle, protected"]}</title>`,
+    ),
     svg.slice(0, 400),
   );
 });
@@ -270,7 +330,9 @@ test("the keys and the question before Reset are in the language, too", async ()
   const words = wordsOf("de");
   await page.locator("button[popovertarget=menu]").click();
   await page.getByRole("button", { name: words.Keys, exact: true }).click();
-  await page.getByText(/** @type {string} */ (words["save the program"])).waitFor();
+  await page
+    .getByText(/** @type {string} */ (words["save the program"]))
+    .waitFor();
   await page.getByRole("button", { name: words.Close }).click();
   await page.locator("button[popovertarget=menu]").click();
   await page.getByRole("button", { name: words.Reset, exact: true }).click();
@@ -297,13 +359,22 @@ test("the scale of a picture has the decimal sign of the language", async () => 
     inside(`${part} canvas:not(.over)`).evaluate(async (canvas) => {
       const own = /** @type {any} */ (globalThis);
       const { x, y, width, height } = canvas.getBoundingClientRect();
-      const at = { clientX: x + width / 2, clientY: y + height / 2, bubbles: true, cancelable: true };
+      const at = {
+        clientX: x + width / 2,
+        clientY: y + height / 2,
+        bubbles: true,
+        cancelable: true,
+      };
       let last = "";
       for (let round = 0; round < 40 && !last.startsWith("0"); round++) {
         own.written = [];
         canvas.dispatchEvent(new WheelEvent("wheel", { ...at, deltaY: -300 }));
-        for (let frame = 0; frame < 2; frame++) await new Promise((done) => requestAnimationFrame(done));
-        last = own.written.findLast((/** @type {string} */ text) => text.endsWith(" mm")) ?? "";
+        for (let frame = 0; frame < 2; frame++)
+          await new Promise((done) => requestAnimationFrame(done));
+        last =
+          own.written.findLast((/** @type {string} */ text) =>
+            text.endsWith(" mm"),
+          ) ?? "";
       }
       return last;
     });

@@ -21,7 +21,10 @@ setUp();
 for (const [width, height] of SIZES) {
   test(`the page was wider than its window at 1024 and 900 pixels: ${width}`, async () => {
     await open({ viewport: { width, height } });
-    const over = () => page.evaluate(() => (document.scrollingElement?.scrollWidth ?? 0) - innerWidth);
+    const over = () =>
+      page.evaluate(
+        () => (document.scrollingElement?.scrollWidth ?? 0) - innerWidth,
+      );
     assert.ok((await over()) <= 0);
     for (const tab of await page.getByRole("tab").all()) {
       await tab.click();
@@ -31,17 +34,29 @@ for (const [width, height] of SIZES) {
     }
     // What is cut off by a pane of its own does not widen the page: every part must end inside the window.
     const beyond = await page.evaluate(() => {
-      const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+      const root = /** @type {ShadowRoot} */ (
+        document.querySelector("touch-path")?.shadowRoot
+      );
       const all = root.querySelectorAll(
         "tp-bar > *, main > section:not([hidden]), main > .tabs, tp-picture, .picture .tools > *, .scrub > *, footer",
       );
       return [...all]
-        .filter((node) => !node.closest(".unseen") && node.getBoundingClientRect().right > innerWidth + 0.5)
+        .filter(
+          (node) =>
+            !node.closest(".unseen") &&
+            node.getBoundingClientRect().right > innerWidth + 0.5,
+        )
         .map((node) => node.outerHTML.slice(0, 80));
     });
     assert.deepEqual(beyond, []);
     for (const tool of ["gallery", "lengths", "sheet"]) {
-      await page.evaluate((tool) => /** @type {any} */ (document.querySelector("touch-path")).app.ask(tool), tool);
+      await page.evaluate(
+        (tool) =>
+          /** @type {any} */ (document.querySelector("touch-path")).app.ask(
+            tool,
+          ),
+        tool,
+      );
       assert.ok((await over()) <= 0, tool);
     }
   });
@@ -52,23 +67,33 @@ test("what always holds for a control lay over the next question", async () => {
     await open({ viewport: { width, height: 1024 } });
     await field("control.post").selectOption("fanuc");
     const [asks = [], cut = false] = await page.evaluate(() => {
-      const bar = document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-bar");
+      const bar = document
+        .querySelector("touch-path")
+        ?.shadowRoot?.querySelector("tp-bar");
       const all = [...(bar?.querySelectorAll(".answer > .asks") ?? [])];
       const words = bar?.querySelector(".always .words");
       const boxes = all.map((one) => {
-        const parts = [one, ...one.querySelectorAll("*")].map((part) => part.getBoundingClientRect());
+        const parts = [one, ...one.querySelectorAll("*")].map((part) =>
+          part.getBoundingClientRect(),
+        );
         return {
           left: parts[0]?.left ?? 0,
           right: Math.max(...parts.map(({ right }) => right)),
           top: parts[0]?.top ?? 0,
         };
       });
-      return /** @type {const} */ ([boxes, words ? words.scrollWidth > words.clientWidth + 1 : true]);
+      return /** @type {const} */ ([
+        boxes,
+        words ? words.scrollWidth > words.clientWidth + 1 : true,
+      ]);
     });
     assert.ok(asks.length >= 3 && !cut, `${width}: the words are whole`);
     for (const [i, { right, top }] of asks.entries()) {
       const next = asks[i + 1];
-      assert.ok(!next || next.top !== top || right <= next.left + 0.5, `${width}: ${JSON.stringify(asks)}`);
+      assert.ok(
+        !next || next.top !== top || right <= next.left + 0.5,
+        `${width}: ${JSON.stringify(asks)}`,
+      );
     }
   }
 });
@@ -83,24 +108,36 @@ for (const [width, height, what] of /** @type {[number, number, string][]} */ ([
     await open({ viewport: { width, height } });
     await field("cycle.depth").fill("-1");
     await field("cycle.width1").fill("-1");
-    const fields = await page.locator("tp-form :is(input, select, button):visible:not(:disabled)").count();
+    const fields = await page
+      .locator("tp-form :is(input, select, button):visible:not(:disabled)")
+      .count();
     const look = () =>
       page.evaluate(() => {
-        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+        const root = /** @type {ShadowRoot} */ (
+          document.querySelector("touch-path")?.shadowRoot
+        );
         const node = root.activeElement;
         if (!node?.closest("tp-form")) return null;
         const box = node.getBoundingClientRect();
-        const seen = root.elementFromPoint(box.x + box.width / 2, box.y + box.height / 2);
+        const seen = root.elementFromPoint(
+          box.x + box.width / 2,
+          box.y + box.height / 2,
+        );
         return {
           id: node.id,
-          free: seen !== null && (node.contains(seen) || (seen.contains(node) && seen.matches("label"))),
+          free:
+            seen !== null &&
+            (node.contains(seen) ||
+              (seen.contains(node) && seen.matches("label"))),
           seen: seen?.outerHTML.slice(0, 60),
         };
       });
     const covered = [];
     for (const key of ["Tab", "Shift+Tab"]) {
       let met = 0;
-      const all = page.locator("tp-form :is(input, select, button):visible:not(:disabled)");
+      const all = page.locator(
+        "tp-form :is(input, select, button):visible:not(:disabled)",
+      );
       await (key === "Tab" ? all.first() : all.last()).focus();
       for (let state = await look(); state; state = await look()) {
         met++;
@@ -119,12 +156,17 @@ test("a warning was a closed line in the colour of text: it is counted and read 
   assert.match(await textOf(line), /1 warning, 1 note:\s+\S.*feed/i);
   const colours = await line.evaluate((node) => ({
     own: getComputedStyle(node).color,
-    text: getComputedStyle(/** @type {Element} */ (node.closest(".frame"))).color,
+    text: getComputedStyle(/** @type {Element} */ (node.closest(".frame")))
+      .color,
   }));
   assert.notEqual(colours.own, colours.text);
   assert.ok(await line.getByText("1 warning").isVisible());
   await field("cycle.depth").fill("-1");
-  assert.match(await textOf(line), /1 error, 1 warning: Depth must/, "the gravest comes first");
+  assert.match(
+    await textOf(line),
+    /1 error, 1 warning: Depth must/,
+    "the gravest comes first",
+  );
 });
 
 test("the page could run whatever script got into it: the policy refuses it, and the tests see it", async () => {
@@ -141,7 +183,11 @@ test("the page could run whatever script got into it: the policy refuses it, and
         const sheet = document.createElement("style");
         sheet.textContent = "body { outline: 9px solid red }";
         document.head.append(sheet);
-        if (sheet.sheet === null || getComputedStyle(document.body).outlineWidth !== "9px") throw new Error("refused");
+        if (
+          sheet.sheet === null ||
+          getComputedStyle(document.body).outlineWidth !== "9px"
+        )
+          throw new Error("refused");
       },
     };
     for (const [name, trial] of Object.entries(trials)) {
@@ -159,7 +205,12 @@ test("the page could run whatever script got into it: the policy refuses it, and
     return names;
   });
   assert.deepEqual(refused, ["code", "markup", "style", "fetch"]);
-  for (const what of [/TrustedScript/, /TrustedHTML/, /style-src/, /connect-src/]) {
+  for (const what of [
+    /TrustedScript/,
+    /TrustedHTML/,
+    /style-src/,
+    /connect-src/,
+  ]) {
     assert.ok(
       problems.some((text) => what.test(text)),
       `${what}: ${problems.join("; ")}`,
@@ -171,11 +222,17 @@ test("the page could run whatever script got into it: the policy refuses it, and
 test("the licences of what the page is made of were missing", async () => {
   await page.getByRole("button", { name: "More" }).click();
   const link = page.getByRole("link", { name: "Licences" });
-  const response = await page.request.get(new URL((await link.getAttribute("href")) ?? "", page.url()).href);
+  const response = await page.request.get(
+    new URL((await link.getAttribute("href")) ?? "", page.url()).href,
+  );
   assert.equal(response.status(), 200);
   const text = await response.text();
-  assert.match(text, /lit-html[\s\S]*BSD[\s\S]*Redistribution and use in source and binary forms/);
-  for (const name of ["serde", "wasm-bindgen", "glam"]) assert.match(text, new RegExp(`^## ${name} - `, "m"));
+  assert.match(
+    text,
+    /lit-html[\s\S]*BSD[\s\S]*Redistribution and use in source and binary forms/,
+  );
+  for (const name of ["serde", "wasm-bindgen", "glam"])
+    assert.match(text, new RegExp(`^## ${name} - `, "m"));
 });
 
 for (const [width, height] of /** @type {const} */ ([
@@ -186,9 +243,16 @@ for (const [width, height] of /** @type {const} */ ([
   test(`the page scrolled away under its form: ${width} by ${height}`, async () => {
     await open({ viewport: { width, height } });
     await page.evaluate(() =>
-      /** @type {any} */ (document.querySelector("touch-path"))?.shadowRoot.querySelector("tp-form").unfold(),
+      /** @type {any} */ (document.querySelector("touch-path"))?.shadowRoot
+        .querySelector("tp-form")
+        .unfold(),
     );
-    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.set("part.rotation", 5));
+    await page.evaluate(() =>
+      /** @type {any} */ (document.querySelector("touch-path")).store.set(
+        "part.rotation",
+        5,
+      ),
+    );
     await page.getByRole("button", { name: "Go to it" }).click();
     await page.mouse.move(width / 2, 20);
     await page.mouse.wheel(0, 400);
@@ -199,7 +263,10 @@ for (const [width, height] of /** @type {const} */ ([
     ]);
     assert.deepEqual([scrolled, over], [0, 0]);
     const frame = await page.evaluate(
-      () => document.querySelector("touch-path")?.shadowRoot?.querySelector(".frame")?.scrollTop,
+      () =>
+        document
+          .querySelector("touch-path")
+          ?.shadowRoot?.querySelector(".frame")?.scrollTop,
     );
     assert.equal(frame, 0);
   });
@@ -210,7 +277,9 @@ for (const locale of ["en-US", "de-DE", "ru-RU"])
       await open({ viewport: { width, height: 800 }, locale });
       for (const tab of await page.getByRole("tab").all()) {
         await tab.click();
-        const over = await page.locator(".tabs").evaluate((tabs) => tabs.scrollWidth - tabs.clientWidth);
+        const over = await page
+          .locator(".tabs")
+          .evaluate((tabs) => tabs.scrollWidth - tabs.clientWidth);
         assert.ok(over <= 0, `${width} ${await tab.textContent()} ${over}`);
       }
     }
@@ -219,20 +288,37 @@ for (const locale of ["en-US", "de-DE", "ru-RU"])
 for (const locale of ["en-US", "de-DE"])
   test(`on a small tablet the speed was cut off, and control and work offset could not be read: ${locale}`, async () => {
     for (const width of [600, 640, 720, 768]) {
-      await open({ viewport: { width, height: 960 }, hasTouch: true, isMobile: true, locale });
+      await open({
+        viewport: { width, height: 960 },
+        hasTouch: true,
+        isMobile: true,
+        locale,
+      });
       const cut = await page.evaluate(() => {
-        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
-        const pen = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
-        const over = [".scrub", ".tabs", ".picture", "header"].filter((part) => {
-          const box = root.querySelector(part);
-          return !box || box.scrollWidth > box.clientWidth;
-        });
+        const root = /** @type {ShadowRoot} */ (
+          document.querySelector("touch-path")?.shadowRoot
+        );
+        const pen = /** @type {CanvasRenderingContext2D} */ (
+          document.createElement("canvas").getContext("2d")
+        );
+        const over = [".scrub", ".tabs", ".picture", "header"].filter(
+          (part) => {
+            const box = root.querySelector(part);
+            return !box || box.scrollWidth > box.clientWidth;
+          },
+        );
         for (const id of ["f-control.post", "f-control.workOffset"]) {
-          const list = /** @type {HTMLSelectElement} */ (root.getElementById(id));
+          const list = /** @type {HTMLSelectElement} */ (
+            root.getElementById(id)
+          );
           const style = getComputedStyle(list);
           pen.font = style.font;
-          const room = list.clientWidth - Number.parseFloat(style.paddingLeft) - Number.parseFloat(style.paddingRight);
-          if (pen.measureText(list.selectedOptions[0]?.text ?? "").width > room) over.push(id);
+          const room =
+            list.clientWidth -
+            Number.parseFloat(style.paddingLeft) -
+            Number.parseFloat(style.paddingRight);
+          if (pen.measureText(list.selectedOptions[0]?.text ?? "").width > room)
+            over.push(id);
         }
         return over;
       });
@@ -245,9 +331,13 @@ for (const locale of ["en-US", "de-DE"])
 test("a tap on a dimension left the focus on the picture: it is in the field", async () => {
   await open({ viewport: { width: 1024, height: 768 }, hasTouch: true });
   const spot = await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    );
     const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-    const box = root.querySelector("tp-picture canvas")?.getBoundingClientRect();
+    const box = root
+      .querySelector("tp-picture canvas")
+      ?.getBoundingClientRect();
     for (let y = 4; box && y < box.height; y += 4)
       for (let x = 4; x < box.width; x += 4) {
         const field = picture.drawing.use((/** @type {any} */ view) =>
@@ -261,7 +351,9 @@ test("a tap on a dimension left the focus on the picture: it is in the field", a
   await page.touchscreen.tap(spot.x, spot.y);
   await settles(async () => (await focusedId()) === `f-${spot.field}`);
   assert.equal(
-    await page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id),
+    await page.evaluate(
+      () => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id,
+    ),
     `f-${spot.field}`,
   );
 });
@@ -272,28 +364,44 @@ test("on a phone on its side the form had no room beside the keyboard", async ()
   const box = await field("cycle.feedDistance").boundingBox();
   const form = await page.locator("tp-form").boundingBox();
   assert.ok(form && form.height > 60, `${form?.height}`);
-  assert.ok(box && box.y >= form.y - 1 && box.y + box.height <= form.y + form.height + 1);
+  assert.ok(
+    box &&
+      box.y >= form.y - 1 &&
+      box.y + box.height <= form.y + form.height + 1,
+  );
 });
 
 test("what had the focus and is gone leaves it to what is near, not to the start of the page", async () => {
   const at = () =>
     page.evaluate(() => {
-      const activeElement = document.querySelector("touch-path")?.shadowRoot?.activeElement;
-      return activeElement?.getAttribute("aria-label") ?? activeElement?.textContent?.trim() ?? null;
+      const activeElement =
+        document.querySelector("touch-path")?.shadowRoot?.activeElement;
+      return (
+        activeElement?.getAttribute("aria-label") ??
+        activeElement?.textContent?.trim() ??
+        null
+      );
     });
-  const settled = (/** @type {string} */ name) => settles(async () => (await at()) === name);
+  const settled = (/** @type {string} */ name) =>
+    settles(async () => (await at()) === name);
   const more = page.getByRole("button", { name: "More" });
   for (const item of ["Keys", "My machines"]) {
     await more.focus();
     await page.keyboard.press("Enter");
-    await page.locator("#menu").getByRole("button", { name: item, exact: true }).press("Enter");
+    await page
+      .locator("#menu")
+      .getByRole("button", { name: item, exact: true })
+      .press("Enter");
     await page.locator("dialog[open]").waitFor();
     await page.keyboard.press("Escape");
     await settled("More");
   }
   const lengths = async () => {
     await more.press("Enter");
-    await page.locator("#menu").getByRole("button", { name: "Tool lengths" }).press("Enter");
+    await page
+      .locator("#menu")
+      .getByRole("button", { name: "Tool lengths" })
+      .press("Enter");
     await page.locator("tp-lentoax").waitFor();
   };
   // The first time it is loaded: what has the focus meanwhile keeps it.
@@ -315,7 +423,9 @@ test("what had the focus and is gone leaves it to what is near, not to the start
   await button.click();
   await page.mouse.click(2, 2);
   await page.evaluate(() =>
-    /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot)?.activeElement?.blur(),
+    /** @type {any} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    )?.activeElement?.blur(),
   );
   await page.waitForTimeout(600);
   assert.equal(await at(), null);
@@ -350,9 +460,16 @@ test("on a phone Save stands at the foot, on wider pages in the bar, and always 
     await page.setViewportSize({ width, height });
     const save = page.locator(`${there} .primary`);
     await save.waitFor();
-    assert.equal(await page.locator(".primary").count(), 1, `${width} x ${height}`);
+    assert.equal(
+      await page.locator(".primary").count(),
+      1,
+      `${width} x ${height}`,
+    );
     const box = await boxOf(save);
-    assert.ok(box.y >= 0 && box.y + box.height <= height && box.x + box.width <= width, JSON.stringify(box));
+    assert.ok(
+      box.y >= 0 && box.y + box.height <= height && box.x + box.width <= width,
+      JSON.stringify(box),
+    );
   }
   await page.setViewportSize({ width: 390, height: 844 });
   const download = page.waitForEvent("download");
@@ -360,21 +477,33 @@ test("on a phone Save stands at the foot, on wider pages in the bar, and always 
   assert.equal((await download).suggestedFilename(), "POCKET-80X50.ngc");
   await put("cycle.depth", -1);
   assert.ok(await page.locator("footer .primary").isDisabled());
-  assert.match((await page.locator("footer .primary").getAttribute("title")) ?? "", /^Depth must be/);
+  assert.match(
+    (await page.locator("footer .primary").getAttribute("title")) ?? "",
+    /^Depth must be/,
+  );
 });
 
 for (const width of [1280, 390])
   test(`the note of a copied link pushed the page down by a line, and the next keystroke pulled it up: ${width}`, async () => {
-    await open({ viewport: { width, height: 844 }, permissions: ["clipboard-read", "clipboard-write"] });
+    await open({
+      viewport: { width, height: 844 },
+      permissions: ["clipboard-read", "clipboard-write"],
+    });
     const places = () =>
       page.evaluate(() => {
-        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
-        return [...root.querySelectorAll("main, main > *, footer, .primary")].map((part) =>
-          JSON.stringify(part.getBoundingClientRect()),
+        const root = /** @type {ShadowRoot} */ (
+          document.querySelector("touch-path")?.shadowRoot
         );
+        return [
+          ...root.querySelectorAll("main, main > *, footer, .primary"),
+        ].map((part) => JSON.stringify(part.getBoundingClientRect()));
       });
     const before = await places();
-    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.ask("share"));
+    await page.evaluate(() =>
+      /** @type {any} */ (document.querySelector("touch-path")).app.ask(
+        "share",
+      ),
+    );
     const note = page.locator("footer .note", { hasText: "Link copied" });
     await note.waitFor();
     assert.deepEqual(await places(), before);
@@ -386,7 +515,9 @@ for (const width of [1280, 390])
 test("on a phone the help of a field had to be scrolled: every text fits its box", async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   const [seen, cut] = await page.evaluate(async () => {
-    const { store, shadowRoot } = /** @type {any} */ (document.querySelector("touch-path"));
+    const { store, shadowRoot } = /** @type {any} */ (
+      document.querySelector("touch-path")
+    );
     const help = shadowRoot.querySelector("tp-help");
     const cut = [];
     let seen = 0;
@@ -396,7 +527,8 @@ test("on a phone the help of a field had to be scrolled: every text fits its box
         store.focus(id.slice(2));
         await help.updateComplete;
         seen++;
-        if (help.scrollHeight > help.clientHeight + 1) cut.push(`${type} ${id}`);
+        if (help.scrollHeight > help.clientHeight + 1)
+          cut.push(`${type} ${id}`);
       }
     }
     return [seen, cut];
@@ -408,14 +540,23 @@ test("on a phone the help of a field had to be scrolled: every text fits its box
 for (const width of [768, 844, 900, 1024, 1080, 1280, 1440])
   test(`on tablets “measures only” was cut off, and the timeline was too short to drag: ${width}`, async () => {
     await open({ viewport: { width, height: 844 }, hasTouch: true });
-    const free = await field("control.workOffset").evaluate((/** @type {HTMLSelectElement} */ select) => {
-      const pen = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"));
-      const { font, paddingLeft, paddingRight } = getComputedStyle(select);
-      pen.font = font;
-      // The arrow of a choice stands in the padding.
-      const room = select.clientWidth - Number.parseFloat(paddingLeft) - Number.parseFloat(paddingRight);
-      return room - pen.measureText(select.selectedOptions[0]?.text ?? "").width;
-    });
+    const free = await field("control.workOffset").evaluate(
+      (/** @type {HTMLSelectElement} */ select) => {
+        const pen = /** @type {CanvasRenderingContext2D} */ (
+          document.createElement("canvas").getContext("2d")
+        );
+        const { font, paddingLeft, paddingRight } = getComputedStyle(select);
+        pen.font = font;
+        // The arrow of a choice stands in the padding.
+        const room =
+          select.clientWidth -
+          Number.parseFloat(paddingLeft) -
+          Number.parseFloat(paddingRight);
+        return (
+          room - pen.measureText(select.selectedOptions[0]?.text ?? "").width
+        );
+      },
+    );
     assert.ok(free > -1, `${free} pixels are left`);
     const track = await boxOf(page.locator("#scrub"));
     assert.ok(track.width >= 120, `${track.width}`);
@@ -428,16 +569,29 @@ for (const locale of ["en-US", "de-DE", "ru-RU", "zh-TW"])
       [390, 844],
       [1024, 768],
     ]) {
-      await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true, isMobile: true, locale });
-      for (const type of ["internal-rectangle-protected", "probing-two-circles"]) {
+      await open({
+        viewport: { width: width ?? 0, height: height ?? 0 },
+        hasTouch: true,
+        isMobile: true,
+        locale,
+      });
+      for (const type of [
+        "internal-rectangle-protected",
+        "probing-two-circles",
+      ]) {
         await put("cycle.type", type);
         await framed();
         await page.evaluate(() =>
-          /** @type {any} */ (document.querySelector("touch-path"))?.shadowRoot.querySelector("tp-form").unfold(),
+          /** @type {any} */ (document.querySelector("touch-path"))?.shadowRoot
+            .querySelector("tp-form")
+            .unfold(),
         );
         const beyond = await page.locator("tp-form").evaluate((form) => {
-          const right = form.getBoundingClientRect().left + form.clientWidth + 1;
-          const boxes = [...form.querySelectorAll(".group *")].filter((box) => !box.closest(".unseen"));
+          const right =
+            form.getBoundingClientRect().left + form.clientWidth + 1;
+          const boxes = [...form.querySelectorAll(".group *")].filter(
+            (box) => !box.closest(".unseen"),
+          );
           return boxes
             .filter((box) => box.getBoundingClientRect().right > right)
             .map((box) => box.outerHTML.slice(0, 90));
@@ -448,7 +602,11 @@ for (const locale of ["en-US", "de-DE", "ru-RU", "zh-TW"])
   });
 
 test("a phone that was turned lost the field that had the focus", async () => {
-  await open({ viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true });
+  await open({
+    viewport: { width: 844, height: 390 },
+    hasTouch: true,
+    isMobile: true,
+  });
   await field("cycle.width2").focus();
   for (const [width, height] of [
     [390, 844],
@@ -457,7 +615,10 @@ test("a phone that was turned lost the field that had the focus", async () => {
     await page.setViewportSize({ width: width ?? 0, height: height ?? 0 });
     await settles(async () => (await focusedId()) === "f-cycle.width2");
     await settles(async () => {
-      const [box, form] = [await boxOf(field("cycle.width2")), await boxOf(page.locator("tp-form"))];
+      const [box, form] = [
+        await boxOf(field("cycle.width2")),
+        await boxOf(page.locator("tp-form")),
+      ];
       return box.y >= form.y && box.y + box.height <= form.y + form.height + 1;
     });
   }
@@ -470,19 +631,31 @@ test("on a phone on its side the views covered the picture, and the timeline had
     [1024, 768],
     [1440, 900],
   ]) {
-    await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true });
-    const [tools, canvas] = [await boxOf(page.locator(".picture .tools")), await boxOf(page.locator(".canvas"))];
+    await open({
+      viewport: { width: width ?? 0, height: height ?? 0 },
+      hasTouch: true,
+    });
+    const [tools, canvas] = [
+      await boxOf(page.locator(".picture .tools")),
+      await boxOf(page.locator(".canvas")),
+    ];
     // Above the picture, or beside it where it is wide and low.
     const beside = width === 844 && tools.x + tools.width <= canvas.x + 1;
     assert.ok(beside || tools.y + tools.height <= canvas.y + 1, `${width}`);
     await page.getByRole("button", { name: "Next touch" }).click();
     assert.match(await textOf(page.locator(".clock")), /^0:0\d \/ 0:32$/);
-    const [rail, scrub] = [await boxOf(page.locator(".track")), await boxOf(page.locator(".scrub"))];
+    const [rail, scrub] = [
+      await boxOf(page.locator(".track")),
+      await boxOf(page.locator(".scrub")),
+    ];
     assert.ok(rail.width >= 64, `${width}: ${rail.width}`);
     assert.ok(rail.height >= 12, "the marks of touches are not cut");
-    if (width === 1440) assert.ok(rail.width > 0.5 * scrub.width, "the rail has what is left");
+    if (width === 1440)
+      assert.ok(rail.width > 0.5 * scrub.width, "the rail has what is left");
     const said = page.locator(".scrub output");
-    const cut = await said.evaluate((words) => words.scrollWidth - words.clientWidth);
+    const cut = await said.evaluate(
+      (words) => words.scrollWidth - words.clientWidth,
+    );
     assert.ok(cut <= 0, `${width}: the move in words is cut by ${cut}`);
   }
 });

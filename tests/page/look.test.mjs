@@ -16,7 +16,9 @@ const [MEAN, FAR, FEW] = [3.5, 40, 5];
 
 /** The page when nothing of it changes any more: two screenshots are the same. */
 async function still() {
-  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready);
+  await page.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).ready,
+  );
   let [before, now] = [await page.screenshot(), await page.screenshot()];
   while (!now.equals(before)) [before, now] = [now, await page.screenshot()];
   return now;
@@ -27,12 +29,23 @@ async function cells(/** @type {Buffer} */ png) {
   const blank = await context.newPage();
   const rows = await blank.evaluate(
     async ([data, cell]) => {
-      const bytes = Uint8Array.from(atob(/** @type {string} */ (data)), (c) => c.charCodeAt(0));
-      const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
-      const pixels = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      const bytes = Uint8Array.from(atob(/** @type {string} */ (data)), (c) =>
+        c.charCodeAt(0),
+      );
+      const image = await createImageBitmap(
+        new Blob([bytes], { type: "image/png" }),
+      );
+      const pixels = new OffscreenCanvas(image.width, image.height).getContext(
+        "2d",
+      );
       if (!pixels) throw new Error("no canvas");
       pixels.drawImage(image, 0, 0);
-      const { data: rgba } = pixels.getImageData(0, 0, image.width, image.height);
+      const { data: rgba } = pixels.getImageData(
+        0,
+        0,
+        image.width,
+        image.height,
+      );
       const size = Number(cell);
       return Array.from({ length: Math.floor(image.height / size) }, (_, row) =>
         Array.from({ length: Math.floor(image.width / size) }, (_, column) => {
@@ -40,7 +53,10 @@ async function cells(/** @type {Buffer} */ png) {
           for (let y = row * size; y < (row + 1) * size; y++)
             for (let x = column * size; x < (column + 1) * size; x++) {
               const i = 4 * (y * image.width + x);
-              sum += 0.3 * (rgba[i] ?? 0) + 0.59 * (rgba[i + 1] ?? 0) + 0.11 * (rgba[i + 2] ?? 0);
+              sum +=
+                0.3 * (rgba[i] ?? 0) +
+                0.59 * (rgba[i + 1] ?? 0) +
+                0.11 * (rgba[i + 2] ?? 0);
             }
           return Math.round(sum / size ** 2)
             .toString(16)
@@ -55,10 +71,15 @@ async function cells(/** @type {Buffer} */ png) {
 }
 
 const greys = (/** @type {string[]} */ rows) =>
-  rows.flatMap((row) => (row.match(/../g) ?? []).map((x) => Number.parseInt(x, 16)));
+  rows.flatMap((row) =>
+    (row.match(/../g) ?? []).map((x) => Number.parseInt(x, 16)),
+  );
 
 /** How much two pictures differ: on average, and how many of 100 cells by much. */
-function difference(/** @type {string[]} */ one, /** @type {string[]} */ other) {
+function difference(
+  /** @type {string[]} */ one,
+  /** @type {string[]} */ other,
+) {
   const [a, b] = [greys(one), greys(other)];
   const off = a.map((x, i) => Math.abs(x - (b[i] ?? 0)));
   return {
@@ -68,7 +89,9 @@ function difference(/** @type {string[]} */ one, /** @type {string[]} */ other) 
   };
 }
 
-const fits = (/** @type {ReturnType<typeof difference>} */ { mean, far, same }) => same && mean <= MEAN && far <= FEW;
+const fits = (
+  /** @type {ReturnType<typeof difference>} */ { mean, far, same },
+) => same && mean <= MEAN && far <= FEW;
 
 for (const colorScheme of /** @type {const} */ (["light", "dark"]))
   for (const [width, height] of SIZES)
@@ -86,9 +109,19 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"]))
       assert.ok(existsSync(file), `${file} is missing: UPDATE=1 writes it`);
       const known = readFileSync(file, "utf8").trimEnd().split("\n");
       const off = difference(seen, known);
-      assert.ok(fits(off), `the page looks otherwise than in ${file}: ${JSON.stringify(off)}`);
+      assert.ok(
+        fits(off),
+        `the page looks otherwise than in ${file}: ${JSON.stringify(off)}`,
+      );
       // What would be wrong is found: a panel that is gone, the other colours.
-      await page.evaluate(() => document.querySelector("touch-path")?.setAttribute("panels", "form program"));
+      await page.evaluate(() =>
+        document
+          .querySelector("touch-path")
+          ?.setAttribute("panels", "form program"),
+      );
       const without = difference(await cells(await still()), known);
-      assert.ok(!fits(without), `a missing picture is seen: ${JSON.stringify(without)}`);
+      assert.ok(
+        !fits(without),
+        `a missing picture is seen: ${JSON.stringify(without)}`,
+      );
     });

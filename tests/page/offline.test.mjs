@@ -1,6 +1,12 @@
 // Without a network: the page works, and a newer version of it is taken when the user says so.
 import assert from "node:assert/strict";
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
@@ -27,8 +33,10 @@ setUp(undefined, "allow");
 const kept = (tab = page) =>
   tab.evaluate(async () => {
     await navigator.serviceWorker.ready;
-    const wait = (/** @type {number} */ ms) => new Promise((done) => setTimeout(done, ms));
-    while (!(await navigator.serviceWorker.getRegistration())?.active) await wait(20);
+    const wait = (/** @type {number} */ ms) =>
+      new Promise((done) => setTimeout(done, ms));
+    while (!(await navigator.serviceWorker.getRegistration())?.active)
+      await wait(20);
     for (const part of ["gallery", "lentoax", "viewer", "sheet", "presets"])
       await customElements.whenDefined(`tp-${part}`);
     return (await caches.keys()).length;
@@ -38,8 +46,15 @@ const kept = (tab = page) =>
 const written = (/** @type {string} */ name) =>
   page.evaluate(async (part) => {
     for (;;) {
-      const kept = await Promise.all((await caches.keys()).map(async (key) => (await caches.open(key)).keys()));
-      if (kept.flat().some((request) => request.url.includes(`/assets/${part}-`))) return;
+      const kept = await Promise.all(
+        (await caches.keys()).map(async (key) =>
+          (await caches.open(key)).keys(),
+        ),
+      );
+      if (
+        kept.flat().some((request) => request.url.includes(`/assets/${part}-`))
+      )
+        return;
       await new Promise((done) => setTimeout(done, 50));
     }
   }, name);
@@ -57,7 +72,10 @@ test("without a network the page opens, plans, draws, saves and shows its other 
   assert.match(await program(), /G38\.2 X47 /);
   const download = page.waitForEvent("download");
   await saveButton().click();
-  assert.match(readFileSync(await (await download).path(), "utf8"), /G38\.2 X47 /);
+  assert.match(
+    readFileSync(await (await download).path(), "utf8"),
+    /G38\.2 X47 /,
+  );
   await more("Tool lengths");
   await page.locator("tp-lentoax").waitFor();
   await context.setOffline(false);
@@ -79,7 +97,10 @@ test("a first visit fetched each file twice: the worker takes what the page has 
       named.filter((url, i) => named.indexOf(url) !== i),
       [],
     );
-    assert.ok(!fetched.includes("/licences.txt"), "what nobody asked for is not loaded");
+    assert.ok(
+      !fetched.includes("/licences.txt"),
+      "what nobody asked for is not loaded",
+    );
   } finally {
     await tab.close();
     server.close();
@@ -98,14 +119,18 @@ test("nothing leaves the browser: every request is for a file of the page", asyn
   const origin = new URL(page.url()).origin;
   assert.ok(asked.length > 3);
   assert.deepEqual(
-    asked.filter((url) => !url.startsWith(origin) || new URL(url).search !== ""),
+    asked.filter(
+      (url) => !url.startsWith(origin) || new URL(url).search !== "",
+    ),
     [],
   );
 });
 
 test("a newer version waits until its user takes it, and the job stays", async () => {
   const folder = mkdtempSync(join(tmpdir(), "touchpath-page-"));
-  cpSync(fileURLToPath(new URL("../../dist/page", import.meta.url)), folder, { recursive: true });
+  cpSync(fileURLToPath(new URL("../../dist/page", import.meta.url)), folder, {
+    recursive: true,
+  });
   const server = await serve(0, folder);
   const tab = await context.newPage();
   try {
@@ -117,10 +142,16 @@ test("a newer version waits until its user takes it, and the job stays", async (
     await field("cycle.width1", tab).fill("77");
     // The newer version: another worker with another title.
     const old = readFileSync(join(folder, "sw.js"), "utf8");
-    writeFileSync(join(folder, "sw.js"), old.replace(/const VERSION = "\w+"/, 'const VERSION = "newer"'));
+    writeFileSync(
+      join(folder, "sw.js"),
+      old.replace(/const VERSION = "\w+"/, 'const VERSION = "newer"'),
+    );
     writeFileSync(
       join(folder, "index.html"),
-      readFileSync(join(folder, "index.html"), "utf8").replace("<title>", "<title>Newer "),
+      readFileSync(join(folder, "index.html"), "utf8").replace(
+        "<title>",
+        "<title>Newer ",
+      ),
     );
     await tab.reload();
     await tab.locator(".note", { hasText: "newer version" }).waitFor();
@@ -129,7 +160,11 @@ test("a newer version waits until its user takes it, and the job stays", async (
     await tab.waitForFunction(() => document.title === "Newer Touchpath");
     await ready(tab);
     assert.equal(await field("cycle.width1", tab).inputValue(), "77");
-    assert.deepEqual(await tab.evaluate(() => caches.keys()), ["touchpath / newer"], "nothing of the old one is kept");
+    assert.deepEqual(
+      await tab.evaluate(() => caches.keys()),
+      ["touchpath / newer"],
+      "nothing of the old one is kept",
+    );
   } finally {
     await tab.close();
     server.close();
@@ -142,7 +177,9 @@ test("the language that was chosen is there without a network, and no other is l
   await kept();
   /** @type {string[]} */
   const asked = [];
-  context.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  context.on("request", (request) =>
+    asked.push(new URL(request.url()).pathname),
+  );
   const choose = async (/** @type {string} */ language) => {
     await page.locator("button[popovertarget=menu]").click();
     await page.locator("touch-path #lang").selectOption(language);
@@ -150,7 +187,11 @@ test("the language that was chosen is there without a network, and no other is l
   await choose("de");
   const { Results: german } = wordsOf("de");
   await page.getByRole("tab", { name: german }).waitFor();
-  assert.equal(asked.filter((path) => /\/(ru|zh-Hant)-[^/]+\.js$/.test(path)).length, 0, "words that are not wanted");
+  assert.equal(
+    asked.filter((path) => /\/(ru|zh-Hant)-[^/]+\.js$/.test(path)).length,
+    0,
+    "words that are not wanted",
+  );
   await written("de");
   await context.setOffline(true);
   await page.goto(new URL("./", page.url()).href);
@@ -161,19 +202,26 @@ test("the language that was chosen is there without a network, and no other is l
   await page.locator("touch-path .note").waitFor();
   await page.getByRole("tab", { name: german }).waitFor();
   await context.setOffline(false);
-  assert.ok(problems.splice(0).length > 0, "the browser says, too, that a file did not come");
+  assert.ok(
+    problems.splice(0).length > 0,
+    "the browser says, too, that a file did not come",
+  );
 });
 
 test("the editor of opened programs: loaded with the first of them, there without a network from the second on, plain text before", async () => {
   await kept();
   /** @type {string[]} */
   const asked = [];
-  context.on("request", (request) => asked.push(new URL(request.url()).pathname));
-  const editors = () => asked.filter((path) => /\/program-editor-[^/]+\.js$/.test(path)).length;
+  context.on("request", (request) =>
+    asked.push(new URL(request.url()).pathname),
+  );
+  const editors = () =>
+    asked.filter((path) => /\/program-editor-[^/]+\.js$/.test(path)).length;
   const short = "G21 G90\nG0 X0 Y0 Z20\nG38.2 Z-5 F100\nM2\n";
   // So long that not every line is put into the document.
   const foreign = `${"(a line)\n".repeat(5000)}${short}`;
-  const lines = async () => (await page.locator("tp-viewer .line").allTextContents()).slice(0, 4);
+  const lines = async () =>
+    (await page.locator("tp-viewer .line").allTextContents()).slice(0, 4);
   const again = async (/** @type {boolean} */ offline) => {
     await context.setOffline(offline);
     await page.goto(new URL("./", page.url()).href);
@@ -187,7 +235,10 @@ test("the editor of opened programs: loaded with the first of them, there withou
   assert.equal(editors(), 0, "a program of a few lines needs none");
   await again(true);
   await openText(foreign, "foreign.nc");
-  assert.equal(await page.locator("tp-viewer .listing pre").textContent(), foreign);
+  assert.equal(
+    await page.locator("tp-viewer .listing pre").textContent(),
+    foreign,
+  );
   // The browser says that a file did not come.
   await settles(async () => problems.splice(0).length > 0);
   await again(false);

@@ -59,7 +59,10 @@ test("a stored state that the form cannot show left an empty page: the defaults 
   await tab.goto(page.url());
   await ready(tab);
   assert.match(await textOf(tab.locator(".note")), /cycle\.touches/);
-  assert.equal(await field("cycle.type", tab).inputValue(), "internal-rectangle-protected");
+  assert.equal(
+    await field("cycle.type", tab).inputValue(),
+    "internal-rectangle-protected",
+  );
 });
 
 test("a leaf of a wrong type stands in its field, beside its message", async () => {
@@ -68,26 +71,49 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
       format: 1,
       units: "cm",
       control: { post: "mazatrol", workOffset: "G54" },
-      cycle: { type: "boss", depth: "ten", diameter: true, rotation: null, variant: 7 },
+      cycle: {
+        type: "boss",
+        depth: "ten",
+        diameter: true,
+        rotation: null,
+        variant: 7,
+      },
     }),
   );
   await page.waitForFunction(() =>
-    document.querySelector("touch-path")?.shadowRoot?.querySelector("[id='e-cycle.depth']"),
+    document
+      .querySelector("touch-path")
+      ?.shadowRoot?.querySelector("[id='e-cycle.depth']"),
   );
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.diameter").inputValue(), "true");
-  assert.equal(await field("cycle.rotation").inputValue(), "", "null is not the default");
-  assert.equal(await page.locator("tp-bar [type=radio]:checked + span").textContent(), "cm");
+  assert.equal(
+    await field("cycle.rotation").inputValue(),
+    "",
+    "null is not the default",
+  );
+  assert.equal(
+    await page.locator("tp-bar [type=radio]:checked + span").textContent(),
+    "cm",
+  );
   assert.ok(await page.locator('[id="e-units"]').isVisible());
   for (const [path, shown] of [
     ["control.post", "mazatrol"],
     ["control.workOffset", "G54"],
     ["cycle.variant", "7"],
   ]) {
-    assert.equal(await textOf(field(path ?? "").locator("option:checked")), shown, path);
+    assert.equal(
+      await textOf(field(path ?? "").locator("option:checked")),
+      shown,
+      path,
+    );
     assert.ok(await page.locator(`[id="e-${path}"]`).isVisible(), path);
   }
-  assert.deepEqual(await cycles(), { form: "boss", held: "boss", program: undefined }, "no other job's program");
+  assert.deepEqual(
+    await cycles(),
+    { form: "boss", held: "boss", program: undefined },
+    "no other job's program",
+  );
   // Each can be put right where it stands.
   await chooseUnits("mm");
   await field("control.post").selectOption("linuxcnc");
@@ -116,7 +142,11 @@ test("two tabs overwrote each other: what was typed in one was gone after its re
   assert.equal(await field("cycle.depth", other).inputValue(), "12");
   await field("cycle.depth", other).fill("13");
   const third = await openTab();
-  assert.equal(await field("cycle.depth", third).inputValue(), "13", "a new tab starts with what was written last");
+  assert.equal(
+    await field("cycle.depth", third).inputValue(),
+    "13",
+    "a new tab starts with what was written last",
+  );
 });
 
 const points = "37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10";
@@ -138,13 +168,17 @@ test("measured points are there after a reload, and gone with another cycle, oth
   await ready();
   await page.getByRole("tab", { name: "Results" }).click();
   assert.equal(await box.inputValue(), points);
-  await openText('{"format":1,"cycle":{"type":"internal-rectangle-protected"}}');
+  await openText(
+    '{"format":1,"cycle":{"type":"internal-rectangle-protected"}}',
+  );
   await settles(async () => (await box.inputValue()) === "");
 });
 
 test("ten megabytes that are pasted, dropped or opened froze the tab: they are refused with a sentence", async () => {
   const most = await page.evaluate(
-    () => /** @type {any} */ (document.querySelector("touch-path")).store.longestProgram,
+    () =>
+      /** @type {any} */ (document.querySelector("touch-path")).store
+        .longestProgram,
   );
   for (const kind of ["paste", "drop"]) {
     await more("Paste");
@@ -161,7 +195,11 @@ test("ten megabytes that are pasted, dropped or opened froze the tab: they are r
       },
       { kind, length: 10_000_000 },
     );
-    assert.equal(taken, false, `${kind}: the browser does not put it into the page`);
+    assert.equal(
+      taken,
+      false,
+      `${kind}: the browser does not put it into the page`,
+    );
     assert.match(await note(), /10,000,000 characters, and at most/);
     assert.equal(await page.locator("#paste").inputValue(), "");
     await page.getByRole("button", { name: "Cancel" }).click();
@@ -172,20 +210,26 @@ test("ten megabytes that are pasted, dropped or opened froze the tab: they are r
   });
   const before = await program();
   await openText(" ".repeat(most + 1));
-  await page.locator(".note", { hasText: "20,000,001 bytes, and at most" }).waitFor();
+  await page
+    .locator(".note", { hasText: "20,000,001 bytes, and at most" })
+    .waitFor();
   assert.equal(await program(), before);
 });
 
 test("a text that is pasted by the keyboard, and is short enough, is read", async () => {
   await more("Paste");
-  await page.evaluate((text) => navigator.clipboard.writeText(text), '{"format":1,"cycle":{"type":"hole"}}');
+  await page.evaluate(
+    (text) => navigator.clipboard.writeText(text),
+    '{"format":1,"cycle":{"type":"hole"}}',
+  );
   await page.locator("#paste").press("Control+v");
   await page.getByRole("button", { name: "Read it" }).click();
   await settles(async () => /type 3:/.test(await program()));
 });
 
 /** A job file that is long enough to be read in a worker: it begins with many spaces. */
-const long = (/** @type {string} */ type) => `${" ".repeat(300_000)}{"format":1,"cycle":{"type":"${type}"}}`;
+const long = (/** @type {string} */ type) =>
+  `${" ".repeat(300_000)}{"format":1,"cycle":{"type":"${type}"}}`;
 
 test("a long text is read in a worker of the page's own, with the same answer as by the page itself", async () => {
   /** @type {string[]} */
@@ -215,11 +259,18 @@ test("a long text is read in a worker of the page's own, with the same answer as
   await until("cycle.type", "boss");
   await openText(wrong);
   await settles(async () => (await note()) === beside);
-  assert.equal(workers.length, 2, "where there are no workers the page reads by itself");
+  assert.equal(
+    workers.length,
+    2,
+    "where there are no workers the page reads by itself",
+  );
 });
 
 test("a long program that says no job is read in a worker, too, and one whose worker does not come by the page", async () => {
-  const rows = Array.from({ length: 6_000 }, (_, i) => `N${i + 3} G1 X${i % 200} Y${Math.floor(i / 200)} F500`);
+  const rows = Array.from(
+    { length: 6_000 },
+    (_, i) => `N${i + 3} G1 X${i % 200} Y${Math.floor(i / 200)} F500`,
+  );
   const text = `G21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`;
   const said = () => textOf(page.locator("tp-viewer p[role=status]"));
   await openText(text, "long.nc");
@@ -234,8 +285,13 @@ test("of two texts the one that was opened last counts, whichever is read first"
   // Both in one task; the first is read for longer, and so is its file.
   await page.evaluate(
     async ([first, second]) => {
-      const { intake } = /** @type {any} */ (document.querySelector("touch-path")).app;
-      await Promise.all([intake.file(new File([first ?? ""], "1")), intake.file(new File([second ?? ""], "2"))]);
+      const { intake } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      ).app;
+      await Promise.all([
+        intake.file(new File([first ?? ""], "1")),
+        intake.file(new File([second ?? ""], "2")),
+      ]);
     },
     [long("hole"), '{"format":1,"cycle":{"type":"boss"}}'],
   );
@@ -270,9 +326,12 @@ test("a worker whose text is of no use any more ran to its end", async () => {
       }
     };
   });
-  const workers = () => page.evaluate(() => /** @type {any} */ (globalThis).workers);
+  const workers = () =>
+    page.evaluate(() => /** @type {any} */ (globalThis).workers);
   const buffer = Buffer.from(long("hole"));
-  await page.locator("#file").setInputFiles({ name: "job.json", mimeType: "text/plain", buffer });
+  await page
+    .locator("#file")
+    .setInputFiles({ name: "job.json", mimeType: "text/plain", buffer });
   await settles(async () => (await workers()) === 1);
   await openText('{"format":1,"cycle":{"type":"boss"}}');
   await until("cycle.type", "boss");
@@ -283,7 +342,10 @@ test("a stricter policy around the page left it empty: without workers it does w
   await page.route("**/", async (route) => {
     const response = await route.fetch();
     const policy = "require-trusted-types-for 'script'; trusted-types lit-html";
-    await route.fulfill({ response, headers: { ...response.headers(), "content-security-policy": policy } });
+    await route.fulfill({
+      response,
+      headers: { ...response.headers(), "content-security-policy": policy },
+    });
   });
   await page.goto(new URL("./?strict", page.url()).href.replace("?strict", ""));
   await page.reload();

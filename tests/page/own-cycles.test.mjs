@@ -17,31 +17,53 @@ test("a macro's path was shown under steps and feeds that it does not have: it h
   await openText(JOB, "boss.json");
   const call = page.locator("tp-program .line", { hasText: "G65 P9814 D40." });
   await call.waitFor();
-  assert.equal(await page.locator("tp-program .step").count(), 0, "the documented steps are another path's");
+  assert.equal(
+    await page.locator("tp-program .step").count(),
+    0,
+    "the documented steps are another path's",
+  );
   await call.hover();
-  assert.match(await textOf(page.locator("tp-picture output")), /Y-28/, "out beside the boss first");
+  assert.match(
+    await textOf(page.locator("tp-picture output")),
+    /Y-28/,
+    "out beside the boss first",
+  );
   await page.mouse.move(0, 0);
   await page.locator("#scrub").focus();
   for (const _ of Array(5)) await page.keyboard.press("ArrowRight");
   assert.equal(
-    await page.locator("tp-program [aria-selected=true]").getAttribute("data-line"),
+    await page
+      .locator("tp-program [aria-selected=true]")
+      .getAttribute("data-line"),
     await call.getAttribute("data-line"),
   );
   const said = await textOf(page.locator("tp-picture output"));
   assert.match(said, /^touch 1 · contact X0 Y-23 Z-10$/, "no feed of the job");
-  assert.match(await page.locator("#scrub").getAttribute("aria-valuetext").then(String), /call 3, touch 1/);
+  assert.match(
+    await page.locator("#scrub").getAttribute("aria-valuetext").then(String),
+    /call 3, touch 1/,
+  );
   await page.getByRole("tab", { name: "Results" }).click();
-  assert.match(await textOf(page.locator("tp-results tbody tr").first()), /center\.x #135/);
+  assert.match(
+    await textOf(page.locator("tp-results tbody tr").first()),
+    /center\.x #135/,
+  );
 });
 
 test("what the other form of a program has could not be seen beside it: the same job as plain moves", async () => {
   await openText(JOB, "boss.json");
-  await page.locator("tp-program .line", { hasText: "G65 P9814 D40." }).waitFor();
+  await page
+    .locator("tp-program .line", { hasText: "G65 P9814 D40." })
+    .waitFor();
   await page.locator("select.compares").selectOption({ label: "Plain moves" });
-  const less = page.locator("tp-program .differences .less", { hasText: "G31" });
+  const less = page.locator("tp-program .differences .less", {
+    hasText: "G31",
+  });
   await less.first().waitFor();
   assert.ok((await less.count()) > 8, "each move is a G31 there");
-  await page.locator("tp-program .differences .more", { hasText: "G65 P9814" }).waitFor();
+  await page
+    .locator("tp-program .differences .more", { hasText: "G65 P9814" })
+    .waitFor();
 });
 
 test("a tool is corrected by a size that its macro measures: typed beside the tolerance, said beside the work offset", async () => {
@@ -55,33 +77,57 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
     }),
   );
   await page.getByRole("tab", { name: "Results" }).click();
-  const box = (/** @type {string} */ name) => page.getByRole("textbox", { name: `diameter: ${name}` });
+  const box = (/** @type {string} */ name) =>
+    page.getByRole("textbox", { name: `diameter: ${name}` });
   const text = () =>
-    page.evaluate(() => String(/** @type {any} */ (document.querySelector("touch-path")).plan?.program.text));
-  assert.equal(await box("Dead band").count(), 0, "nothing else is asked before a tool is named");
+    page.evaluate(() =>
+      String(
+        /** @type {any} */ (document.querySelector("touch-path")).plan?.program
+          .text,
+      ),
+    );
+  assert.equal(
+    await box("Dead band").count(),
+    0,
+    "nothing else is asked before a tool is named",
+  );
   await box("Tool offset").fill("5");
   // Key by key: a decimal is on its way at every one of them.
   await box("Percent of the error").pressSequentially("50");
   await box("Dead band").pressSequentially("0,005");
   assert.deepEqual(
-    [await box("Percent of the error").inputValue(), await box("Dead band").inputValue()],
+    [
+      await box("Percent of the error").inputValue(),
+      await box("Dead band").inputValue(),
+    ],
     ["50", "0,005"],
   );
-  await settles(async () => (await text()).includes("G65 P9814 D25. Q2. T5. F0.5 V0.0025 H0.5"));
+  await settles(async () =>
+    (await text()).includes("G65 P9814 D25. Q2. T5. F0.5 V0.0025 H0.5"),
+  );
   const asked = page.locator('[id="f-control.workOffset"]');
-  assert.equal(await textOf(asked.locator("option:checked")), "corrects tool offset 5");
+  assert.equal(
+    await textOf(asked.locator("option:checked")),
+    "corrects tool offset 5",
+  );
   // What is no number stays where it was typed, and is reported.
   await box("Tool offset").fill("five");
-  await settles(async () => (await page.locator(".tolerances .problem.error").count()) === 1);
+  await settles(
+    async () =>
+      (await page.locator(".tolerances .problem.error").count()) === 1,
+  );
   assert.equal(await box("Tool offset").inputValue(), "five");
   await box("Tool offset").fill("5");
   // Another tolerance may be typed from nothing: the tool stays.
-  const tolerance = page.getByRole("textbox", { name: /^Tolerance of diameter/ });
+  const tolerance = page.getByRole("textbox", {
+    name: /^Tolerance of diameter/,
+  });
   await tolerance.fill("");
   await tolerance.fill("±0.04");
   await settles(async () => (await text()).includes("T5. F0.5 V0.0025"));
   // Without a tool nothing is left of it.
-  for (const name of ["Dead band", "Percent of the error", "Tool offset"]) await box(name).fill("");
+  for (const name of ["Dead band", "Percent of the error", "Tool offset"])
+    await box(name).fill("");
   await settles(async () => (await text()).includes("G65 P9814 D25. Q2. H0.5"));
   assert.equal(await page.locator(".tolerances .problem").count(), 0);
 });
@@ -103,21 +149,47 @@ for (const [post, calls] of /** @type {[string, string[]][]} */ ([
         ],
       }),
     );
-    await settles(async () => (await page.locator("tp-program .chapter").count()) === 3);
-    assert.deepEqual(await page.locator("tp-program .chapter").allTextContents(), ["TOP", "BORE", "RIB"]);
+    await settles(
+      async () => (await page.locator("tp-program .chapter").count()) === 3,
+    );
+    assert.deepEqual(
+      await page.locator("tp-program .chapter").allTextContents(),
+      ["TOP", "BORE", "RIB"],
+    );
     const touches = await page.evaluate(() => {
-      const { moves } = /** @type {any} */ (document.querySelector("touch-path")).plan;
+      const { moves } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      ).plan;
       return [0, 1, 2].map((cycle) =>
-        moves.findIndex((/** @type {any} */ move) => move.cycle === cycle && move.kind === "touch"),
+        moves.findIndex(
+          (/** @type {any} */ move) =>
+            move.cycle === cycle && move.kind === "touch",
+        ),
       );
     });
     const lit = page.locator("tp-program .line[aria-selected=true]");
     for (const [cycle, move] of touches.entries()) {
-      await page.evaluate((move) => /** @type {any} */ (document.querySelector("touch-path")).store.point(move), move);
-      await settles(async () => (await textOf(lit)).includes(calls[cycle] ?? "none"));
-      const numbers = (await program()).split("\n").filter((line) => line.includes(calls[cycle] ?? "none"));
-      const nth = calls.slice(0, cycle).filter((call) => call === calls[cycle]).length;
-      assert.equal(await textOf(lit.locator(".text")), numbers[nth]?.trim(), "its own call, and no other");
+      await page.evaluate(
+        (move) =>
+          /** @type {any} */ (document.querySelector("touch-path")).store.point(
+            move,
+          ),
+        move,
+      );
+      await settles(async () =>
+        (await textOf(lit)).includes(calls[cycle] ?? "none"),
+      );
+      const numbers = (await program())
+        .split("\n")
+        .filter((line) => line.includes(calls[cycle] ?? "none"));
+      const nth = calls
+        .slice(0, cycle)
+        .filter((call) => call === calls[cycle]).length;
+      assert.equal(
+        await textOf(lit.locator(".text")),
+        numbers[nth]?.trim(),
+        "its own call, and no other",
+      );
     }
   });
 
@@ -138,12 +210,26 @@ test("the distance between two bores of a TNC follows from the parameters that i
       tolerances: { "ROW.distance": { tolerance: "±0.02" } },
     }),
   );
-  await page.getByText("The program does not compute the relations").first().waitFor();
+  await page
+    .getByText("The program does not compute the relations")
+    .first()
+    .waitFor();
   await page.getByRole("tab", { name: "Results" }).click();
   await page.locator("details.measured > summary").click();
   const text = page.locator("#measured");
-  assert.match(String(await text.getAttribute("placeholder")), /^Q1600 = -60$/, "what could be typed there");
-  await text.fill("Q1600 = -60,02\nQ1601 = 0\nQ1602 = 20\nQ151 = 60,03\nQ152 = 0\nQ153 = 20,01\n");
-  const row = page.locator("tp-results tbody tr", { hasText: "Distance from the first place to the second" });
-  await settles(async () => /120\.050/.test(await textOf(row)) && /\bout\b/.test(await textOf(row)));
+  assert.match(
+    String(await text.getAttribute("placeholder")),
+    /^Q1600 = -60$/,
+    "what could be typed there",
+  );
+  await text.fill(
+    "Q1600 = -60,02\nQ1601 = 0\nQ1602 = 20\nQ151 = 60,03\nQ152 = 0\nQ153 = 20,01\n",
+  );
+  const row = page.locator("tp-results tbody tr", {
+    hasText: "Distance from the first place to the second",
+  });
+  await settles(
+    async () =>
+      /120\.050/.test(await textOf(row)) && /\bout\b/.test(await textOf(row)),
+  );
 });

@@ -22,14 +22,18 @@ import {
 
 setUp();
 
-const selected = () => page.locator("tp-program [aria-selected=true] .text").allTextContents();
+const selected = () =>
+  page.locator("tp-program [aria-selected=true] .text").allTextContents();
 
 test("pointing at a line, a move or a touch's row lights up the others", async () => {
   const plain = await pixels();
   await page.locator("tp-program .line", { hasText: "G38.2 X42" }).hover();
   assert.deepEqual(await selected(), ["G38.2 X42 Y0 Z-10 F150"]);
   assert.notEqual((await pixels()).sum, plain.sum, "the picture shows it");
-  assert.match((await page.locator(".scrub output").textContent()) ?? "", /^touch 1 · contact X37 Y0 Z-10 · F150$/);
+  assert.match(
+    (await page.locator(".scrub output").textContent()) ?? "",
+    /^touch 1 · contact X37 Y0 Z-10 · F150$/,
+  );
   // A click keeps it lit; one beside the lines changes nothing.
   await page.locator("tp-program .line", { hasText: "G38.2 X42" }).click();
   await page.locator("tp-program .step").nth(3).click();
@@ -39,14 +43,25 @@ test("pointing at a line, a move or a touch's row lights up the others", async (
   await page.getByRole("tab", { name: "Parameters" }).click();
   assert.equal(await page.locator("tp-table tr.lit").count(), 0);
   await page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-112]" }).hover();
-  assert.match((await page.locator(".scrub output").textContent()) ?? "", /touch 3/);
-  assert.equal(await page.locator("tp-table tr.lit").count(), 12, "six codes used, six original");
+  assert.match(
+    (await page.locator(".scrub output").textContent()) ?? "",
+    /touch 3/,
+  );
+  assert.equal(
+    await page.locator("tp-table tr.lit").count(),
+    12,
+    "six codes used, six original",
+  );
   await page.getByRole("tab", { name: "Program" }).click();
   // Touch 1 in the picture: between the centre and the wall on the right, near the wall.
   const box = await boxOf(page.locator(PICTURE));
   /** @type {string[]} */
   let found = [];
-  for (let x = box.width * 0.75; x < box.width && !found[0]?.startsWith("G38.2 X42"); x += 4) {
+  for (
+    let x = box.width * 0.75;
+    x < box.width && !found[0]?.startsWith("G38.2 X42");
+    x += 4
+  ) {
     await page.mouse.move(box.x + x, box.y + box.height / 2);
     found = await selected();
   }
@@ -58,9 +73,17 @@ test("each touch of a point that is touched three times lights up the rows of th
   // A file is read after its field has it: the plan is awaited, or the touches pointed at are those of the job before.
   await settles(() =>
     page.evaluate(() => {
-      const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+      const { store } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      );
       const { moves } = store.plan;
-      return !store.stale && moves.some((/** @type {any} */ move) => move.kind === "touch" && move.touch === 11);
+      return (
+        !store.stale &&
+        moves.some(
+          (/** @type {any} */ move) =>
+            move.kind === "touch" && move.touch === 11,
+        )
+      );
     }),
   );
   await page.getByRole("tab", { name: "Parameters" }).click();
@@ -69,16 +92,24 @@ test("each touch of a point that is touched three times lights up the rows of th
   const codes = [];
   for (let touch = 0; touch < 6; touch++) {
     await page.evaluate((touch) => {
-      const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+      const { store } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      );
       store.point(
-        store.plan.moves.findIndex((/** @type {any} */ move) => move.kind === "touch" && move.touch === touch),
+        store.plan.moves.findIndex(
+          (/** @type {any} */ move) =>
+            move.kind === "touch" && move.touch === touch,
+        ),
       );
     }, touch);
     await settles(async () => (await lit.count()) > 0);
     codes.push((await lit.allTextContents()).join());
   }
   assert.match(codes[0] ?? "", /CmdPrm/);
-  assert.deepEqual([codes[1], codes[2], codes[4], codes[5]], [codes[0], codes[0], codes[3], codes[3]]);
+  assert.deepEqual(
+    [codes[1], codes[2], codes[4], codes[5]],
+    [codes[0], codes[0], codes[3], codes[3]],
+  );
   assert.notEqual(codes[0], codes[3]);
 });
 
@@ -108,7 +139,10 @@ test("the parameter table is copied as text and saved as CSV", async () => {
   );
   const download = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save .csv" }).click();
-  assert.match(readFileSync(await (await download).path(), "utf8"), /^code,type,value,meaning\n/);
+  assert.match(
+    readFileSync(await (await download).path(), "utf8"),
+    /^code,type,value,meaning\n/,
+  );
 });
 
 test("measured points give the same results, and bad ones a plain answer", async () => {
@@ -117,7 +151,12 @@ test("measured points give the same results, and bad ones a plain answer", async
   const box = page.locator("#measured");
   await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10");
   const own = (/** @type {string} */ code) =>
-    page.locator("tp-results table").first().locator("tr", { hasText: code }).locator(".own").textContent();
+    page
+      .locator("tp-results table")
+      .first()
+      .locator("tr", { hasText: code })
+      .locator(".own")
+      .textContent();
   const before = await pixels();
   assert.match((await own("center.x")) ?? "", /^0\.100 \+0\.100$/);
   assert.match((await own("width1")) ?? "", /^80\.000 0\.000$/);
@@ -125,10 +164,15 @@ test("measured points give the same results, and bad ones a plain answer", async
   await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-21,-10");
   assert.notEqual((await pixels()).sum, sum, "the points are in the picture");
   assert.ok(before.count > 0);
-  const wide = await page.locator("#panel-results").evaluate((panel) => panel.scrollWidth - panel.clientWidth);
+  const wide = await page
+    .locator("#panel-results")
+    .evaluate((panel) => panel.scrollWidth - panel.clientWidth);
   assert.equal(wide, 0, "nothing of the table is cut off");
   await box.fill("37.1,0\n");
-  assert.match((await page.locator(".measured").textContent()) ?? "", /Line 1 holds 2 numbers/);
+  assert.match(
+    (await page.locator(".measured").textContent()) ?? "",
+    /Line 1 holds 2 numbers/,
+  );
   await page.getByRole("button", { name: "Fill in the points shown" }).click();
   assert.match((await own("width1")) ?? "", /80\.000/);
 });
@@ -139,13 +183,20 @@ test("lines that belong to a move stood above the heading of its step", async ()
     ["fanuc", /#149=\d+$/],
     ["linuxcnc", /G38\.|G1 /],
   ]) {
-    await openText(JSON.stringify({ format: 1, cycle: { type: "internal-rectangle-protected" }, control: { post } }));
+    await openText(
+      JSON.stringify({
+        format: 1,
+        cycle: { type: "internal-rectangle-protected" },
+        control: { post },
+      }),
+    );
     await until("control.post", String(post));
     const first = await page
       .locator("tp-program .step + .line .text")
       .evaluateAll((rows) => rows.slice(1).map((row) => row.textContent));
     assert.ok(first.length > 8, String(post));
-    for (const text of first) assert.match(text ?? "", /** @type {RegExp} */ (names), String(post));
+    for (const text of first)
+      assert.match(text ?? "", /** @type {RegExp} */ (names), String(post));
   }
 });
 
@@ -166,20 +217,31 @@ test("words are found in the program, in its folded header too, and stay found w
   await field("cycle.width1").fill("70");
   assert.equal(await page.locator("tp-program .line.match").count(), 4);
   await find.fill("Job: POCKET-70X50");
-  await page.locator("tp-program .line.here", { hasText: "Job: POCKET-70X50" }).waitFor({ state: "visible" });
+  await page
+    .locator("tp-program .line.here", { hasText: "Job: POCKET-70X50" })
+    .waitFor({ state: "visible" });
   await find.fill("no such words");
   assert.equal(await said(), "not found");
   await find.fill("");
-  assert.deepEqual([await said(), await page.locator("tp-program .line.match").count()], ["", 0]);
+  assert.deepEqual(
+    [await said(), await page.locator("tp-program .line.match").count()],
+    ["", 0],
+  );
 });
 
 test("all moves are listed in words, and the list is of the form", async () => {
   await page.getByRole("tab", { name: "Results" }).click();
   await page.getByText("All moves in words").click();
   const words = page.locator("tp-results .moves li");
-  assert.equal(await words.count(), Number(await page.locator("#scrub").getAttribute("max")));
+  assert.equal(
+    await words.count(),
+    Number(await page.locator("#scrub").getAttribute("max")),
+  );
   const touch = words.filter({ hasText: "touch 1, work" });
-  assert.match(await textOf(touch), /^step \d+, touch 1, work, to X37 Y0 Z-10$/);
+  assert.match(
+    await textOf(touch),
+    /^step \d+, touch 1, work, to X37 Y0 Z-10$/,
+  );
   await field("cycle.depth").fill("12.5");
   assert.match(await textOf(touch), /Z-12\.5$/);
 });
@@ -192,22 +254,37 @@ test("this job on every control: what each makes of it, and the way there", asyn
   const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
   const wanted = catalog().posts.flatMap((post) =>
     ["moves", "cycle"]
-      .filter((form) => post.cycles.some((c) => c.type === job.cycle.type && c.form === form && c.supported))
+      .filter((form) =>
+        post.cycles.some(
+          (c) => c.type === job.cycle.type && c.form === form && c.supported,
+        ),
+      )
       .map((form) => {
-        const [made] = programs([{ ...job, control: { ...job.control, post: post.id, form } }]);
+        const [made] = programs([
+          { ...job, control: { ...job.control, post: post.id, form } },
+        ]);
         return [
           post.title,
           form === "moves" ? "moves" : "own cycle",
-          made?.program ? String(made.program.text.split("\n").length - 1) : "–",
+          made?.program
+            ? String(made.program.text.split("\n").length - 1)
+            : "–",
         ];
       }),
   );
   const shown = await rows.evaluateAll((all) =>
-    all.map((row) => [...row.children].slice(0, 3).map((cell) => cell.textContent?.trim())),
+    all.map((row) =>
+      [...row.children].slice(0, 3).map((cell) => cell.textContent?.trim()),
+    ),
   );
   assert.deepEqual(shown, wanted);
-  await rows.getByRole("button", { name: "Choose SINUMERIK 840D sl / 828D, own cycle" }).click();
-  assert.deepEqual([await held("control.post"), await held("control.form")], ["sinumerik", "cycle"]);
+  await rows
+    .getByRole("button", { name: "Choose SINUMERIK 840D sl / 828D, own cycle" })
+    .click();
+  assert.deepEqual(
+    [await held("control.post"), await held("control.form")],
+    ["sinumerik", "cycle"],
+  );
   await page.getByRole("button", { name: "Undo" }).click();
   assert.equal(await held("control.post"), "linuxcnc");
 });
@@ -216,7 +293,9 @@ test("the table: groups that fold, a filter", async () => {
   await page.getByRole("tab", { name: "Parameters" }).click();
   const rows = page.locator("tp-table tbody tr:not(.group)");
   assert.deepEqual(
-    (await page.locator("tp-table tr.group button").allTextContents()).map((t) => t.replace(/\s+/g, " ").trim()),
+    (await page.locator("tp-table tr.group button").allTextContents()).map(
+      (t) => t.replace(/\s+/g, " ").trim(),
+    ),
     ["▾ System 2", "▾ Dimensions 8", "▾ Touches 24", "▾ Original touches 24"],
   );
   assert.equal(await rows.count(), 58);
@@ -243,20 +322,39 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
   await page.getByRole("tab", { name: "Results" }).click();
   const bar = page.locator("tp-results .band");
   assert.equal(await bar.count(), 1);
-  assert.equal(await bar.getAttribute("aria-label"), "20.000, limits 19.950 and 20.050: good");
-  assert.equal(Number(await bar.locator("circle").getAttribute("cx")), 50, "the nominal size is in the middle");
+  assert.equal(
+    await bar.getAttribute("aria-label"),
+    "20.000, limits 19.950 and 20.050: good",
+  );
+  assert.equal(
+    Number(await bar.locator("circle").getAttribute("cx")),
+    50,
+    "the nominal size is in the middle",
+  );
   const spread = async () =>
-    Number(await bar.locator("line").getAttribute("x2")) - Number(await bar.locator("line").getAttribute("x1"));
+    Number(await bar.locator("line").getAttribute("x2")) -
+    Number(await bar.locator("line").getAttribute("x1"));
   const before = await spread();
   assert.ok(before > 0);
   await put("stylus.repeatability", 0.002);
   assert.ok(Math.abs((await spread()) - 2 * before) < 0.1);
   // Too small: left of what is good, and said to be so.
-  await put("part", { offset: [0, 0, 0], rotation: 0, sizes: { diameter1: -0.08 } });
+  await put("part", {
+    offset: [0, 0, 0],
+    rotation: 0,
+    sizes: { diameter1: -0.08 },
+  });
   // 0.03 below the limit, where 0.1 are 50 wide.
-  assert.ok(Math.abs(Number(await bar.locator("circle").getAttribute("cx")) - (25 - 15)) < 0.5);
+  assert.ok(
+    Math.abs(
+      Number(await bar.locator("circle").getAttribute("cx")) - (25 - 15),
+    ) < 0.5,
+  );
   assert.match((await bar.getAttribute("class")) ?? "", /bad/);
-  assert.equal(await bar.getAttribute("aria-label"), "19.920, limits 19.950 and 20.050: rework");
+  assert.equal(
+    await bar.getAttribute("aria-label"),
+    "19.920, limits 19.950 and 20.050: rework",
+  );
 });
 
 test("the words of a program have colours, those of the program that is shown", async () => {
@@ -265,7 +363,12 @@ test("the words of a program have colours, those of the program that is shown", 
       const ranges = /** @type {StaticRange[]} */ ([
         .../** @type {any} */ (CSS.highlights.get(`touchpath-${kind}`) ?? []),
       ]);
-      return ranges.map((range) => (range.startContainer.nodeValue ?? "").slice(range.startOffset, range.endOffset));
+      return ranges.map((range) =>
+        (range.startContainer.nodeValue ?? "").slice(
+          range.startOffset,
+          range.endOffset,
+        ),
+      );
     }, kind);
   await settles(async () => (await coloured("code")).includes("G38.3"));
   await settles(async () => (await coloured("variable")).includes("#5070"));
@@ -278,12 +381,17 @@ test("the words of a program have colours, those of the program that is shown", 
   await settles(async () => (await coloured("code")).includes("M2"));
   await page.getByRole("button", { name: /header/ }).click();
   await page.locator("tp-program .line").first().scrollIntoViewIfNeeded();
-  await settles(async () => (await coloured("comment")).includes("(Job: POCKET-80X50)"));
+  await settles(async () =>
+    (await coloured("comment")).includes("(Job: POCKET-80X50)"),
+  );
   await page.getByRole("button", { name: /header/ }).click();
   // Those of another program take their place: nothing of the first is left.
   await field("control.post").selectOption("sinumerik");
   await settles(async () => (await coloured("code")).includes("STOPRE"));
-  assert.ok(!(await coloured("code")).includes("G38.3") && !(await coloured("variable")).includes("#5070"));
+  assert.ok(
+    !(await coloured("code")).includes("G38.3") &&
+      !(await coloured("variable")).includes("#5070"),
+  );
   // Typing leaves none behind: all that were there give way, and no words are coloured twice.
   await page.evaluate(() => {
     const code = [.../** @type {any} */ (CSS.highlights.get("touchpath-code"))];
@@ -293,11 +401,24 @@ test("the words of a program have colours, those of the program that is shown", 
   await settles(async () => (await program()).includes("Z-11"));
   await settles(() =>
     page.evaluate(() => {
-      const ranges = /** @type {StaticRange[]} */ ([.../** @type {any} */ (CSS.highlights.get("touchpath-code"))]);
+      const ranges = /** @type {StaticRange[]} */ ([
+        .../** @type {any} */ (CSS.highlights.get("touchpath-code")),
+      ]);
       const { before } = /** @type {any} */ (globalThis);
-      const twice = (/** @type {StaticRange} */ one, /** @type {StaticRange} */ other) =>
-        one !== other && one.startContainer === other.startContainer && one.startOffset === other.startOffset;
-      return ranges.length > 0 && ranges.every((one) => !before.has(one) && !ranges.some((other) => twice(one, other)));
+      const twice = (
+        /** @type {StaticRange} */ one,
+        /** @type {StaticRange} */ other,
+      ) =>
+        one !== other &&
+        one.startContainer === other.startContainer &&
+        one.startOffset === other.startOffset;
+      return (
+        ranges.length > 0 &&
+        ranges.every(
+          (one) =>
+            !before.has(one) && !ranges.some((other) => twice(one, other)),
+        )
+      );
     }),
   );
 });
@@ -307,8 +428,12 @@ test("a program is compared with the one saved last and with the other form of i
   const shown = page.locator("tp-program .differences .line");
   const texts = async (/** @type {string} */ kind) =>
     page.locator(`tp-program .differences .${kind} .text`).allTextContents();
-  assert.ok(await choice.locator("option[value=saved]").isDisabled(), "nothing was saved yet");
-  const listed = () => page.locator("tp-program .code[role=listbox] .text").allTextContents();
+  assert.ok(
+    await choice.locator("option[value=saved]").isDisabled(),
+    "nothing was saved yet",
+  );
+  const listed = () =>
+    page.locator("tp-program .code[role=listbox] .text").allTextContents();
   const before = await listed();
   const saved = page.waitForEvent("download");
   await saveButton().click();
@@ -320,12 +445,22 @@ test("a program is compared with the one saved last and with the other form of i
   await settles(async () => (await texts("more")).length > 0);
   const now = await listed();
   const [more, less] = [await texts("more"), await texts("less")];
-  assert.ok(less.some((text) => /X42 /.test(text)) && more.some((text) => /X43 /.test(text)), `${less} ${more}`);
+  assert.ok(
+    less.some((text) => /X42 /.test(text)) &&
+      more.some((text) => /X43 /.test(text)),
+    `${less} ${more}`,
+  );
   // Without the lines of the other, each program is whole.
   const all = await page
     .locator("tp-program .differences .line")
-    .evaluateAll((lines) => lines.map((line) => [line.className, line.querySelector(".text")?.textContent ?? ""]));
-  const without = (/** @type {string} */ kind) => all.filter(([name]) => !name?.includes(kind)).map(([, text]) => text);
+    .evaluateAll((lines) =>
+      lines.map((line) => [
+        line.className,
+        line.querySelector(".text")?.textContent ?? "",
+      ]),
+    );
+  const without = (/** @type {string} */ kind) =>
+    all.filter(([name]) => !name?.includes(kind)).map(([, text]) => text);
   assert.deepEqual(without("less"), now);
   assert.deepEqual(without("more"), before);
   assert.match(
@@ -335,16 +470,24 @@ test("a program is compared with the one saved last and with the other form of i
   // The control's other form: its own words are there. Another control's program has no line in common: it is not offered.
   await field("control.post").selectOption("haas");
   await choice.selectOption("form");
-  await settles(async () => (await texts("less")).some((text) => /G65 P9812/.test(text)));
+  await settles(async () =>
+    (await texts("less")).some((text) => /G65 P9812/.test(text)),
+  );
   const offered = await choice
     .locator("option")
-    .evaluateAll((all) => all.map((one) => /** @type {HTMLOptionElement} */ (one).value));
+    .evaluateAll((all) =>
+      all.map((one) => /** @type {HTMLOptionElement} */ (one).value),
+    );
   assert.deepEqual(offered, ["", "saved", "form"]);
   // A control with one form: nothing is left to compare with, and the program is there.
   await field("control.post").selectOption("linuxcnc");
   await page.locator("tp-program .code[role=listbox]").waitFor();
   assert.equal(await shown.count(), 0);
-  assert.equal(await choice.inputValue(), "", "the list says that nothing is compared");
+  assert.equal(
+    await choice.inputValue(),
+    "",
+    "the list says that nothing is compared",
+  );
   await field("control.post").selectOption("haas");
   await choice.selectOption("form");
   await shown.first().waitFor();
@@ -352,13 +495,21 @@ test("a program is compared with the one saved last and with the other form of i
   await page.getByRole("button", { name: "Side by side" }).click();
   const rows = page.locator("dialog.beside tbody tr");
   const column = async (/** @type {number} */ n) =>
-    (await rows.locator(`td:nth-child(${n}):not(.none)`).allTextContents()).join("\n");
+    (
+      await rows.locator(`td:nth-child(${n}):not(.none)`).allTextContents()
+    ).join("\n");
   assert.equal(
     `${await column(4)}\n`,
-    await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).plan.program.text),
+    await page.evaluate(
+      () =>
+        /** @type {any} */ (document.querySelector("touch-path")).plan.program
+          .text,
+    ),
   );
   const { plan } = await import("touchpath");
-  const other = await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).job);
+  const other = await page.evaluate(
+    () => /** @type {any} */ (document.querySelector("touch-path")).job,
+  );
   other.control.form = "cycle";
   assert.equal(`${await column(2)}\n`, plan(other).program.text);
   assert.ok((await rows.locator("td.less + td + td.more").count()) > 10);
@@ -367,9 +518,18 @@ test("a program is compared with the one saved last and with the other form of i
   // Another control from outside closes it.
   await page.getByRole("button", { name: "Side by side" }).click();
   await rows.first().waitFor();
-  await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "grbl" }));
-  await settles(async () => (await rows.count()) === 0 && (await choice.inputValue()) === "");
-  await page.evaluate(() => Object.assign(document.querySelector("touch-path") ?? {}, { post: "linuxcnc" }));
+  await page.evaluate(() =>
+    Object.assign(document.querySelector("touch-path") ?? {}, { post: "grbl" }),
+  );
+  await settles(
+    async () =>
+      (await rows.count()) === 0 && (await choice.inputValue()) === "",
+  );
+  await page.evaluate(() =>
+    Object.assign(document.querySelector("touch-path") ?? {}, {
+      post: "linuxcnc",
+    }),
+  );
   await choice.selectOption("saved");
   // Back to the program.
   await choice.selectOption("");

@@ -2,7 +2,18 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { AxeBuilder } from "@axe-core/playwright";
-import { field, more, page, pixels, problems, program, reset, setUp, textOf, until } from "./common.mjs";
+import {
+  field,
+  more,
+  page,
+  pixels,
+  problems,
+  program,
+  reset,
+  setUp,
+  textOf,
+  until,
+} from "./common.mjs";
 
 setUp();
 
@@ -21,11 +32,17 @@ test("tool lengths: the manual's examples, a frame by steps, what the control is
   await more("Tool lengths");
   const answer = page.locator("tp-lentoax .answer");
   const axind = async () =>
-    (await answer.locator("tbody td:nth-child(2)").allTextContents()).map((t) => t.trim()).join(" ");
+    (await answer.locator("tbody td:nth-child(2)").allTextContents())
+      .map((t) => t.trim())
+      .join(" ");
   await answer.locator("tbody td").first().waitFor();
   assert.equal(await axind(), "3 2 1");
-  const said = async () => textOf(page.locator("tp-lentoax [role=status]").first());
-  assert.match(await said(), /L1 acts along \+Z, L2 acts along \+Y, L3 acts along \+X/);
+  const said = async () =>
+    textOf(page.locator("tp-lentoax [role=status]").first());
+  assert.match(
+    await said(),
+    /L1 acts along \+Z, L2 acts along \+Y, L3 acts along \+X/,
+  );
   const before = await pixels();
   assert.ok(before.count > 300, "arrows are drawn");
   await page.getByRole("button", { name: "Add ROT" }).click();
@@ -44,16 +61,23 @@ test("tool lengths: the manual's examples, a frame by steps, what the control is
   assert.equal(await axind(), "-3 2 1");
   await page.locator("#l-type").fill("x");
   assert.match(await said(), /Tool type must be a number/);
-  await page.locator("#l-group").selectOption({ label: "Turning tools (500 to 599)" });
+  await page
+    .locator("#l-group")
+    .selectOption({ label: "Turning tools (500 to 599)" });
   await page.locator("#l-42900").uncheck();
   await page.locator("#l-coord").selectOption("BCS");
   assert.equal(await axind(), "2 1 3");
   await page.getByRole("button", { name: "Copy" }).click();
   await page.getByText("Copied").waitFor();
-  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /_STAT=LENTOAX\(_AXIND,_MATRIX,"BCS"\)/);
+  assert.match(
+    await page.evaluate(() => navigator.clipboard.readText()),
+    /_STAT=LENTOAX\(_AXIND,_MATRIX,"BCS"\)/,
+  );
   const { violations } = await new AxeBuilder({ page }).analyze();
   assert.deepEqual(
-    violations.filter((v) => v.impact === "serious" || v.impact === "critical").map((v) => v.id),
+    violations
+      .filter((v) => v.impact === "serious" || v.impact === "critical")
+      .map((v) => v.id),
     [],
   );
   await page.getByRole("button", { name: "Back to the job" }).click();
@@ -69,8 +93,12 @@ test("the gallery: small pictures, search by name or number, a cycle chosen", as
   const drawn = await page.locator("tp-gallery canvas").evaluateAll((all) =>
     all.map((node) => {
       const canvas = /** @type {HTMLCanvasElement} */ (node);
-      const drawing = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-      const data = new Uint32Array(drawing.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+      const drawing = /** @type {CanvasRenderingContext2D} */ (
+        canvas.getContext("2d")
+      );
+      const data = new Uint32Array(
+        drawing.getImageData(0, 0, canvas.width, canvas.height).data.buffer,
+      );
       return data.filter((pixel) => pixel !== data[0]).length;
     }),
   );
@@ -85,9 +113,14 @@ test("the gallery: small pictures, search by name or number, a cycle chosen", as
   await search.fill("1");
   assert.deepEqual(await cards.locator("b").allTextContents(), ["NC action"]);
   await search.fill("16");
-  assert.deepEqual(await cards.locator("b").allTextContents(), ["Triple wall external corner"]);
+  assert.deepEqual(await cards.locator("b").allTextContents(), [
+    "Triple wall external corner",
+  ]);
   await cards.first().getByRole("button").first().click();
-  assert.equal(await field("cycle.type").inputValue(), "triple-wall-external-corner");
+  assert.equal(
+    await field("cycle.type").inputValue(),
+    "triple-wall-external-corner",
+  );
   assert.match(await program(), /type 16: Triple wall external corner/);
   assert.deepEqual(problems, []);
 });
@@ -104,13 +137,21 @@ test("a dump is pasted in and becomes the job again; nonsense stays where it was
   await more("Paste");
   await page.locator("#paste").fill("no job at all");
   await page.getByRole("button", { name: "Read it" }).click();
-  assert.match((await page.locator(".note").textContent()) ?? "", /This text gives no job/);
+  assert.match(
+    (await page.locator(".note").textContent()) ?? "",
+    /This text gives no job/,
+  );
   assert.equal(await page.locator("#paste").inputValue(), "no job at all");
-  await page.locator("#paste").fill(dump.replaceAll(".Flt[", ". Flt [").replaceAll("52.5", "52,5"));
+  await page
+    .locator("#paste")
+    .fill(dump.replaceAll(".Flt[", ". Flt [").replaceAll("52.5", "52,5"));
   await page.getByRole("button", { name: "Read it" }).click();
   assert.equal(await field("cycle.diameter").inputValue(), "52.5");
   assert.equal(await field("cycle.origin[0]").inputValue(), "12");
-  assert.match((await page.locator(".note").textContent()) ?? "", /does not give feeds.*does not give the stylus/s);
+  assert.match(
+    (await page.locator(".note").textContent()) ?? "",
+    /does not give feeds.*does not give the stylus/s,
+  );
   assert.equal(await page.locator("#paste").count(), 0);
   assert.deepEqual(problems, []);
 });

@@ -26,7 +26,8 @@ import {
 
 setUp();
 
-const selected = () => page.locator("tp-program [aria-selected=true] .text").allTextContents();
+const selected = () =>
+  page.locator("tp-program [aria-selected=true] .text").allTextContents();
 
 test("a keystroke changes program, table, picture and results", async () => {
   assert.match(await program(), /G38\.2 X42 Y0 Z-10 F150/);
@@ -39,7 +40,13 @@ test("a keystroke changes program, table, picture and results", async () => {
   const row = page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-53]" });
   assert.match((await row.textContent()) ?? "", /90/);
   await page.getByRole("tab", { name: "Results" }).click();
-  assert.match((await page.locator("tp-results tr", { hasText: "width1" }).first().textContent()) ?? "", /90\.000/);
+  assert.match(
+    (await page
+      .locator("tp-results tr", { hasText: "width1" })
+      .first()
+      .textContent()) ?? "",
+    /90\.000/,
+  );
   assert.deepEqual(problems, []);
 });
 
@@ -48,26 +55,41 @@ test("an error stands beside its field, the last good plan stays and is marked, 
   await field("cycle.sideClearance1").fill("2");
   const problem = page.locator(`[id="e-cycle.sideClearance1"]`);
   assert.match((await problem.textContent()) ?? "", /ball radius/);
-  assert.equal(await field("cycle.sideClearance1").getAttribute("aria-invalid"), "true");
+  assert.equal(
+    await field("cycle.sideClearance1").getAttribute("aria-invalid"),
+    "true",
+  );
   assert.equal(await program(), good);
   await page.getByText("last good plan").waitFor();
   await field("cycle.depth").fill("ten");
-  assert.match((await page.locator("tp-findings").textContent()) ?? "", /2 errors/);
+  assert.match(
+    (await page.locator("tp-findings").textContent()) ?? "",
+    /2 errors/,
+  );
   await page.reload();
   await ready();
   assert.equal(await field("cycle.depth").inputValue(), "ten");
   assert.equal(await field("cycle.sideClearance1").inputValue(), "2");
-  await page.locator("tp-findings").getByRole("button", { name: "All" }).click();
+  await page
+    .locator("tp-findings")
+    .getByRole("button", { name: "All" })
+    .click();
   await page.locator("tp-checks a", { hasText: "Depth" }).click();
   assert.equal(await focusedId(), "f-cycle.depth");
   await field("cycle.depth").fill("10");
   await field("cycle.sideClearance1").fill("8");
-  assert.equal(await page.getByText("last good plan").filter({ visible: true }).count(), 0);
+  assert.equal(
+    await page.getByText("last good plan").filter({ visible: true }).count(),
+    0,
+  );
 });
 
 test("a feed is rapid only by its own box, and an empty field says what is missing", async () => {
   await field("feeds.longLink").fill("");
-  assert.match((await page.locator(`[id="e-feeds.longLink"]`).textContent()) ?? "", /must be a number/);
+  assert.match(
+    (await page.locator(`[id="e-feeds.longLink"]`).textContent()) ?? "",
+    /must be a number/,
+  );
   await page.getByLabel("Long link feed: rapid").check();
   assert.equal(await held("feeds.longLink"), null);
 });
@@ -75,10 +97,15 @@ test("a feed is rapid only by its own box, and an empty field says what is missi
 test("the keyboard alone is enough", async () => {
   const id = focusedId;
   await page.locator("body").press("Tab");
-  for (let i = 0; i < 60 && (await id()) !== "f-cycle.width1"; i++) await page.keyboard.press("Tab");
+  for (let i = 0; i < 60 && (await id()) !== "f-cycle.width1"; i++)
+    await page.keyboard.press("Tab");
   assert.equal(await id(), "f-cycle.width1");
   await page.keyboard.type("66");
-  assert.match(await program(), /G38\.2 X35 Y0 Z-10 F150/, "focus selects, so that typing replaces");
+  assert.match(
+    await program(),
+    /G38\.2 X35 Y0 Z-10 F150/,
+    "focus selects, so that typing replaces",
+  );
   const list = page.getByRole("listbox", { name: "Program" });
   await list.focus();
   for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowDown");
@@ -120,7 +147,10 @@ test("the virtual part: its fields, its handle, its results", async () => {
   const row = page.locator("tp-results tr", { hasText: "width1" }).first();
   // 74·(1/cos 1° − 1) = 0.01127 too wide; a thousandth is shown.
   assert.match((await row.textContent()) ?? "", /80\.011/);
-  assert.match((await page.locator("tp-results .notes").textContent()) ?? "", /cosine error/);
+  assert.match(
+    (await page.locator("tp-results .notes").textContent()) ?? "",
+    /cosine error/,
+  );
   await field("part.rotation").fill("0");
   await field("part.offset[0]").fill("0");
   const box = await boxOf(page.locator(PICTURE));
@@ -135,7 +165,10 @@ test("the virtual part: its fields, its handle, its results", async () => {
   ]);
   assert.ok(shift[0] > 0.1 && shift[1] > 0.1, `${shift}`);
   assert.match(
-    (await page.locator("tp-results tr", { hasText: "center.x" }).first().textContent()) ?? "",
+    (await page
+      .locator("tp-results tr", { hasText: "center.x" })
+      .first()
+      .textContent()) ?? "",
     new RegExp(`\\+${shift[0]}`),
   );
 });
@@ -147,10 +180,16 @@ test("two circles: a class in a diameter, the verdict of the size, the handle of
   await field("part.sizes.diameter1").fill("0.05");
   await page.getByRole("tab", { name: "Results" }).click();
   const status = page.locator("tp-results tr", { hasText: "Q183" }).first();
-  assert.match((await status.textContent()) ?? "", /2.*scrap: the program continues/);
+  assert.match(
+    (await status.textContent()) ?? "",
+    /2.*scrap: the program continues/,
+  );
   await page.getByRole("tab", { name: "Program" }).click();
   await field("cycle.diameter1").fill("20H99");
-  assert.match((await page.locator(`[id="e-cycle.diameter1"]`).textContent()) ?? "", /ISO 286 has no H99/);
+  assert.match(
+    (await page.locator(`[id="e-cycle.diameter1"]`).textContent()) ?? "",
+    /ISO 286 has no H99/,
+  );
   await field("cycle.diameter1").fill("20H7");
   // The handle of the first touch stands to the right of circle 1; dragged up, the start angle becomes 90°.
   const box = await boxOf(page.locator(PICTURE));
@@ -158,7 +197,8 @@ test("two circles: a class in a diameter, the verdict of the size, the handle of
   const cursor = () => page.locator(PICTURE).evaluate((c) => c.style.cursor);
   for (let x = 0; x < box.width / 2 && !from; x += 4) {
     await page.mouse.move(box.x + x, box.y + box.height / 2);
-    if ((await cursor()) === "grab") from = { x: box.x + x + 4, y: box.y + box.height / 2 };
+    if ((await cursor()) === "grab")
+      from = { x: box.x + x + 4, y: box.y + box.height / 2 };
   }
   assert.ok(from, "a handle is found");
   await page.mouse.move(from.x, from.y);
@@ -175,18 +215,35 @@ test("a form inside the form is taken in by its box, and its program is opened a
   await field("cycle.type").selectOption("probing-two-circles");
   await field("control.post").selectOption("heidenhain");
   await unfold();
-  await page.locator("#group-Extrusion-probing-1493-").getByLabel("Use it").check();
+  await page
+    .locator("#group-Extrusion-probing-1493-")
+    .getByLabel("Use it")
+    .check();
   await field("cycle.extrusion.points").fill("3");
-  assert.match(await program(), /\n\d+ TCH PROBE 1493 EXTRUSION PROBING ~\n {4}Q1140=\+3 /);
+  assert.match(
+    await program(),
+    /\n\d+ TCH PROBE 1493 EXTRUSION PROBING ~\n {4}Q1140=\+3 /,
+  );
   const download = page.waitForEvent("download");
   await saveButton().click();
   const text = readFileSync(await (await download).path(), "utf8");
   await reset();
   assert.doesNotMatch(await program(), /1493/);
-  await page.locator("#file").setInputFiles({ name: "A.H", mimeType: "text/plain", buffer: Buffer.from(text) });
+  await page.locator("#file").setInputFiles({
+    name: "A.H",
+    mimeType: "text/plain",
+    buffer: Buffer.from(text),
+  });
   await until("cycle.extrusion.points", "3");
-  assert.equal(`${await program()}\n`, text, "what was saved comes back byte for byte");
-  assert.match((await page.locator(".note").textContent()) ?? "", /does not contain the part's position/);
+  assert.equal(
+    `${await program()}\n`,
+    text,
+    "what was saved comes back byte for byte",
+  );
+  assert.match(
+    (await page.locator(".note").textContent()) ?? "",
+    /does not contain the part's position/,
+  );
   assert.deepEqual(problems, []);
 });
 
@@ -196,16 +253,28 @@ test("every cycle has a plan on the page, and its steps light up with the move",
     assert.equal(await page.locator("tp-findings .error").count(), 0, type);
     if (steps.length === 0) continue;
     const heads = await page.locator("tp-program .step span").allTextContents();
-    assert.ok(heads.length > 1 && heads.every((text) => steps.includes(text)), type);
+    assert.ok(
+      heads.length > 1 && heads.every((text) => steps.includes(text)),
+      type,
+    );
     const moves = Number(await page.locator("#scrub").getAttribute("max"));
     for (const move of [1, moves]) {
       await page.locator("#scrub").fill(String(move));
-      const said = (await page.locator("#scrub").getAttribute("aria-valuetext")) ?? "";
+      const said =
+        (await page.locator("#scrub").getAttribute("aria-valuetext")) ?? "";
       const step = Number(/step (\d+)/.exec(said)?.[1]);
-      const lit = await page.locator("tp-program .step.lit span").allTextContents();
-      assert.ok(lit.length > 0 && lit.every((text) => text === steps[step - 1]), `${type}: ${lit} at ${said}`);
+      const lit = await page
+        .locator("tp-program .step.lit span")
+        .allTextContents();
+      assert.ok(
+        lit.length > 0 && lit.every((text) => text === steps[step - 1]),
+        `${type}: ${lit} at ${said}`,
+      );
       // The line that is lit stands under a heading of that step.
-      const over = await page.locator("tp-program [aria-selected=true]").locator("..").getAttribute("aria-label");
+      const over = await page
+        .locator("tp-program [aria-selected=true]")
+        .locator("..")
+        .getAttribute("aria-label");
       assert.equal(over, `Step ${step}: ${steps[step - 1]}`, type);
     }
   }
@@ -213,16 +282,23 @@ test("every cycle has a plan on the page, and its steps light up with the move",
 });
 
 /** A program without the comments that say its job. */
-const blocks = (/** @type {string} */ text) => text.replace(/^\(job .*\n/gm, "");
+const blocks = (/** @type {string} */ text) =>
+  text.replace(/^\(job .*\n/gm, "");
 
 test("touches are picked one by one and taken back", async () => {
   await page.getByRole("button", { name: "Pick touches one by one" }).click();
   const before = await program();
   await page.getByLabel("Point of touch 1, X").fill("45");
   assert.match(await program(), /G38\.2 X47 Y0 Z-10 F150/);
-  assert.match((await page.locator(`[id="e-cycle.width1"]`).textContent()) ?? "", /85 mm between the picked touches/);
+  assert.match(
+    (await page.locator(`[id="e-cycle.width1"]`).textContent()) ?? "",
+    /85 mm between the picked touches/,
+  );
   await page.getByLabel("Vector of touch 1, X").fill("1");
-  assert.match((await page.locator(".picks").textContent()) ?? "", /must be opposite|points the wrong way/);
+  assert.match(
+    (await page.locator(".picks").textContent()) ?? "",
+    /must be opposite|points the wrong way/,
+  );
   await page.getByRole("button", { name: "Back to the dimensions" }).click();
   assert.equal(blocks(await program()), blocks(before));
   assert.deepEqual(problems, []);
@@ -232,20 +308,34 @@ test("a frame of the tool lengths is made in their tool and applied to the job; 
   await field("control.post").selectOption("sinumerik");
   await field("control.workOffset").selectOption({ label: "writes G505" });
   await field("tool.type").fill("500");
-  assert.match((await page.locator("tp-findings").textContent()) ?? "", /L1 acts along \+Y/);
+  assert.match(
+    (await page.locator("tp-findings").textContent()) ?? "",
+    /L1 acts along \+Y/,
+  );
   await field("tool.type").fill("710");
   await more("Tool lengths");
   await page.getByRole("button", { name: "Add ROT" }).click();
   await page.getByLabel("Step 1: angle").fill("60");
   await page.getByRole("button", { name: "Apply to the job" }).click();
-  assert.match((await page.locator("tp-form").textContent()) ?? "", /Frame: ROT Z60/);
-  assert.equal(await page.locator("tp-findings .error").count(), 0, "a turn about the tool axis leaves L1 where it is");
+  assert.match(
+    (await page.locator("tp-form").textContent()) ?? "",
+    /Frame: ROT Z60/,
+  );
+  assert.equal(
+    await page.locator("tp-findings .error").count(),
+    0,
+    "a turn about the tool axis leaves L1 where it is",
+  );
   const text = await program();
   await reset();
   await more("Paste");
   await page.locator("#paste").fill(text);
   await page.getByRole("button", { name: "Read it" }).click();
-  assert.equal(await program(), text, "what was written comes back byte for byte");
+  assert.equal(
+    await program(),
+    text,
+    "what was written comes back byte for byte",
+  );
   assert.deepEqual(problems, []);
 });
 
@@ -258,13 +348,18 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await open({ viewport: { width, height }, colorScheme });
       const violations = async () => {
         // The page has no frames, which the other mode asks for one by one: it takes five times as long.
-        const axe = new AxeBuilder({ page }).setLegacyMode().options({ resultTypes: ["violations"] });
+        const axe = new AxeBuilder({ page })
+          .setLegacyMode()
+          .options({ resultTypes: ["violations"] });
         // Of the dark page only the colours are others.
         if (colorScheme === "dark") axe.withRules("color-contrast");
         const { violations } = await axe.analyze();
         return violations
           .filter((v) => v.impact === "serious" || v.impact === "critical")
-          .map((v) => `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(" | ")}`);
+          .map(
+            (v) =>
+              `${v.id}: ${v.nodes.map((n) => n.html.slice(0, 120)).join(" | ")}`,
+          );
       };
       assert.deepEqual(await violations(), []);
       await field("cycle.depth").fill("-1");
@@ -276,12 +371,20 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await field("cycle.type").selectOption("web-three-points");
       await field("control.post").selectOption("sinumerik");
       await unfold();
-      await page.getByRole("button", { name: "Pick touches one by one" }).click();
+      await page
+        .getByRole("button", { name: "Pick touches one by one" })
+        .click();
       await more("Paste");
       assert.deepEqual(await violations(), []);
       await page.getByRole("button", { name: "Cancel" }).click();
       if (width < 1080) {
-        for (const name of ["Program", "Parameters", "Results", "Checks", "Setup"]) {
+        for (const name of [
+          "Program",
+          "Parameters",
+          "Results",
+          "Checks",
+          "Setup",
+        ]) {
           await page.getByRole("tab", { name }).click();
           assert.deepEqual(await violations(), []);
         }
@@ -299,16 +402,25 @@ for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
       await page.keyboard.press("Escape");
       for (const topic of ["cycle:hole", "control:sinumerik"]) {
         await page.evaluate(
-          (topic) => /** @type {any} */ (document.querySelector("touch-path")).app.about(topic),
+          (topic) =>
+            /** @type {any} */ (document.querySelector("touch-path")).app.about(
+              topic,
+            ),
           topic,
         );
         await page.locator("tp-manual h2").waitFor();
         assert.deepEqual(await violations(), []);
       }
-      await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).app.ask("gallery"));
+      await page.evaluate(() =>
+        /** @type {any} */ (document.querySelector("touch-path")).app.ask(
+          "gallery",
+        ),
+      );
       assert.deepEqual(await violations(), []);
       const over = await page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+        () =>
+          document.documentElement.scrollWidth -
+          document.documentElement.clientWidth,
       );
       assert.equal(over, 0, "nothing sticks out to the side");
       assert.deepEqual(problems, []);

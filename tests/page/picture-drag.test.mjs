@@ -1,20 +1,38 @@
 // What is dragged in the picture: the part and the ends of dimensions stay under the pointer.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { dimensionLines, field, held, PICTURE, page, setUp } from "./common.mjs";
+import {
+  dimensionLines,
+  field,
+  held,
+  PICTURE,
+  page,
+  setUp,
+} from "./common.mjs";
 
 setUp();
 
 /** The picture's View and the middle of a handle in the window, with the pixels of one unit. */
 const handle = (/** @type {string} */ name) =>
   page.evaluate((name) => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    );
     const picture = /** @type {any} */ (root.querySelector("tp-picture"));
-    const box = /** @type {HTMLElement} */ (picture.querySelector("canvas")).getBoundingClientRect();
+    const box = /** @type {HTMLElement} */ (
+      picture.querySelector("canvas")
+    ).getBoundingClientRect();
     return picture.drawing.use((/** @type {any} */ view) => {
       const [x, y] = view.handleSpot(name);
-      const reach = view.dragPart("shift", x + 1000, y).offset[0] - view.dragPart("shift", x, y).offset[0];
-      return { x: box.x + x, y: box.y + y, scale: 1000 / reach, height: box.height };
+      const reach =
+        view.dragPart("shift", x + 1000, y).offset[0] -
+        view.dragPart("shift", x, y).offset[0];
+      return {
+        x: box.x + x,
+        y: box.y + y,
+        scale: 1000 / reach,
+        height: box.height,
+      };
     });
   }, name);
 
@@ -30,8 +48,15 @@ async function drag(
   await page.mouse.move(from.x + dx, from.y + dy, { steps });
 }
 
-const near = (/** @type {number} */ value, /** @type {number} */ wanted, /** @type {string} */ what) =>
-  assert.ok(Math.abs(value - wanted) < 0.004, `${what}: ${value}, wanted ${wanted}`);
+const near = (
+  /** @type {number} */ value,
+  /** @type {number} */ wanted,
+  /** @type {string} */ what,
+) =>
+  assert.ok(
+    Math.abs(value - wanted) < 0.004,
+    `${what}: ${value}, wanted ${wanted}`,
+  );
 
 for (const steps of [1, 10]) {
   test(`a dragged part ran away from the pointer: ${steps} steps`, async () => {
@@ -42,7 +67,11 @@ for (const steps of [1, 10]) {
     near(offset[0] ?? 0, 20 / scale, "X");
     near(offset[1] ?? 0, 12 / scale, "Y");
     await page.mouse.up();
-    assert.deepEqual(await held("part.offset"), offset, "letting go moves nothing");
+    assert.deepEqual(
+      await held("part.offset"),
+      offset,
+      "letting go moves nothing",
+    );
   });
 }
 
@@ -64,7 +93,10 @@ test("a handle jumped to the pointer when it was gripped beside its middle: no t
   await drag({ x: x + 5, y: y + 6 }, 0, 0, 1);
   await page.mouse.move(x + 5, y + 6);
   await page.mouse.up();
-  assert.ok(Math.abs(Number(await held("part.rotation"))) < 0.05, `${await held("part.rotation")}`);
+  assert.ok(
+    Math.abs(Number(await held("part.rotation"))) < 0.05,
+    `${await held("part.rotation")}`,
+  );
 });
 
 for (const [type, path, end] of /** @type {[string, string, 0 | 1][]} */ ([
@@ -74,19 +106,30 @@ for (const [type, path, end] of /** @type {[string, string, 0 | 1][]} */ ([
   ["web", "cycle.width", 0],
 ]))
   test(`the end of a dimension stays under the pointer that drags it: ${path} of ${type}`, async () => {
-    await page.evaluate((type) => /** @type {any} */ (document.querySelector("touch-path")).store.choose(type), type);
+    await page.evaluate(
+      (type) =>
+        /** @type {any} */ (document.querySelector("touch-path")).store.choose(
+          type,
+        ),
+      type,
+    );
     const [a, b] = (await dimensionLines())[path];
     const [from, other] = end === 1 ? [b, a] : [a, b];
     const before = Number(await field(path).inputValue());
     // Outwards along the line, and a little beside it.
     const length = Math.hypot(from.x - other.x, from.y - other.y);
-    const way = { x: ((from.x - other.x) / length) * 30, y: ((from.y - other.y) / length) * 30 };
+    const way = {
+      x: ((from.x - other.x) / length) * 30,
+      y: ((from.y - other.y) / length) * 30,
+    };
     await drag({ x: from.x + 2, y: from.y - 1 }, way.x, way.y, 6);
     const after = Number(await field(path).inputValue());
     assert.ok(after > before, `${after} > ${before}`);
     const now = (await dimensionLines())[path][end];
     // A value is as exact as a pixel; beside its own direction a line makes room for what grows.
-    const off = ((now.x - from.x - way.x) * way.x + (now.y - from.y - way.y) * way.y) / 30;
+    const off =
+      ((now.x - from.x - way.x) * way.x + (now.y - from.y - way.y) * way.y) /
+      30;
     assert.ok(Math.abs(off) < 1.6, JSON.stringify({ from, way, now }));
     await page.mouse.up();
     // One step back, and the picture may be fitted again.
@@ -95,18 +138,27 @@ for (const [type, path, end] of /** @type {[string, string, 0 | 1][]} */ ([
   });
 
 test("a dimension that is there for its field only stays while it is dragged; an end that does not move cannot be gripped", async () => {
-  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).store.choose("hole"));
+  await page.evaluate(() =>
+    /** @type {any} */ (document.querySelector("touch-path")).store.choose(
+      "hole",
+    ),
+  );
   const path = "cycle.feedDistance";
   assert.equal((await dimensionLines())[path], undefined);
   await field(path).focus();
   await page.waitForFunction(
     () =>
-      document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture [aria-pressed=true]")?.textContent ===
-      "front",
+      document
+        .querySelector("touch-path")
+        ?.shadowRoot?.querySelector("tp-picture [aria-pressed=true]")
+        ?.textContent === "front",
   );
   const [start, end] = (await dimensionLines())[path];
   assert.ok(end.y < start.y, "up");
-  const cursor = () => page.locator(`tp-picture ${PICTURE}`).evaluate((canvas) => canvas.style.cursor);
+  const cursor = () =>
+    page
+      .locator(`tp-picture ${PICTURE}`)
+      .evaluate((canvas) => canvas.style.cursor);
   await page.mouse.move(start.x, start.y + 2);
   assert.notEqual(await cursor(), "grab");
   await page.mouse.move(end.x, end.y - 2);
@@ -116,14 +168,20 @@ test("a dimension that is there for its field only stays while it is dragged; an
   assert.ok(Math.abs((await dimensionLines())[path][1].y - (end.y - 30)) < 1.6);
   await page.mouse.up();
   assert.ok(Number(await field(path).inputValue()) > 20);
-  assert.equal((await dimensionLines())[path], undefined, "the field has the focus no longer");
+  assert.equal(
+    (await dimensionLines())[path],
+    undefined,
+    "the field has the focus no longer",
+  );
 });
 
 test("a dimension that only looks is not dragged, and a click on its end changes nothing", async () => {
   const [, end] = (await dimensionLines())["cycle.width1"];
   await page.mouse.click(end.x, end.y);
   assert.equal(await field("cycle.width1").inputValue(), "80");
-  await page.evaluate(() => document.querySelector("touch-path")?.toggleAttribute("readonly", true));
+  await page.evaluate(() =>
+    document.querySelector("touch-path")?.toggleAttribute("readonly", true),
+  );
   await drag(end, 30, 0, 3);
   await page.mouse.up();
   assert.equal(await field("cycle.width1").inputValue(), "80");
@@ -144,7 +202,9 @@ test("a slow drag of a dimension's end is a drag, and one into an error can be d
   assert.ok((await page.locator("tp-findings .verdict.error").count()) > 0);
   await page.mouse.move(again.x, again.y, { steps: 5 });
   await page.mouse.up();
-  assert.ok(Math.abs(Number(await field("cycle.width1").inputValue()) - 80) < 0.5);
+  assert.ok(
+    Math.abs(Number(await field("cycle.width1").inputValue()) - 80) < 0.5,
+  );
   assert.equal(await page.locator("tp-findings .verdict.error").count(), 0);
 });
 
@@ -154,7 +214,9 @@ test("a drag makes one plan a frame, however many moves the browser sends, and e
   await page.mouse.down();
   const plans = await page.evaluate(
     async ([x, y]) => {
-      const { store, shadowRoot } = /** @type {any} */ (document.querySelector("touch-path"));
+      const { store, shadowRoot } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      );
       const canvas = shadowRoot.querySelector("tp-picture canvas");
       let plans = 0;
       store.addEventListener("change", () => plans++);
@@ -162,7 +224,13 @@ test("a drag makes one plan a frame, however many moves the browser sends, and e
       await frame();
       for (let i = 1; i <= 8; i++) {
         const at = { clientX: Number(x) + 3 * i, clientY: Number(y) - 2 * i };
-        canvas.dispatchEvent(new PointerEvent("pointermove", { ...at, pointerId: 1, pointerType: "mouse" }));
+        canvas.dispatchEvent(
+          new PointerEvent("pointermove", {
+            ...at,
+            pointerId: 1,
+            pointerType: "mouse",
+          }),
+        );
       }
       const first = plans;
       await frame();
@@ -184,7 +252,9 @@ test("what the browser sends last before the button is let go counts, in the sam
   await page.mouse.down();
   await page.evaluate(
     ([x, y]) => {
-      const canvas = document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture canvas");
+      const canvas = document
+        .querySelector("touch-path")
+        ?.shadowRoot?.querySelector("tp-picture canvas");
       const send = (/** @type {string} */ type, /** @type {number} */ by) =>
         canvas?.dispatchEvent(
           new PointerEvent(type, {
@@ -201,6 +271,10 @@ test("what the browser sends last before the button is let go counts, in the sam
     },
     [x, y],
   );
-  near(/** @type {number[]} */ (await held("part.offset"))[0] ?? 0, 18 / scale, "X");
+  near(
+    /** @type {number[]} */ (await held("part.offset"))[0] ?? 0,
+    18 / scale,
+    "X",
+  );
   await page.mouse.up();
 });

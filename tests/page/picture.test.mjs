@@ -21,22 +21,38 @@ import {
 setUp();
 
 test("a gesture that the browser took over pinned a move", async () => {
-  const lit = () => page.locator("tp-program .line[aria-selected=true]").count();
-  const { x, y } = await page.locator(`tp-picture ${PICTURE}`).evaluate((canvas) => {
-    const box = canvas.getBoundingClientRect();
-    return { x: box.x + box.width / 2 + 90, y: box.y + box.height / 2 };
-  });
+  const lit = () =>
+    page.locator("tp-program .line[aria-selected=true]").count();
+  const { x, y } = await page
+    .locator(`tp-picture ${PICTURE}`)
+    .evaluate((canvas) => {
+      const box = canvas.getBoundingClientRect();
+      return { x: box.x + box.width / 2 + 90, y: box.y + box.height / 2 };
+    });
   const session = await page.context().newCDPSession(page);
-  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
-  await session.send("Input.dispatchTouchEvent", { type: "touchCancel", touchPoints: [] });
+  await session.send("Input.dispatchTouchEvent", {
+    type: "touchStart",
+    touchPoints: [{ x, y }],
+  });
+  await session.send("Input.dispatchTouchEvent", {
+    type: "touchCancel",
+    touchPoints: [],
+  });
   await settles(async () => (await lit()) === 0);
-  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: [{ x, y }] });
-  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await session.send("Input.dispatchTouchEvent", {
+    type: "touchStart",
+    touchPoints: [{ x, y }],
+  });
+  await session.send("Input.dispatchTouchEvent", {
+    type: "touchEnd",
+    touchPoints: [],
+  });
   await page.locator("tp-program .line[aria-selected=true]").waitFor();
 });
 
 test("the canvas changed its height with every message", async () => {
-  const high = async () => (await boxOf(page.locator(`tp-picture ${PICTURE}`))).height;
+  const high = async () =>
+    (await boxOf(page.locator(`tp-picture ${PICTURE}`))).height;
   const height = await high();
   for (const [path, value] of /** @type {const} */ ([
     ["feeds.work", "4000"],
@@ -61,11 +77,16 @@ test("every hover planned again: only another job is planned and shown", async (
       return now;
     });
   await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+    const root = /** @type {ShadowRoot} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    );
     const counts = { show: 0, highlight: 0 };
     Object.assign(window, { counts });
     const { drawing } = /** @type {any} */ (root.querySelector("tp-picture"));
-    for (const name of /** @type {("show" | "highlight")[]} */ (["show", "highlight"])) {
+    for (const name of /** @type {("show" | "highlight")[]} */ ([
+      "show",
+      "highlight",
+    ])) {
       const method = drawing.view[name];
       drawing.view[name] = function (/** @type {unknown[]} */ ...args) {
         counts[name]++;
@@ -95,7 +116,8 @@ test("each opening of Tool lengths kept 512 nodes and a View", async () => {
   const measure = async () => {
     await session.send("HeapProfiler.collectGarbage");
     const { metrics } = await session.send("Performance.getMetrics");
-    const value = (/** @type {string} */ name) => metrics.find((m) => m.name === name)?.value ?? Number.NaN;
+    const value = (/** @type {string} */ name) =>
+      metrics.find((m) => m.name === name)?.value ?? Number.NaN;
     return { nodes: value("Nodes"), listeners: value("JSEventListeners") };
   };
   const open = async (/** @type {number} */ times) => {
@@ -109,7 +131,10 @@ test("each opening of Tool lengths kept 512 nodes and a View", async () => {
   const before = await measure();
   await open(40);
   const after = await measure();
-  const grown = { nodes: after.nodes - before.nodes, listeners: after.listeners - before.listeners };
+  const grown = {
+    nodes: after.nodes - before.nodes,
+    listeners: after.listeners - before.listeners,
+  };
   assert.ok(grown.nodes < 1000 && grown.listeners < 20, JSON.stringify(grown));
 });
 
@@ -117,8 +142,12 @@ test("a View of a broken instance stopped the page: the picture makes itself a n
   // A canvas whose 2D context throws: the exception goes through the module and breaks its instance.
   const before = await pixels();
   await page.evaluate(() => {
-    const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
-    const canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
+    const root = /** @type {ShadowRoot} */ (
+      document.querySelector("touch-path")?.shadowRoot
+    );
+    const canvas = /** @type {HTMLCanvasElement} */ (
+      root.querySelector("canvas")
+    );
     const drawn = /** @type {any} */ (canvas.getContext("2d"));
     drawn.fillRect = () => {
       delete drawn.fillRect;
@@ -134,7 +163,11 @@ test("a View of a broken instance stopped the page: the picture makes itself a n
 });
 
 test("a click on an axis looks along it, one beside them isometrically, and by the keyboard the buttons do the same", async () => {
-  const pressed = () => page.getByRole("toolbar", { name: "Picture" }).locator("[aria-pressed=true]").textContent();
+  const pressed = () =>
+    page
+      .getByRole("toolbar", { name: "Picture" })
+      .locator("[aria-pressed=true]")
+      .textContent();
   const box = await boxOf(page.locator(`tp-picture ${PICTURE}`));
   const corner = { x: box.x + 34, y: box.y + box.height - 34 };
   assert.equal(await pressed(), "top");
@@ -147,7 +180,12 @@ test("a click on an axis looks along it, one beside them isometrically, and by t
   await page.mouse.click(corner.x + 18, corner.y - 18);
   assert.equal(await pressed(), "isometric");
   await page.mouse.move(corner.x + 20, corner.y - 18);
-  assert.equal(await page.locator(`tp-picture ${PICTURE}`).evaluate((canvas) => canvas.style.cursor), "pointer");
+  assert.equal(
+    await page
+      .locator(`tp-picture ${PICTURE}`)
+      .evaluate((canvas) => canvas.style.cursor),
+    "pointer",
+  );
 });
 
 test("deviations are drawn ten and a hundred times as large, and not dragged then", async () => {
@@ -165,7 +203,11 @@ test("deviations are drawn ten and a hundred times as large, and not dragged the
     page.evaluate(() => {
       const root = document.querySelector("touch-path")?.shadowRoot;
       const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
-      return picture.drawing.use((/** @type {any} */ view) => view.handleSpot("shift")) ?? null;
+      return (
+        picture.drawing.use((/** @type {any} */ view) =>
+          view.handleSpot("shift"),
+        ) ?? null
+      );
     });
   assert.equal(await handle(), null);
   await field("part.offset[0]").fill("0");
@@ -180,10 +222,17 @@ test("what is pointed at is drawn over the picture, and the picture beneath stay
     return page.locator("tp-picture canvas").evaluateAll((all) =>
       all.map((node) => {
         const canvas = /** @type {HTMLCanvasElement} */ (node);
-        const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
-        const data = new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+        const context = /** @type {CanvasRenderingContext2D} */ (
+          canvas.getContext("2d")
+        );
+        const data = new Uint32Array(
+          context.getImageData(0, 0, canvas.width, canvas.height).data.buffer,
+        );
         return {
-          sum: data.reduce((sum, pixel, i) => (sum * 31 + i + pixel) % 1_000_000_007, 0),
+          sum: data.reduce(
+            (sum, pixel, i) => (sum * 31 + i + pixel) % 1_000_000_007,
+            0,
+          ),
           any: data.some((x) => x !== 0),
         };
       }),
@@ -209,7 +258,12 @@ test("each change is planned once, and the picture is drawn once a frame", async
     const own = /** @type {any} */ (globalThis);
     own.drawn = 0;
     const { fillRect } = CanvasRenderingContext2D.prototype;
-    CanvasRenderingContext2D.prototype.fillRect = function (x, y, width, height) {
+    CanvasRenderingContext2D.prototype.fillRect = function (
+      x,
+      y,
+      width,
+      height,
+    ) {
       // A picture begins with its background.
       if (x === 0 && y === 0 && width === this.canvas.clientWidth) own.drawn++;
       fillRect.call(this, x, y, width, height);
@@ -221,7 +275,9 @@ test("each change is planned once, and the picture is drawn once a frame", async
     await framed();
     const read = () =>
       page.evaluate(() => {
-        const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+        const root = /** @type {ShadowRoot} */ (
+          document.querySelector("touch-path")?.shadowRoot
+        );
         return [
           /** @type {any} */ (globalThis).drawn,
           /** @type {any} */ (root.querySelector("tp-app")).store.revision,
@@ -237,40 +293,75 @@ test("each change is planned once, and the picture is drawn once a frame", async
   const typed = (/** @type {number[]} */ values) =>
     page.evaluate((values) => {
       const root = document.querySelector("touch-path")?.shadowRoot;
-      const input = /** @type {HTMLInputElement} */ (root?.getElementById("f-cycle.width1"));
+      const input = /** @type {HTMLInputElement} */ (
+        root?.getElementById("f-cycle.width1")
+      );
       for (const value of values) {
         input.value = String(value);
-        input.dispatchEvent(new Event("input", { bubbles: true, composed: true }));
+        input.dispatchEvent(
+          new Event("input", { bubbles: true, composed: true }),
+        );
       }
     }, values);
-  assert.deepEqual(await count(() => {}), [0, 0], "a page at rest draws nothing");
+  assert.deepEqual(
+    await count(() => {}),
+    [0, 0],
+    "a page at rest draws nothing",
+  );
   await field("cycle.width1").focus();
   assert.deepEqual(await count(() => typed([64])), [1, 1], "a keystroke");
-  assert.deepEqual(await count(() => typed([65, 66, 67])), [1, 3], "three in a frame");
-  assert.deepEqual(await count(() => page.keyboard.press("Control+z")), [1, 1], "a step back");
+  assert.deepEqual(
+    await count(() => typed([65, 66, 67])),
+    [1, 3],
+    "three in a frame",
+  );
+  assert.deepEqual(
+    await count(() => page.keyboard.press("Control+z")),
+    [1, 1],
+    "a step back",
+  );
   const given = await count(() =>
     page.evaluate(async () => {
       const element = /** @type {any} */ (document.querySelector("touch-path"));
       for (const width1 of [70, 71, 72]) {
-        element.job = { ...element.job, cycle: { ...element.job.cycle, width1 } };
+        element.job = {
+          ...element.job,
+          cycle: { ...element.job.cycle, width1 },
+        };
         await null;
       }
     }),
   );
-  assert.deepEqual(given, [1, 3], "three jobs of a host in a frame, each rendered");
+  assert.deepEqual(
+    given,
+    [1, 3],
+    "three jobs of a host in a frame, each rendered",
+  );
   // The small drawing of the cycle in the bar takes its colours and its size at once, one by one.
-  assert.deepEqual(await count(() => page.emulateMedia({ colorScheme: "dark" })), [1 + 2, 0], "other colours");
+  assert.deepEqual(
+    await count(() => page.emulateMedia({ colorScheme: "dark" })),
+    [1 + 2, 0],
+    "other colours",
+  );
 });
 
 test("on a phone the axis X lay on the name of 1411's first diameter: no name stands on the axes", async () => {
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });
     for (const { type } of catalog().cycles) {
-      await page.evaluate((type) => Object.assign(document.querySelector("touch-path") ?? {}, { cycle: type }), type);
+      await page.evaluate(
+        (type) =>
+          Object.assign(document.querySelector("touch-path") ?? {}, {
+            cycle: type,
+          }),
+        type,
+      );
       await framed();
       const found = await page.evaluate(() => {
         const picture = /** @type {any} */ (
-          document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture")
+          document
+            .querySelector("touch-path")
+            ?.shadowRoot?.querySelector("tp-picture")
         );
         const { clientHeight } = picture.querySelector("canvas");
         const { view } = picture.drawing;
@@ -290,25 +381,55 @@ test("in front of 1411 the names of its diameters lay on each other on a phone: 
   for (const [width, height] of SIZES) {
     await page.setViewportSize({ width, height });
     for (const look of ["top", "front", "side"]) {
-      await page.locator("tp-picture").getByRole("button", { name: look, exact: true }).click();
+      await page
+        .locator("tp-picture")
+        .getByRole("button", { name: look, exact: true })
+        .click();
       for (const { type } of catalog().cycles) {
-        await page.evaluate((type) => Object.assign(document.querySelector("touch-path") ?? {}, { cycle: type }), type);
+        await page.evaluate(
+          (type) =>
+            Object.assign(document.querySelector("touch-path") ?? {}, {
+              cycle: type,
+            }),
+          type,
+        );
         await framed();
         const names = await page.evaluate(() => {
-          const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
-          const { view } = /** @type {any} */ (root.querySelector("tp-picture")).drawing;
+          const root = /** @type {ShadowRoot} */ (
+            document.querySelector("touch-path")?.shadowRoot
+          );
+          const { view } = /** @type {any} */ (root.querySelector("tp-picture"))
+            .drawing;
           return view
             .dimensionLines()
-            .map((/** @type {[string, number, number, number, number]} */ [own, a, b, c, d]) => {
-              // Along its line a name takes about so many pixels to both sides.
-              const far = Math.hypot(c - a, d - b) || 1;
-              const [x, y] = [(40 * (c - a)) / far, (40 * (d - b)) / far];
-              const at = (/** @type {number} */ way) =>
-                view.dimensionAt((a + c) / 2 + way * x, (b + d) / 2 + way * y) ?? own;
-              return [own, at(-1), at(0), at(1)];
-            });
+            .map(
+              (
+                /** @type {[string, number, number, number, number]} */ [
+                  own,
+                  a,
+                  b,
+                  c,
+                  d,
+                ],
+              ) => {
+                // Along its line a name takes about so many pixels to both sides.
+                const far = Math.hypot(c - a, d - b) || 1;
+                const [x, y] = [(40 * (c - a)) / far, (40 * (d - b)) / far];
+                const at = (/** @type {number} */ way) =>
+                  view.dimensionAt(
+                    (a + c) / 2 + way * x,
+                    (b + d) / 2 + way * y,
+                  ) ?? own;
+                return [own, at(-1), at(0), at(1)];
+              },
+            );
         });
-        for (const [own, ...found] of names) assert.deepEqual(found, [own, own, own], `${type} at ${width}, ${look}`);
+        for (const [own, ...found] of names)
+          assert.deepEqual(
+            found,
+            [own, own, own],
+            `${type} at ${width}, ${look}`,
+          );
         seen += names.length;
       }
     }
@@ -321,7 +442,10 @@ test("the lit touch struck out its own number: the search past the contact is no
   await page.getByRole("button", { name: "Next touch" }).click();
   await framed();
   const { width1, width2 } = Object.fromEntries(
-    Object.entries(await dimensionLines()).map(([path, ends]) => [path.replace("cycle.", ""), ends]),
+    Object.entries(await dimensionLines()).map(([path, ends]) => [
+      path.replace("cycle.", ""),
+      ends,
+    ]),
   );
   // Touch 1 is in the middle of the right wall; its number begins 7 pixels behind that and ends 25 behind it, and the search goes on for 5 mm.
   const [left, right] = width1;
@@ -332,13 +456,21 @@ test("the lit touch struck out its own number: the search past the contact is no
   const [number, past] = await page.locator("tp-picture canvas.over").evaluate(
     (node, spots) => {
       const canvas = /** @type {HTMLCanvasElement} */ (node);
-      const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+      const context = /** @type {CanvasRenderingContext2D} */ (
+        canvas.getContext("2d")
+      );
       const ratio = canvas.width / canvas.clientWidth;
-      return spots.map(([x, y]) => [...context.getImageData(Number(x) * ratio, Number(y) * ratio, 1, 1).data]);
+      return spots.map(([x, y]) => [
+        ...context.getImageData(Number(x) * ratio, Number(y) * ratio, 1, 1)
+          .data,
+      ]);
     },
     [9, 26.5].map((off) => [right.x + off - box.x, y - box.y]),
   );
   const [red, green, , solid] = /** @type {number[]} */ (number);
-  assert.ok(solid === 255 && Number(red) > 200 && Number(green) < 80, `${number}`);
+  assert.ok(
+    solid === 255 && Number(red) > 200 && Number(green) < 80,
+    `${number}`,
+  );
   assert.equal(past?.[3], 0, "nothing is lit past the contact");
 });

@@ -21,8 +21,13 @@ let problems = [];
 
 before(async () => {
   folder = mkdtempSync(join(tmpdir(), "touchpath-playground-"));
-  cpSync(at("dist"), join(folder, "dist"), { recursive: true, filter: (path) => !path.startsWith(at("dist", "page")) });
-  cpSync(at("examples", "playground"), join(folder, "examples", "playground"), { recursive: true });
+  cpSync(at("dist"), join(folder, "dist"), {
+    recursive: true,
+    filter: (path) => !path.startsWith(at("dist", "page")),
+  });
+  cpSync(at("examples", "playground"), join(folder, "examples", "playground"), {
+    recursive: true,
+  });
   server = await serve(0, folder);
   browser = await launch();
 });
@@ -31,7 +36,10 @@ beforeEach(async () => {
   problems = [];
   page = await browser.newPage({ viewport: { width: 1440, height: 900 } });
   page.on("pageerror", (error) => problems.push(String(error)));
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  page.on(
+    "console",
+    (message) => message.type() === "error" && problems.push(message.text()),
+  );
   await page.goto(`${addressOf(server)}examples/playground/index.html`);
   await ready();
 });
@@ -43,12 +51,18 @@ after(async () => {
 
 const ready = async () => {
   await page.locator("touch-path").waitFor({ state: "attached" });
-  await page.evaluate(() => /** @type {any} */ (document.querySelector("touch-path")).ready.then(() => undefined));
+  await page.evaluate(() =>
+    /** @type {any} */ (document.querySelector("touch-path")).ready.then(
+      () => undefined,
+    ),
+  );
 };
 const of = (/** @type {string} */ what) =>
   page.evaluate((what) => {
     const element = /** @type {any} */ (document.querySelector("touch-path"));
-    return what.split(".").reduce((value, key) => value?.[key], element) ?? null;
+    return (
+      what.split(".").reduce((value, key) => value?.[key], element) ?? null
+    );
   }, what);
 const codeOf = async (/** @type {string} */ framework) => {
   await page.getByRole("tab", { name: framework }).click();
@@ -68,22 +82,42 @@ test("what is set is set on the element, and its events are listed", async () =>
   assert.equal(await of("lang"), "");
   await page.locator('touch-path [id="f-cycle.diameter"]').fill("33");
   await page.locator("#events li", { hasText: "job-change" }).first().waitFor();
-  assert.match((await page.locator("#events li", { hasText: "plan-change" }).first().textContent()) ?? "", /"plan"/);
+  assert.match(
+    (await page
+      .locator("#events li", { hasText: "plan-change" })
+      .first()
+      .textContent()) ?? "",
+    /"plan"/,
+  );
   assert.deepEqual(problems, []);
 });
 
 test("a config holds, one that cannot be used is refused below it", async () => {
-  await page.getByLabel("Example of a config").selectOption({ label: "One hall: two cycles, two controls" });
+  await page
+    .getByLabel("Example of a config")
+    .selectOption({ label: "One hall: two cycles, two controls" });
   assert.deepEqual(await of("config.allow.cycles"), ["hole", "web"]);
   const refused = page.locator("#refused");
   assert.equal(await refused.textContent(), "");
-  await page.getByLabel("Config", { exact: true }).fill('{ "format": 1, "allow": { "cycles": ["holes"] } }');
-  assert.match((await refused.textContent()) ?? "", /allow\.cycles\[0\] must be one of/);
-  assert.deepEqual(await of("config.allow.cycles"), ["hole", "web"], "the one before holds");
+  await page
+    .getByLabel("Config", { exact: true })
+    .fill('{ "format": 1, "allow": { "cycles": ["holes"] } }');
+  assert.match(
+    (await refused.textContent()) ?? "",
+    /allow\.cycles\[0\] must be one of/,
+  );
+  assert.deepEqual(
+    await of("config.allow.cycles"),
+    ["hole", "web"],
+    "the one before holds",
+  );
   await page.getByLabel("Config", { exact: true }).fill("{");
   assert.notEqual(await refused.textContent(), "");
   await page.getByLabel("Config", { exact: true }).fill("");
-  assert.deepEqual([await refused.textContent(), await of("config")], ["", null]);
+  assert.deepEqual(
+    [await refused.textContent(), await of("config")],
+    ["", null],
+  );
 });
 
 test("panels apart have the job as it was", async () => {
@@ -97,7 +131,13 @@ test("panels apart have the job as it was", async () => {
   await field.fill("34");
   await page.getByLabel(/panels apart/).uncheck();
   await ready();
-  await settles(async () => (await page.locator('touch-path [id="f-cycle.diameter"]').inputValue()) === "34", page);
+  await settles(
+    async () =>
+      (await page
+        .locator('touch-path [id="f-cycle.diameter"]')
+        .inputValue()) === "34",
+    page,
+  );
   assert.deepEqual(problems, []);
 });
 
@@ -105,13 +145,18 @@ test("panels apart have the job as it was", async () => {
 const AWKWARD = "</script><b>\"'`$" + "{x}\\";
 
 test("the code for six frameworks is code of each, with and without a config, together and apart", async () => {
-  const { parse, compileScript, compileTemplate } = await import("vue/compiler-sfc");
+  const { parse, compileScript, compileTemplate } = await import(
+    "vue/compiler-sfc"
+  );
   const { compile } = await import("svelte/compiler");
   const { transform } = await import("esbuild");
   const scripts = (/** @type {string} */ text) =>
-    [...text.matchAll(/<script type="module">([\s\S]*?)<\/script>/g)].map(([, script = ""]) => script);
+    [...text.matchAll(/<script type="module">([\s\S]*?)<\/script>/g)].map(
+      ([, script = ""]) => script,
+    );
   const reads = /** @type {Record<string, (text: string) => unknown>} */ ({
-    HTML: (text) => Promise.all(scripts(text).map((script) => transform(script))),
+    HTML: (text) =>
+      Promise.all(scripts(text).map((script) => transform(script))),
     React: (text) => transform(text, { loader: "tsx", jsx: "automatic" }),
     Vue: (text) => {
       const { descriptor, errors } = parse(text);
@@ -126,8 +171,12 @@ test("the code for six frameworks is code of each, with and without a config, to
     },
     Svelte: (text) => compile(text, { generate: "client" }),
     Angular: (text) =>
-      transform(text, { loader: "ts", tsconfigRaw: { compilerOptions: { experimentalDecorators: true } } }),
-    Frame: (text) => Promise.all(scripts(text).map((script) => transform(script))),
+      transform(text, {
+        loader: "ts",
+        tsconfigRaw: { compilerOptions: { experimentalDecorators: true } },
+      }),
+    Frame: (text) =>
+      Promise.all(scripts(text).map((script) => transform(script))),
   });
   const seen = new Set();
   for (const apart of [false, true])
@@ -140,7 +189,11 @@ test("the code for six frameworks is code of each, with and without a config, to
         const text = await codeOf(framework);
         await read(text);
         assert.match(text, /hole/, framework);
-        assert.equal(/<touch-form/.test(text), apart && framework !== "Frame", framework);
+        assert.equal(
+          /<touch-form/.test(text),
+          apart && framework !== "Frame",
+          framework,
+        );
         assert.equal(text.includes("</script><b>"), false, framework);
         seen.add(text);
       }
@@ -153,18 +206,29 @@ test("the code for six frameworks is code of each, with and without a config, to
 test("the HTML that is written shows what the playground shows", async () => {
   await page.locator("[name=cycle]").selectOption("boss");
   await page.locator("[name=post]").selectOption("fanuc");
-  await page.getByLabel("Example of a config").selectOption({ label: "A fixed feed, a hidden field" });
+  await page
+    .getByLabel("Example of a config")
+    .selectOption({ label: "A fixed feed, a hidden field" });
   const program = await of("plan.program.text");
-  const html = (await codeOf("HTML")).replace("touchpath/element", "/dist/element");
+  const html = (await codeOf("HTML")).replace(
+    "touchpath/element",
+    "/dist/element",
+  );
   await page.route("**/written.html", (route) =>
-    route.fulfill({ contentType: "text/html", body: `<!doctype html><title>Written</title>${html}` }),
+    route.fulfill({
+      contentType: "text/html",
+      body: `<!doctype html><title>Written</title>${html}`,
+    }),
   );
   await page.goto(`${addressOf(server)}written.html`);
   await ready();
   assert.equal(await of("plan.program.text"), program);
   assert.equal(
     await page.evaluate(
-      () => /** @type {any} */ (document.querySelector("touch-path")).config.fields["feeds.work"].value,
+      () =>
+        /** @type {any} */ (document.querySelector("touch-path")).config.fields[
+          "feeds.work"
+        ].value,
     ),
     100,
   );

@@ -1,7 +1,15 @@
 // An opened program is run with what its user knows: what it reads is asked for, and the verdict has its lines.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, openText, page, painted, settles, setUp, textOf } from "./common.mjs";
+import {
+  field,
+  openText,
+  page,
+  painted,
+  settles,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp();
 
@@ -24,15 +32,23 @@ const enter = async (/** @type {string} */ id, /** @type {string} */ text) => {
 
 /** Where the stylus stands before the first block. */
 const begins = async (/** @type {string[]} */ ...place) => {
-  for (const [axis, text] of place.entries()) await enter(`start-${axis}`, text);
+  for (const [axis, text] of place.entries())
+    await enter(`start-${axis}`, text);
 };
 
 test("what a macro reads and nothing sets could not be entered: it is asked for, and the picture follows", async () => {
   await openText(MACRO, "edge.ngc");
   const viewer = page.locator("tp-viewer");
   await viewer.waitFor();
-  assert.match(await textOf(viewer.locator(".known")), /#1.*Line 3, 7.*#5410.*Line 4/s);
-  assert.equal((await painted("tp-viewer", "touch")).count, 0, "nowhere is no place");
+  assert.match(
+    await textOf(viewer.locator(".known")),
+    /#1.*Line 3, 7.*#5410.*Line 4/s,
+  );
+  assert.equal(
+    (await painted("tp-viewer", "touch")).count,
+    0,
+    "nowhere is no place",
+  );
   for (const [id, text] of [
     ["start-0", "10"],
     ["start-1", "0"],
@@ -45,9 +61,14 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
   await settles(async () => (await painted("tp-viewer", "touch")).count > 0);
   // A field that is wrong stays, and changes nothing.
   await enter("ask-#1", "ten");
-  assert.equal(await page.locator('[id="ask-#1"]').getAttribute("aria-invalid"), "true");
+  assert.equal(
+    await page.locator('[id="ask-#1"]').getAttribute("aria-invalid"),
+    "true",
+  );
   await enter("ask-#1", "10");
-  const rule = viewer.locator(".checks li", { hasText: "before the last touch has succeeded" });
+  const rule = viewer.locator(".checks li", {
+    hasText: "before the last touch has succeeded",
+  });
   assert.match(await textOf(rule), /^!\s.*Line 6/s);
   await rule.getByRole("button", { name: "Line 6" }).click();
   // Opened again, it is known by the name of its file.
@@ -56,7 +77,9 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
   await viewer.waitFor();
   assert.equal(await page.locator('[id="ask-#5410"]').inputValue(), "6");
   await openText(MACRO, "other.ngc");
-  await settles(async () => (await page.locator('[id="ask-#5410"]').inputValue()) === "");
+  await settles(
+    async () => (await page.locator('[id="ask-#5410"]').inputValue()) === "",
+  );
 });
 
 test("a cycle of the control's own was a line that is not understood: it is named, with what contradicts in it", async () => {
@@ -66,8 +89,14 @@ test("a cycle of the control's own was a line that is not understood: it is name
   );
   const calls = page.locator("tp-viewer .calls li");
   await calls.first().waitFor();
-  assert.match(await textOf(calls.nth(0)), /G65 P9812 Line 5 web or slot: X 30 .*X and Y exclude each other/s);
-  assert.match(await textOf(calls.nth(1)), /G65 P9814 Line 7 hole or boss, four touches: D 25 \(diameter\)/);
+  assert.match(
+    await textOf(calls.nth(0)),
+    /G65 P9812 Line 5 web or slot: X 30 .*X and Y exclude each other/s,
+  );
+  assert.match(
+    await textOf(calls.nth(1)),
+    /G65 P9814 Line 7 hole or boss, four touches: D 25 \(diameter\)/,
+  );
   // A hole of 25 where the stylus stands: with a click it is the job.
   await calls.nth(1).getByRole("button", { name: "Make it a job" }).click();
   await field("cycle.diameter").waitFor();
@@ -75,13 +104,20 @@ test("a cycle of the control's own was a line that is not understood: it is name
 });
 
 test("a program could not be tried on a part: it is run on the one in the form", async () => {
-  await openText("G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n", "form.ngc");
+  await openText(
+    "G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n",
+    "form.ngc",
+  );
   await page.getByText("Run it with what you know").click();
   await begins("0", "0", "-5");
   await page.locator("#meets-at").selectOption("form");
   // The pocket of the form is 80 wide, the ball has a radius of 3: 37.
   const shown = async () =>
-    page.locator("tp-viewer").evaluate((viewer) => [.../** @type {any} */ (viewer).moves.to].slice(-3));
+    page
+      .locator("tp-viewer")
+      .evaluate((viewer) =>
+        [.../** @type {any} */ (viewer).moves.to].slice(-3),
+      );
   await settles(async () => (await shown())[1] === 37);
   await page.locator("#meets-at").selectOption("never");
   await settles(async () => (await shown())[1] === 60);
@@ -97,7 +133,10 @@ test("on a phone the form was not there: it had the class of something that make
 
 test("a part that lies off could not be put into the picture: by hand, and the program runs on it", async () => {
   // From 0 towards 60: a wall at 20, which lies 2 off, is met by a ball of 6 at 19.
-  await openText("G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n", "hand.ngc");
+  await openText(
+    "G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n",
+    "hand.ngc",
+  );
   await page.getByText("Run it with what you know").click();
   await begins("0", "0", "-5");
   await page.locator("#meets-at").selectOption("hand");
@@ -113,11 +152,17 @@ test("a part that lies off could not be put into the picture: by hand, and the p
   const slider = page.locator("tp-viewer .scrub input");
   await slider.focus();
   await slider.press("End");
-  assert.match(await textOf(page.locator("tp-viewer p[role=status]")), /Line 5: .* Y19 Z-5/);
+  assert.match(
+    await textOf(page.locator("tp-viewer p[role=status]")),
+    /Line 5: .* Y19 Z-5/,
+  );
   await settles(async () => (await painted("tp-viewer", "actual")).count > 0);
   // A part that cannot be says why, and its fields stay.
   await enter("hand-ball", "-1");
-  assert.match(await textOf(page.locator("tp-viewer .notes .warning")), /The part is not used: .*ball/i);
+  assert.match(
+    await textOf(page.locator("tp-viewer .notes .warning")),
+    /The part is not used: .*ball/i,
+  );
   assert.equal(await page.locator("#hand-width1").inputValue(), "40");
 });
 
@@ -137,5 +182,8 @@ test("where a long program names its parts, and what is said of a line, could no
   await select.selectOption({ label: "6: O100 (EDGE)" });
   const noted = page.locator('tp-viewer .noted[data-line="7"]');
   await noted.click();
-  assert.match(await textOf(page.locator("tp-viewer .read .notes")), /A work offset is written whatever was measured/);
+  assert.match(
+    await textOf(page.locator("tp-viewer .read .notes")),
+    /A work offset is written whatever was measured/,
+  );
 });

@@ -1,7 +1,18 @@
 // What was seen on the page by someone who did not know it, and is mended: a test each.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { field, held, more, open, page, pixels, put, ready, setUp, textOf } from "./common.mjs";
+import {
+  field,
+  held,
+  more,
+  open,
+  page,
+  pixels,
+  put,
+  ready,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
@@ -11,18 +22,29 @@ const lines = () =>
     const root = document.querySelector("touch-path")?.shadowRoot;
     const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
     return /** @type {[string, number, number, number, number][]} */ (
-      picture.drawing.use((/** @type {any} */ view) => [...view.dimensionLines()].map((line) => [...line]))
+      picture.drawing.use((/** @type {any} */ view) =>
+        [...view.dimensionLines()].map((line) => [...line]),
+      )
     );
   });
 const lengthOf = async (/** @type {string} */ path) => {
-  const [, x, y, u, v] = (await lines()).find(([field]) => field === path) ?? ["", 0, 0, 0, 0];
+  const [, x, y, u, v] = (await lines()).find(([field]) => field === path) ?? [
+    "",
+    0,
+    0,
+    0,
+    0,
+  ];
   return Math.hypot(u - x, v - y);
 };
 
 test("a key was dead where nothing had the focus: Ctrl+S saves there, Ctrl+Z takes back", async () => {
   await field("cycle.width1").fill("70");
   await page.locator("footer").click({ position: { x: 300, y: 8 } });
-  assert.equal(await page.evaluate(() => document.activeElement === document.body), true);
+  assert.equal(
+    await page.evaluate(() => document.activeElement === document.body),
+    true,
+  );
   const download = page.waitForEvent("download");
   await page.keyboard.press("Control+s");
   assert.equal((await download).suggestedFilename(), "POCKET-70X50.ngc");
@@ -35,21 +57,35 @@ test("the picture was fitted anew at each keystroke: what is edited keeps its sc
   for (const width of [79, 82, 70]) {
     await field("cycle.width1").fill(String(width));
     const now = await lengthOf("cycle.width1");
-    assert.ok(Math.abs(now - width * scale) < 0.01, `${width}: ${now} pixels, ${width * scale} wanted`);
+    assert.ok(
+      Math.abs(now - width * scale) < 0.01,
+      `${width}: ${now} pixels, ${width * scale} wanted`,
+    );
   }
   for (const width of [400, 20]) {
     await field("cycle.width1").fill(String(width));
     const now = await lengthOf("cycle.width1");
-    assert.ok(now > 60 && now < 800 && Math.abs(now - width * scale) > 10, `${width}: ${now} pixels`);
+    assert.ok(
+      now > 60 && now < 800 && Math.abs(now - width * scale) > 10,
+      `${width}: ${now} pixels`,
+    );
   }
   // There and back again it is about as large as it was, and a part that is moved far is near the middle again.
   await field("cycle.width1").fill("140");
   await field("cycle.width1").fill("80");
   assert.ok(Math.abs((await lengthOf("cycle.width1")) / 80 / scale - 1) < 0.3);
   await field("cycle.origin[0]").fill("30");
-  const [, x, , u] = (await lines()).find(([field]) => field === "cycle.width1") ?? ["", 0, 0, 0, 0];
-  const { width } = (await page.locator("tp-picture canvas").first().boundingBox()) ?? { width: 0 };
-  assert.ok(Math.abs((x + u) / 2 - width / 2) < 0.2 * width, `${x} to ${u} of ${width}`);
+  const [, x, , u] = (await lines()).find(
+    ([field]) => field === "cycle.width1",
+  ) ?? ["", 0, 0, 0, 0];
+  const { width } = (await page
+    .locator("tp-picture canvas")
+    .first()
+    .boundingBox()) ?? { width: 0 };
+  assert.ok(
+    Math.abs((x + u) / 2 - width / 2) < 0.2 * width,
+    `${x} to ${u} of ${width}`,
+  );
 });
 
 test("another cycle was not fitted after the picture had been moved: it was out of sight", async () => {
@@ -70,14 +106,25 @@ for (const [width, height] of /** @type {const} */ ([
     await page.getByRole("button", { name: "Next touch" }).click();
     const trial = await page.locator(".trial").boundingBox();
     assert.ok(trial);
-    for (const button of await page.locator(".picture .tools button:visible").all()) {
+    for (const button of await page
+      .locator(".picture .tools button:visible")
+      .all()) {
       const box = await button.boundingBox();
-      const beside = box && (box.x >= trial.x + trial.width || box.x + box.width <= trial.x);
-      assert.ok(box && (beside || box.y + box.height <= trial.y), await textOf(button));
+      const beside =
+        box && (box.x >= trial.x + trial.width || box.x + box.width <= trial.x);
+      assert.ok(
+        box && (beside || box.y + box.height <= trial.y),
+        await textOf(button),
+      );
     }
-    const speed = await page.getByRole("button", { name: /^Speed/ }).boundingBox();
+    const speed = await page
+      .getByRole("button", { name: /^Speed/ })
+      .boundingBox();
     assert.ok(speed && speed.x + speed.width <= width, `${speed?.x}`);
-    assert.match(await textOf(page.locator(".scrub output:visible")), /^touch 1 · contact X37 Y0 Z-10/);
+    assert.match(
+      await textOf(page.locator(".scrub output:visible")),
+      /^touch 1 · contact X37 Y0 Z-10/,
+    );
   });
 
 test("a part that lies elsewhere was not said beside an error", async () => {
@@ -89,7 +136,12 @@ test("a part that lies elsewhere was not said beside an error", async () => {
     page.locator(".stamp").boundingBox(),
     page.locator(".trial").boundingBox(),
   ]);
-  assert.ok(stamp && trial && (stamp.y + stamp.height <= trial.y || stamp.x + stamp.width <= trial.x), "side by side");
+  assert.ok(
+    stamp &&
+      trial &&
+      (stamp.y + stamp.height <= trial.y || stamp.x + stamp.width <= trial.x),
+    "side by side",
+  );
 });
 
 test("a turn of 20° was drawn as one of 200°: it is not drawn larger", async () => {
@@ -111,7 +163,11 @@ test("the timeline of a form with an error still told moves, length and time of 
   await page.locator(".stamp").waitFor();
   assert.equal(await said(), "");
   for (const name of ["Play", "Next touch", "Touch before"])
-    assert.equal(await page.getByRole("button", { name }).isDisabled(), true, name);
+    assert.equal(
+      await page.getByRole("button", { name }).isDisabled(),
+      true,
+      name,
+    );
   assert.equal(await page.locator("#scrub").getAttribute("max"), "0");
 });
 
@@ -130,7 +186,10 @@ test("only keys went move by move", async () => {
   await page.getByRole("button", { name: "Next move" }).click();
   await page.getByRole("button", { name: "Next move" }).click();
   assert.equal(await move(), "2");
-  assert.match(await textOf(page.locator(".scrub output")), /^positioning · X0 Y0 Z10 · F2000$/);
+  assert.match(
+    await textOf(page.locator(".scrub output")),
+    /^positioning · X0 Y0 Z10 · F2000$/,
+  );
   await page.getByRole("button", { name: "Move before" }).click();
   assert.equal(await move(), "1");
   await page.getByRole("button", { name: "Move before" }).click();
@@ -155,11 +214,16 @@ test("a cycle that touches nothing asks for no probe, feeds or part, and has not
   assert.deepEqual(await groups(), ["Program and machine", "Postprocessor"]);
   assert.ok((await pixels()).count > 0, "the work origin is drawn");
   const grips = await page.evaluate(() => {
-    const picture = /** @type {any} */ (document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture"));
+    const picture = /** @type {any} */ (
+      document
+        .querySelector("touch-path")
+        ?.shadowRoot?.querySelector("tp-picture")
+    );
     const { clientWidth, clientHeight } = picture.querySelector("canvas");
     const found = new Set();
     for (let x = 0; x < clientWidth; x += 8)
-      for (let y = 0; y < clientHeight; y += 8) found.add(picture.drawing.view.handleAt(x, y, 14) ?? "none");
+      for (let y = 0; y < clientHeight; y += 8)
+        found.add(picture.drawing.view.handleAt(x, y, 14) ?? "none");
     return [...found];
   });
   assert.deepEqual(grips, ["none"]);
@@ -187,15 +251,29 @@ test("what is asked of the tool lengths is there again", async () => {
 test("on a phone on its side the picture could not be turned", async () => {
   await open({ viewport: { width: 844, height: 390 }, hasTouch: true });
   await page.getByRole("button", { name: "isometric" }).click();
-  assert.equal(await page.getByRole("button", { name: "isometric" }).getAttribute("aria-pressed"), "true");
+  assert.equal(
+    await page
+      .getByRole("button", { name: "isometric" })
+      .getAttribute("aria-pressed"),
+    "true",
+  );
 });
 
 for (const locale of ["de-DE", "ru-RU", "zh-TW"])
   test(`the tools of the picture fit a phone: ${locale}`, async () => {
-    await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale });
-    for (const button of await page.locator(".picture .tools button:visible").all()) {
+    await open({
+      viewport: { width: 390, height: 844 },
+      hasTouch: true,
+      isMobile: true,
+      locale,
+    });
+    for (const button of await page
+      .locator(".picture .tools button:visible")
+      .all()) {
       const box = await button.boundingBox();
-      const over = await button.evaluate((node) => node.scrollWidth - node.clientWidth);
+      const over = await button.evaluate(
+        (node) => node.scrollWidth - node.clientWidth,
+      );
       assert.ok(
         box && box.x >= 0 && box.x + box.width <= 390 && over <= 0,
         `${await textOf(button)}: ${box?.x}, ${over}`,
@@ -204,12 +282,23 @@ for (const locale of ["de-DE", "ru-RU", "zh-TW"])
   });
 
 test("buttons of the picture and the timeline are as wide as a finger on a phone", async () => {
-  await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
-  const buttons = await page.locator(".picture .tools button:visible, .scrub button:visible, .icon:visible").all();
+  await open({
+    viewport: { width: 390, height: 844 },
+    hasTouch: true,
+    isMobile: true,
+  });
+  const buttons = await page
+    .locator(
+      ".picture .tools button:visible, .scrub button:visible, .icon:visible",
+    )
+    .all();
   assert.ok(buttons.length >= 11, `${buttons.length}`);
   for (const button of buttons) {
     const box = await button.boundingBox();
-    assert.ok(box && box.width >= 44 && box.height >= 44, `${await textOf(button)}: ${box?.width} × ${box?.height}`);
+    assert.ok(
+      box && box.width >= 44 && box.height >= 44,
+      `${await textOf(button)}: ${box?.width} × ${box?.height}`,
+    );
   }
 });
 
@@ -218,7 +307,11 @@ test("what was typed last is there after a reload, though it is written a moment
   await page.clock.install();
   await page.clock.pauseAt(Date.now() + 60_000);
   await field("cycle.width1").fill("71");
-  assert.equal(await page.evaluate(() => sessionStorage.length), 0, "a keystroke does not wait for the disk");
+  assert.equal(
+    await page.evaluate(() => sessionStorage.length),
+    0,
+    "a keystroke does not wait for the disk",
+  );
   await page.clock.resume();
   await page.reload();
   await ready();
@@ -239,13 +332,33 @@ test("the box for measured points folded shut when it was emptied, and what was 
 });
 
 test("LinuxCNC's log of a probe was no file that the page knew", async () => {
-  const log = [37, -37.02, 0.01, -0.02].map((x, i) => (i < 2 ? `${x} 0 -10` : `0 ${i === 2 ? 22.01 : -22} -10`));
-  const buffer = Buffer.from(log.map((line) => `${line} 0 0 0 0 0 0\n`).join(""));
-  await page.locator("#file").setInputFiles({ name: "probe.log", mimeType: "text/plain", buffer });
-  await page.getByText("4 measured points were taken from this log: Results compares them with this job").waitFor();
-  assert.equal(await page.getByRole("tab", { name: "Results" }).getAttribute("aria-selected"), "true");
+  const log = [37, -37.02, 0.01, -0.02].map((x, i) =>
+    i < 2 ? `${x} 0 -10` : `0 ${i === 2 ? 22.01 : -22} -10`,
+  );
+  const buffer = Buffer.from(
+    log.map((line) => `${line} 0 0 0 0 0 0\n`).join(""),
+  );
+  await page
+    .locator("#file")
+    .setInputFiles({ name: "probe.log", mimeType: "text/plain", buffer });
+  await page
+    .getByText(
+      "4 measured points were taken from this log: Results compares them with this job",
+    )
+    .waitFor();
+  assert.equal(
+    await page
+      .getByRole("tab", { name: "Results" })
+      .getAttribute("aria-selected"),
+    "true",
+  );
   // The balls stand 74.02 apart, and the ball is 6 wide.
-  assert.match(await textOf(page.locator("tp-results tbody tr").filter({ hasText: "Width 1" })), /80\.020/);
+  assert.match(
+    await textOf(
+      page.locator("tp-results tbody tr").filter({ hasText: "Width 1" }),
+    ),
+    /80\.020/,
+  );
   await page.keyboard.press("Control+z");
   assert.equal(await page.locator("#measured").inputValue(), "");
 });
@@ -256,8 +369,14 @@ test("the rail of the timeline shrank as soon as a move was lit", async () => {
     [1024, 768],
     [390, 844],
   ]) {
-    await open({ viewport: { width: width ?? 0, height: height ?? 0 }, hasTouch: true });
-    const rail = () => page.locator("#scrub").evaluate((box) => box.getBoundingClientRect().width);
+    await open({
+      viewport: { width: width ?? 0, height: height ?? 0 },
+      hasTouch: true,
+    });
+    const rail = () =>
+      page
+        .locator("#scrub")
+        .evaluate((box) => box.getBoundingClientRect().width);
     const before = await rail();
     await page.getByRole("button", { name: "Next touch" }).click();
     assert.equal(await rail(), before, String(width));
@@ -268,9 +387,16 @@ test("a program with a cycle of the control's own opened on its comments, and li
   await field("cycle.type").selectOption("probing-two-circles");
   await field("control.post").selectOption("heidenhain");
   const first = page.locator("tp-program .line:visible").first();
-  assert.match(await textOf(first), /^\d+ TCH PROBE 1411/, "its own number, and no other");
+  assert.match(
+    await textOf(first),
+    /^\d+ TCH PROBE 1411/,
+    "its own number, and no other",
+  );
   await page.getByRole("button", { name: "Next touch" }).click();
-  assert.match(await textOf(page.locator("tp-program .line[aria-selected=true]")), /^\d+ TCH PROBE 1411/);
+  assert.match(
+    await textOf(page.locator("tp-program .line[aria-selected=true]")),
+    /^\d+ TCH PROBE 1411/,
+  );
 });
 
 test("with an error the dimension in focus was lit with its old value", async () => {
@@ -278,7 +404,9 @@ test("with an error the dimension in focus was lit with its old value", async ()
   const lit = () =>
     page.evaluate(() => {
       const picture = /** @type {any} */ (
-        document.querySelector("touch-path")?.shadowRoot?.querySelector("tp-picture")
+        document
+          .querySelector("touch-path")
+          ?.shadowRoot?.querySelector("tp-picture")
       );
       return picture.lit;
     });
@@ -296,7 +424,12 @@ test("Escape did not leave the gallery, and errors were not said beside Checks",
   await page.getByRole("button", { name: "Gallery" }).click();
   await page.getByRole("searchbox", { name: "Search the cycles" }).fill("web");
   await page.keyboard.press("Escape");
-  assert.equal(await page.getByRole("searchbox", { name: "Search the cycles" }).inputValue(), "");
+  assert.equal(
+    await page
+      .getByRole("searchbox", { name: "Search the cycles" })
+      .inputValue(),
+    "",
+  );
   await page.keyboard.press("Escape");
   await field("cycle.width1").waitFor({ state: "visible" });
 });
@@ -307,7 +440,10 @@ test("one cause stood beside each of its results, also where it changes nothing 
   const notes = page.locator("tp-results .notes li");
   assert.equal(await notes.count(), 1);
   // (80 − 6)(1/cos 2° − 1) and (50 − 6)(1/cos 2° − 1).
-  assert.match(await textOf(notes), /^Width 1 \+0\.045, Width 2 \+0\.027 from the truth: cosine error/);
+  assert.match(
+    await textOf(notes),
+    /^Width 1 \+0\.045, Width 2 \+0\.027 from the truth: cosine error/,
+  );
   await put("part.rotation", 0.05);
   assert.equal(await notes.count(), 0);
 });

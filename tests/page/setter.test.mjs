@@ -1,12 +1,24 @@
 // What a setter meets: three answers, no more than is needed, words of the trade, a tablet. The tasks are those that users were watched at.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { boxOf, field, held, open, page, saveButton, settles, setUp, textOf } from "./common.mjs";
+import {
+  boxOf,
+  field,
+  held,
+  open,
+  page,
+  saveButton,
+  settles,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
 /** The page as a visitor has it: nothing is unfolded, nothing of CAM is shown. */
-const asVisitor = async (/** @type {import("playwright-core").BrowserContextOptions} */ options = {}) => {
+const asVisitor = async (
+  /** @type {import("playwright-core").BrowserContextOptions} */ options = {},
+) => {
   await open({ viewport: { width: 1440, height: 900 }, ...options });
   await page.evaluate(() => localStorage.clear());
   await page.evaluate(() => sessionStorage.clear());
@@ -18,7 +30,10 @@ const asVisitor = async (/** @type {import("playwright-core").BrowserContextOpti
     sessionStorage.setItem("fresh", "1");
   });
   await page.reload();
-  await page.locator("tp-picture canvas").first().waitFor({ state: "attached" });
+  await page
+    .locator("tp-picture canvas")
+    .first()
+    .waitFor({ state: "attached" });
   await page.locator("tp-program .line").first().waitFor({ state: "attached" });
 };
 
@@ -38,9 +53,20 @@ test("a setter has eight groups and three tabs; what CAM needs comes with its sw
     "Program and machine",
     "Virtual part",
   ]);
-  assert.equal(await field("cycle.type").locator("option").count(), 17, "cycles that move nothing are for CAM");
-  const asks = await page.locator("tp-bar .asks > [aria-hidden], tp-bar .asks[aria-hidden]").allTextContents();
-  assert.deepEqual(asks, ["What do you measure?", "On which machine?", "What shall it do?", "Units"]);
+  assert.equal(
+    await field("cycle.type").locator("option").count(),
+    17,
+    "cycles that move nothing are for CAM",
+  );
+  const asks = await page
+    .locator("tp-bar .asks > [aria-hidden], tp-bar .asks[aria-hidden]")
+    .allTextContents();
+  assert.deepEqual(asks, [
+    "What do you measure?",
+    "On which machine?",
+    "What shall it do?",
+    "Units",
+  ]);
   await page.getByRole("button", { name: "More" }).click();
   await page.getByLabel("For CAM: parameters, codes, picked touches").check();
   await page.keyboard.press("Escape");
@@ -56,11 +82,23 @@ test("a setter has eight groups and three tabs; what CAM needs comes with its sw
       "text/plain",
       "CmdPrm.Int[-1] = 6\nCmdPrm.Flt[-50] = 20\nCmdPrm.Flt[-53] = 61\nCmdPrm.Flt[-54] = 41\n",
     );
-    document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+    document.body.dispatchEvent(
+      new ClipboardEvent("paste", {
+        clipboardData: data,
+        bubbles: true,
+        cancelable: true,
+      }),
+    );
   });
-  await settles(async () => (await held("cycle.type")) === "internal-rectangle");
+  await settles(
+    async () => (await held("cycle.type")) === "internal-rectangle",
+  );
   assert.equal(await held("cycle.width1"), 61);
-  assert.equal((await tabs()).length, 4, "who opens a dump writes a postprocessor");
+  assert.equal(
+    (await tabs()).length,
+    4,
+    "who opens a dump writes a postprocessor",
+  );
 });
 
 test("what nothing has whole is found by its parts, and Enter opens the tool lengths where only they are found", async () => {
@@ -72,7 +110,10 @@ test("what nothing has whole is found by its parts, and Enter opens the tool len
   assert.match(await textOf(page.locator("tp-gallery .told")), /some of them/);
   await search.fill("LENTOAX");
   assert.equal(await found.count(), 0);
-  await page.locator("tp-gallery").getByText("which tool length acts on which axis").waitFor();
+  await page
+    .locator("tp-gallery")
+    .getByText("which tool length acts on which axis")
+    .waitFor();
   await search.press("Enter");
   await page.locator("tp-lentoax").waitFor();
 });
@@ -80,9 +121,17 @@ test("what nothing has whole is found by its parts, and Enter opens the tool len
 test("each cycle and each control has its page, one click away from where it is named", async () => {
   await asVisitor();
   const page7 = page.locator("tp-manual");
-  await page.locator("tp-help").getByRole("button", { name: "About this cycle" }).click();
-  await page7.getByRole("heading", { name: "Internal rectangle, protected" }).waitFor();
-  assert.match(await textOf(page7), /the probe goes up and over it between the touches/);
+  await page
+    .locator("tp-help")
+    .getByRole("button", { name: "About this cycle" })
+    .click();
+  await page7
+    .getByRole("heading", { name: "Internal rectangle, protected" })
+    .waitFor();
+  assert.match(
+    await textOf(page7),
+    /the probe goes up and over it between the touches/,
+  );
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Gallery" }).click();
   await page.getByRole("button", { name: "About Boss" }).click();
@@ -92,7 +141,10 @@ test("each cycle and each control has its page, one click away from where it is 
   const mark = page.locator("tp-bar .always");
   assert.match(await textOf(mark), /not run on a control/);
   // The foot is about this job: what holds for the control always is not in it.
-  assert.doesNotMatch(await textOf(page.locator("footer")), /recalled|not verified/);
+  assert.doesNotMatch(
+    await textOf(page.locator("footer")),
+    /recalled|not verified/,
+  );
   await mark.click();
   await page7.getByRole("heading", { name: /SINUMERIK/ }).waitFor();
   assert.match(await textOf(page7), /None of it was run on a control/);
@@ -109,7 +161,10 @@ test("of what a control's own cycle does itself it is not said that the control 
   const checks = await textOf(page.locator("tp-checks"));
   assert.match(checks, /are the work of the control's own cycles/);
   assert.doesNotMatch(checks, /cannot hold/);
-  assert.equal(await page.locator("tp-checks [aria-label='this control cannot']").count(), 0);
+  assert.equal(
+    await page.locator("tp-checks [aria-label='this control cannot']").count(),
+    0,
+  );
 });
 
 test("one list finds cycles, fields, controls, tools and actions", async () => {
@@ -126,7 +181,10 @@ test("one list finds cycles, fields, controls, tools and actions", async () => {
   await type("haas");
   assert.equal(await held("control.post"), "haas");
   await type("latency");
-  const focused = () => page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id);
+  const focused = () =>
+    page.evaluate(
+      () => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id,
+    );
   await settles(async () => (await focused()) === "f-machine.latency");
   await type("LENTOAX");
   await page.locator("tp-lentoax").waitFor();
@@ -135,7 +193,10 @@ test("one list finds cycles, fields, controls, tools and actions", async () => {
   await search.fill("reset");
   await page.keyboard.press("ArrowDown");
   await page.keyboard.press("ArrowUp");
-  assert.match(await textOf(page.locator(".commands [aria-selected=true]")), /Reset/);
+  assert.match(
+    await textOf(page.locator(".commands [aria-selected=true]")),
+    /Reset/,
+  );
   await page.keyboard.press("Escape");
   assert.equal(await page.locator("dialog[open]").count(), 0);
 });
@@ -144,7 +205,9 @@ test("a machine is kept once, stands in the bar, and is one click", async () => 
   await asVisitor();
   await field("control.post").selectOption("haas");
   await page.keyboard.press("Control+k");
-  await page.getByRole("combobox", { name: "Find anything" }).fill("ball diameter");
+  await page
+    .getByRole("combobox", { name: "Find anything" })
+    .fill("ball diameter");
   await page.keyboard.press("Enter");
   await field("stylus.diameter").fill("4");
   await field("control.post").selectOption({ label: "Keep this machine …" });
@@ -158,7 +221,10 @@ test("a machine is kept once, stands in the bar, and is one click", async () => 
   await field("stylus.diameter").fill("6");
   assert.equal(await chosen(), "LinuxCNC");
   await field("control.post").selectOption({ label: "Mill 2, ball 4" });
-  assert.deepEqual([await held("control.post"), await held("stylus.diameter")], ["haas", 4]);
+  assert.deepEqual(
+    [await held("control.post"), await held("stylus.diameter")],
+    ["haas", 4],
+  );
   // In other units it is the same machine.
   await page.getByRole("radio", { name: "inch", exact: true }).check();
   assert.equal(await chosen(), "Mill 2, ball 4");
@@ -169,9 +235,16 @@ test("what a browser keeps for a machine may be anything: the page stands", asyn
   await page.evaluate(() => {
     let deep = /** @type {unknown} */ (1);
     for (let i = 0; i < 500; i++) deep = { deep };
-    const sections = { control: { post: deep, number: [null, "x"] }, stylus: { diameter: {} } };
+    const sections = {
+      control: { post: deep, number: [null, "x"] },
+      stylus: { diameter: {} },
+    };
     const one = { name: "<b>x", units: "inch", overtravel: "y", sections };
-    const file = { format: "touchpath-presets", version: 1, presets: [one, { ...one, name: "two", units: "mm" }] };
+    const file = {
+      format: "touchpath-presets",
+      version: 1,
+      presets: [one, { ...one, name: "two", units: "mm" }],
+    };
     localStorage.setItem("touchpath.presets.1", JSON.stringify(file));
   });
   await page.reload();
@@ -186,18 +259,33 @@ test("what a browser keeps for a machine may be anything: the page stands", asyn
 test("93 work offsets of one word are a number, not 93 entries", async () => {
   await asVisitor();
   await field("control.post").selectOption("haas");
-  const offsets = await field("control.workOffset").locator("option").allTextContents();
-  assert.deepEqual(offsets.slice(0, 3), ["measures only", "writes G54", "writes G55"]);
+  const offsets = await field("control.workOffset")
+    .locator("option")
+    .allTextContents();
+  assert.deepEqual(offsets.slice(0, 3), [
+    "measures only",
+    "writes G54",
+    "writes G55",
+  ]);
   assert.ok(offsets.length < 12, `${offsets.length}`);
   await field("control.workOffset").selectOption({ label: "writes G154 P…" });
   const number = page.getByLabel("Number after G154 P");
   await number.fill("12");
   await number.press("Enter");
-  assert.match(await textOf(page.locator("tp-program .does")), /writes G154 P12 X Y/);
+  assert.match(
+    await textOf(page.locator("tp-program .does")),
+    /writes G154 P12 X Y/,
+  );
   await number.fill("120");
   await number.press("Enter");
-  await page.locator(".note", { hasText: "Enter a whole number from 1 to 99" }).waitFor();
-  assert.equal(await number.inputValue(), "12", "what is no such number changes nothing");
+  await page
+    .locator(".note", { hasText: "Enter a whole number from 1 to 99" })
+    .waitFor();
+  assert.equal(
+    await number.inputValue(),
+    "12",
+    "what is no such number changes nothing",
+  );
 });
 
 test("the program shows its moves and four touches; what checks and computes stands under one mark a run", async () => {
@@ -207,11 +295,20 @@ test("the program shows its moves and four touches; what checks and computes sta
     const code = page.locator("tp-program .code[role=listbox]");
     const discs = code.locator(".line.touch .disc");
     assert.deepEqual(await discs.allTextContents(), ["1", "2", "3", "4"], post);
-    const shown = (await code.locator("[role=group]:not([hidden]) .line .text").allTextContents()).join("\n");
+    const shown = (
+      await code
+        .locator("[role=group]:not([hidden]) .line .text")
+        .allTextContents()
+    ).join("\n");
     assert.doesNotMatch(shown, /GOTO|STOPRE|endif/, post);
     // Nothing is lost: a run opens by a click, all of them by the button.
     const all = await page.evaluate(
-      () => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text.trim().split("\n").length,
+      () =>
+        /** @type {any} */ (
+          document.querySelector("touch-path")
+        ).store.plan.program.text
+          .trim()
+          .split("\n").length,
     );
     const folds = code.locator(".folded");
     if (post === "grbl") continue;
@@ -229,14 +326,23 @@ test("the program shows its moves and four touches; what checks and computes sta
 test("the operator's screen is shown as it will stand there", async () => {
   await asVisitor();
   await page.evaluate(() =>
-    /** @type {any} */ (document.querySelector("touch-path")).store.put("part.offset[0]", 0.25),
+    /** @type {any} */ (document.querySelector("touch-path")).store.put(
+      "part.offset[0]",
+      0.25,
+    ),
   );
   const screen = page.locator("tp-program .screen");
   await screen.locator("summary").click();
   // As LinuxCNC's interpreter prints a value in DEBUG: six decimals.
-  assert.match(await textOf(screen.locator("pre")), /^center\.x=0\.250000\ncenter\.y=0\.000000\nwidth1=80\.000000/);
+  assert.match(
+    await textOf(screen.locator("pre")),
+    /^center\.x=0\.250000\ncenter\.y=0\.000000\nwidth1=80\.000000/,
+  );
   await field("control.post").selectOption("sinumerik");
-  assert.match(await textOf(screen.locator("pre")), /center\.x=0\.250 center\.y=0\.000/);
+  assert.match(
+    await textOf(screen.locator("pre")),
+    /center\.x=0\.250 center\.y=0\.000/,
+  );
 });
 
 test("a browser in en-US begins in inch", async () => {
@@ -259,7 +365,10 @@ function counted() {
       await where.click();
     },
     // A list opens by one click, and its entry is a second one.
-    choose: async (/** @type {import("playwright-core").Locator} */ list, /** @type {string} */ label) => {
+    choose: async (
+      /** @type {import("playwright-core").Locator} */ list,
+      /** @type {string} */ label,
+    ) => {
       clicks += 2;
       await list.selectOption({ label });
     },
@@ -287,8 +396,14 @@ test("pocket 60 × 40 with an island on a Haas, G55: at most 6 clicks and 12 key
   await user.click(saveButton());
   assert.equal((await download).suggestedFilename(), "POCKET-60X40.nc");
   const [clicks, keys] = user.said();
-  assert.ok((clicks ?? 9) <= 6 && (keys ?? 99) <= 12, `${clicks} clicks, ${keys} keys`);
-  assert.match(await textOf(page.locator("tp-program .does")), /writes G55 X Y/);
+  assert.ok(
+    (clicks ?? 9) <= 6 && (keys ?? 99) <= 12,
+    `${clicks} clicks, ${keys} keys`,
+  );
+  assert.match(
+    await textOf(page.locator("tp-program .does")),
+    /writes G55 X Y/,
+  );
   assert.equal(await held("cycle.type"), "internal-rectangle-protected");
 });
 
@@ -303,8 +418,10 @@ test("bore D25 H7 on a Fanuc, G54: at most 6 clicks and 12 keys, and no stop", a
   // The first size has the focus: it is typed, and Enter takes the tolerance.
   await settles(
     async () =>
-      (await page.evaluate(() => document.querySelector("touch-path")?.shadowRoot?.activeElement?.id)) ===
-      "f-cycle.diameter",
+      (await page.evaluate(
+        () =>
+          document.querySelector("touch-path")?.shadowRoot?.activeElement?.id,
+      )) === "f-cycle.diameter",
   );
   await user.type("25H7");
   await page.keyboard.press("Enter");
@@ -312,11 +429,20 @@ test("bore D25 H7 on a Fanuc, G54: at most 6 clicks and 12 keys, and no stop", a
   await user.click(saveButton());
   assert.equal((await download).suggestedFilename(), "BORE-D25H7.nc");
   const [clicks, keys] = user.said();
-  assert.ok((clicks ?? 9) <= 6 && (keys ?? 99) + 1 <= 12, `${clicks} clicks, ${keys} keys and Enter`);
-  const program = await page.evaluate(
-    () => /** @type {any} */ (document.querySelector("touch-path")).store.plan.program.text,
+  assert.ok(
+    (clicks ?? 9) <= 6 && (keys ?? 99) + 1 <= 12,
+    `${clicks} clicks, ${keys} keys and Enter`,
   );
-  assert.match(program, /IF \[ABS\[#\d+-25\.0105\] GT 0\.0105\]/, "the program judges by the class");
+  const program = await page.evaluate(
+    () =>
+      /** @type {any} */ (document.querySelector("touch-path")).store.plan
+        .program.text,
+  );
+  assert.match(
+    program,
+    /IF \[ABS\[#\d+-25\.0105\] GT 0\.0105\]/,
+    "the program judges by the class",
+  );
 });
 
 for (const [width, height] of /** @type {[number, number][]} */ ([
@@ -328,29 +454,51 @@ for (const [width, height] of /** @type {[number, number][]} */ ([
   [390, 844],
 ]))
   test(`the drawing has 55 % of its canvas, and no text is under 13 px: ${width} × ${height}`, async () => {
-    await asVisitor({ viewport: { width, height }, hasTouch: true, isMobile: width < 800 });
+    await asVisitor({
+      viewport: { width, height },
+      hasTouch: true,
+      isMobile: width < 800,
+    });
     const share = await page.evaluate(() => {
       const root = document.querySelector("touch-path")?.shadowRoot;
       const picture = /** @type {any} */ (root?.querySelector("tp-picture"));
-      const canvas = /** @type {HTMLCanvasElement} */ (picture.querySelector("canvas"));
-      const lines = picture.drawing.use((/** @type {any} */ view) => view.dimensionLines());
-      const [, x1, , x2] = lines.find((/** @type {any[]} */ line) => line[0] === "cycle.width1");
+      const canvas = /** @type {HTMLCanvasElement} */ (
+        picture.querySelector("canvas")
+      );
+      const lines = picture.drawing.use((/** @type {any} */ view) =>
+        view.dimensionLines(),
+      );
+      const [, x1, , x2] = lines.find(
+        (/** @type {any[]} */ line) => line[0] === "cycle.width1",
+      );
       return Math.abs(x2 - x1) / canvas.clientWidth;
     });
     assert.ok(share >= 0.55, `${share}`);
     const small = await page.evaluate(() => {
-      const root = /** @type {ShadowRoot} */ (document.querySelector("touch-path")?.shadowRoot);
+      const root = /** @type {ShadowRoot} */ (
+        document.querySelector("touch-path")?.shadowRoot
+      );
       return [...root.querySelectorAll("*")]
         .filter(
-          (one) => one.checkVisibility() && [...one.childNodes].some((n) => n.nodeType === 3 && n.nodeValue?.trim()),
+          (one) =>
+            one.checkVisibility() &&
+            [...one.childNodes].some(
+              (n) => n.nodeType === 3 && n.nodeValue?.trim(),
+            ),
         )
         .filter((one) => !one.closest(".unseen, style, option"))
         .filter((one) => Number.parseFloat(getComputedStyle(one).fontSize) < 13)
-        .map((one) => `${one.tagName}.${one.className} ${one.textContent?.trim().slice(0, 20)}`);
+        .map(
+          (one) =>
+            `${one.tagName}.${one.className} ${one.textContent?.trim().slice(0, 20)}`,
+        );
     });
     assert.deepEqual(small, []);
     if (height > width && width >= 600) {
-      const [picture, form] = [await boxOf(page.locator("tp-picture")), await boxOf(page.locator("tp-form"))];
+      const [picture, form] = [
+        await boxOf(page.locator("tp-picture")),
+        await boxOf(page.locator("tp-form")),
+      ];
       assert.ok(
         picture.y + picture.height <= form.y && picture.width > 0.95 * width,
         "the picture is above, and whole",

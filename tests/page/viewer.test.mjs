@@ -36,11 +36,21 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   await openText(FOREIGN, "foreign.ngc");
   const viewer = page.locator("tp-viewer");
   await viewer.waitFor();
-  assert.match(await textOf(viewer.locator("p[role=status]")), /6 moves, 1 of them probing; mm; read as ISO/);
-  assert.match(await textOf(viewer.locator(".notes")), /not followed: once, in line 8/);
-  assert.match(await textOf(page.locator(".note")), /^The moves of this program are drawn; no job is made of it\. /);
+  assert.match(
+    await textOf(viewer.locator("p[role=status]")),
+    /6 moves, 1 of them probing; mm; read as ISO/,
+  );
+  assert.match(
+    await textOf(viewer.locator(".notes")),
+    /not followed: once, in line 8/,
+  );
+  assert.match(
+    await textOf(page.locator(".note")),
+    /^The moves of this program are drawn; no job is made of it\. /,
+  );
   await viewer.getByRole("button", { name: "front" }).click();
-  for (const colour of ["touch", "link", "position"]) assert.ok((await painted("tp-viewer", colour)).count > 0, colour);
+  for (const colour of ["touch", "link", "position"])
+    assert.ok((await painted("tp-viewer", colour)).count > 0, colour);
   // What is pointed at says its line.
   const box = await viewer.locator(PICTURE).boundingBox();
   assert.ok(box);
@@ -58,13 +68,21 @@ test("a program of another hand was refused: its moves are drawn, probing in its
 });
 
 test("a probing move that is looked at along its way was not seen: it is a dot, also over the origin", async () => {
-  const across = async (/** @type {number} */ moves, /** @type {string} */ text) => {
+  const across = async (
+    /** @type {number} */ moves,
+    /** @type {string} */ text,
+  ) => {
     await openText(text, "foreign.ngc");
-    await page.locator("tp-viewer p[role=status]", { hasText: new RegExp(`^${moves} moves`) }).waitFor();
+    await page
+      .locator("tp-viewer p[role=status]", {
+        hasText: new RegExp(`^${moves} moves`),
+      })
+      .waitFor();
     return (await painted("tp-viewer", "touch")).columns;
   };
   const head = "G21 G90\nG0 X0 Y0 Z20\nG0 X40 Y10\nG0 Z5\n";
-  const dot = (/** @type {number} */ seen) => assert.ok(seen >= 6 && seen <= 10, `${seen} pixels`);
+  const dot = (/** @type {number} */ seen) =>
+    assert.ok(seen >= 6 && seen <= 10, `${seen} pixels`);
   const probing = "G38.2 Z-5 F100\nG0 Z20\n";
   const far = "G0 X80 Y0\nG0 X-40 Y0\n";
   dot(await across(7, `${head}${probing}${far}M2\n`));
@@ -76,28 +94,44 @@ test("a probing move that is looked at along its way was not seen: it is a dot, 
 
 /** Nothing of the job is changed or handed out; the menu is open afterwards. Gives how often something was saved since. */
 async function held() {
-  const buttons = page.getByRole("button", { name: /^(Undo|Share|Setup sheet|Save \S+\.ngc)$/ });
-  assert.deepEqual(await buttons.evaluateAll((all) => all.map((b) => /** @type {HTMLButtonElement} */ (b).disabled)), [
-    true,
-    true,
-    true,
-    true,
-  ]);
-  assert.ok(await field("control.post").isDisabled(), "no job is changed that is not seen");
+  const buttons = page.getByRole("button", {
+    name: /^(Undo|Share|Setup sheet|Save \S+\.ngc)$/,
+  });
+  assert.deepEqual(
+    await buttons.evaluateAll((all) =>
+      all.map((b) => /** @type {HTMLButtonElement} */ (b).disabled),
+    ),
+    [true, true, true, true],
+  );
+  assert.ok(
+    await field("control.post").isDisabled(),
+    "no job is changed that is not seen",
+  );
   let saved = 0;
   page.on("download", () => saved++);
   await page.keyboard.press("Control+s");
   await page.getByRole("button", { name: "More" }).click();
   const menu = page.locator("#menu");
-  for (const name of ["Save job", "Save the picture (SVG)", "My machines", "Reset"])
-    assert.ok(await menu.getByRole("button", { name, exact: true }).isDisabled(), name);
+  for (const name of [
+    "Save job",
+    "Save the picture (SVG)",
+    "My machines",
+    "Reset",
+  ])
+    assert.ok(
+      await menu.getByRole("button", { name, exact: true }).isDisabled(),
+      name,
+    );
   return () => saved;
 }
 
 test("an opened program stood under “No problems found”, and Save handed out the job that was not seen", async () => {
   await field("cycle.width1").fill("90");
   const verdict = page.locator("footer");
-  assert.match(await textOf(verdict), /1 note: The ball centre goes 10 mm deep/);
+  assert.match(
+    await textOf(verdict),
+    /1 note: The ball centre goes 10 mm deep/,
+  );
   await openText("G21 G90\nG0 X0 Y0 Z50\nG1 Z-500 F500\nM30\n", "deep.ngc");
   await page.locator("tp-viewer").waitFor();
   assert.doesNotMatch(await textOf(verdict), /No problems|27 moves/);
@@ -118,7 +152,10 @@ test("an opened program stood under “No problems found”, and Save handed out
   await page.getByRole("button", { name: "More" }).focus();
   await page.keyboard.press("Escape");
   await page.locator("tp-viewer").waitFor({ state: "detached" });
-  assert.match(await textOf(verdict), /1 note: The ball centre goes 10 mm deep/);
+  assert.match(
+    await textOf(verdict),
+    /1 note: The ball centre goes 10 mm deep/,
+  );
   assert.ok(await saveButton().isEnabled());
   assert.equal(await field("cycle.width1").inputValue(), "90");
   assert.equal(saved(), 0);
@@ -128,11 +165,17 @@ test("Tool lengths stood over “No problems found” with a Save beside it: tha
   await field("cycle.width1").fill("90");
   await more("Tool lengths");
   await page.locator("tp-lentoax").waitFor();
-  assert.equal(await textOf(page.locator("footer")), "Tool lengths are shown, not the job");
+  assert.equal(
+    await textOf(page.locator("footer")),
+    "Tool lengths are shown, not the job",
+  );
   const saved = await held();
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "Back to the job" }).click();
-  assert.match(await textOf(page.locator("footer")), /1 note: The ball centre goes 10 mm deep/);
+  assert.match(
+    await textOf(page.locator("footer")),
+    /1 note: The ball centre goes 10 mm deep/,
+  );
   assert.ok(await saveButton().isEnabled());
   assert.equal(await field("cycle.width1").inputValue(), "90");
   assert.equal(saved(), 0);
@@ -146,10 +189,18 @@ test("a shorter program after a longer one left the picture of the first: what w
   const box = await viewer.locator(PICTURE).boundingBox();
   assert.ok(box);
   const told = () => textOf(viewer.locator("p[role=status]"));
-  for (let x = box.width - 10; x > 0 && !(await told()).startsWith("Line"); x -= 8) {
+  for (
+    let x = box.width - 10;
+    x > 0 && !(await told()).startsWith("Line");
+    x -= 8
+  ) {
     await page.mouse.move(box.x + x, box.y + box.height / 2);
   }
-  assert.match(await told(), /^Line \d\d:/, "a move that the next program has not");
+  assert.match(
+    await told(),
+    /^Line \d\d:/,
+    "a move that the next program has not",
+  );
   await openText("G21 G90\nG0 X0 Y0 Z0\nG38.2 X5 F50\nM2\n", "short.ngc");
   await page.waitForFunction(() => {
     const app = document.querySelector("touch-path");
@@ -163,11 +214,22 @@ test("a file that is dropped on the page was opened by the browser in its place"
   await page.locator("tp-form").evaluate((target, text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File([text], "FOREIGN.NC"));
-    const over = new DragEvent("dragover", { dataTransfer, bubbles: true, composed: true, cancelable: true });
+    const over = new DragEvent("dragover", {
+      dataTransfer,
+      bubbles: true,
+      composed: true,
+      cancelable: true,
+    });
     target.dispatchEvent(over);
-    const drop = new DragEvent("drop", { dataTransfer, bubbles: true, composed: true, cancelable: true });
+    const drop = new DragEvent("drop", {
+      dataTransfer,
+      bubbles: true,
+      composed: true,
+      cancelable: true,
+    });
     target.dispatchEvent(drop);
-    if (!over.defaultPrevented || !drop.defaultPrevented) throw new Error("the browser would open the file itself");
+    if (!over.defaultPrevented || !drop.defaultPrevented)
+      throw new Error("the browser would open the file itself");
   }, FOREIGN);
   await page.locator("tp-viewer").waitFor();
 });
@@ -181,32 +243,59 @@ test("a program that was refused was not shown: its text is, with the reason, al
     "edge.ngc",
   );
   await viewer.locator(".listing", { hasText: "o<edge> sub" }).waitFor();
-  assert.match(await textOf(viewer.locator("p[role=status]")), /^1 moves, 1 of them probing/);
-  assert.match(`${await textOf(viewer.locator(".notes"))} ${await textOf(page.locator(".note"))}`, /LinuxCNC/);
-  assert.match(await textOf(page.locator(".note")), /^The moves of this program are drawn; no job is made of it\. /);
+  assert.match(
+    await textOf(viewer.locator("p[role=status]")),
+    /^1 moves, 1 of them probing/,
+  );
+  assert.match(
+    `${await textOf(viewer.locator(".notes"))} ${await textOf(page.locator(".note"))}`,
+    /LinuxCNC/,
+  );
+  assert.match(
+    await textOf(page.locator(".note")),
+    /^The moves of this program are drawn; no job is made of it\. /,
+  );
   await page.getByRole("button", { name: "Back to the job" }).click();
   await openText("G21;G91;G38.2 Z-17 F70;G0 Z2\n", "macro.nc");
   await viewer.locator(".listing", { hasText: "G21;G91;G38." }).waitFor();
   assert.match(await textOf(viewer.locator("p[role=status]")), /^0 moves/);
-  assert.match(`${await textOf(viewer.locator(".notes"))} ${await textOf(page.locator(".note"))}`, /semicolon/);
-  assert.match(await textOf(page.locator(".note")), /^This program is shown as text; no job is made of it\. /);
+  assert.match(
+    `${await textOf(viewer.locator(".notes"))} ${await textOf(page.locator(".note"))}`,
+    /semicolon/,
+  );
+  assert.match(
+    await textOf(page.locator(".note")),
+    /^This program is shown as text; no job is made of it\. /,
+  );
   await page.getByRole("button", { name: "Back to the job" }).click();
   assert.equal(await program(), before);
 });
 
 test("a program of more than two million characters was not read, though its moves could be", async () => {
-  const rows = Array.from({ length: 90_000 }, (_, i) => `N${i} G1 X${i % 300} Y${i % 7} F500`);
+  const rows = Array.from(
+    { length: 90_000 },
+    (_, i) => `N${i} G1 X${i % 300} Y${i % 7} F500`,
+  );
   const text = `G21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`;
   assert.ok(text.length > 2_000_000);
   await openText(text, "contour.nc");
   const viewer = page.locator("tp-viewer");
   await viewer.locator("p[role=status]", { hasText: "90001 moves" }).waitFor();
-  assert.match(await textOf(viewer.locator(".notes")), /a job is made of at most 2 million/);
+  assert.match(
+    await textOf(viewer.locator(".notes")),
+    /a job is made of at most 2 million/,
+  );
 });
 
 test("a long program: only lines that are seen are in the document; a line and its move light each other", async () => {
-  const rows = Array.from({ length: 20_000 }, (_, i) => `N${i + 4} G1 X${i % 200} Y${Math.floor(i / 200)} F500`);
-  await openText(`(long)\nG21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`, "long.nc");
+  const rows = Array.from(
+    { length: 20_000 },
+    (_, i) => `N${i + 4} G1 X${i % 200} Y${Math.floor(i / 200)} F500`,
+  );
+  await openText(
+    `(long)\nG21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`,
+    "long.nc",
+  );
   const viewer = page.locator("tp-viewer");
   const lines = viewer.locator(".listing .line");
   await lines.first().waitFor();
@@ -222,14 +311,20 @@ test("a long program: only lines that are seen are in the document; a line and i
   // The line says its move, and the picture the line of a move.
   await found.hover();
   assert.equal(await told(), "Line 15000: feed to X196 Y74 Z5 at 500");
-  assert.equal(await textOf(viewer.locator(".line.lit")), "N15000 G1 X196 Y74 F500");
+  assert.equal(
+    await textOf(viewer.locator(".line.lit")),
+    "N15000 G1 X196 Y74 F500",
+  );
   const box = await viewer.locator(PICTURE).boundingBox();
   assert.ok(box);
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   await framed();
   const line = /^Line (\d+): /.exec(await told())?.[1];
   assert.ok(line && line !== "15000", line);
-  assert.match(await textOf(viewer.locator(".line.lit")), new RegExp(`^N${line} `));
+  assert.match(
+    await textOf(viewer.locator(".line.lit")),
+    new RegExp(`^N${line} `),
+  );
   assert.ok(await viewer.locator(".line.lit").isVisible());
   // By keyboard: Ctrl+F goes to Find, Ctrl+A and a copy take all lines, and nothing is typed into them.
   const listing = viewer.getByRole("textbox", { name: "The program" });
@@ -238,16 +333,25 @@ test("a long program: only lines that are seen are in the document; a line and i
   await page.keyboard.press("Control+a");
   await page.keyboard.press("Control+c");
   const copied = await page.evaluate(() => navigator.clipboard.readText());
-  assert.equal(copied, `(long)\nG21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`);
+  assert.equal(
+    copied,
+    `(long)\nG21 G90\nG0 X0 Y0 Z5\n${rows.join("\n")}\nM2\n`,
+  );
   await page.keyboard.press("Control+f");
-  assert.ok(await viewer.getByLabel("Find in the program").evaluate((input) => input.matches(":focus")));
+  assert.ok(
+    await viewer
+      .getByLabel("Find in the program")
+      .evaluate((input) => input.matches(":focus")),
+  );
 });
 
 test("a program of very many moves froze the page while it was drawn: it is drawn in few strokes, and looks the same", async () => {
   await page.evaluate(() => {
     const strokes = Object.assign(globalThis, { strokes: 0 });
     const { stroke } = CanvasRenderingContext2D.prototype;
-    CanvasRenderingContext2D.prototype.stroke = function (/** @type {any[]} */ ...path) {
+    CanvasRenderingContext2D.prototype.stroke = function (
+      /** @type {any[]} */ ...path
+    ) {
       strokes.strokes++;
       Reflect.apply(stroke, this, path);
     };
@@ -258,38 +362,62 @@ test("a program of very many moves froze the page while it was drawn: it is draw
     await openText(text, "rounds.ngc");
     // A long text is read in a worker.
     await page.getByText(`${text.split("\n").length - 3} moves`).waitFor();
-    await page.locator("tp-viewer").getByRole("button", { name: "top" }).click();
+    await page
+      .locator("tp-viewer")
+      .getByRole("button", { name: "top" })
+      .click();
     const touch = (await painted("tp-viewer", "touch")).count > 0;
     // From where to where anything is drawn: arrow heads and dashes apart, a long program has the same lines.
     const inked = await page.evaluate(() => {
       const app = document.querySelector("touch-path");
-      const canvas = /** @type {HTMLCanvasElement} */ (app?.shadowRoot?.querySelector("tp-viewer canvas"));
+      const canvas = /** @type {HTMLCanvasElement} */ (
+        app?.shadowRoot?.querySelector("tp-viewer canvas")
+      );
       const { width, height } = canvas;
-      const pixels = canvas.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+      const pixels =
+        canvas.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
       const [r, g, b] = pixels;
       const ink = (/** @type {number} */ x, /** @type {number} */ y) => {
         const at = 4 * (y * width + x);
         return pixels[at] !== r || pixels[at + 1] !== g || pixels[at + 2] !== b;
       };
-      const count = (/** @type {number} */ n) => Array.from({ length: Math.round(n) }, (_, i) => i);
+      const count = (/** @type {number} */ n) =>
+        Array.from({ length: Math.round(n) }, (_, i) => i);
       // Axes and scale stand lower.
-      const row = count(width).filter((x) => count(height / 3).some((y) => ink(x, y + Math.round(height / 3))));
+      const row = count(width).filter((x) =>
+        count(height / 3).some((y) => ink(x, y + Math.round(height / 3))),
+      );
       return { left: row[0], right: row.at(-1) };
     });
-    return { touch, inked, strokes: await page.evaluate(() => /** @type {any} */ (globalThis).strokes) };
+    return {
+      touch,
+      inked,
+      strokes: await page.evaluate(
+        () => /** @type {any} */ (globalThis).strokes,
+      ),
+    };
   };
   const feeds = () =>
     page
       .locator("tp-viewer .key .link line")
-      .evaluate((line) => (getComputedStyle(line).strokeDasharray === "none" ? "solid" : "dashed"));
+      .evaluate((line) =>
+        getComputedStyle(line).strokeDasharray === "none" ? "solid" : "dashed",
+      );
   const short = await seen(`G21 G17 G90\nG0 Z5\n${round}M2\n`);
   assert.equal(await feeds(), "dashed");
   const long = await seen(`G21 G17 G90\nG0 Z5\n${round.repeat(3000)}M2\n`);
   assert.ok(long.touch);
-  assert.equal(await feeds(), "solid", "the key shows the lines as they are drawn");
+  assert.equal(
+    await feeds(),
+    "solid",
+    "the key shows the lines as they are drawn",
+  );
   // An arrow head is 4 px to either side of its line.
   for (const side of /** @type {const} */ (["left", "right"]))
-    assert.ok(Math.abs((long.inked[side] ?? 0) - (short.inked[side] ?? -9)) <= 4, side);
+    assert.ok(
+      Math.abs((long.inked[side] ?? 0) - (short.inked[side] ?? -9)) <= 4,
+      side,
+    );
   assert.ok(long.strokes < 200, `${long.strokes} strokes for 15000 moves`);
 });
 
@@ -306,7 +434,10 @@ test("before its editor is there, a found line was not brought into sight; when 
   const lines = Array.from({ length: 400 }, (_, i) => `G0 X${i} Y0`);
   // So long that it has the editor.
   const rest = Array.from({ length: 5000 }, (_, i) => `G0 X${i % 400} Y1`);
-  await openText(["G21 G90", ...lines, "G38.2 Z-5 F100", ...rest, "M2", ""].join("\n"), "foreign.nc");
+  await openText(
+    ["G21 G90", ...lines, "G38.2 Z-5 F100", ...rest, "M2", ""].join("\n"),
+    "foreign.nc",
+  );
   const viewer = page.locator("tp-viewer");
   await viewer.getByLabel("Find in the program").fill("g38.2");
   const plain = viewer.locator(".listing pre");
@@ -316,11 +447,16 @@ test("before its editor is there, a found line was not brought into sight; when 
   await settles(async () => ((await at())[0] ?? 0) > 0);
   const [top = 0, room = 0] = await at();
   const line = 401 * height;
-  assert.ok(top < line && line + height < top + room, `${top} to ${top + room}, the line at ${line}`);
+  assert.ok(
+    top < line && line + height < top + room,
+    `${top} to ${top + room}, the line at ${line}`,
+  );
   send();
   await viewer.locator(".cm-scroller").waitFor();
   await framed();
-  const now = await viewer.locator(".cm-scroller").evaluate((box) => box.scrollTop);
+  const now = await viewer
+    .locator(".cm-scroller")
+    .evaluate((box) => box.scrollTop);
   assert.ok(Math.abs(now - top) < height, `${now} instead of ${top}`);
   assert.match(await textOf(viewer.locator(".line.here")), /G38\.2/);
 });
@@ -339,7 +475,10 @@ test("on a phone the listing jumped under the pointer: what is said of a line ha
 });
 
 test("a line of a million characters broke the listing when it was clicked and scrolled", async () => {
-  await openText(`G21 G90\nG0 X0 Y0 Z5\nG1 X1 F100\n(${"long ".repeat(200_000)})\nG1 X2\n`, "long.nc");
+  await openText(
+    `G21 G90\nG0 X0 Y0 Z5\nG1 X1 F100\n(${"long ".repeat(200_000)})\nG1 X2\n`,
+    "long.nc",
+  );
   const lines = page.locator("tp-viewer .listing .line");
   await lines.nth(3).waitFor();
   const scroller = page.locator("tp-viewer .cm-scroller");
@@ -358,8 +497,12 @@ test("a viewer that was taken out of its page while it updated never listed agai
   const lines = page.locator("tp-viewer .listing .line");
   await lines.first().waitFor();
   await page.evaluate(async () => {
-    const element = /** @type {HTMLElement} */ (document.querySelector("touch-path"));
-    const viewer = /** @type {any} */ (element.shadowRoot?.querySelector("tp-viewer"));
+    const element = /** @type {HTMLElement} */ (
+      document.querySelector("touch-path")
+    );
+    const viewer = /** @type {any} */ (
+      element.shadowRoot?.querySelector("tp-viewer")
+    );
     const place = /** @type {HTMLElement} */ (element.parentElement);
     element.remove();
     viewer.requestUpdate();

@@ -1,7 +1,13 @@
 // The element in projects of every kind, built and opened under a policy that allows their own files and WebAssembly, and nothing else.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  writeFileSync,
+} from "node:fs";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
 import { test } from "node:test";
@@ -28,11 +34,15 @@ async function opens(/** @type {string} */ folder, modules = 1) {
   const { page, problems } = await open(folder, (page) =>
     page.on(
       "response",
-      (response) => response.headers()["content-type"] === "application/wasm" && wasm.push(response.url()),
+      (response) =>
+        response.headers()["content-type"] === "application/wasm" &&
+        wasm.push(response.url()),
     ),
   );
   await page
-    .waitForFunction(() => customElements.get("touch-path"), null, { timeout: 15_000 })
+    .waitForFunction(() => customElements.get("touch-path"), null, {
+      timeout: 15_000,
+    })
     .catch(() => assert.fail(`the element is not defined: ${problems}`));
   const seen = await page.evaluate(async () => {
     const element = /** @type {any} */ (document.querySelector("touch-path"));
@@ -57,7 +67,12 @@ test("Vite", async () => {
   writeFileSync(join(own, "main.js"), MAIN);
   writeFileSync(join(own, "index.html"), html("/main.js"));
   const { build } = await import("vite");
-  await build({ root: own, configFile: false, logLevel: "error", build: { target: "es2022", assetsInlineLimit: 0 } });
+  await build({
+    root: own,
+    configFile: false,
+    logLevel: "error",
+    build: { target: "es2022", assetsInlineLimit: 0 },
+  });
   const { title } = await opens(join(own, "dist"));
   const { defaultJob, plan } = await import("touchpath");
   assert.equal(title, String(plan(defaultJob("hole")).moves.length));
@@ -75,7 +90,12 @@ test("webpack", async () => {
         context: own,
         entry: "./main.js",
         target: "web",
-        output: { path: join(own, "dist"), module: true, filename: "main.js", chunkFilename: "[name].js" },
+        output: {
+          path: join(own, "dist"),
+          module: true,
+          filename: "main.js",
+          chunkFilename: "[name].js",
+        },
         experiments: { outputModule: true },
       },
       (error, stats) => (error ? fail(error) : done(stats)),
@@ -112,13 +132,17 @@ test("esbuild, with the module copied beside what it writes", async () => {
 test("a folder with the files, and no tool at all", async () => {
   const own = project("plain");
   mkdirSync(join(own, "site"));
-  cpSync(join(own, "node_modules", "touchpath", "dist"), join(own, "site", "touchpath"), { recursive: true });
+  cpSync(
+    join(own, "node_modules", "touchpath", "dist"),
+    join(own, "site", "touchpath"),
+    { recursive: true },
+  );
   writeFileSync(
     join(own, "site", "main.js"),
-    MAIN.replace('"touchpath/element"', '"./touchpath/element/element.js"').replace(
-      '"touchpath"',
-      '"./touchpath/browser.js"',
-    ),
+    MAIN.replace(
+      '"touchpath/element"',
+      '"./touchpath/element/element.js"',
+    ).replace('"touchpath"', '"./touchpath/browser.js"'),
   );
   writeFileSync(join(own, "site", "index.html"), html("./main.js"));
   await opens(join(own, "site"));
@@ -127,7 +151,10 @@ test("a folder with the files, and no tool at all", async () => {
 test("modules that come from another origin", async () => {
   const own = project("elsewhere");
   const dist = join(own, "node_modules", "touchpath", "dist");
-  const types = /** @type {Record<string, string>} */ ({ ".js": "text/javascript", ".wasm": "application/wasm" });
+  const types = /** @type {Record<string, string>} */ ({
+    ".js": "text/javascript",
+    ".wasm": "application/wasm",
+  });
   const elsewhere = createServer((request, response) => {
     const name = new URL(request.url ?? "/", "http://localhost").pathname;
     response.writeHead(200, {
@@ -136,11 +163,16 @@ test("modules that come from another origin", async () => {
     });
     response.end(readFileSync(join(dist, name)));
   });
-  await new Promise((done) => elsewhere.listen(0, "127.0.0.1", () => done(null)));
+  await new Promise((done) =>
+    elsewhere.listen(0, "127.0.0.1", () => done(null)),
+  );
   servers.push(elsewhere);
   const origin = addressOf(elsewhere).slice(0, -1);
   mkdirSync(join(own, "site"));
-  writeFileSync(join(own, "site", "index.html"), html(`${origin}/element/element.js`, policy(origin)));
+  writeFileSync(
+    join(own, "site", "index.html"),
+    html(`${origin}/element/element.js`, policy(origin)),
+  );
   await opens(join(own, "site"));
 });
 
@@ -148,7 +180,11 @@ test("modules that come from another origin", async () => {
 function noBase64(/** @type {string} */ folder) {
   for (const name of readdirSync(folder, { recursive: true, encoding: "utf8" }))
     if (name.endsWith(".js"))
-      assert.doesNotMatch(readFileSync(join(folder, name), "utf8"), /base64,[A-Za-z0-9+/]{200}/, name);
+      assert.doesNotMatch(
+        readFileSync(join(folder, name), "utf8"),
+        /base64,[A-Za-z0-9+/]{200}/,
+        name,
+      );
 }
 
 test("Node: a script, threads, a server that renders the tag", () => {
@@ -166,19 +202,42 @@ if (isMainThread) {
 } else parentPort.postMessage(lines);
 `,
   );
-  assert.equal(execFileSync("node", ["main.mjs"], { cwd: own, encoding: "utf8" }), "1 urn:touchpath:job:1\n");
+  assert.equal(
+    execFileSync("node", ["main.mjs"], { cwd: own, encoding: "utf8" }),
+    "1 urn:touchpath:job:1\n",
+  );
   const bin = join(own, "node_modules", ".bin", "touchpath");
-  assert.match(execFileSync(bin, ["--version"], { cwd: own, encoding: "utf8" }), /^\d+\.\d+\.\d+(-\w+)?\n$/);
+  assert.match(
+    execFileSync(bin, ["--version"], { cwd: own, encoding: "utf8" }),
+    /^\d+\.\d+\.\d+(-\w+)?\n$/,
+  );
 });
 
 /** Compiles `use.ts` of a project by strict TypeScript; the types of libraries too, or not. */
-function compiles(/** @type {string} */ own, /** @type {string[]} */ resolution, skipsLibraries = "false") {
-  const strict = ["--strict", "--noEmit", "--target", "es2022", "--lib", "ES2023,DOM", "--types", ""];
+function compiles(
+  /** @type {string} */ own,
+  /** @type {string[]} */ resolution,
+  skipsLibraries = "false",
+) {
+  const strict = [
+    "--strict",
+    "--noEmit",
+    "--target",
+    "es2022",
+    "--lib",
+    "ES2023,DOM",
+    "--types",
+    "",
+  ];
   const tsc = join(own, "node_modules", "typescript", "bin", "tsc");
-  execFileSync(tsc, [...strict, "--skipLibCheck", skipsLibraries, ...resolution, "use.ts"], {
-    cwd: own,
-    stdio: "inherit",
-  });
+  execFileSync(
+    tsc,
+    [...strict, "--skipLibCheck", skipsLibraries, ...resolution, "use.ts"],
+    {
+      cwd: own,
+      stdio: "inherit",
+    },
+  );
 }
 
 test("the types of the element and of the frame, in strict TypeScript", () => {
@@ -210,7 +269,13 @@ element.cycle = "holes";
 });
 
 test("Vue's templates and Svelte's markup know the element, and refuse what it does not take", () => {
-  const own = project("frameworks", ["typescript", "vue", "@vue", "svelte", "csstype"]);
+  const own = project("frameworks", [
+    "typescript",
+    "vue",
+    "@vue",
+    "svelte",
+    "csstype",
+  ]);
   writeFileSync(
     join(own, "use.ts"),
     `import type {} from "touchpath/svelte";
@@ -238,30 +303,61 @@ export const plan: Svelte = { "onplan-change": ({ detail }) => console.log(detai
   );
   writeFileSync(join(own, "package.json"), '{"type":"module"}');
   // Svelte's own types name what no browser's library has.
-  compiles(own, ["--module", "esnext", "--moduleResolution", "bundler"], "true");
+  compiles(
+    own,
+    ["--module", "esnext", "--moduleResolution", "bundler"],
+    "true",
+  );
 });
 
 test("JetBrains' editors know the element: every attribute, property and event of its manifest", () => {
-  const json = (/** @type {string} */ name) => JSON.parse(readFileSync(at("dist", name), "utf8"));
+  const json = (/** @type {string} */ name) =>
+    JSON.parse(readFileSync(at("dist", name), "utf8"));
   const own = JSON.parse(readFileSync(at("package.json"), "utf8"));
   assert.equal(own["web-types"], "dist/web-types.json");
   const types = json("web-types.json");
   const [element, ...parts] = types.contributions.html.elements;
-  const [declared] = json("custom-elements.json").modules.flatMap((/** @type {any} */ one) => one.declarations);
-  assert.deepEqual([types.version, element.name], [own.version, declared.tagName]);
-  const names = (/** @type {any[]} */ list) => list.map(({ name }) => name).sort();
+  const [declared] = json("custom-elements.json").modules.flatMap(
+    (/** @type {any} */ one) => one.declarations,
+  );
+  assert.deepEqual(
+    [types.version, element.name],
+    [own.version, declared.tagName],
+  );
+  const names = (/** @type {any[]} */ list) =>
+    list.map(({ name }) => name).sort();
   assert.deepEqual(names(element.attributes), names(declared.attributes));
   assert.deepEqual(names(element.js.events), names(declared.events));
-  assert.ok(names(element.js.properties).includes("measured") && !names(element.js.properties).includes("save"));
-  assert.deepEqual(names(parts), ["touch-form", "touch-picture", "touch-program"]);
-  for (const part of parts) assert.deepEqual(names(part.attributes), ["for", "panels"]);
-  for (const one of [...element.attributes, ...element.js.events]) assert.ok(one.description, one.name);
+  assert.ok(
+    names(element.js.properties).includes("measured") &&
+      !names(element.js.properties).includes("save"),
+  );
+  assert.deepEqual(names(parts), [
+    "touch-form",
+    "touch-picture",
+    "touch-program",
+  ]);
+  for (const part of parts)
+    assert.deepEqual(names(part.attributes), ["for", "panels"]);
+  for (const one of [...element.attributes, ...element.js.events])
+    assert.ok(one.description, one.name);
 });
 
 test("publint and Are the types wrong? find nothing", async () => {
   const run = (/** @type {string} */ tool, /** @type {string[]} */ ...args) =>
-    execFileSync("npx", ["--no-install", tool, ...args], { encoding: "utf8", stdio: "pipe" });
+    execFileSync("npx", ["--no-install", tool, ...args], {
+      encoding: "utf8",
+      stdio: "pipe",
+    });
   assert.match(run("publint", "--strict", tarball), /All good/);
   // Files that are no modules have no types.
-  run("attw", tarball, "--profile", "esm-only", "--exclude-entrypoints", "touchpath.wasm", "embed.html");
+  run(
+    "attw",
+    tarball,
+    "--profile",
+    "esm-only",
+    "--exclude-entrypoints",
+    "touchpath.wasm",
+    "embed.html",
+  );
 });

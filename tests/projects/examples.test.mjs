@@ -13,19 +13,28 @@ const inside = inBrowser();
 /** Opens a folder's page, and waits for its elements. */
 async function open(/** @type {string} */ folder) {
   const opened = await inside.open(folder);
-  await opened.page.locator("touch-path .line").first().waitFor({ state: "attached" });
+  await opened.page
+    .locator("touch-path .line")
+    .first()
+    .waitFor({ state: "attached" });
   return opened;
 }
 
 test("the portal: a job list, two elements, programs collected as a zip", async () => {
-  const { page, problems } = await open(project("portal", ["fflate"], "portal"));
+  const { page, problems } = await open(
+    project("portal", ["fflate"], "portal"),
+  );
   const [edit, view] = [page.locator("#edit"), page.locator("#view")];
   await page.getByRole("button", { name: "BORE" }).click();
   await edit.locator("[id='f-cycle.diameter']").fill("36");
-  const shown = () => view.evaluate((element) => /** @type {any} */ (element).plan.program.text);
+  const shown = () =>
+    view.evaluate((element) => /** @type {any} */ (element).plan.program.text);
   const { defaultJob, plan } = await import("touchpath");
   const bore = defaultJob("hole");
-  Object.assign(bore, { name: "BORE", control: { ...bore.control, post: "fanuc", workOffset: 1 } });
+  Object.assign(bore, {
+    name: "BORE",
+    control: { ...bore.control, post: "fanuc", workOffset: 1 },
+  });
   Object.assign(bore.cycle, { diameter: 36 });
   assert.equal(await shown(), plan(bore).program.text);
   await edit.getByRole("button", { name: /^Save / }).click();
@@ -37,12 +46,20 @@ test("the portal: a job list, two elements, programs collected as a zip", async 
     page.getByRole("button", { name: "Save all" }).click(),
   ]);
   const chunks = [];
-  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  for await (const chunk of await download.createReadStream())
+    chunks.push(chunk);
   const files = unzipSync(new Uint8Array(Buffer.concat(chunks)));
-  assert.equal(Buffer.from(/** @type {Uint8Array} */ (files["BORE.nc"])).toString(), plan(bore).program.text);
+  assert.equal(
+    Buffer.from(/** @type {Uint8Array} */ (files["BORE.nc"])).toString(),
+    plan(bore).program.text,
+  );
   assert.deepEqual(Object.keys(files).sort(), ["BORE.nc", "POCKET.ngc"]);
   await page.getByRole("button", { name: "BORE" }).click();
-  assert.equal(await edit.locator("[id='f-cycle.diameter']").inputValue(), "36", "the list keeps what was typed");
+  assert.equal(
+    await edit.locator("[id='f-cycle.diameter']").inputValue(),
+    "36",
+    "the list keeps what was typed",
+  );
   assert.deepEqual(problems, []);
 });
 
@@ -66,7 +83,10 @@ for (const [name, libraries, jobName] of /** @type {const} */ ([
     });
     const { page, problems } = await open(join(own, "dist"));
     const state = page.getByRole("status").filter({ hasText: jobName });
-    assert.match((await state.first().textContent()) ?? "", new RegExp(`^${jobName}: diameter 30, \\d\\d+ lines$`));
+    assert.match(
+      (await state.first().textContent()) ?? "",
+      new RegExp(`^${jobName}: diameter 30, \\d\\d+ lines$`),
+    );
     const box = page.locator("[id='f-cycle.diameter']");
     await box.fill("33");
     await page.getByText(`${jobName}: diameter 33`).waitFor();
@@ -98,18 +118,41 @@ export const post = <touch-path post="mazatrol" />;
 export const plan = <touch-path onplan-change={(event) => event.detail.plan.nothing} />;
 `,
   );
-  const options = ["--strict", "--noEmit", "--skipLibCheck", "false", "--jsx", "react-jsx", "--target", "es2022"];
-  const resolution = ["--module", "esnext", "--moduleResolution", "bundler", "--types", ""];
+  const options = [
+    "--strict",
+    "--noEmit",
+    "--skipLibCheck",
+    "false",
+    "--jsx",
+    "react-jsx",
+    "--target",
+    "es2022",
+  ];
+  const resolution = [
+    "--module",
+    "esnext",
+    "--moduleResolution",
+    "bundler",
+    "--types",
+    "",
+  ];
   const files = ["main.tsx", "wrong.tsx", "dom.d.ts"];
   const lib = ["--lib", "ES2023,DOM"];
   const tsc = at("node_modules", ".bin", "tsc");
-  const ran = spawnSync(tsc, [...options, ...resolution, ...lib, ...files], { cwd: own, encoding: "utf8" });
+  const ran = spawnSync(tsc, [...options, ...resolution, ...lib, ...files], {
+    cwd: own,
+    encoding: "utf8",
+  });
   assert.equal(ran.status, 0, ran.stdout + ran.stderr);
 });
 
 test("the worker at the edge answers a job with its program, and what is none with the reason", async () => {
   const own = project("edge", [], "edge");
-  const job = { format: 1, name: "EDGE", cycle: { type: "hole", diameter: 30 } };
+  const job = {
+    format: 1,
+    name: "EDGE",
+    cycle: { type: "hole", diameter: 30 },
+  };
   writeFileSync(
     join(own, "ask.mjs"),
     `import worker from "./worker.js";
@@ -142,7 +185,10 @@ test("a table of features in DuckDB gets a program a row, part by part", {
   const sql = (/** @type {string} */ query) => {
     const ran = spawnSync(
       "python3",
-      ["-c", `import duckdb, json; print(json.dumps(duckdb.execute("""${query}""").fetchall()))`],
+      [
+        "-c",
+        `import duckdb, json; print(json.dumps(duckdb.execute("""${query}""").fetchall()))`,
+      ],
       {
         cwd: own,
         encoding: "utf8",
@@ -154,18 +200,28 @@ test("a table of features in DuckDB gets a program a row, part by part", {
   sql(`COPY (SELECT 'BORE_' || i AS name, i * 0.5 AS x, 3.0 AS y, CASE i WHEN 7 THEN -1 ELSE 20 + i END AS diameter, 8.0 AS depth,
     ['linuxcnc', 'haas'][1 + i % 2] AS post FROM range(40) t(i)) TO 'bores.parquet'`);
   const make = (/** @type {string[]} */ ...args) =>
-    spawnSync("python3", ["programs.py", "bores.parquet", "it's", "--parts", "3", ...args], {
-      cwd: own,
-      encoding: "utf8",
-    });
+    spawnSync(
+      "python3",
+      ["programs.py", "bores.parquet", "it's", "--parts", "3", ...args],
+      {
+        cwd: own,
+        encoding: "utf8",
+      },
+    );
   const first = make("--only", "1");
   assert.equal(first.status, 0, first.stderr);
   assert.match(first.stdout, /^part 2 of 3\n$/);
   assert.equal(make().status, 0);
-  const rows = sql(`SELECT name, program, findings FROM 'it''s/*.parquet' ORDER BY name`);
+  const rows = sql(
+    `SELECT name, program, findings FROM 'it''s/*.parquet' ORDER BY name`,
+  );
   assert.equal(rows.length, 40);
   for (const [name, program, findings] of rows) {
-    if (name === "BORE_7") assert.deepEqual([program, JSON.parse(findings)[0].path], [null, "cycle.diameter"]);
+    if (name === "BORE_7")
+      assert.deepEqual(
+        [program, JSON.parse(findings)[0].path],
+        [null, "cycle.diameter"],
+      );
     else assert.match(program, new RegExp(`\\(job: ${name}\\)`, "i"));
   }
 });

@@ -1,6 +1,14 @@
 // The package as its users have it: packed, unpacked beside the libraries of a project, and built by that project's own tools.
 import { execFileSync } from "node:child_process";
-import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  cpSync,
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { after, before } from "node:test";
@@ -13,12 +21,17 @@ export const folder = mkdtempSync(join(tmpdir(), "touchpath-projects-"));
 after(() => rmSync(folder, { recursive: true, force: true }));
 
 const npm = (/** @type {string[]} */ args, cwd = folder) =>
-  execFileSync("npm", [...args, "--loglevel=error"], { cwd, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
+  execFileSync("npm", [...args, "--loglevel=error"], {
+    cwd,
+    encoding: "utf8",
+    stdio: ["ignore", "pipe", "pipe"],
+  });
 
 /** The package's tarball. */
 export const tarball = join(
   folder,
-  JSON.parse(npm(["pack", "--json", "--pack-destination", folder], at()))[0].filename,
+  JSON.parse(npm(["pack", "--json", "--pack-destination", folder], at()))[0]
+    .filename,
 );
 
 /**
@@ -30,8 +43,15 @@ export const tarball = join(
 export function project(name, libraries = [], from) {
   const own = join(folder, name);
   mkdirSync(own);
-  if (from) cpSync(at("examples", from), own, { recursive: true, filter: (path) => !path.endsWith("node_modules") });
-  writeFileSync(join(own, "package.json"), '{ "private": true, "type": "module" }');
+  if (from)
+    cpSync(at("examples", from), own, {
+      recursive: true,
+      filter: (path) => !path.endsWith("node_modules"),
+    });
+  writeFileSync(
+    join(own, "package.json"),
+    '{ "private": true, "type": "module" }',
+  );
   npm(["install", "--offline", "--no-audit", "--no-fund", tarball], own);
   for (const library of libraries) {
     const place = join(own, "node_modules", library);
@@ -58,16 +78,22 @@ export function inBrowser() {
   return {
     servers,
     /** Opens a folder's page in the browser; `problems` are what goes wrong there unseen. */
-    async open(/** @type {string} */ folder, watch = (/** @type {import("playwright-core").Page} */ _page) => {}) {
+    async open(
+      /** @type {string} */ folder,
+      watch = (/** @type {import("playwright-core").Page} */ _page) => {},
+    ) {
       const server = await serve(0, folder);
       servers.push(server);
-      const page = await browser.newPage({ viewport: { width: 1500, height: 800 } });
+      const page = await browser.newPage({
+        viewport: { width: 1500, height: 800 },
+      });
       /** @type {string[]} */
       const problems = [];
       page.on("pageerror", (error) => problems.push(String(error)));
       page.on("console", (message) => {
         const icon = message.location().url.endsWith("favicon.ico");
-        if (["error", "warning"].includes(message.type()) && !icon) problems.push(message.text());
+        if (["error", "warning"].includes(message.type()) && !icon)
+          problems.push(message.text());
       });
       watch(page);
       await page.goto(addressOf(server));

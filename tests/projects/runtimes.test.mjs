@@ -13,7 +13,8 @@ const WANTED = plan(defaultJob("hole")).program.text;
 /** A script of a project that writes the program of a default job. */
 const script = (/** @type {string} */ from, before = "") =>
   `import { defaultJob, plan${before && ", init"} } from "${from}";\n${before}process.stdout.write(plan(defaultJob("hole")).program.text);\n`;
-const ran = (/** @type {string} */ file, cwd = folder) => execFileSync("node", [file], { cwd, encoding: "utf8" });
+const ran = (/** @type {string} */ file, cwd = folder) =>
+  execFileSync("node", [file], { cwd, encoding: "utf8" });
 
 test("a server that is bundled into one file has the module inside", async () => {
   const own = project("single");
@@ -35,7 +36,10 @@ test("a server that is bundled into one file has the module inside", async () =>
     // Alone in a folder, as it is deployed.
     const deployed = join(folder, `deployed-${format}`);
     mkdirSync(deployed);
-    copyFileSync(join(own, `${format}.${ending}`), join(deployed, `server.${ending}`));
+    copyFileSync(
+      join(own, `${format}.${ending}`),
+      join(deployed, `server.${ending}`),
+    );
     assert.equal(ran(`server.${ending}`, deployed), WANTED, format);
   }
 });
@@ -88,7 +92,11 @@ test("workerd gets the module where it is imported", async () => {
 test("a server component takes the module from inside, whoever bundles it", () => {
   const own = project("server-component");
   writeFileSync(join(own, "component.js"), script("touchpath"));
-  const said = execFileSync("node", ["--conditions", "react-server", "component.js"], { cwd: own, encoding: "utf8" });
+  const said = execFileSync(
+    "node",
+    ["--conditions", "react-server", "component.js"],
+    { cwd: own, encoding: "utf8" },
+  );
   assert.equal(said, WANTED);
   const where = [
     "--conditions",
@@ -132,14 +140,27 @@ export function Probe() {
     `<!doctype html><html lang="en"><meta charset="utf-8"><title>User</title><style>.tall { height: 640px }</style><div id="root">${markup}</div><script type="module" src="/main.js"></script></html>`,
   );
   const { build } = await import("vite");
-  await build({ root: own, configFile: false, logLevel: "error", build: { target: "es2022" } });
+  await build({
+    root: own,
+    configFile: false,
+    logLevel: "error",
+    build: { target: "es2022" },
+  });
   const { page, problems } = await open(join(own, "dist"));
   const box = page.locator("[id='f-cycle.diameter']");
   await box.waitFor();
-  assert.equal(await box.inputValue(), "30", "the job of the component, not the default one");
+  assert.equal(
+    await box.inputValue(),
+    "30",
+    "the job of the component, not the default one",
+  );
   await box.fill("33");
   await page.getByText("HYDRATED 33").waitFor();
   await page.getByRole("button", { name: "Lock" }).click();
-  await page.waitForFunction(() => /** @type {any} */ (document.querySelector("touch-path")).readonly === true);
+  await page.waitForFunction(
+    () =>
+      /** @type {any} */ (document.querySelector("touch-path")).readonly ===
+      true,
+  );
   assert.deepEqual(problems, []);
 });

@@ -44,7 +44,10 @@ fn code(value: &JsValue, out: &mut (Vec<f64>, String)) {
     } else {
         let keys = Object::keys(value.unchecked_ref::<Object>());
         out.0.extend([6.0, f64::from(keys.length())]);
-        for key in keys.iter().map(|key| key.as_string().expect("keys are texts")) {
+        for key in keys
+            .iter()
+            .map(|key| key.as_string().expect("keys are texts"))
+        {
             out.0.push(length(&key));
             out.1.push_str(&format!("{key}\n"));
             code(&get(value, &key), out);
@@ -60,28 +63,44 @@ fn check(job: &JsValue) -> JsValue {
 /// What the module hands out of a plan: its text, and how many numbers.
 fn plan(job: &JsValue) -> Result<(String, usize), JsValue> {
     let (codes, text) = coded(job);
-    let taken = Function::new_no_args("return { take(numbers, text) { this.numbers = numbers.slice(); this.text = text; } }");
+    let taken = Function::new_no_args(
+        "return { take(numbers, text) { this.numbers = numbers.slice(); this.text = text; } }",
+    );
     let sink = taken.call0(&JsValue::NULL).expect("the snippet runs");
     wasm::plan(&codes, &text, sink.unchecked_ref())?;
     let numbers: js_sys::Float64Array = get(&sink, "numbers").dyn_into().expect("numbers");
-    Ok((get(&sink, "text").as_string().expect("a text"), numbers.length() as usize))
+    Ok((
+        get(&sink, "text").as_string().expect("a text"),
+        numbers.length() as usize,
+    ))
 }
 
 fn codes_of(findings: &JsValue) -> Vec<String> {
     Array::from(findings)
         .iter()
-        .map(|f| format!("{} {}", get(&f, "code").as_string().unwrap(), get(&f, "path").as_string().unwrap()))
+        .map(|f| {
+            format!(
+                "{} {}",
+                get(&f, "code").as_string().unwrap(),
+                get(&f, "path").as_string().unwrap()
+            )
+        })
         .collect()
 }
 
 pub fn pocket() -> JsValue {
-    wasm::default_job(&"internal-rectangle-protected".into(), &JsValue::UNDEFINED).expect("a default job")
+    wasm::default_job(&"internal-rectangle-protected".into(), &JsValue::UNDEFINED)
+        .expect("a default job")
 }
 
 #[wasm_bindgen_test]
 fn a_plan_comes_as_numbers_and_a_text() {
     let (text, numbers) = plan(&pocket()).expect("a plan");
-    assert!(text.starts_with("linuxcncngc(Job: POCKET-80X50)\n"), "{}", &text[..40]);
+    assert!(
+        text.starts_with("linuxcncngc(Job: POCKET-80X50)\n"),
+        "{}",
+        &text[..40]
+    );
     assert!(text.contains("\nM2\n") && text.contains("center.x"));
     // 27 moves of three numbers and four words, and more.
     assert!(numbers > 7 * 27);
@@ -91,7 +110,9 @@ fn a_plan_comes_as_numbers_and_a_text() {
 #[wasm_bindgen_test]
 fn codes_that_nobody_writes_are_something_unreadable() {
     let (codes, text) = coded(&pocket());
-    let found = |codes: &[f64], text: &str| codes_of(&wasm::check(codes, text).expect("check never throws"));
+    let found = |codes: &[f64], text: &str| {
+        codes_of(&wasm::check(codes, text).expect("check never throws"))
+    };
     for end in 0..codes.len() {
         assert!(!found(&codes[..end], &text).is_empty(), "{end}");
     }
@@ -112,9 +133,14 @@ fn codes_that_nobody_writes_are_something_unreadable() {
 
 #[wasm_bindgen_test]
 fn check_lists_and_plan_throws_the_same() {
-    let job = parse(r#"{ "format": 1, "speed": 1, "cycle": { "type": "internal-rectangle-protected", "depth": -1 } }"#);
+    let job = parse(
+        r#"{ "format": 1, "speed": 1, "cycle": { "type": "internal-rectangle-protected", "depth": -1 } }"#,
+    );
     let listed = check(&job);
-    assert_eq!(codes_of(&listed), ["unknown-key speed", "out-of-range cycle.depth"]);
+    assert_eq!(
+        codes_of(&listed),
+        ["unknown-key speed", "out-of-range cycle.depth"]
+    );
     let error = plan(&job).expect_err("a refused job");
     assert_eq!(get(&error, "name").as_string().unwrap(), "JobError");
     assert_eq!(text(&get(&error, "findings")), text(&listed));
@@ -133,8 +159,15 @@ fn measured_points_are_evaluated() {
     let first = Array::from(&get(&found, "results")).get(0);
     assert_eq!(get(&first, "code").as_string().unwrap(), "center.x");
     assert!((get(&first, "value").as_f64().unwrap() - 0.1).abs() < 1e-9);
-    assert_eq!((Array::from(&get(&found, "points")).length(), get(&found, "block").is_null()), (4, true));
-    let error = wasm::measure(&codes, &text, &[4.0, 8.0], "37,0,-10\n").expect_err("one point of four");
+    assert_eq!(
+        (
+            Array::from(&get(&found, "points")).length(),
+            get(&found, "block").is_null()
+        ),
+        (4, true)
+    );
+    let error =
+        wasm::measure(&codes, &text, &[4.0, 8.0], "37,0,-10\n").expect_err("one point of four");
     assert_eq!(codes_of(&get(&error, "findings")), ["wrong-count measured"]);
 }
 
@@ -142,12 +175,24 @@ fn measured_points_are_evaluated() {
 fn the_catalog_says_what_a_form_needs() {
     let catalog = wasm::catalog().unwrap();
     let cycle = Array::from(&get(&catalog, "cycles")).get(0);
-    assert_eq!(get(&cycle, "type").as_string().unwrap(), "internal-rectangle-protected");
-    let width = Array::from(&get(&cycle, "fields")).iter().find(|f| get(f, "key") == "width1").expect("width 1");
+    assert_eq!(
+        get(&cycle, "type").as_string().unwrap(),
+        "internal-rectangle-protected"
+    );
+    let width = Array::from(&get(&cycle, "fields"))
+        .iter()
+        .find(|f| get(f, "key") == "width1")
+        .expect("width 1");
     assert_eq!(text(&get(&width, "range")), "[0.001,10000]");
     assert_eq!(get(&width, "code").as_string().unwrap(), "CmdPrm.Flt[-53]");
-    let grbl = Array::from(&get(&catalog, "posts")).iter().find(|p| get(p, "id") == "grbl").expect("grbl");
-    let refused = Array::from(&get(&grbl, "cycles")).iter().find(|c| get(c, "form") == "cycle").unwrap();
+    let grbl = Array::from(&get(&catalog, "posts"))
+        .iter()
+        .find(|p| get(p, "id") == "grbl")
+        .expect("grbl");
+    let refused = Array::from(&get(&grbl, "cycles"))
+        .iter()
+        .find(|c| get(c, "form") == "cycle")
+        .unwrap();
     assert_eq!(get(&refused, "supported"), JsValue::FALSE);
     assert!(get(&refused, "reason").is_string());
     assert_eq!(wasm::version(), env!("CARGO_PKG_VERSION"));

@@ -1,7 +1,14 @@
 import { type Coded, coded, same } from "./coded.js";
 import { instance, JobError, type Raw, raw, Sink } from "./instance.js";
 import { FEEDS, KINDS } from "./layout.js";
-import { columns, findingsOf, meaningsOf, planOf, programOf, tableOf } from "./plan.js";
+import {
+  columns,
+  findingsOf,
+  meaningsOf,
+  planOf,
+  programOf,
+  tableOf,
+} from "./plan.js";
 import { say } from "./said.js";
 import type {
   Catalog,
@@ -64,10 +71,21 @@ export function check(job: unknown, config?: Config): Finding[] {
     if (config === undefined) return on(job, raw.check);
     const rules = coded(config);
     const own = coded(filled(job, rules));
-    return [...instance.call<Finding[]>(() => raw.check(own.codes, own.text)), ...judgedBy(own, rules)];
+    return [
+      ...instance.call<Finding[]>(() => raw.check(own.codes, own.text)),
+      ...judgedBy(own, rules),
+    ];
   } catch (error) {
     if (error instanceof JobError) return error.findings;
-    return [{ level: "error", code: "unreadable", path: "", message: UNREADABLE, said: [UNREADABLE] }];
+    return [
+      {
+        level: "error",
+        code: "unreadable",
+        path: "",
+        message: UNREADABLE,
+        said: [UNREADABLE],
+      },
+    ];
   }
 }
 
@@ -88,11 +106,17 @@ export function program(job: Job | SetUp, config?: Config): ProgramText {
  * The programs of many jobs, one by one as they are asked for: memory stays flat over any number. A job without a plan does not end the series: its
  * `program` is `null`, and its findings say why.
  */
-export function* programs(jobs: Iterable<Job | SetUp>, config?: Config): IterableIterator<Programmed> {
+export function* programs(
+  jobs: Iterable<Job | SetUp>,
+  config?: Config,
+): IterableIterator<Programmed> {
   for (const job of jobs) {
     try {
       const { packed, said } = under(job, config);
-      yield { program: programOf(packed), findings: [...findingsOf(packed), ...said] };
+      yield {
+        program: programOf(packed),
+        findings: [...findingsOf(packed), ...said],
+      };
     } catch (error) {
       if (!(error instanceof JobError)) throw error;
       yield { program: null, findings: error.findings };
@@ -105,7 +129,15 @@ export function checkConfig(config: unknown): Finding[] {
   try {
     return on(config, raw.configFaults);
   } catch {
-    return [{ level: "error", code: "unreadable", path: "config", message: UNREADABLE, said: [UNREADABLE] }];
+    return [
+      {
+        level: "error",
+        code: "unreadable",
+        path: "config",
+        message: UNREADABLE,
+        said: [UNREADABLE],
+      },
+    ];
   }
 }
 
@@ -119,7 +151,9 @@ export function configured<T>(job: T, config: Config): T {
 
 function filled<T>(job: T, rules: Coded): T {
   const { codes, text } = coded(job);
-  const filled = instance.call<T>(() => raw.filled(codes, text, rules.codes, rules.text));
+  const filled = instance.call<T>(() =>
+    raw.filled(codes, text, rules.codes, rules.text),
+  );
   try {
     return merged(job, filled) as T;
   } catch {
@@ -130,8 +164,15 @@ function filled<T>(job: T, rules: Coded): T {
 
 /** The given value with what was filled in. What is no data of a job stays as it is: the check refuses it by its own name. */
 function merged(given: unknown, filled: unknown): unknown {
-  if (typeof given !== "object" || typeof filled !== "object" || given === null || filled === null) return given;
-  if (Array.isArray(given)) return given.map((one, i) => merged(one, (filled as unknown[])[i]));
+  if (
+    typeof given !== "object" ||
+    typeof filled !== "object" ||
+    given === null ||
+    filled === null
+  )
+    return given;
+  if (Array.isArray(given))
+    return given.map((one, i) => merged(one, (filled as unknown[])[i]));
   const whole: Record<string, unknown> = { ...given };
   for (const [key, value] of Object.entries(filled))
     whole[key] = whole[key] === undefined ? value : merged(whole[key], value);
@@ -144,11 +185,16 @@ export function judged(job: unknown, config: Config): Finding[] {
 }
 
 function judgedBy({ codes, text }: Coded, rules: Coded): Finding[] {
-  return instance.call<Finding[]>(() => raw.judged(codes, text, rules.codes, rules.text));
+  return instance.call<Finding[]>(() =>
+    raw.judged(codes, text, rules.codes, rules.text),
+  );
 }
 
 /** A job under a config, coded and planned, and what the config says of it. Throws `JobError` with what is wrong with the job and what the config refuses. */
-function under(job: unknown, config: Config | undefined): { own: Coded; packed: Packed; said: Finding[] } {
+function under(
+  job: unknown,
+  config: Config | undefined,
+): { own: Coded; packed: Packed; said: Finding[] } {
   if (config === undefined) {
     const own = coded(job);
     return { own, packed: packed(own), said: [] };
@@ -160,11 +206,15 @@ function under(job: unknown, config: Config | undefined): { own: Coded; packed: 
     made = packed(own);
   } catch (error) {
     if (!(error instanceof JobError)) throw error;
-    throw new JobError(error.message, [...error.findings, ...judgedBy(own, rules)]);
+    throw new JobError(error.message, [
+      ...error.findings,
+      ...judgedBy(own, rules),
+    ]);
   }
   const said = judgedBy(own, rules);
   const refused = said.find(({ level }) => level === "error");
-  if (refused) throw new JobError(refused.message, [...findingsOf(made), ...said]);
+  if (refused)
+    throw new JobError(refused.message, [...findingsOf(made), ...said]);
   return { own, packed: made, said };
 }
 
@@ -179,14 +229,18 @@ export function evaluate(job: Job | SetUp, measured: Measured): ResultRow[] {
  */
 export function measure(job: Job | SetUp, measured: Measured): Measurement {
   const values = coded(measured);
-  return on(job, (codes, text) => raw.measure(codes, text, values.codes, values.text));
+  return on(job, (codes, text) =>
+    raw.measure(codes, text, values.codes, values.text),
+  );
 }
 
 /** The moves of the plan as typed arrays. Throws `JobError`. */
 export function moveColumns(job: Job | SetUp): MoveColumns {
   const own = coded(job);
   // Who asks for the columns of the plan that was made last needs no second one.
-  const { to, feed, kind, step, touch, cycle, arcs } = columns(last && same(last.job, own) ? last.plan : packed(own));
+  const { to, feed, kind, step, touch, cycle, arcs } = columns(
+    last && same(last.job, own) ? last.plan : packed(own),
+  );
   return {
     to: to.slice(),
     feed: Uint8Array.from(feed),
@@ -202,11 +256,17 @@ export function moveColumns(job: Job | SetUp): MoveColumns {
 
 /** A job from text: job JSON, a dump of CmdPrm codes (text, CSV, JSON), a program that was written here, or a Klartext or ISO program with cycle 1411. Of a program of moves that holds no job, `kind` is `moves`, and its moves are in `trace`. Throws `JobError` where neither can be made of it. */
 export function importJob(text: string): Imported {
-  const json = typeof text === "string" && fits(text.length, 0) ? parsed(text) : undefined;
-  const { codes, text: texts } = json === undefined ? { codes: new Float64Array(), text: "" } : coded(json);
-  const imported = instance.call<Imported>(() => raw.importJob(text, codes, texts));
+  const json =
+    typeof text === "string" && fits(text.length, 0) ? parsed(text) : undefined;
+  const { codes, text: texts } =
+    json === undefined ? { codes: new Float64Array(), text: "" } : coded(json);
+  const imported = instance.call<Imported>(() =>
+    raw.importJob(text, codes, texts),
+  );
   // What is a job in JSON is that job, with all that stands in it: then the module gives none.
-  return imported.kind === "job" ? { ...imported, job: imported.job ?? (json as Job) } : imported;
+  return imported.kind === "job"
+    ? { ...imported, job: imported.job ?? (json as Job) }
+    : imported;
 }
 
 /**
@@ -215,7 +275,9 @@ export function importJob(text: string): Imported {
  */
 export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
   const bytes = bytesOf(text);
-  const moves = instance.call<ProgramMoves>(() => raw.readProgram(bytes, text.length, dialect));
+  const moves = instance.call<ProgramMoves>(() =>
+    raw.readProgram(bytes, text.length, dialect),
+  );
   return { ...moves, kinds: [...MOVE_KINDS] };
 }
 
@@ -227,7 +289,9 @@ export function readProgram(text: string, dialect?: Dialect): ProgramMoves {
 export function runProgram(text: string, known: ProgramKnown = {}): ProgramRun {
   const bytes = bytesOf(text);
   const { codes, text: texts } = coded(known);
-  const run = instance.call<ProgramRun>(() => raw.runProgram(bytes, text.length, codes, texts));
+  const run = instance.call<ProgramRun>(() =>
+    raw.runProgram(bytes, text.length, codes, texts),
+  );
   return { ...run, kinds: [...MOVE_KINDS] };
 }
 
@@ -236,9 +300,19 @@ const MOVE_KINDS = ["rapid", "feed", "probe"];
 /** A program as UTF-8; of one that is too long nothing. */
 function bytesOf(text: string): Uint8Array {
   if (typeof text !== "string") {
-    throw new JobError(NO_TEXT, [{ level: "error", code: "wrong-type", path: "", message: NO_TEXT, said: [NO_TEXT] }]);
+    throw new JobError(NO_TEXT, [
+      {
+        level: "error",
+        code: "wrong-type",
+        path: "",
+        message: NO_TEXT,
+        said: [NO_TEXT],
+      },
+    ]);
   }
-  return new TextEncoder().encode(text.length > 0 && fits(text.length, 1) ? text : "");
+  return new TextEncoder().encode(
+    text.length > 0 && fits(text.length, 1) ? text : "",
+  );
 }
 
 /** JSON Schema (2020-12) of a job: its structure and every range, in either units. What depends on several fields together, or on what a text means, only `check` knows. */
@@ -247,7 +321,10 @@ export function jobSchema(): Record<string, unknown> {
 }
 
 /** The parameter table as text, in the documented order; `text` is a line `CmdPrm.Flt[-50] = 50` a row. `importJob` reads a table of CmdPrm codes back, and not the Q table of 1411: read its program. Throws `JobError`. */
-export function exportTable(job: Job | SetUp, format: "csv" | "json" | "text"): string {
+export function exportTable(
+  job: Job | SetUp,
+  format: "csv" | "json" | "text",
+): string {
   return on(job, (codes, text) => raw.exportTable(codes, text, format));
 }
 
@@ -257,7 +334,10 @@ export function meanings(job: Job | SetUp): Said[] {
 }
 
 /** The picture of a job as the text of an SVG: path, touches and, where they are seen in true size, dimensions and angles. Throws `JobError`. */
-export function svg(job: Job | SetUp, view: "top" | "front" | "side" | "isometric" = "isometric"): string {
+export function svg(
+  job: Job | SetUp,
+  view: "top" | "front" | "side" | "isometric" = "isometric",
+): string {
   return on(job, (codes, text) => raw.svg(codes, text, view));
 }
 
@@ -290,7 +370,10 @@ const UNREADABLE = "This value cannot be read";
 const NO_TEXT = "A program is text";
 
 /** Codes a value, and calls with it. */
-function on<T>(value: unknown, call: (codes: Float64Array, text: string) => unknown): T {
+function on<T>(
+  value: unknown,
+  call: (codes: Float64Array, text: string) => unknown,
+): T {
   const { codes, text } = coded(value);
   return instance.call(() => call(codes, text));
 }
@@ -339,7 +422,15 @@ function parsed(text: string): unknown {
   }
   if (levels(text) > DEEPEST_JSON) {
     const said: Said = [TOO_DEEP, String(DEEPEST_JSON)];
-    throw new JobError(say(said), [{ level: "error", code: "nested-too-deeply", path: "", message: say(said), said }]);
+    throw new JobError(say(said), [
+      {
+        level: "error",
+        code: "nested-too-deeply",
+        path: "",
+        message: say(said),
+        said,
+      },
+    ]);
   }
   return json;
 }

@@ -85,7 +85,13 @@ export class PageView extends module.View implements View {
   }
 
   /** Grips an end of the line of a field's dimension at a pixel; the job is the one that is shown. False where no drag moves it. */
-  gripEnd(job: unknown, field: string, end: 0 | 1, x: number, y: number): boolean {
+  gripEnd(
+    job: unknown,
+    field: string,
+    end: 0 | 1,
+    x: number,
+    y: number,
+  ): boolean {
     const { codes, text } = coded(job);
     return this.gripEndCoded(codes, text, field, end, x, y);
   }
@@ -97,15 +103,30 @@ export class PageView extends module.View implements View {
   }
 
   /** Runs a method in this View's own instance. What breaks there breaks it for all. */
-  static run(view: PageView, method: (...args: unknown[]) => unknown, args: unknown[]): unknown {
+  static run(
+    view: PageView,
+    method: (...args: unknown[]) => unknown,
+    args: unknown[],
+  ): unknown {
     instance.ready();
-    if (view.madeBy !== instance.number) throw new Error("This View's instance of the module is gone: make a new View");
+    if (view.madeBy !== instance.number)
+      throw new Error(
+        "This View's instance of the module is gone: make a new View",
+      );
     return instance.call(() => method.apply(view, args));
   }
 }
 
-for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDescriptors(module.View.prototype))) {
-  if (name === "constructor" || name === "free" || name.startsWith("__") || typeof method !== "function") continue;
+for (const [name, { value: method }] of Object.entries(
+  Object.getOwnPropertyDescriptors(module.View.prototype),
+)) {
+  if (
+    name === "constructor" ||
+    name === "free" ||
+    name.startsWith("__") ||
+    typeof method !== "function"
+  )
+    continue;
   Object.defineProperty(PageView.prototype, name, {
     configurable: true,
     writable: true,
@@ -115,7 +136,10 @@ for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDesc
   });
 }
 const { dispose } = Symbol as { dispose?: symbol };
-if (dispose) Object.defineProperty(PageView.prototype, dispose, { value: PageView.prototype.free });
+if (dispose)
+  Object.defineProperty(PageView.prototype, dispose, {
+    value: PageView.prototype.free,
+  });
 
 /** A picture on your own canvas. */
 export const View: new (canvas: HTMLCanvasElement) => View = PageView;

@@ -100,7 +100,10 @@ class Coder {
       this.text += `${key}\n`;
       this.inner(value, key, depth);
       // A key that is set to undefined is a key that is not there.
-      if (this.codes[before + 1] === OTHER && this.codes[before + 2] === UNDEFINED) {
+      if (
+        this.codes[before + 1] === OTHER &&
+        this.codes[before + 2] === UNDEFINED
+      ) {
         this.codes.length = before;
         this.text = said;
       } else count++;
@@ -148,7 +151,9 @@ class Coder {
 /** Whether two coded values are the same. */
 export function same(a: Coded, b: Coded): boolean {
   return (
-    a.text === b.text && a.codes.length === b.codes.length && a.codes.every((code, i) => Object.is(code, b.codes[i]))
+    a.text === b.text &&
+    a.codes.length === b.codes.length &&
+    a.codes.every((code, i) => Object.is(code, b.codes[i]))
   );
 }
 

@@ -3,7 +3,13 @@ import type { Cycle, Job, PostId, Vec3 } from "./job-types.js";
 import type { Finding } from "./plan-types.js";
 
 /** What the element can show: the form, the picture with its timeline (`stage`), and the panels beside it. */
-export type PanelName = "form" | "stage" | "program" | "table" | "results" | "checks";
+export type PanelName =
+  | "form"
+  | "stage"
+  | "program"
+  | "table"
+  | "results"
+  | "checks";
 
 /**
  * The rules of a portal: what its users may choose, which fields are fixed, hidden or filled in, where its machine can travel. Every part is optional.
@@ -28,7 +34,11 @@ export interface Config {
     setUps?: boolean;
   };
   /** What the element does not offer. Jobs that have it are not refused. */
-  hide?: { cycles?: Cycle["type"][]; controls?: PostId[]; panels?: PanelName[] };
+  hide?: {
+    cycles?: Cycle["type"][];
+    controls?: PostId[];
+    panels?: PanelName[];
+  };
   /** Rules of single fields, by path: `feeds.work`, `control.tool`, `cycle.depth`, `cycle.probe.dist`. In a set-up, `cycle.` means each of its cycles. */
   fields?: Record<string, FieldRule>;
   /** Machines that the element offers by name: the sections of a job that belong to each. */
@@ -58,7 +68,16 @@ export interface FieldRule {
 
 /** A machine: the sections of a job that belong to it. */
 export type ConfigMachine = { name: string } & Partial<
-  Pick<Job, "overtravel" | "stylus" | "feeds" | "limits" | "machine" | "control" | "tool">
+  Pick<
+    Job,
+    | "overtravel"
+    | "stylus"
+    | "feeds"
+    | "limits"
+    | "machine"
+    | "control"
+    | "tool"
+  >
 >;
 
 /**

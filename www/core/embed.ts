@@ -1,5 +1,13 @@
 // The frame's side: embed.html runs this beside the element. It accepts messages from the origins on its own list only.
-import { type Answer, type Deed, type FrameState, type Hello, PROTOCOL, type Refused, type Token } from "./protocol.js";
+import {
+  type Answer,
+  type Deed,
+  type FrameState,
+  type Hello,
+  PROTOCOL,
+  type Refused,
+  type Token,
+} from "./protocol.js";
 import type { Finding } from "./types.js";
 
 /** What of the element is used here; its file is another one. */
@@ -21,13 +29,40 @@ interface Element extends HTMLElement {
 }
 
 const WORDS = ["theme", "lang", "panels", "mode", "view"] as const;
-const KEYS = ["config", "job", "cycle", "post", "units", "measured", "readonly", "appearance", ...WORDS];
-const TOKENS: readonly Token[] = ["background", "panel", "text", "accent", "on-accent", "font"];
-const EVENTS = ["job-change", "plan-change", "selection-change", "measured-change", "program-save", "finding"] as const;
+const KEYS = [
+  "config",
+  "job",
+  "cycle",
+  "post",
+  "units",
+  "measured",
+  "readonly",
+  "appearance",
+  ...WORDS,
+];
+const TOKENS: readonly Token[] = [
+  "background",
+  "panel",
+  "text",
+  "accent",
+  "on-accent",
+  "font",
+];
+const EVENTS = [
+  "job-change",
+  "plan-change",
+  "selection-change",
+  "measured-change",
+  "program-save",
+  "finding",
+] as const;
 
 const element = document.querySelector("touch-path") as Element;
 /** Origins that may connect to this frame, with spaces between. */
-const allowed = (document.querySelector<HTMLMetaElement>("meta[name=touchpath-origins]")?.content ?? "")
+const allowed = (
+  document.querySelector<HTMLMetaElement>("meta[name=touchpath-origins]")
+    ?.content ?? ""
+)
   .split(/\s+/)
   .filter(Boolean);
 /** Ends the present connection where a portal makes another one. */
@@ -38,14 +73,24 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 
 addEventListener("message", (event: MessageEvent) => {
   const { data, origin, source, ports } = event;
-  if (!isObject(data) || typeof data.touchpath !== "number" || data.type !== "hello") return;
+  if (
+    !isObject(data) ||
+    typeof data.touchpath !== "number" ||
+    data.type !== "hello"
+  )
+    return;
   const refuse = (reason: string) => {
     const answer: Refused = { touchpath: PROTOCOL, type: "refused", reason };
-    (source as Window | null)?.postMessage(answer, { targetOrigin: origin === "null" ? "*" : origin });
+    (source as Window | null)?.postMessage(answer, {
+      targetOrigin: origin === "null" ? "*" : origin,
+    });
   };
-  if (!allowed.includes(origin)) refuse(`${origin} is not on the list of this frame`);
-  else if (source !== parent || source === window) refuse("only the page around may connect to this frame");
-  else if (data.touchpath !== PROTOCOL) refuse(`this frame has version ${PROTOCOL} of the protocol`);
+  if (!allowed.includes(origin))
+    refuse(`${origin} is not on the list of this frame`);
+  else if (source !== parent || source === window)
+    refuse("only the page around may connect to this frame");
+  else if (data.touchpath !== PROTOCOL)
+    refuse(`this frame has version ${PROTOCOL} of the protocol`);
   else if (!ports[0]) refuse("there was no port in the hello");
   else accept(ports[0], data as unknown as Hello);
 });
@@ -85,30 +130,44 @@ async function accept(port: MessagePort, { saves }: Hello): Promise<void> {
 }
 
 function receive(data: unknown, say: (answer: Answer) => void): void {
-  const id = isObject(data) && Number.isSafeInteger(data.id) ? (data.id as number) : null;
-  const error = (message: string, findings: Finding[] = []) => say({ type: "error", id, message, findings });
-  if (!isObject(data) || id === null) error("A message has a type and an id, a whole number");
+  const id =
+    isObject(data) && Number.isSafeInteger(data.id)
+      ? (data.id as number)
+      : null;
+  const error = (message: string, findings: Finding[] = []) =>
+    say({ type: "error", id, message, findings });
+  if (!isObject(data) || id === null)
+    error("A message has a type and an id, a whole number");
   else if (data.type === "get") {
     const { job, plan, findings, measured } = element;
-    say({ type: "state", id, state: { job, plan, findings, measured } } as Answer);
-  } else if (data.type === "picture") say({ type: "picture", id, picture: element.picture() });
+    say({
+      type: "state",
+      id,
+      state: { job, plan, findings, measured },
+    } as Answer);
+  } else if (data.type === "picture")
+    say({ type: "picture", id, picture: element.picture() });
   else if (data.type === "do") {
     const why = done(data.deed);
     if (why === null) say({ type: "done", id });
     else error(why);
-  } else if (data.type !== "set") error("A message is of type set, get, picture or do");
-  else if (!isObject(data.state)) error("A message of type set has a state, an object");
+  } else if (data.type !== "set")
+    error("A message is of type set, get, picture or do");
+  else if (!isObject(data.state))
+    error("A message of type set has a state, an object");
   else {
     const { appearance, ...state } = data.state;
     const unknown = Object.keys(state).filter((key) => !KEYS.includes(key));
-    if (unknown.length > 0) error(`There is nothing to set that is called ${unknown.join(", ")}`);
+    if (unknown.length > 0)
+      error(`There is nothing to set that is called ${unknown.join(", ")}`);
     else if (appearance !== undefined && !isAppearance(appearance))
       error(`appearance has texts for some of ${TOKENS.join(", ")}`);
     else {
       // All of it or nothing: a portal that is refused need not ask what of its state was taken.
       const refused = element.refusals(state);
       if (refused.length === 0) refused.push(...set(data.state as FrameState));
-      if (refused.length > 0) error(refused.map((f) => f.message).join(". "), refused);
+      if (refused.length > 0)
+        error(refused.map((f) => f.message).join(". "), refused);
       else say({ type: "done", id });
     }
   }
@@ -117,19 +176,27 @@ function receive(data: unknown, say: (answer: Answer) => void): void {
 /** Whether each of the tokens is text: what CSS does not know changes nothing. */
 const isAppearance = (value: unknown) =>
   isObject(value) &&
-  Object.entries(value).every(([token, text]) => TOKENS.includes(token as Token) && typeof text === "string");
+  Object.entries(value).every(
+    ([token, text]) =>
+      TOKENS.includes(token as Token) && typeof text === "string",
+  );
 
 /** Does what the portal asks for; why it cannot be done, or null. */
 function done(deed: unknown): string | null {
   const asked = (isObject(deed) ? deed : {}) as Partial<Deed>;
   switch (asked.do) {
     case "save":
-      return element.save() ? null : `There is no program to save: ${element.validationMessage}`;
+      return element.save()
+        ? null
+        : `There is no program to save: ${element.validationMessage}`;
     case "undo":
     case "redo":
       return element[asked.do]() ? null : `There is nothing to ${asked.do}`;
     case "highlight":
-      if (asked.move !== null && !(Number.isInteger(asked.move) && Number(asked.move) >= 0))
+      if (
+        asked.move !== null &&
+        !(Number.isInteger(asked.move) && Number(asked.move) >= 0)
+      )
         return "highlight takes a move, counted from 0, or null";
       element.highlight(asked.move ?? null);
       return null;
@@ -142,15 +209,22 @@ function done(deed: unknown): string | null {
 function set({ appearance, ...state }: FrameState): Finding[] {
   const refused: Finding[] = [];
   const note = (event: Event) => {
-    const { detail } = event as CustomEvent<{ findings: Finding[]; refused: boolean }>;
+    const { detail } = event as CustomEvent<{
+      findings: Finding[];
+      refused: boolean;
+    }>;
     if (detail.refused) refused.push(...detail.findings);
   };
   element.addEventListener("finding", note);
   element.take({ ...state });
-  for (const [token, text] of Object.entries(appearance ?? {})) element.style.setProperty(`--touchpath-${token}`, text);
+  for (const [token, text] of Object.entries(appearance ?? {}))
+    element.style.setProperty(`--touchpath-${token}`, text);
   if (appearance) element.recolour();
-  for (const word of WORDS) if (state[word] !== undefined) element.setAttribute(word, String(state[word]));
-  if (state.readonly !== undefined) element.toggleAttribute("readonly", state.readonly);
+  for (const word of WORDS)
+    if (state[word] !== undefined)
+      element.setAttribute(word, String(state[word]));
+  if (state.readonly !== undefined)
+    element.toggleAttribute("readonly", state.readonly);
   element.removeEventListener("finding", note);
   return refused;
 }

@@ -1,5 +1,12 @@
 // A portal's side of a frame with embed.html: a few functions instead of messages.
-import { type Answer, type FrameState, type FrameView, type Hello, PROTOCOL, type Request } from "./protocol.js";
+import {
+  type Answer,
+  type FrameState,
+  type FrameView,
+  type Hello,
+  PROTOCOL,
+  type Request,
+} from "./protocol.js";
 import type { Finding, Job, Plan } from "./types.js";
 
 export type * from "./protocol.js";
@@ -40,7 +47,12 @@ export interface FrameEvents {
     field: string | null;
   }>;
   "measured-change": CustomEvent<{ measured: string }>;
-  "program-save": CustomEvent<{ name: string; text: string; post: string; extension: string }>;
+  "program-save": CustomEvent<{
+    name: string;
+    text: string;
+    post: string;
+    extension: string;
+  }>;
   finding: CustomEvent<{ findings: Finding[]; refused: boolean }>;
   /** The frame was loaded anew and has back what it had; `refused` says what of it could not be set again. */
   load: CustomEvent<{ refused: string | null }>;
@@ -86,13 +98,16 @@ export class Frame extends EventTarget {
   }
 
   private listen(): void {
-    this.port.onmessage = ({ data }: MessageEvent<Answer>) => this.receive(data);
+    this.port.onmessage = ({ data }: MessageEvent<Answer>) =>
+      this.receive(data);
   }
 
   /**
    * The frame was loaded anew: `hello` gives the port and the version of what is there now. What is asked meanwhile waits for it. @internal
    */
-  async loaded(hello: Promise<{ port: MessagePort; version: string }>): Promise<void> {
+  async loaded(
+    hello: Promise<{ port: MessagePort; version: string }>,
+  ): Promise<void> {
     this.port.onmessage = null;
     this.port.close();
     this.fail("The frame was loaded anew");
@@ -112,7 +127,8 @@ export class Frame extends EventTarget {
       [this.port, this.of] = [port, version];
       this.listen();
       const { state } = this;
-      if (Object.keys(state).length > 0) await this.send((id) => ({ type: "set", id, state }));
+      if (Object.keys(state).length > 0)
+        await this.send((id) => ({ type: "set", id, state }));
     } catch (why) {
       if (this.there !== there) return;
       // Or it shows another page now: what is asked from here on gets no answer, and says so.
@@ -146,7 +162,11 @@ export class Frame extends EventTarget {
   async set(state: FrameState): Promise<void> {
     await this.ask((id) => ({ type: "set", id, state }));
     const appearance = { ...this.state.appearance, ...state.appearance };
-    this.state = { ...this.state, ...state, ...(Object.keys(appearance).length > 0 ? { appearance } : {}) };
+    this.state = {
+      ...this.state,
+      ...state,
+      ...(Object.keys(appearance).length > 0 ? { appearance } : {}),
+    };
   }
 
   /** Saves the program as the Save button does. Fails if the job has errors. */
@@ -166,7 +186,11 @@ export class Frame extends EventTarget {
 
   /** Highlights a move of the plan, counted from 0; `null` shows the user's selection again. */
   async highlight(move: number | null): Promise<void> {
-    await this.ask((id) => ({ type: "do", id, deed: { do: "highlight", move } }));
+    await this.ask((id) => ({
+      type: "do",
+      id,
+      deed: { do: "highlight", move },
+    }));
   }
 
   /** The job as it stands, its plan, its findings, what was measured. */
@@ -199,7 +223,9 @@ export class Frame extends EventTarget {
     this.waiting.clear();
   }
 
-  private async ask(request: (id: number) => Request): Promise<FrameView | string | null | undefined> {
+  private async ask(
+    request: (id: number) => Request,
+  ): Promise<FrameView | string | null | undefined> {
     // Another load may come while one is waited for.
     let there: Promise<void>;
     do {
@@ -209,7 +235,9 @@ export class Frame extends EventTarget {
     return this.send(request);
   }
 
-  private send(request: (id: number) => Request): Promise<FrameView | string | null | undefined> {
+  private send(
+    request: (id: number) => Request,
+  ): Promise<FrameView | string | null | undefined> {
     return new Promise((done, fail) => {
       if (this.ended) {
         fail(new FrameError("This connection with the frame is closed"));
@@ -236,19 +264,32 @@ export class Frame extends EventTarget {
   }
 
   private receive(answer: Answer): void {
-    if (answer.type === "ended") this.end("Another connection has replaced this one");
+    if (answer.type === "ended")
+      this.end("Another connection has replaced this one");
     if (answer.type === "job-change") {
       // A cycle that was set stands in the job by now.
       const { cycle: _, ...state } = this.state;
       this.state = { ...state, job: answer.detail.job };
     }
-    if (answer.type === "measured-change") this.state = { ...this.state, measured: answer.detail.measured };
-    if ("detail" in answer) this.dispatchEvent(new CustomEvent(answer.type, { detail: answer.detail }));
+    if (answer.type === "measured-change")
+      this.state = { ...this.state, measured: answer.detail.measured };
+    if ("detail" in answer)
+      this.dispatchEvent(
+        new CustomEvent(answer.type, { detail: answer.detail }),
+      );
     if (!("id" in answer) || answer.id === null) return;
     const waiting = this.waiting.get(answer.id);
     this.waiting.delete(answer.id);
-    if (answer.type === "error") waiting?.fail(new FrameError(answer.message, answer.findings));
-    else waiting?.done(answer.type === "state" ? answer.state : answer.type === "picture" ? answer.picture : undefined);
+    if (answer.type === "error")
+      waiting?.fail(new FrameError(answer.message, answer.findings));
+    else
+      waiting?.done(
+        answer.type === "state"
+          ? answer.state
+          : answer.type === "picture"
+            ? answer.picture
+            : undefined,
+      );
   }
 }
 
@@ -277,7 +318,12 @@ function hello(
       removeEventListener("message", refused);
     };
     const refused = ({ source, data, origin: from }: MessageEvent) => {
-      if (source !== iframe.contentWindow || from !== own || data?.type !== "refused") return;
+      if (
+        source !== iframe.contentWindow ||
+        from !== own ||
+        data?.type !== "refused"
+      )
+        return;
       end();
       port?.close();
       fail(new FrameError(`The frame refuses: ${data.reason}`));
@@ -312,7 +358,11 @@ function hello(
       // A frame that finishes loading later must not keep this connection.
       port?.postMessage({ type: "end" } satisfies Request);
       port?.close();
-      fail(new FrameError("The frame does not answer: is it embed.html, and is this page's origin on its list?"));
+      fail(
+        new FrameError(
+          "The frame does not answer: is it embed.html, and is this page's origin on its list?",
+        ),
+      );
     }, patience);
     ask();
   });
@@ -322,14 +372,20 @@ function hello(
  * Connects to a frame that shows `embed.html`, loaded or about to be. Fails where the frame refuses this page, cannot be loaded, or does not answer. Where the frame
  * is loaded anew later, the connection holds: it is given what was set, with the job as it stood, and `load` says so.
  */
-export async function connect(iframe: HTMLIFrameElement, options: ConnectOptions): Promise<Frame> {
+export async function connect(
+  iframe: HTMLIFrameElement,
+  options: ConnectOptions,
+): Promise<Frame> {
   // What `querySelector` did not find.
-  if (!iframe || !("contentWindow" in iframe)) throw new FrameError("connect takes the iframe that shows embed.html");
+  if (!iframe || !("contentWindow" in iframe))
+    throw new FrameError("connect takes the iframe that shows embed.html");
   const { origin, patience } = options;
   // `*` and `/` mean something else to the browser: any origin, and this page's own.
   const own = originOf(origin);
   if (!own)
-    throw new FrameError(`${origin} is no origin: it must be that of the frame, such as https://touchpath.example`);
+    throw new FrameError(
+      `${origin} is no origin: it must be that of the frame, such as https://touchpath.example`,
+    );
   let frame: Frame | null = null;
   // Of several loads, as over a page that logs in, the last one is spoken to.
   let last = new AbortController();
@@ -339,7 +395,9 @@ export async function connect(iframe: HTMLIFrameElement, options: ConnectOptions
     void frame?.loaded(hello(iframe, own, options, last.signal));
   };
   const { port, version } = await hello(iframe, own, options);
-  frame = new Frame(port, version, patience, () => iframe.removeEventListener("load", again));
+  frame = new Frame(port, version, patience, () =>
+    iframe.removeEventListener("load", again),
+  );
   iframe.addEventListener("load", again);
   return frame;
 }

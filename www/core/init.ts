@@ -8,7 +8,9 @@ export type * from "./types.js";
 
 const missing = new Proxy({} as Raw, {
   get() {
-    throw new Error("touchpath/init: call init(module) before any other function");
+    throw new Error(
+      "touchpath/init: call init(module) before any other function",
+    );
   },
 });
 attach(missing, () => {});

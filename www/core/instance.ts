@@ -32,14 +32,34 @@ export interface Raw {
   check(codes: Float64Array, text: string): unknown;
   plan(codes: Float64Array, text: string, sink: Sink): void;
   configFaults(codes: Float64Array, text: string): unknown;
-  filled(codes: Float64Array, text: string, config: Float64Array, configText: string): unknown;
-  judged(codes: Float64Array, text: string, config: Float64Array, configText: string): unknown;
+  filled(
+    codes: Float64Array,
+    text: string,
+    config: Float64Array,
+    configText: string,
+  ): unknown;
+  judged(
+    codes: Float64Array,
+    text: string,
+    config: Float64Array,
+    configText: string,
+  ): unknown;
   table(codes: Float64Array, text: string, sink: Sink): void;
   meanings(codes: Float64Array, text: string, sink: Sink): void;
-  measure(codes: Float64Array, text: string, measured: Float64Array, measuredText: string): unknown;
+  measure(
+    codes: Float64Array,
+    text: string,
+    measured: Float64Array,
+    measuredText: string,
+  ): unknown;
   importJob(text: unknown, codes: Float64Array, json: string): unknown;
   readProgram(text: Uint8Array, length: number, dialect: unknown): unknown;
-  runProgram(text: Uint8Array, length: number, codes: Float64Array, known: string): unknown;
+  runProgram(
+    text: Uint8Array,
+    length: number,
+    codes: Float64Array,
+    known: string,
+  ): unknown;
   limits(): Uint32Array;
   jobSchema(): unknown;
   exportTable(codes: Float64Array, text: string, format: unknown): unknown;
@@ -66,7 +86,8 @@ export class Instance {
   /** Makes sure that the instance is a sound one. */
   ready(): void {
     if (!this.broken) return;
-    if (this.depth > 0) throw new Error("The call that this one is part of has failed");
+    if (this.depth > 0)
+      throw new Error("The call that this one is part of has failed");
     this.renew();
     this.broken = false;
     this.number++;
@@ -86,7 +107,10 @@ export class Instance {
       return run() as T;
     } catch (thrown) {
       this.broken = true;
-      const { message, findings } = (thrown ?? {}) as { message?: string; findings?: Finding[] };
+      const { message, findings } = (thrown ?? {}) as {
+        message?: string;
+        findings?: Finding[];
+      };
       if (!findings) throw thrown;
       this.broken = false;
       throw new JobError(message ?? "", findings);

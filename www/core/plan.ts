@@ -1,6 +1,17 @@
 // A plan out of the module's numbers and text: the other half of src/border/packed.rs. Each section is made when it is read for the first time.
 import * as layout from "./layout.js";
-import { FEEDS, FINDINGS, KINDS, MOVES, PROGRAM, RESULTS, SAFETY, SECTIONS, TOUCHES, TRIGGERS } from "./layout.js";
+import {
+  FEEDS,
+  FINDINGS,
+  KINDS,
+  MOVES,
+  PROGRAM,
+  RESULTS,
+  SAFETY,
+  SECTIONS,
+  TOUCHES,
+  TRIGGERS,
+} from "./layout.js";
 import { type Said, say } from "./said.js";
 import type {
   DatumRow,
@@ -58,7 +69,12 @@ function moves(packed: Packed): Move[] {
 function programAt(r: Unpacked): ProgramText {
   const { writes, ...rest } = layout.program(r);
   const proof = r.isNone() ? null : layout.proof(r);
-  return { ...rest, writes: writes as ProgramText["writes"], does: say(rest.said), proof };
+  return {
+    ...rest,
+    writes: writes as ProgramText["writes"],
+    does: say(rest.said),
+    proof,
+  };
 }
 
 function result(r: Unpacked): ResultRow {
@@ -99,8 +115,17 @@ export function tableOf(packed: Packed): ParameterRow[] {
   return r.list(() => {
     const [code, type] = [r.text(), r.text()];
     const kind = r.number();
-    const value = kind === 0 ? r.number() : kind === 1 ? r.flag() === true : r.text();
-    return { code, type, value, meaning: r.text(), field: r.textOrNone(), touch: r.index(), cycle: r.number() };
+    const value =
+      kind === 0 ? r.number() : kind === 1 ? r.flag() === true : r.text();
+    return {
+      code,
+      type,
+      value,
+      meaning: r.text(),
+      field: r.textOrNone(),
+      touch: r.index(),
+      cycle: r.number(),
+    };
   });
 }
 
@@ -111,7 +136,8 @@ export function meaningsOf(packed: Packed): Said[] {
 }
 
 /** The program alone. */
-export const programOf = (packed: Packed): ProgramText => programAt(Unpacked.section(packed, PROGRAM));
+export const programOf = (packed: Packed): ProgramText =>
+  programAt(Unpacked.section(packed, PROGRAM));
 
 /** The findings alone. */
 export function findingsOf(packed: Packed): Finding[] {

@@ -31,7 +31,13 @@ export interface FrameState {
 }
 
 /** The custom properties of the element without `--touchpath-`. */
-export type Token = "background" | "panel" | "text" | "accent" | "on-accent" | "font";
+export type Token =
+  | "background"
+  | "panel"
+  | "text"
+  | "accent"
+  | "on-accent"
+  | "font";
 
 /** What the frame holds. */
 export interface FrameView {
@@ -45,7 +51,11 @@ export interface FrameView {
 }
 
 /** An action that a portal can ask for. */
-export type Deed = { do: "save" } | { do: "undo" } | { do: "redo" } | { do: "highlight"; move: number | null };
+export type Deed =
+  | { do: "save" }
+  | { do: "undo" }
+  | { do: "redo" }
+  | { do: "highlight"; move: number | null };
 
 /** To the frame's window, with a port. `saves`: the portal saves programs itself. */
 export interface Hello {
@@ -81,8 +91,16 @@ export type Answer =
   | { type: "plan-change"; detail: { plan: Plan } }
   | {
       type: "selection-change";
-      detail: { move: number | null; line: number | null; touch: number | null; field: string | null };
+      detail: {
+        move: number | null;
+        line: number | null;
+        touch: number | null;
+        field: string | null;
+      };
     }
   | { type: "measured-change"; detail: { measured: string } }
-  | { type: "program-save"; detail: { name: string; text: string; post: string; extension: string } }
+  | {
+      type: "program-save";
+      detail: { name: string; text: string; post: string; extension: string };
+    }
   | { type: "finding"; detail: { findings: Finding[]; refused: boolean } };

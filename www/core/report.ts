@@ -77,12 +77,25 @@ export interface Report {
 const NOT_MEASURED = "not measured";
 
 /** The verdicts from good to bad. */
-const GRADES = ["good", "good within ±", "out within ±", NOT_MEASURED, "rework", "out", "scrap", "implausible"];
+const GRADES = [
+  "good",
+  "good within ±",
+  "out within ±",
+  NOT_MEASURED,
+  "rework",
+  "out",
+  "scrap",
+  "implausible",
+];
 
 /** The worst of several verdicts; `null` without any. */
 const worst = (verdicts: (string | null)[]): string | null =>
   verdicts.reduce(
-    (bad, one) => (one !== null && (bad === null || GRADES.indexOf(one) > GRADES.indexOf(bad)) ? one : bad),
+    (bad, one) =>
+      one !== null &&
+      (bad === null || GRADES.indexOf(one) > GRADES.indexOf(bad))
+        ? one
+        : bad,
     null,
   );
 
@@ -94,15 +107,30 @@ export const clock = (moment: Date): string => {
 };
 
 /** The report as data. */
-export function report({ plan, parts, name = "", by = "", machine = "", when = "", note = "" }: ReportOf): Report {
+export function report({
+  plan,
+  parts,
+  name = "",
+  by = "",
+  machine = "",
+  when = "",
+  note = "",
+}: ReportOf): Report {
   const key = ({ cycle, code }: ResultRow) => codeOf(plan, cycle, code);
-  const measured = parts.map(({ results }) => new Map(results.map((row) => [key(row), row])));
+  const measured = parts.map(
+    ({ results }) => new Map(results.map((row) => [key(row), row])),
+  );
   // What a program writes is no feature of the part.
-  const listed = plan.results.filter((row) => !isWritten(row) && row.unit !== "");
+  const listed = plan.results.filter(
+    (row) => !isWritten(row) && row.unit !== "",
+  );
   const found = (row: ResultRow) =>
     row.value !== null ||
     row.limits !== null ||
-    measured.some((part) => part.get(key(row))?.value != null || part.get(key(row))?.limits != null);
+    measured.some(
+      (part) =>
+        part.get(key(row))?.value != null || part.get(key(row))?.limits != null,
+    );
   const rows = listed.filter(found).map((row): ReportRow => {
     const code = key(row);
     const own = measured.map((part) => part.get(code));
@@ -119,7 +147,11 @@ export function report({ plan, parts, name = "", by = "", machine = "", when = "
       values,
       deviation: last?.deviation ?? null,
       expanded: last?.uncertainty == null ? null : 2 * last.uncertainty,
-      verdicts: own.map((part) => (limits !== null && part?.value == null ? NOT_MEASURED : (part?.verdict ?? null))),
+      verdicts: own.map((part) =>
+        limits !== null && part?.value == null
+          ? NOT_MEASURED
+          : (part?.verdict ?? null),
+      ),
       series,
     };
   });
@@ -137,8 +169,13 @@ export function report({ plan, parts, name = "", by = "", machine = "", when = "
   };
 }
 
-function seriesOf(values: (number | null)[], limits: [number, number] | null): Series | null {
-  const known = values.flatMap((value, part) => (value === null ? [] : [{ value, part }]));
+function seriesOf(
+  values: (number | null)[],
+  limits: [number, number] | null,
+): Series | null {
+  const known = values.flatMap((value, part) =>
+    value === null ? [] : [{ value, part }],
+  );
   const count = known.length;
   if (count === 0) return null;
   const of = known.map(({ value }) => value);
@@ -147,9 +184,15 @@ function seriesOf(values: (number | null)[], limits: [number, number] | null): S
   const spread = count > 1 ? Math.sqrt(squares / (count - 1)) : null;
   const middle = known.reduce((sum, { part }) => sum + part, 0) / count;
   const along = known.reduce((sum, { part }) => sum + (part - middle) ** 2, 0);
-  const slope = known.reduce((sum, { part, value }) => sum + (part - middle) * (value - mean), 0);
+  const slope = known.reduce(
+    (sum, { part, value }) => sum + (part - middle) * (value - mean),
+    0,
+  );
   // What is left of equal values by rounding is no spread.
-  const able = limits !== null && spread !== null && spread > 1e-9 * Math.max(1, Math.abs(mean));
+  const able =
+    limits !== null &&
+    spread !== null &&
+    spread > 1e-9 * Math.max(1, Math.abs(mean));
   return {
     count,
     mean,
@@ -158,7 +201,9 @@ function seriesOf(values: (number | null)[], limits: [number, number] | null): S
     spread,
     trend: count > 2 ? slope / along : null,
     cp: able ? (limits[1] - limits[0]) / (6 * spread) : null,
-    cpk: able ? Math.min(limits[1] - mean, mean - limits[0]) / (3 * spread) : null,
+    cpk: able
+      ? Math.min(limits[1] - mean, mean - limits[0]) / (3 * spread)
+      : null,
   };
 }
 
@@ -174,13 +219,18 @@ export function runsOf(text: string, plan: Plan): string[] {
   // A result goes by its name, or by the variable that keeps it: `#138`, `_OVR[4]`.
   const names = plan.results.flatMap(({ cycle, code, stored }) => {
     const own = codeOf(plan, cycle, code).toLowerCase();
-    return [own, ...(stored === null ? [] : [pointed(stored)])].map((name) => ({ name, own }));
+    return [own, ...(stored === null ? [] : [pointed(stored)])].map((name) => ({
+      name,
+      own,
+    }));
   });
   const coded = (line: string) => {
     const plain = pointed(line);
     // A value stands behind it: what a program says of a result is none.
     const found = names.filter(({ name }) =>
-      new RegExp(`(^|[^a-z0-9.])${name.replace(/[.[\]#$]/g, "\\$&")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`).test(plain),
+      new RegExp(
+        `(^|[^a-z0-9.])${name.replace(/[.[\]#$]/g, "\\$&")}(\\.?=\\.?|\\.)[-+]?\\.?\\d`,
+      ).test(plain),
     );
     return found.sort((a, b) => b.name.length - a.name.length)[0]?.own;
   };
@@ -201,7 +251,9 @@ export function runsOf(text: string, plan: Plan): string[] {
       // The name of the program stands above its first result.
       const named = runs.at(-1)?.at(-1);
       const moved =
-        named !== undefined && said.size > 0 && coded(named) === undefined ? [runs.at(-1)?.pop() as string] : [];
+        named !== undefined && said.size > 0 && coded(named) === undefined
+          ? [runs.at(-1)?.pop() as string]
+          : [];
       runs.push(moved);
       said = new Set();
     }
@@ -213,23 +265,34 @@ export function runsOf(text: string, plan: Plan): string[] {
 
 /** Decimals of a value: a thousandth of a millimetre or degree, a ten thousandth of an inch, and one more. */
 const decimals = (unit: string) => (unit === "inch" ? 5 : 4);
-const shown = (x: number | null, digits: number) => (x === null ? "" : x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1"));
+const shown = (x: number | null, digits: number) =>
+  x === null ? "" : x.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
 /** A field of CSV. What a spreadsheet would take for a formula stays text. */
 const field = (text: string) => {
-  const safe = /^[=+@\t\r-]/.test(text) && !/^[+-]?\d/.test(text) ? `'${text}` : text;
+  const safe =
+    /^[=+@\t\r-]/.test(text) && !/^[+-]?\d/.test(text) ? `'${text}` : text;
   return /[",\n\r]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 };
 
 /** The report as CSV: a line a result. */
 export function reportCsv({ rows, parts }: Report): string {
-  const each = Array.from({ length: parts }, (_, i) => (parts > 1 ? ` ${i + 1}` : ""));
+  const each = Array.from({ length: parts }, (_, i) =>
+    parts > 1 ? ` ${i + 1}` : "",
+  );
   const head = ["result", "meaning", "unit", "nominal", "lower", "upper"];
-  head.push(...each.map((n) => `measured${n}`), "deviation", "expanded uncertainty", ...each.map((n) => `verdict${n}`));
-  if (parts > 1) head.push("count", "mean", "min", "max", "spread", "trend", "Cp", "Cpk");
+  head.push(
+    ...each.map((n) => `measured${n}`),
+    "deviation",
+    "expanded uncertainty",
+    ...each.map((n) => `verdict${n}`),
+  );
+  if (parts > 1)
+    head.push("count", "mean", "min", "max", "spread", "trend", "Cp", "Cpk");
   const lines = rows.map((row) => {
     const n = decimals(row.unit);
-    const number = (x: number | null | undefined, digits = n) => shown(x ?? null, digits);
+    const number = (x: number | null | undefined, digits = n) =>
+      shown(x ?? null, digits);
     const own = [
       row.code,
       row.meaning,
@@ -238,11 +301,20 @@ export function reportCsv({ rows, parts }: Report): string {
       number(row.limits?.[0]),
       number(row.limits?.[1]),
     ];
-    own.push(...row.values.map((value) => number(value)), number(row.deviation), number(row.expanded, n + 1));
+    own.push(
+      ...row.values.map((value) => number(value)),
+      number(row.deviation),
+      number(row.expanded, n + 1),
+    );
     own.push(...row.verdicts.map((verdict) => verdict ?? ""));
     if (parts > 1) {
       const { series } = row;
-      own.push(String(series?.count ?? 0), number(series?.mean), number(series?.min), number(series?.max));
+      own.push(
+        String(series?.count ?? 0),
+        number(series?.mean),
+        number(series?.min),
+        number(series?.max),
+      );
       own.push(
         number(series?.spread, n + 1),
         number(series?.trend, n + 1),
@@ -256,7 +328,11 @@ export function reportCsv({ rows, parts }: Report): string {
 }
 
 const escaped = (text: string) =>
-  text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] as string);
+  text.replace(
+    /[&<>"]/g,
+    (c) =>
+      ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c] as string,
+  );
 
 /** How the page says a text; English where it is left out. */
 export type Words = (template: string, ...values: string[]) => string;
@@ -273,7 +349,12 @@ code{font-size:.92em}.bad{font-weight:bold;color:#a30d0d}.open{font-weight:bold}
 dt{color:#555}dd{margin:0}tr{break-inside:avoid}.verdict{font-size:1.15em}.sign{display:flex;gap:2em;margin-top:2.5em}.sign span{flex:1;border-top:1px solid #111;padding-top:.2em}`;
 
 /** The report as a page of its own, to print on A4 or Letter. `picture`: the text of an SVG, as `svg` makes it. `t` says its texts in the language `lang`. */
-export function reportHtml(of: Report, picture = "", t: Words = english, lang = "en"): string {
+export function reportHtml(
+  of: Report,
+  picture = "",
+  t: Words = english,
+  lang = "en",
+): string {
   const { rows, parts, verdict } = of;
   const grade = (word: string | null) =>
     word === null
@@ -291,7 +372,10 @@ export function reportHtml(of: Report, picture = "", t: Words = english, lang = 
   const unit = (row: ReportRow) => (row.unit === "deg" ? "°" : ` ${row.unit}`);
   const lines = rows.map((row, i) => {
     const n = decimals(row.unit);
-    const limits = row.limits === null ? "" : `${shown(row.limits[0], n)} … ${shown(row.limits[1], n)}`;
+    const limits =
+      row.limits === null
+        ? ""
+        : `${shown(row.limits[0], n)} … ${shown(row.limits[1], n)}`;
     const last = row.values.at(-1) ?? null;
     const cells = [
       shown(row.nominal, n),
@@ -305,7 +389,10 @@ export function reportHtml(of: Report, picture = "", t: Words = english, lang = 
   const said = (pairs: [string, string][]) =>
     pairs
       .filter(([, value]) => value !== "")
-      .map(([label, value]) => `<dt>${escaped(label)}</dt><dd>${escaped(value)}</dd>`);
+      .map(
+        ([label, value]) =>
+          `<dt>${escaped(label)}</dt><dd>${escaped(value)}</dd>`,
+      );
   const facts = said([
     [t("Machine"), of.machine],
     [t("Name"), of.by],

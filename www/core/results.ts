@@ -7,10 +7,13 @@ export const codeOf = (
   cycle: number,
   code: string,
 ): string =>
-  cycles.length + relations.length > 1 ? `${cycles[cycle] ?? relations[cycle - cycles.length]}.${code}` : code;
+  cycles.length + relations.length > 1
+    ? `${cycles[cycle] ?? relations[cycle - cycles.length]}.${code}`
+    : code;
 
 /** Whether it says what a program writes, and nothing of the part. */
-export const isWritten = ({ code }: Pick<ResultRow, "code">): boolean => code.startsWith("offset.");
+export const isWritten = ({ code }: Pick<ResultRow, "code">): boolean =>
+  code.startsWith("offset.");
 
 /** Whether no good part has this verdict. */
 export const isBad = (verdict: string | null): boolean =>

@@ -19,7 +19,8 @@ const NUMBER = /^([+-]?\d+)\.(\d+)( ?(?:mm|inch|°)(?:\/min)?)?$/;
 const QUOTES = "\"“”„«»「」‘’'";
 
 /** A number as the words write it; any other text as it is. */
-const written = (text: string, words: Words) => (words["0.5"] === "0,5" ? text.replace(NUMBER, "$1,$2$3") : text);
+const written = (text: string, words: Words) =>
+  words["0.5"] === "0,5" ? text.replace(NUMBER, "$1,$2$3") : text;
 
 /** A text in pieces: what stands before a name, the name, and whether it stands in quotes; the last piece has no name. */
 type Piece = [before: string, name: string | null, quoted: boolean];
@@ -35,7 +36,11 @@ function piecesOf(text: string): Piece[] {
   const pieces: Piece[] = [];
   let from = 0;
   for (const match of text.matchAll(NAME)) {
-    pieces.push([text.slice(from, match.index), match[1] as string, QUOTES.includes(text[match.index - 1] ?? " ")]);
+    pieces.push([
+      text.slice(from, match.index),
+      match[1] as string,
+      QUOTES.includes(text[match.index - 1] ?? " "),
+    ]);
     from = match.index + match[0].length;
   }
   pieces.push([text.slice(from), null, false]);
@@ -48,10 +53,13 @@ function piecesOf(text: string): Piece[] {
 export function say(said: Said, words: Words = {}): string {
   const template = said[0];
   // What hangs on the prototype of an object is no word.
-  const text = Object.hasOwn(words, template) ? (words[template] as string) : template;
+  const text = Object.hasOwn(words, template)
+    ? (words[template] as string)
+    : template;
   if (said.length === 1) return text;
   const names: string[] = [];
-  for (const [, name] of piecesOf(template)) if (name !== null && !names.includes(name)) names.push(name);
+  for (const [, name] of piecesOf(template))
+    if (name !== null && !names.includes(name)) names.push(name);
   let out = "";
   for (const [before, name, quoted] of piecesOf(text)) {
     out += before;
@@ -60,7 +68,8 @@ export function say(said: Said, words: Words = {}): string {
     const value = at < 0 ? undefined : said[at + 1];
     if (value === undefined) out += `{${name}}`;
     // What stands in quotes is somebody's own text: a line of a program, a name.
-    else if (typeof value === "string") out += quoted ? value : written(value, words);
+    else if (typeof value === "string")
+      out += quoted ? value : written(value, words);
     else out += say(value, words);
   }
   return out;

@@ -82,7 +82,13 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   /** Calls of the control's own probing cycles, in the order in which they run. */
   calls: NativeCall[];
   /** What the safety rules say of a program that probes; `holds` is `null` where an unknown decides. `lines`, 0-based, break it, or are not known. */
-  rules: { rule: string; holds: boolean | null; message: string; said: Said; lines: number[] }[];
+  rules: {
+    rule: string;
+    holds: boolean | null;
+    message: string;
+    said: Said;
+    lines: number[];
+  }[];
   /** The lines that name what stands below them, 0-based: programs, subroutines, labels. */
   outline: { line: number; name: string }[];
 }

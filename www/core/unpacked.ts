@@ -18,7 +18,11 @@ export class Unpacked {
 
   /** The beginning of a section. */
   static section(packed: Packed, section: number): Unpacked {
-    return new Unpacked(packed, packed.numbers[2 * section], packed.numbers[2 * section + 1]);
+    return new Unpacked(
+      packed,
+      packed.numbers[2 * section],
+      packed.numbers[2 * section + 1],
+    );
   }
 
   number(): number {
@@ -73,7 +77,8 @@ export class Unpacked {
     const count = this.index();
     if (count === null) return null;
     const said: Said = [this.text()];
-    for (let left = count; left > 0; left--) said.push(this.saidOrNone() ?? this.text());
+    for (let left = count; left > 0; left--)
+      said.push(this.saidOrNone() ?? this.text());
     return said;
   }
 

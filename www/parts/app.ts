@@ -1,6 +1,12 @@
 import { html, LitElement, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { awaited, type Job, JobError, type Said, whole } from "../core/browser.js";
+import {
+  awaited,
+  type Job,
+  JobError,
+  type Said,
+  whole,
+} from "../core/browser.js";
 import { hold } from "../hold.js";
 import { isObject } from "../job.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
@@ -19,7 +25,14 @@ import type { CommandsPart } from "./commands.js";
 import { Export } from "./export.js";
 import { Intake, type Unread, type Viewed } from "./intake.js";
 import { Language } from "./language.js";
-import { actions, dialogs, type Frame, menu, OF_THE_JOB, type Theme } from "./menu.js";
+import {
+  actions,
+  dialogs,
+  type Frame,
+  menu,
+  OF_THE_JOB,
+  type Theme,
+} from "./menu.js";
 import { Part } from "./part.js";
 import type { PastePart } from "./paste.js";
 import "./paste.js";
@@ -85,7 +98,9 @@ const WHOLE = new Set(["lengths", "viewer"]);
 /** Milliseconds after which the user sees that something is being loaded. */
 const SOON = 300;
 const LOADING: Said = [w("This part of the page is being loaded …")];
-const MISSING: Said = [w("This part of the page could not be loaded: is there a network?")];
+const MISSING: Said = [
+  w("This part of the page could not be loaded: is there a network?"),
+];
 
 const system = matchMedia("(prefers-color-scheme: dark)");
 /** Colours that the user has chosen for every page. */
@@ -97,7 +112,10 @@ type View = PicturePart["from"];
 interface Host extends HTMLElement {
   theme: Theme;
   /** Dispatches an event; false where a listener has cancelled it. */
-  tell(name: "program-save", detail: { name: string; text: string; post: string; extension: string }): boolean;
+  tell(
+    name: "program-save",
+    detail: { name: string; text: string; post: string; extension: string },
+  ): boolean;
 }
 
 /** What the element is in. */
@@ -131,7 +149,12 @@ export class App extends LitElement {
   private topic = "";
   private viewed: Viewed | null = null;
   /** What is said of the job: of the whole document above it, of the job as it is now in the foot, where nothing moves when it goes. */
-  private said: { text: Said; passing: boolean; at: number; foot: boolean } | null = null;
+  private said: {
+    text: Said;
+    passing: boolean;
+    at: number;
+    foot: boolean;
+  } | null = null;
   /** Takes a newer version of the page, where there is one. */
   private newer: (() => void) | null = null;
   private width = WIDE;
@@ -156,7 +179,8 @@ export class App extends LitElement {
       ? null
       : new Language(this, store, around, () => {
           this.tell(MISSING);
-          const choice = this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
+          const choice =
+            this.renderRoot?.querySelector<HTMLSelectElement>("#lang");
           if (choice) choice.value = store.lang;
         });
     this.intake = new Intake(store, {
@@ -174,7 +198,10 @@ export class App extends LitElement {
         this.viewed = viewed;
         this.use("viewer");
         // The page keeps the editor of long programs for when there is no network.
-        if (!isShort(viewed.text)) this.around.host.dispatchEvent(new CustomEvent("wanted", { detail: "editor" }));
+        if (!isShort(viewed.text))
+          this.around.host.dispatchEvent(
+            new CustomEvent("wanted", { detail: "editor" }),
+          );
       },
       whole: () => this.whole(),
       beside: (text, signal) => {
@@ -187,9 +214,13 @@ export class App extends LitElement {
       tell: (said) => this.tell(said, true),
       show: (link) => this.tell([link], true, false),
       saved: (name, other) => {
-        const program = this.renderRoot.querySelector<ProgramPart>("tp-program");
+        const program =
+          this.renderRoot.querySelector<ProgramPart>("tp-program");
         const said: Said = other
-          ? [w("Saved {file}, with other content than the one saved before"), name]
+          ? [
+              w("Saved {file}, with other content than the one saved before"),
+              name,
+            ]
           : [w("Saved {file}"), name];
         if (program?.checkVisibility()) program.tell(store.say(said));
         else this.tell(said, true);
@@ -198,7 +229,8 @@ export class App extends LitElement {
       picture: () => this.picture,
       view: () => this.view,
     });
-    const theme = around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
+    const theme =
+      around.local && !around.host.hasAttribute("theme") ? keptTheme() : null;
     if (theme) around.host.setAttribute("theme", theme);
   }
 
@@ -228,7 +260,9 @@ export class App extends LitElement {
       "canvas[tabindex]",
       ".code [tabindex]",
     ];
-    const all = places.flatMap((place) => [...this.querySelectorAll<HTMLElement>(place)]);
+    const all = places.flatMap((place) => [
+      ...this.querySelectorAll<HTMLElement>(place),
+    ]);
     all.find((one) => one.checkVisibility())?.focus(options);
   }
 
@@ -292,7 +326,8 @@ export class App extends LitElement {
     shown(this.store).add(this);
     redrawn(this.store);
     this.around.host.addEventListener("update-ready", this.offer);
-    for (const query of [system, forced]) query.addEventListener("change", this.recolour);
+    for (const query of [system, forced])
+      query.addEventListener("change", this.recolour);
     if (!this.around.links) return;
     addEventListener("hashchange", intake.link);
     addEventListener("popstate", this.went);
@@ -317,7 +352,8 @@ export class App extends LitElement {
     shown(this.store).delete(this);
     redrawn(this.store);
     this.around.host.removeEventListener("update-ready", this.offer);
-    for (const query of [system, forced]) query.removeEventListener("change", this.recolour);
+    for (const query of [system, forced])
+      query.removeEventListener("change", this.recolour);
     removeEventListener("hashchange", intake.link);
     removeEventListener("popstate", this.went);
   }
@@ -327,7 +363,8 @@ export class App extends LitElement {
     const narrow = this.width < NARROW;
     const stacked = narrow || (this.width < WIDE && this.height > this.width);
     const panels = this.panels;
-    const active = this.panel && panels.includes(this.panel) ? this.panel : panels[0];
+    const active =
+      this.panel && panels.includes(this.panel) ? this.panel : panels[0];
     const hidden = (panel: Panel) => panels.includes(panel) && panel !== active;
     const shows = (name: PanelName) => wanted.includes(name);
     const none = (name: string, is: boolean) => (is ? name : "");
@@ -359,7 +396,10 @@ export class App extends LitElement {
       <main role=${this.around.links ? nothing : "group"} aria-label=${this.around.links ? nothing : this.t("Job")} class=${shape.join(" ").trim()} ?hidden=${this.tool !== "cycles"}>
         ${repeat(
           // One order for eye and Tab: on a narrow page, and on one that is higher than wide, the picture stands above the form.
-          (stacked ? (["stage", "form"] as const) : (["form", "stage"] as const)).filter(shows),
+          (stacked
+            ? (["stage", "form"] as const)
+            : (["form", "stage"] as const)
+          ).filter(shows),
           (name) => name,
           (name) =>
             name === "stage"
@@ -398,8 +438,11 @@ export class App extends LitElement {
 
   /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
   private get away(): string {
-    if (this.tool === "viewer") return this.t("An opened program is shown, not the job");
-    return this.tool === "lengths" ? this.t("Tool lengths are shown, not the job") : "";
+    if (this.tool === "viewer")
+      return this.t("An opened program is shown, not the job");
+    return this.tool === "lengths"
+      ? this.t("Tool lengths are shown, not the job")
+      : "";
   }
 
   /** What menu and dialogs show, and what they do. */
@@ -417,7 +460,9 @@ export class App extends LitElement {
       choose: (what) => {
         this.renderRoot.querySelector<HTMLElement>("#menu")?.hidePopover();
         // The item is gone: what follows comes back to the menu's button, however long it takes.
-        this.renderRoot.querySelector<HTMLElement>("tp-bar [popovertarget]")?.focus({ preventScroll: true });
+        this.renderRoot
+          .querySelector<HTMLElement>("tp-bar [popovertarget]")
+          ?.focus({ preventScroll: true });
         this.ask(what);
       },
       chooseLanguage: (lang) => this.language?.choose(lang),
@@ -435,7 +480,8 @@ export class App extends LitElement {
 
   protected override firstUpdated(): void {
     const later = () => {
-      if (this.isConnected) for (const load of Object.values(LATER)) load().catch(() => undefined);
+      if (this.isConnected)
+        for (const load of Object.values(LATER)) load().catch(() => undefined);
     };
     // Not while the module is still to come: they would share its line.
     const there = awaited() ?? Promise.resolve();
@@ -453,7 +499,9 @@ export class App extends LitElement {
     const { picture } = this;
     if (picture && picture !== this.turned) picture.from = this.sight;
     this.turned = picture;
-    for (const part of this.renderRoot.querySelectorAll("main:not([hidden]) > section:not([hidden]) > *"))
+    for (const part of this.renderRoot.querySelectorAll(
+      "main:not([hidden]) > section:not([hidden]) > *",
+    ))
       if (part instanceof Part) part.catchUp();
   }
 
@@ -487,9 +535,13 @@ export class App extends LitElement {
   private key(event: KeyboardEvent, panels: Panel[], panel: Panel): void {
     const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
     if (!step) return;
-    const next = panels[(panels.indexOf(panel) + step + panels.length) % panels.length] as Panel;
+    const next = panels[
+      (panels.indexOf(panel) + step + panels.length) % panels.length
+    ] as Panel;
     this.show(next);
-    this.updateComplete.then(() => this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus());
+    this.updateComplete.then(() =>
+      this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus(),
+    );
   }
 
   /** Undo and redo are the page's, in its fields too: only a text that is pasted in keeps its own. */
@@ -500,7 +552,11 @@ export class App extends LitElement {
     const key = letterOf(event);
     const at = event.composedPath()[0] as Element;
     if (!this.owns(at)) return;
-    if (!["k", "s", "y", "z"].includes(key) || (key !== "s" && at.id === "paste")) return;
+    if (
+      !["k", "s", "y", "z"].includes(key) ||
+      (key !== "s" && at.id === "paste")
+    )
+      return;
     event.preventDefault();
     if (key === "k") {
       if (!this.renderRoot.querySelector("dialog[open]")) this.ask("commands");
@@ -512,8 +568,11 @@ export class App extends LitElement {
     }
     // A field that is not the job's changes none, and no job is changed that is not seen. Left to the browser, the key would take
     // back the last letter of any field of the page.
-    const seen = this.tool === "cycles" && !this.renderRoot.querySelector("dialog[open]");
-    const other = at.matches("input[type=text], input[type=search]") && !at.closest("tp-form");
+    const seen =
+      this.tool === "cycles" && !this.renderRoot.querySelector("dialog[open]");
+    const other =
+      at.matches("input[type=text], input[type=search]") &&
+      !at.closest("tp-form");
     if (!seen || other) return;
     if (key === "y" || event.shiftKey) this.store.redo();
     else this.store.undo();
@@ -524,7 +583,9 @@ export class App extends LitElement {
     if (!(event instanceof ClipboardEvent)) return;
     const at = event.composedPath()[0] as Element;
     if (!this.owns(at)) return;
-    const typed = at.matches("input, textarea, [contenteditable]") || this.renderRoot.querySelector("dialog[open]");
+    const typed =
+      at.matches("input, textarea, [contenteditable]") ||
+      this.renderRoot.querySelector("dialog[open]");
     if (typed || this.store.readonly) this.intake.refuse(event);
     else this.intake.paste(event);
   };
@@ -536,14 +597,18 @@ export class App extends LitElement {
 
   /** Whether keys that are pressed here are the job's: what the page around has put into a slot is its own. */
   private owns(at: Element): boolean {
-    return this.contains(at) || (this.around.links && at.contains(this.around.host));
+    return (
+      this.contains(at) || (this.around.links && at.contains(this.around.host))
+    );
   }
 
   /** From anything else back to the job; a field, a dialog and the menu have Escape for themselves. */
   private escape(event: KeyboardEvent): void {
     const at = event.composedPath()[0] as Element;
-    if (this.tool === "cycles" || event.defaultPrevented || !this.owns(at)) return;
-    const empty = at instanceof HTMLInputElement && at.type === "search" && at.value === "";
+    if (this.tool === "cycles" || event.defaultPrevented || !this.owns(at))
+      return;
+    const empty =
+      at instanceof HTMLInputElement && at.type === "search" && at.value === "";
     if (
       (at.matches("input, select, textarea") && !empty) ||
       this.renderRoot.querySelector("dialog[open], :popover-open")
@@ -555,14 +620,17 @@ export class App extends LitElement {
 
   /** The help belongs to the field in focus; without one, no help is shown. */
   private readonly unhelp = (event: Event): void => {
-    const inside = (event.composedPath()[0] as Element).closest?.("tp-form, tp-bar, tp-help");
+    const inside = (event.composedPath()[0] as Element).closest?.(
+      "tp-form, tp-bar, tp-help",
+    );
     if (!inside) this.store.focus(null);
   };
 
   /** What is said of one job is not said of another; what is passing, of no later one. */
   private readonly forget = (): void => {
     const { document, revision } = this.store;
-    if (this.said && this.said.at !== (this.said.passing ? revision : document)) this.tell(null);
+    if (this.said && this.said.at !== (this.said.passing ? revision : document))
+      this.tell(null);
   };
 
   private readonly redraw = () => this.requestUpdate();
@@ -609,8 +677,11 @@ export class App extends LitElement {
   private readonly pass = (event: Event): void => {
     // Once: in the element itself where that is seen, or else where what it is about is typed.
     const all = [...shown(this.store)];
-    const one = all.find((app) => !app.around.lent && app.checkVisibility()) ?? all.find((app) => app.sees("form"));
-    if ((one ?? all[0]) === this) this.tell((event as CustomEvent<Said>).detail, true);
+    const one =
+      all.find((app) => !app.around.lent && app.checkVisibility()) ??
+      all.find((app) => app.sees("form"));
+    if ((one ?? all[0]) === this)
+      this.tell((event as CustomEvent<Said>).detail, true);
   };
 
   /** To the field of a path, or to the first one inside it; to Checks if no field is found. */
@@ -618,20 +689,31 @@ export class App extends LitElement {
     await this.use("cycles");
     // A field of a cycle that is not in the form.
     const [, index, rest] = /^cycles\[(\d+)\](.*)$/.exec(wanted) ?? [];
-    if (index !== undefined) this.store.bringFeature(this.store.features.placeOf(Number(index)));
+    if (index !== undefined)
+      this.store.bringFeature(this.store.features.placeOf(Number(index)));
     const path = index === undefined ? wanted : `cycle${rest}`;
     if (this.panels.includes("setup")) this.show("setup");
     await this.updateComplete;
-    await this.renderRoot.querySelector<Element & { unfold(path: string): Promise<boolean> }>("tp-form")?.unfold(path);
+    await this.renderRoot
+      .querySelector<Element & { unfold(path: string): Promise<boolean> }>(
+        "tp-form",
+      )
+      ?.unfold(path);
     const fields = [...this.querySelectorAll<HTMLElement>("[id^=f-]")];
     const inside = [`f-${path}.`, `f-${path}[`];
     const field =
       fields.find((one) => one.id === `f-${path}`) ??
-      fields.find((one) => one.closest("tp-form") && inside.some((start) => one.id.startsWith(start)));
+      fields.find(
+        (one) =>
+          one.closest("tp-form") &&
+          inside.some((start) => one.id.startsWith(start)),
+      );
     if (!field) this.show("checks");
     field?.scrollIntoView({ block: "center" });
     // A number that is left out has its box in front of it.
-    const box = field?.matches(":disabled") && field.closest(".line")?.querySelector<HTMLElement>(".check input");
+    const box =
+      field?.matches(":disabled") &&
+      field.closest(".line")?.querySelector<HTMLElement>(".check input");
     (box || field)?.focus();
   }
 
@@ -667,7 +749,8 @@ export class App extends LitElement {
 
   private readonly went = (event: PopStateEvent): void => {
     if (this.backs > 0) this.backs--;
-    else if (!isObject(event.state) || !("touchpath" in event.state)) this.use("cycles");
+    else if (!isObject(event.state) || !("touchpath" in event.state))
+      this.use("cycles");
   };
 
   private async use(tool: Tool): Promise<void> {
@@ -683,7 +766,8 @@ export class App extends LitElement {
       if (tool !== "cycles") return;
       await this.updateComplete;
       // Back where it came from, where nothing else has the focus.
-      if (!this.querySelector(":focus") && this.opener?.checkVisibility()) this.opener.focus({ preventScroll: true });
+      if (!this.querySelector(":focus") && this.opener?.checkVisibility())
+        this.opener.focus({ preventScroll: true });
       this.opener = null;
     }
   }
@@ -703,7 +787,10 @@ export class App extends LitElement {
   /** Loads what was not needed until now; false where it cannot be had. */
   private async loads(what: string): Promise<boolean> {
     try {
-      await Promise.all([LATER[what]?.(), WHOLE.has(what) ? this.whole() : null]);
+      await Promise.all([
+        LATER[what]?.(),
+        WHOLE.has(what) ? this.whole() : null,
+      ]);
       this.there.add(what);
       this.requestUpdate();
       await this.updateComplete;
@@ -727,7 +814,8 @@ export class App extends LitElement {
     const actions: Record<string, () => unknown> = {
       redo: () => store.redo(),
       gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),
-      open: () => this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
+      open: () =>
+        this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
       paste: () => {
         // What is said from here on is of what is pasted.
         this.tell(null);
@@ -736,7 +824,14 @@ export class App extends LitElement {
       reset: async () => {
         await this.use("cycles");
         store.reset();
-        this.tell([w("The form is put back to its defaults. Undo brings back what was there")], true);
+        this.tell(
+          [
+            w(
+              "The form is put back to its defaults. Undo brings back what was there",
+            ),
+          ],
+          true,
+        );
       },
       undo: () => store.undo(),
       cam: () => {
@@ -745,12 +840,15 @@ export class App extends LitElement {
       },
       commands: async () => {
         if (!(await this.loads("commands"))) return;
-        await this.renderRoot.querySelector<CommandsPart>("tp-commands")?.open();
+        await this.renderRoot
+          .querySelector<CommandsPart>("tp-commands")
+          ?.open();
       },
       save: () => this.outlet.program(),
       sheet: () => store.withheld === null && this.use("sheet"),
       lengths: () => this.use("lengths"),
-      presets: () => this.loads("presets").then((there) => there && open("presets")),
+      presets: () =>
+        this.loads("presets").then((there) => there && open("presets")),
       keys: () => open("keys"),
       viewer: () => this.use("viewer"),
       checks: async () => {
@@ -775,9 +873,12 @@ export class App extends LitElement {
   private readonly chosen = async (): Promise<void> => {
     await this.use("cycles");
     const size = this.store.cycle.fields.find((field) => field.size);
-    if (!size || !matchMedia("(pointer: fine)").matches || this.width < WIDE) return;
+    if (!size || !matchMedia("(pointer: fine)").matches || this.width < WIDE)
+      return;
     await this.updateComplete;
-    this.querySelector<HTMLElement>(`[id="f-cycle.${size.key}"]`)?.focus({ preventScroll: true });
+    this.querySelector<HTMLElement>(`[id="f-cycle.${size.key}"]`)?.focus({
+      preventScroll: true,
+    });
   };
 
   /** Chooses a cycle or a control by its path and its name. */
@@ -794,7 +895,11 @@ export class App extends LitElement {
     const { store } = this;
     const why = store.whyNot(post);
     const title = store.postOf(post)?.title ?? String(post);
-    if (why) this.tell([w("{control} has no program for this cycle: {why}"), title, why], true);
+    if (why)
+      this.tell(
+        [w("{control} has no program for this cycle: {why}"), title, why],
+        true,
+      );
     return why !== null;
   }
 
@@ -813,7 +918,8 @@ export class App extends LitElement {
 
   /** Light or dark: what the page around wants, or the system. */
   private readonly recolour = (): void => {
-    const dark = this.theme === "dark" || (this.theme === "auto" && system.matches);
+    const dark =
+      this.theme === "dark" || (this.theme === "auto" && system.matches);
     this.classList.toggle("dark", dark);
     this.store.dispatchEvent(new Event("recolour"));
   };
@@ -830,7 +936,12 @@ export class App extends LitElement {
   /** `passing`: it is true of the job as it is now, and of no later one. */
   private tell(text: Said | null, passing = false, foot = passing): void {
     const { revision, document } = this.store;
-    this.said = text && { text, passing, at: passing ? revision : document, foot: foot && !this.around.lent };
+    this.said = text && {
+      text,
+      passing,
+      at: passing ? revision : document,
+      foot: foot && !this.around.lent,
+    };
     this.requestUpdate();
   }
 }

@@ -8,7 +8,11 @@ import { FieldPart } from "./field.js";
 import { saveButton } from "./save.js";
 
 /** What a cycle of the control itself can set, as the values of its fields, and what that is called. */
-const SETS: [confirmRotation: number, transferPosition: number, words: string][] = [
+const SETS: [
+  confirmRotation: number,
+  transferPosition: number,
+  words: string,
+][] = [
   [0, 0, w("measures only")],
   [1, 0, w("sets basic rotation")],
   [1, 3, w("sets basic rotation and preset X Y, mean of both circles")],
@@ -38,7 +42,10 @@ class BarPart extends FieldPart {
   /** Whether the program is saved here. */
   declare saves: boolean;
 
-  static override properties = { away: { attribute: false }, saves: { attribute: false } };
+  static override properties = {
+    away: { attribute: false },
+    saves: { attribute: false },
+  };
 
   /** The small drawing of the cycle, and the one that it is of. */
   private drawing?: Drawing;
@@ -61,7 +68,10 @@ class BarPart extends FieldPart {
           ? nothing
           : html`<div class="answer in"><span class="asks" aria-hidden="true">${this.t("Units")}</span>${this.radios(
               "units",
-              (["mm", "inch"] as const).filter((units) => units === store.units || store.rules.allowsUnits(units)),
+              (["mm", "inch"] as const).filter(
+                (units) =>
+                  units === store.units || store.rules.allowsUnits(units),
+              ),
               (units) => store.setUnits(units as "mm" | "inch"),
               this.t("Units"),
             )}</div>`
@@ -91,27 +101,44 @@ class BarPart extends FieldPart {
     const { store } = this;
     const { title = "", id = "" } = store.post ?? {};
     const standing = store.findings.filter((f: Finding) => store.stands(f));
-    const [code, says] = Object.entries(ALWAYS).find(([code]) => standing.some((f) => f.code === code)) ?? [];
-    const grave = standing.some((f) => f.code === code && f.level === "warning");
+    const [code, says] =
+      Object.entries(ALWAYS).find(([code]) =>
+        standing.some((f) => f.code === code),
+      ) ?? [];
+    const grave = standing.some(
+      (f) => f.code === code && f.level === "warning",
+    );
     const about = this.t("About {control}", title);
     return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${says ? `${about}: ${this.t(says)}` : about} title=${about} ?disabled=${!store.post} @click=${() => this.about(`control:${id}`)}>${says ? html`<span class="words">${this.t(says)}</span> ` : nothing}<span class="i" aria-hidden="true">i</span></button>`;
   }
 
   private about(topic: string): void {
-    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: topic }));
+    this.dispatchEvent(
+      new CustomEvent("about", { bubbles: true, detail: topic }),
+    );
   }
 
   /** Under their source, whose name would leave no room for theirs: `ENCY/SprutCAM type 7` says the source and the number in it. */
   private cycles() {
     const { store } = this;
     const last = Number.POSITIVE_INFINITY;
-    const still = (cycle: CycleEntry) => cycle.steps.length === 0 && !store.cam && cycle.type !== store.cycle.type;
+    const still = (cycle: CycleEntry) =>
+      cycle.steps.length === 0 && !store.cam && cycle.type !== store.cycle.type;
     const sorted = store.catalog.cycles
-      .filter((cycle) => !still(cycle) && (cycle.type === store.cycle.type || store.rules.offers("cycles", cycle.type)))
+      .filter(
+        (cycle) =>
+          !still(cycle) &&
+          (cycle.type === store.cycle.type ||
+            store.rules.offers("cycles", cycle.type)),
+      )
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
     return sorted.map(({ type, title, source }) => {
       const [under = "", ...number] = source.split(" ");
-      return { value: type, under, label: store.cam ? `${title} · ${number.join(" ")}` : title };
+      return {
+        value: type,
+        under,
+        label: store.cam ? `${title} · ${number.join(" ")}` : title,
+      };
     });
   }
 
@@ -119,32 +146,60 @@ class BarPart extends FieldPart {
   private machine(): TemplateResult {
     const { store } = this;
     const offered = store.rules.machines;
-    const taken = (one: Preset) => offered.some(({ name }) => name === one.name);
+    const taken = (one: Preset) =>
+      offered.some(({ name }) => name === one.name);
     const may = ({ sections }: Preset) => {
       const post = (sections.control as Draft | undefined)?.post;
       return typeof post !== "string" || store.rules.offers("controls", post);
     };
-    const mine = (this.local ? (presets() ?? []) : []).filter((one) => !taken(one) && may(one));
+    const mine = (this.local ? (presets() ?? []) : []).filter(
+      (one) => !taken(one) && may(one),
+    );
     const kept = [...offered, ...mine];
     const used = kept.find((one) => this.isUsed(one));
     const own = mine.length > 0 ? this.t("My machines") : " ";
     const under = (list: Preset[], under: string) =>
-      list.map(({ name }) => ({ value: `machine:${name}`, label: name, under }));
-    const machines = [...under(offered, this.t("Machines")), ...under(mine, own)];
-    const posts = this.posts().map((post) => ({ ...post, under: kept.length > 0 ? this.t("Controls") : "" }));
-    const keep = this.local ? [{ value: "keep:", label: this.t("Keep this machine …"), under: own }] : [];
-    const choices = kept.length > 0 ? [...machines, ...keep, ...posts] : [...posts, ...keep];
+      list.map(({ name }) => ({
+        value: `machine:${name}`,
+        label: name,
+        under,
+      }));
+    const machines = [
+      ...under(offered, this.t("Machines")),
+      ...under(mine, own),
+    ];
+    const posts = this.posts().map((post) => ({
+      ...post,
+      under: kept.length > 0 ? this.t("Controls") : "",
+    }));
+    const keep = this.local
+      ? [{ value: "keep:", label: this.t("Keep this machine …"), under: own }]
+      : [];
+    const choices =
+      kept.length > 0 ? [...machines, ...keep, ...posts] : [...posts, ...keep];
     const path = "control.post";
     const value = used ? `machine:${used.name}` : store.get(path);
     const choose = (chosen: string) => this.chooseMachine(chosen, kept);
-    return this.select(path, choices, choose, this.t("On which machine?"), { title: store.post?.title, value });
+    return this.select(path, choices, choose, this.t("On which machine?"), {
+      title: store.post?.title,
+      value,
+    });
   }
 
   private chooseMachine(chosen: string, kept: Preset[]): void {
     const preset = kept.find(({ name }) => chosen === `machine:${name}`);
     if (chosen === "keep:") this.ask("presets");
-    else if (preset) this.dispatchEvent(new CustomEvent("machine", { bubbles: true, detail: preset }));
-    else this.dispatchEvent(new CustomEvent("choose", { bubbles: true, detail: `control.post:${chosen}` }));
+    else if (preset)
+      this.dispatchEvent(
+        new CustomEvent("machine", { bubbles: true, detail: preset }),
+      );
+    else
+      this.dispatchEvent(
+        new CustomEvent("choose", {
+          bubbles: true,
+          detail: `control.post:${chosen}`,
+        }),
+      );
     // What could not be taken does not stay in the list.
     this.requestUpdate();
   }
@@ -154,17 +209,24 @@ class BarPart extends FieldPart {
     const { draft, units } = this.store;
     const { overtravel, sections } = convertedPreset(preset, units);
     return (
-      isSame(overtravel, draft.overtravel) && SECTIONS.every((key) => isSame(unwritten(sections[key]), draft[key]))
+      isSame(overtravel, draft.overtravel) &&
+      SECTIONS.every((key) => isSame(unwritten(sections[key]), draft[key]))
     );
   }
 
   /** Controls that do not take this cycle are shown, with the reason. */
   private posts() {
     const { store } = this;
-    const offered = store.catalog.posts.filter(({ id }) => id === store.post?.id || store.rules.offers("controls", id));
+    const offered = store.catalog.posts.filter(
+      ({ id }) => id === store.post?.id || store.rules.offers("controls", id),
+    );
     return offered.map((post) => {
       const not = store.whyNot(post.id);
-      return { value: post.id, label: not ? `${post.title} –` : post.title, ...(not ? { not } : {}) };
+      return {
+        value: post.id,
+        label: not ? `${post.title} –` : post.title,
+        ...(not ? { not } : {}),
+      };
     });
   }
 
@@ -178,7 +240,10 @@ class BarPart extends FieldPart {
       return html`<span class="does" role="note">${store.stale ? this.t("no program") : store.does}</span>`;
     }
     const choose = (n: string) => {
-      if (n === "judge") this.dispatchEvent(new CustomEvent("go", { detail: "limits.size", bubbles: true }));
+      if (n === "judge")
+        this.dispatchEvent(
+          new CustomEvent("go", { detail: "limits.size", bubbles: true }),
+        );
       else store.put("control.workOffset", n === "" ? null : Number(n));
       this.requestUpdate();
     };
@@ -197,13 +262,19 @@ class BarPart extends FieldPart {
   /** The number of an offset such as G154 P12; any other text changes nothing. */
   private page(box: HTMLInputElement, first: number, count: number): void {
     const page = Number(box.value);
-    if (Number.isInteger(page) && page >= 1 && page <= count) this.store.put("control.workOffset", first + page - 1);
+    if (Number.isInteger(page) && page >= 1 && page <= count)
+      this.store.put("control.workOffset", first + page - 1);
     else {
       this.dispatchEvent(
-        new CustomEvent("say", { bubbles: true, detail: [w("Enter a whole number from 1 to {most}"), String(count)] }),
+        new CustomEvent("say", {
+          bubbles: true,
+          detail: [w("Enter a whole number from 1 to {most}"), String(count)],
+        }),
       );
       this.requestUpdate();
-      box.value = String(Number(this.store.get("control.workOffset")) - first + 1);
+      box.value = String(
+        Number(this.store.get("control.workOffset")) - first + 1,
+      );
     }
   }
 
@@ -216,15 +287,23 @@ class BarPart extends FieldPart {
       value: `${rotation} ${position}`,
       label: this.t(words),
     }));
-    const other = known.some(({ value }) => value === is) ? [] : [{ value: is, label: store.does }];
+    const other = known.some(({ value }) => value === is)
+      ? []
+      : [{ value: is, label: store.does }];
     const take = (chosen: string) => {
       const [confirmRotation, transferPosition] = chosen.split(" ").map(Number);
       store.put("cycle", { ...cycle, confirmRotation, transferPosition });
     };
-    return this.select("cycle.confirmRotation", [...known, ...other], take, this.t("What shall it do?"), {
-      value: is,
-      id: "does",
-    });
+    return this.select(
+      "cycle.confirmRotation",
+      [...known, ...other],
+      take,
+      this.t("What shall it do?"),
+      {
+        value: is,
+        id: "does",
+      },
+    );
   }
 
   /** The work offsets; the many of one word, such as G154 P1 to P99, are one entry with a number. */
@@ -236,21 +315,39 @@ class BarPart extends FieldPart {
     const start = words.findIndex((word) => /^\S+ P\d+$/.test(word));
     const single = start < 0 ? (post?.workOffsets ?? 0) : start;
     const known = post?.workOffsets ?? 0;
-    const most = start < 0 ? Math.max(single, typeof value === "number" ? Math.min(value, 99) : 0) : single;
+    const most =
+      start < 0
+        ? Math.max(single, typeof value === "number" ? Math.min(value, 99) : 0)
+        : single;
     const numbers = Array.from({ length: most }, (_, i) => ({
       value: (i + 1) as number | null | string,
       label: store.writes(i + 1),
     }));
     const word = words[start]?.replace(/\d+$/, "") ?? "";
-    const paged = start < 0 ? null : { first: start + 1, count: known - start, word };
-    if (paged) numbers.push({ value: paged.first, label: store.t("writes {offset}", `${word}…`) });
-    if (start >= 0 && typeof value === "number" && value > known) numbers.push({ value, label: store.writes(value) });
-    const none = value === null && !store.stale ? store.does : this.t("measures only");
+    const paged =
+      start < 0 ? null : { first: start + 1, count: known - start, word };
+    if (paged)
+      numbers.push({
+        value: paged.first,
+        label: store.t("writes {offset}", `${word}…`),
+      });
+    if (start >= 0 && typeof value === "number" && value > known)
+      numbers.push({ value, label: store.writes(value) });
+    const none =
+      value === null && !store.stale ? store.does : this.t("measures only");
     const judge =
-      store.fieldAt("limits.size") && store.cycle.touches ? [{ value: "judge", label: this.t("judge: limits …") }] : [];
-    const allowed = (one: number | null) => one === value || store.rules.allowsOffset(one);
-    const all = [{ value: null as number | null | string, label: none }, ...numbers];
-    const offsets = all.filter((one) => (typeof one.value === "string" ? true : allowed(one.value)));
+      store.fieldAt("limits.size") && store.cycle.touches
+        ? [{ value: "judge", label: this.t("judge: limits …") }]
+        : [];
+    const allowed = (one: number | null) =>
+      one === value || store.rules.allowsOffset(one);
+    const all = [
+      { value: null as number | null | string, label: none },
+      ...numbers,
+    ];
+    const offsets = all.filter((one) =>
+      typeof one.value === "string" ? true : allowed(one.value),
+    );
     return { offsets: [...offsets, ...judge], paged };
   }
 
@@ -261,7 +358,8 @@ class BarPart extends FieldPart {
     const canvas = this.querySelector<HTMLCanvasElement>("canvas.mini");
     if (!canvas?.checkVisibility()) return;
     this.drawn = type;
-    const show = (view: { showSmall(job: unknown): boolean }) => view.showSmall(defaultJob(type));
+    const show = (view: { showSmall(job: unknown): boolean }) =>
+      view.showSmall(defaultJob(type));
     if (this.drawing) this.drawing.use(show);
     this.drawing ??= new Drawing(canvas, show);
     this.drawing.restyle();
@@ -297,8 +395,16 @@ function unwritten(section: unknown): unknown {
 /** Whether a machine that was kept says the same: what it does not say is not asked. */
 function isSame(kept: unknown, now: unknown): boolean {
   if (kept === undefined) return true;
-  if (typeof kept !== "object" || kept === null || typeof now !== "object" || now === null) return alike(kept, now);
-  return Object.entries(kept).every(([key, value]) => alike(value, (now as Draft)[key] ?? null));
+  if (
+    typeof kept !== "object" ||
+    kept === null ||
+    typeof now !== "object" ||
+    now === null
+  )
+    return alike(kept, now);
+  return Object.entries(kept).every(([key, value]) =>
+    alike(value, (now as Draft)[key] ?? null),
+  );
 }
 
 customElements.define("tp-bar", BarPart);

@@ -30,14 +30,21 @@ export abstract class CanvasPart extends Part {
 }
 
 /** What the views are called. */
-const VIEW_NAMES = { top: w("top"), front: w("front"), side: w("side"), isometric: w("isometric") };
+const VIEW_NAMES = {
+  top: w("top"),
+  front: w("front"),
+  side: w("side"),
+  isometric: w("isometric"),
+};
 
 /** A part with a large picture: its views and zoom. */
 export abstract class DrawnPart extends CanvasPart {
   protected look: (typeof VIEWS)[number] = "top";
 
   protected override firstUpdated(): void {
-    this.canvas().addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    this.canvas().addEventListener("wheel", (event) => this.wheel(event), {
+      passive: false,
+    });
   }
 
   protected wheel(event: WheelEvent): void {

@@ -1,5 +1,11 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type Finding, type Job, type Plan, type Programmed, programs } from "../core/browser.js";
+import {
+  type Finding,
+  type Job,
+  type Plan,
+  type Programmed,
+  programs,
+} from "../core/browser.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { LEVELS, NAMES, remedy } from "./findings.js";
@@ -10,24 +16,39 @@ type Row = Plan["safety"][number];
 /** What a rule came to: a sign that is no colour alone, and a word for who hears it. */
 function sign(row: Row, own: boolean): { mark: string; word: string } {
   if (row.holds === null)
-    return { mark: "–", word: own ? w("the control's own cycle does it") : w("this control cannot") };
-  return row.holds ? { mark: "✓", word: w("holds") } : { mark: "!", word: w("does not hold") };
+    return {
+      mark: "–",
+      word: own
+        ? w("the control's own cycle does it")
+        : w("this control cannot"),
+    };
+  return row.holds
+    ? { mark: "✓", word: w("holds") }
+    : { mark: "!", word: w("does not hold") };
 }
 
 /** What the safety rules came to, and what was proven of the program, in a line. */
 export function checked(store: Store): string {
   const { plan } = store;
-  const count = (holds: boolean | null) => plan.safety.filter((row) => row.holds === holds).length;
+  const count = (holds: boolean | null) =>
+    plan.safety.filter((row) => row.holds === holds).length;
   const [good, bad, unable] = [count(true), count(false), count(null)];
   const { proof } = plan.program;
   return [
     proof?.arithmetic
-      ? store.t("Read back: {moves} moves match the path, and the arithmetic is right", proof.moves)
+      ? store.t(
+          "Read back: {moves} moves match the path, and the arithmetic is right",
+          proof.moves,
+        )
       : proof
         ? store.t("Read back: {moves} moves match the path", proof.moves)
         : "",
     good ? store.t("{count} safety rules hold", good) : "",
-    bad === 1 ? store.t("1 does not") : bad ? store.t("{count} do not", bad) : "",
+    bad === 1
+      ? store.t("1 does not")
+      : bad
+        ? store.t("{count} do not", bad)
+        : "",
     unable ? unheld(store, unable) : "",
   ]
     .filter(Boolean)
@@ -53,11 +74,17 @@ class ChecksPart extends Part {
   override render(): TemplateResult {
     const { plan, stale, ofJob: findings, post } = this.store;
     const always = this.store.findings.filter((f) => this.store.stands(f));
-    const sorted = LEVELS.flatMap((level) => findings.filter((f) => f.level === level));
+    const sorted = LEVELS.flatMap((level) =>
+      findings.filter((f) => f.level === level),
+    );
     const bad = plan.safety.some((row) => row.holds === false);
     // Where one reason is that of every rule, it is said once.
     const [first, ...others] = plan.safety;
-    const same = first?.holds === null && others.every((row) => row.holds === null && row.message === first.message);
+    const same =
+      first?.holds === null &&
+      others.every(
+        (row) => row.holds === null && row.message === first.message,
+      );
     const shared = same ? first.said : null;
     return html`
       <h2>${this.t("Findings")}</h2>
@@ -87,13 +114,23 @@ class ChecksPart extends Part {
     const { store } = this;
     const now = store.draft.control as { post: string; form: string };
     const rows = store.catalog.posts.flatMap((post) => {
-      const forms = post.cycles.filter((c) => c.type === store.cycle.type && c.supported).map((c) => c.form);
-      return (forms.length ? forms : ["moves"]).map((form) => ({ post, form: form as "moves" | "cycle" }));
+      const forms = post.cycles
+        .filter((c) => c.type === store.cycle.type && c.supported)
+        .map((c) => c.form);
+      return (forms.length ? forms : ["moves"]).map((form) => ({
+        post,
+        form: form as "moves" | "cycle",
+      }));
     });
     const made = (post: string, form: string) => {
-      const job = { ...store.job, control: store.controlOf(post, form as "moves" | "cycle") } as unknown as Job;
+      const job = {
+        ...store.job,
+        control: store.controlOf(post, form as "moves" | "cycle"),
+      } as unknown as Job;
       const { program, findings } = programs([job]).next().value as Programmed;
-      const first = LEVELS.map((level) => findings.find((f) => f.level === level)).find(Boolean);
+      const first = LEVELS.map((level) =>
+        findings.find((f) => f.level === level),
+      ).find(Boolean);
       return {
         lines: program ? program.text.split("\n").length - 1 : null,
         says: !first || first.level === "info" ? "" : this.message(first),
@@ -122,14 +159,18 @@ class ChecksPart extends Part {
   /** What a path is called: a field by its label, a section by its heading, the cycle by its title. */
   private named(path: string): string {
     if (path === "cycle") return this.store.cycle.title;
-    const group = this.store.catalog.sections.find((section) => section.path === path)?.fields[0]?.group;
+    const group = this.store.catalog.sections.find(
+      (section) => section.path === path,
+    )?.fields[0]?.group;
     return this.store.fieldAt(path)?.label ?? (group ? this.t(group) : path);
   }
 
   /** A rule; `reason`: with why this control cannot hold it. */
   private row(row: Row, reason: boolean): TemplateResult {
     const { mark, word } = sign(row, this.store.ownCycle);
-    const rule = this.store.catalog.rules.find((rule) => rule.name === row.rule);
+    const rule = this.store.catalog.rules.find(
+      (rule) => rule.name === row.rule,
+    );
     const unable = row.holds === null;
     return html`<li class=${row.holds === false ? "warning" : ""} title=${rule ? `${rule.why} (${rule.name})` : nothing}><span class="mark" role="img" aria-label=${this.t(word)}>${mark}</span>
       ${unable ? rule?.says : this.store.say(row.said)}${unable && reason ? html`: <small>${this.store.say(row.said)}</small>` : nothing}${this.lines(row)}</li>`;
@@ -144,12 +185,20 @@ class ChecksPart extends Part {
       ? this.t("Line {lines}", shown.map((line) => line + 1).join(", "))
       : this.t("{count} lines", about.length);
     if (!this.linked) return html` <small>${says}</small>`;
-    const show = () => this.dispatchEvent(new CustomEvent("lines", { detail: shown, bubbles: true }));
+    const show = () =>
+      this.dispatchEvent(
+        new CustomEvent("lines", { detail: shown, bubbles: true }),
+      );
     return html` <button type="button" class="quiet" title=${this.t("Show in the program")} @click=${show}>${says}</button>`;
   }
 
   private about(): void {
-    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: `control:${this.store.post?.id}` }));
+    this.dispatchEvent(
+      new CustomEvent("about", {
+        bubbles: true,
+        detail: `control:${this.store.post?.id}`,
+      }),
+    );
   }
 
   private go(event: Event, path: string): void {

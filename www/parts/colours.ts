@@ -10,18 +10,28 @@ const KINDS: [name: string, words: RegExp][] = [
     /\b[GM]\d+(?:\.\d)?\b|\bo(?:<[^>]*>|\d+)|\b(?:call|sub|endsub|if|else|endif|IF|THEN|GOTO[FB]?|DEF|MSG|SETAL|STOPRE|MEAS|TCH PROBE|CYCL DEF|TOOL CALL|BEGIN PGM|END PGM|CYCLE\d+|POPEN|PCLOS|DPRNT)\b/,
   ],
 ];
-const WORDS = new RegExp(KINDS.map(([name, { source }]) => `(?<${name}>${source})`).join("|"), "gm");
+const WORDS = new RegExp(
+  KINDS.map(([name, { source }]) => `(?<${name}>${source})`).join("|"),
+  "gm",
+);
 
 /** Words of a line by kind, from and to. */
-export function words(line: string): { kind: string; from: number; to: number }[] {
+export function words(
+  line: string,
+): { kind: string; from: number; to: number }[] {
   return [...line.matchAll(WORDS)].flatMap((match) => {
-    const kind = Object.entries(match.groups ?? {}).find(([, text]) => text !== undefined)?.[0];
-    return kind ? [{ kind, from: match.index, to: match.index + match[0].length }] : [];
+    const kind = Object.entries(match.groups ?? {}).find(
+      ([, text]) => text !== undefined,
+    )?.[0];
+    return kind
+      ? [{ kind, from: match.index, to: match.index + match[0].length }]
+      : [];
   });
 }
 
 /** The browser's registry; an old browser has none, and shows programs in one colour. */
-const registry = (globalThis as { CSS?: { highlights?: HighlightRegistry } }).CSS?.highlights;
+const registry = (globalThis as { CSS?: { highlights?: HighlightRegistry } })
+  .CSS?.highlights;
 
 /** The colours of one program that is shown: of its lines in sight, since every coloured line is painted anew at each keystroke. Several on a page share the registry. */
 export class Colours {
@@ -64,7 +74,8 @@ export class Colours {
     if (!this.box || !sight) return;
     for (const text of this.box.querySelectorAll(".line:not(.touch) .text")) {
       const { top, bottom } = text.getBoundingClientRect();
-      if (bottom > Math.max(top, sight.top) && top < sight.bottom) this.line(text);
+      if (bottom > Math.max(top, sight.top) && top < sight.bottom)
+        this.line(text);
     }
   }
 
@@ -75,11 +86,18 @@ export class Colours {
   }
 
   private line(element: Element): void {
-    const node = [...element.childNodes].find((child) => child.nodeType === Node.TEXT_NODE && child.nodeValue);
+    const node = [...element.childNodes].find(
+      (child) => child.nodeType === Node.TEXT_NODE && child.nodeValue,
+    );
     if (!node) return;
     for (const { kind, from, to } of words(node.nodeValue ?? "")) {
       const highlight = this.of(kind);
-      const range = new StaticRange({ startContainer: node, startOffset: from, endContainer: node, endOffset: to });
+      const range = new StaticRange({
+        startContainer: node,
+        startOffset: from,
+        endContainer: node,
+        endOffset: to,
+      });
       highlight.add(range);
       this.ranges.push([highlight, range]);
     }

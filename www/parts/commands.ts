@@ -83,9 +83,14 @@ class CommandsPart extends Part {
     const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
     const one = list[Math.min(this.at, list.length - 1)];
     if (step && list.length > 0) {
-      this.at = (Math.min(this.at, list.length - 1) + step + list.length) % list.length;
+      this.at =
+        (Math.min(this.at, list.length - 1) + step + list.length) % list.length;
       this.requestUpdate();
-      this.updateComplete.then(() => this.querySelector(`#command-${this.at}`)?.scrollIntoView({ block: "nearest" }));
+      this.updateComplete.then(() =>
+        this.querySelector(`#command-${this.at}`)?.scrollIntoView({
+          block: "nearest",
+        }),
+      );
     } else if (event.key === "Enter" && one) this.run(one);
     else return;
     event.preventDefault();
@@ -97,21 +102,31 @@ class CommandsPart extends Part {
   }
 
   private listed(): Command[] {
-    const text = ({ name, kind, says = "", also = "" }: Command) => `${name} ${kind} ${says} ${also}`.toLowerCase();
+    const text = ({ name, kind, says = "", also = "" }: Command) =>
+      `${name} ${kind} ${says} ${also}`.toLowerCase();
     const words = wordsIn(this.query);
     // What is called so comes before what is only found so.
-    const called = ({ name }: Command) => words.every((word) => hasWord(name.toLowerCase(), word));
+    const called = ({ name }: Command) =>
+      words.every((word) => hasWord(name.toLowerCase(), word));
     const all = found(this.all(), this.query, text).things;
-    return [...all.filter(called), ...all.filter((one) => !called(one))].slice(0, MOST);
+    return [...all.filter(called), ...all.filter((one) => !called(one))].slice(
+      0,
+      MOST,
+    );
   }
 
   private all(): Command[] {
     const { store } = this;
     const { cycle, catalog } = store;
     const cycles = catalog.cycles
-      .filter((one) => (store.cam || one.steps.length > 0) && store.rules.offers("cycles", one.type))
+      .filter(
+        (one) =>
+          (store.cam || one.steps.length > 0) &&
+          store.rules.offers("cycles", one.type),
+      )
       .map((one): Command => {
-        const english = this.english.find(({ type }) => type === one.type) ?? one;
+        const english =
+          this.english.find(({ type }) => type === one.type) ?? one;
         const also = textOf(one, english, (text) => this.t(text));
         return {
           name: one.title,
@@ -128,25 +143,50 @@ class CommandsPart extends Part {
         event: ["about", event[1].replace("cycle.type", "cycle")],
       }),
     );
-    const posts = catalog.posts.filter(({ id }) => store.rules.offers("controls", id));
+    const posts = catalog.posts.filter(({ id }) =>
+      store.rules.offers("controls", id),
+    );
     const controls = posts.flatMap((post): Command[] => [
-      { name: post.title, kind: this.t("control"), event: ["choose", `control.post:${post.id}`] },
-      { name: this.t("About {control}", post.title), kind: this.t("manual"), event: ["about", `control:${post.id}`] },
+      {
+        name: post.title,
+        kind: this.t("control"),
+        event: ["choose", `control.post:${post.id}`],
+      },
+      {
+        name: this.t("About {control}", post.title),
+        kind: this.t("manual"),
+        event: ["about", `control:${post.id}`],
+      },
     ]);
     const field =
       (path: string) =>
       (entry: FieldEntry): Command[] => {
         const at = path === "" ? entry.key : `${path}.${entry.key}`;
-        if (entry.label === "" || at === "cycle.type" || !store.rules.showsField(at)) return [];
+        if (
+          entry.label === "" ||
+          at === "cycle.type" ||
+          !store.rules.showsField(at)
+        )
+          return [];
         if (!store.cam && entry.group.startsWith("Postprocessor")) return [];
         return [
-          { name: entry.label, kind: this.t(entry.group), says: entry.help, also: entry.code ?? "", event: ["go", at] },
+          {
+            name: entry.label,
+            kind: this.t(entry.group),
+            says: entry.help,
+            also: entry.code ?? "",
+            event: ["go", at],
+          },
         ];
       };
     const fields = [
       ...cycle.fields.flatMap(field("cycle")),
-      ...cycle.sections.flatMap(({ key, fields }) => fields.flatMap(field(`cycle.${key}`))),
-      ...catalog.sections.flatMap(({ path, fields }) => fields.flatMap(field(path))),
+      ...cycle.sections.flatMap(({ key, fields }) =>
+        fields.flatMap(field(`cycle.${key}`)),
+      ),
+      ...catalog.sections.flatMap(({ path, fields }) =>
+        fields.flatMap(field(path)),
+      ),
     ];
     const actions = this.actions.map(
       ([what, name]): Command => ({
@@ -158,7 +198,9 @@ class CommandsPart extends Part {
     );
     const all = [...cycles, ...actions, ...fields, ...controls, ...about];
     // Nothing is offered that a job which can only be looked at does not do.
-    return store.readonly ? all.filter(({ event: [name] }) => name !== "choose") : all;
+    return store.readonly
+      ? all.filter(({ event: [name] }) => name !== "choose")
+      : all;
   }
 }
 

@@ -19,11 +19,17 @@ const linesOf = (text: string) => text.replace(/\n$/, "").split("\n");
 /** The lines of both programs in their order. */
 export function compare(other: string, present: string): Compared[] {
   let [here, there] = [0, 0];
-  return diffArrays(linesOf(other), linesOf(present)).flatMap(({ value, added, removed }) =>
-    value.map((text): Compared => {
-      const sign = added ? "+" : removed ? "-" : " ";
-      return { sign, text, line: removed ? null : here++, other: added ? null : there++ };
-    }),
+  return diffArrays(linesOf(other), linesOf(present)).flatMap(
+    ({ value, added, removed }) =>
+      value.map((text): Compared => {
+        const sign = added ? "+" : removed ? "-" : " ";
+        return {
+          sign,
+          text,
+          line: removed ? null : here++,
+          other: added ? null : there++,
+        };
+      }),
   );
 }
 
@@ -32,7 +38,8 @@ export function beside(lines: Compared[]): Pair[] {
   const pairs: Pair[] = [];
   let [less, more]: [Compared[], Compared[]] = [[], []];
   const put = () => {
-    for (let i = 0; i < Math.max(less.length, more.length); i++) pairs.push([less[i] ?? null, more[i] ?? null]);
+    for (let i = 0; i < Math.max(less.length, more.length); i++)
+      pairs.push([less[i] ?? null, more[i] ?? null]);
     [less, more] = [[], []];
   };
   for (const line of lines) {

@@ -23,10 +23,14 @@ export async function copy(text: string): Promise<boolean> {
 }
 
 /** What is to be said of a text that was to be copied. */
-export const copied = (done: boolean): string => (done ? w("Copied") : w("The browser did not allow it"));
+export const copied = (done: boolean): string =>
+  done ? w("Copied") : w("The browser did not allow it");
 
 /** Why nothing is handed out, beside the buttons that would; they name it by `aria-describedby`. */
-export function withheld(store: Store, id: string): TemplateResult | typeof nothing {
+export function withheld(
+  store: Store,
+  id: string,
+): TemplateResult | typeof nothing {
   const why = store.withheld;
   return why === null
     ? nothing

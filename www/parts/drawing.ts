@@ -2,7 +2,17 @@
 import { awaited, PageView } from "../core/browser.js";
 import type { Store } from "../store.js";
 
-const COLOURS = ["background", "text", "wall", "actual", "position", "link", "touch", "ball", "highlight"];
+const COLOURS = [
+  "background",
+  "text",
+  "wall",
+  "actual",
+  "position",
+  "link",
+  "touch",
+  "ball",
+  "highlight",
+];
 
 /** The dimensions of the next job are called as the form calls its fields, in the language of the page. */
 export function label(view: PageView, store: Store): void {
@@ -64,8 +74,12 @@ export class Drawing {
   wheel(event: WheelEvent): void {
     event.preventDefault();
     const box = this.canvas.getBoundingClientRect();
-    const factor = Math.exp(-Math.max(-100, Math.min(100, event.deltaY)) * 0.004);
-    this.use((view) => view.zoom(factor, event.clientX - box.left, event.clientY - box.top));
+    const factor = Math.exp(
+      -Math.max(-100, Math.min(100, event.deltaY)) * 0.004,
+    );
+    this.use((view) =>
+      view.zoom(factor, event.clientX - box.left, event.clientY - box.top),
+    );
   }
 
   /** Arrow keys pan, plus and minus zoom, 0 fits. */
@@ -138,7 +152,18 @@ export class Drawing {
 
   private fit(view: PageView): void {
     const style = getComputedStyle(this.canvas);
-    view.setTheme(Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--c-${name}`).trim()])));
-    view.resize(this.canvas.clientWidth, this.canvas.clientHeight, devicePixelRatio || 1);
+    view.setTheme(
+      Object.fromEntries(
+        COLOURS.map((name) => [
+          name,
+          style.getPropertyValue(`--c-${name}`).trim(),
+        ]),
+      ),
+    );
+    view.resize(
+      this.canvas.clientWidth,
+      this.canvas.clientHeight,
+      devicePixelRatio || 1,
+    );
   }
 }

@@ -53,17 +53,28 @@ export class Export {
 
   /** Saves the form as it stands, also with errors: it is the user's work. */
   job(): void {
-    download(`${JSON.stringify(this.store.job, null, 2)}\n`, this.store.otherName(".json"), "application/json");
+    download(
+      `${JSON.stringify(this.store.job, null, 2)}\n`,
+      this.store.otherName(".json"),
+      "application/json",
+    );
   }
 
   /** Saves the picture as it is looked at, of the form as it stands. */
   picture(): void {
     const { store } = this;
     if (store.withheld !== null) {
-      this.page.tell([w("No picture to save while the form has an error: {why}"), store.withheld]);
+      this.page.tell([
+        w("No picture to save while the form has an error: {why}"),
+        store.withheld,
+      ]);
       return;
     }
-    download(this.svg(), store.otherName(`-${this.page.view()}.svg`), "image/svg+xml");
+    download(
+      this.svg(),
+      store.otherName(`-${this.page.view()}.svg`),
+      "image/svg+xml",
+    );
   }
 
   /** The picture as it is looked at, of the last form that had a plan. */
@@ -71,18 +82,29 @@ export class Export {
     const { store } = this;
     const picture = this.page.picture();
     const job = store.shown as unknown as Job;
-    return picture?.svg(`${job.name}: ${store.cycle.title}`) ?? svg(job, this.page.view());
+    return (
+      picture?.svg(`${job.name}: ${store.cycle.title}`) ??
+      svg(job, this.page.view())
+    );
   }
 
   /** Copies a link to the job; where the browser does not allow that, shows it. */
   async link(): Promise<void> {
-    const fragment = await toFragment({ job: this.store.job, measured: this.store.measured });
+    const fragment = await toFragment({
+      job: this.store.job,
+      measured: this.store.measured,
+    });
     if (fragment === null) {
-      this.page.tell([w("This job is too long for a link: save it as a file instead")]);
+      this.page.tell([
+        w("This job is too long for a link: save it as a file instead"),
+      ]);
       return;
     }
     const link = new URL(fragment, location.href).href;
-    if (await copy(link)) this.page.tell([w("Link copied. The job is in the link itself: no server keeps it.")]);
+    if (await copy(link))
+      this.page.tell([
+        w("Link copied. The job is in the link itself: no server keeps it."),
+      ]);
     else this.page.show(link);
   }
 }

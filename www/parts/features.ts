@@ -38,13 +38,19 @@ class FeaturesPart extends Part {
   private row(one: Feature, i: number, count: number): TemplateResult {
     const { store } = this;
     const now = i === store.features.hand;
-    const title = store.catalog.cycles.find((c) => c.type === one.cycle.type)?.title ?? "";
+    const title =
+      store.catalog.cycles.find((c) => c.type === one.cycle.type)?.title ?? "";
     const level = this.level(i, now);
     const act = (event: Event, what: () => void) => {
       event.stopPropagation();
       what();
     };
-    const button = (sign: string, label: string, does: () => void, off = false) =>
+    const button = (
+      sign: string,
+      label: string,
+      does: () => void,
+      off = false,
+    ) =>
       html`<button type="button" class="icon" aria-label=${this.t(label, one.name)} title=${this.t(label, one.name)} ?disabled=${off || store.readonly} @click=${(e: Event) => act(e, does)}>${sign}</button>`;
     return html`<li class=${`${now ? "now" : ""} ${one.off ? "off" : ""}`} draggable=${store.readonly ? "false" : "true"}
       @dragstart=${(e: DragEvent) => e.dataTransfer?.setData("text/x-touchpath-cycle", String(i))}
@@ -68,9 +74,13 @@ class FeaturesPart extends Part {
     const { store } = this;
     const is = (path: string) => {
       const index = /^cycles\[(\d+)\]/.exec(path)?.[1];
-      return index === undefined ? now && /^cycle\b/.test(path) : store.features.placeOf(Number(index)) === place;
+      return index === undefined
+        ? now && /^cycle\b/.test(path)
+        : store.features.placeOf(Number(index)) === place;
     };
-    return ["error", "warning"].find((level) => store.findings.some((f) => f.level === level && is(f.path)));
+    return ["error", "warning"].find((level) =>
+      store.findings.some((f) => f.level === level && is(f.path)),
+    );
   }
 
   private rename(box: HTMLInputElement, i: number): void {
@@ -80,7 +90,9 @@ class FeaturesPart extends Part {
   }
 
   private dropped(event: DragEvent, to: number): void {
-    const from = Number(event.dataTransfer?.getData("text/x-touchpath-cycle") || Number.NaN);
+    const from = Number(
+      event.dataTransfer?.getData("text/x-touchpath-cycle") || Number.NaN,
+    );
     event.preventDefault();
     event.stopPropagation();
     if (Number.isInteger(from) && from !== to) this.store.moveFeature(from, to);
@@ -91,7 +103,8 @@ class FeaturesPart extends Part {
     const { store } = this;
     const { clear } = store.features;
     const found = store.findings.filter(
-      ({ path }) => path.startsWith("datum") || path === "clear" || path === "cycles",
+      ({ path }) =>
+        path.startsWith("datum") || path === "clear" || path === "cycles",
     );
     return html`<div class="datum">
       ${store.get("control.workOffset") == null ? nothing : html`<p>${this.sentence()}</p><div class="choices">${store.plan.datum.map((row) => this.from(row))}</div>`}
@@ -103,39 +116,61 @@ class FeaturesPart extends Part {
 
   private clear(box: HTMLInputElement): void {
     const { store } = this;
-    const height = box.value.trim() === "" ? null : readNumber(box.value, "length", store.units, store.comma);
+    const height =
+      box.value.trim() === ""
+        ? null
+        : readNumber(box.value, "length", store.units, store.comma);
     if (typeof height === "string")
-      box.value = store.features.clear === null ? "" : store.number(String(store.features.clear));
+      box.value =
+        store.features.clear === null
+          ? ""
+          : store.number(String(store.features.clear));
     else store.clearAt(height);
   }
 
   /** `X Y from BORE, Z from TOP → G54`. */
   private sentence(): string {
     const { store } = this;
-    const word = store.post?.workOffsetWords[Number(store.get("control.workOffset")) - 1] ?? "";
+    const word =
+      store.post?.workOffsetWords[
+        Number(store.get("control.workOffset")) - 1
+      ] ?? "";
     const by = new Map<string, string[]>();
     for (const { axis, from } of store.plan.datum) {
       const cycle = from?.split(".")[0];
       if (cycle) by.set(cycle, [...(by.get(cycle) ?? []), this.t(AXES[axis])]);
     }
-    const parts = [...by].map(([cycle, axes]) => this.t("{axes} from {cycle}", axes.join(" "), cycle));
-    return parts.length > 0 ? `${parts.join(", ")} → ${word}` : this.t("Nothing is written into {offset}", word);
+    const parts = [...by].map(([cycle, axes]) =>
+      this.t("{axes} from {cycle}", axes.join(" "), cycle),
+    );
+    return parts.length > 0
+      ? `${parts.join(", ")} → ${word}`
+      : this.t("Nothing is written into {offset}", word);
   }
 
-  private from({ axis, from, choices }: Plan["datum"][number]): TemplateResult | typeof nothing {
+  private from({
+    axis,
+    from,
+    choices,
+  }: Plan["datum"][number]): TemplateResult | typeof nothing {
     if (choices.length === 0) return nothing;
     const { store } = this;
     const said = store.features.datum[axis];
-    const value = said === undefined ? "proposed" : said === null ? "none" : String(said);
+    const value =
+      said === undefined ? "proposed" : said === null ? "none" : String(said);
     const known =
-      choices.some((one) => one.toLowerCase() === value.toLowerCase()) || ["proposed", "none"].includes(value);
+      choices.some((one) => one.toLowerCase() === value.toLowerCase()) ||
+      ["proposed", "none"].includes(value);
     const proposed =
       axis === "rotation"
         ? []
         : [
             {
               value: "proposed",
-              label: said === undefined && from ? this.t("proposed: {result}", from) : this.t("proposed"),
+              label:
+                said === undefined && from
+                  ? this.t("proposed: {result}", from)
+                  : this.t("proposed"),
             },
           ];
     const options = [
@@ -144,7 +179,8 @@ class FeaturesPart extends Part {
       // What an axis is written from is mostly one result of a cycle: then its name says enough.
       ...choices.map((one) => {
         const [name = one] = one.split(".");
-        const alone = choices.filter((other) => other.startsWith(`${name}.`)).length === 1;
+        const alone =
+          choices.filter((other) => other.startsWith(`${name}.`)).length === 1;
         return { value: one, label: alone ? name : one };
       }),
     ];
@@ -152,7 +188,10 @@ class FeaturesPart extends Part {
     const now = axis === "rotation" && said === undefined ? "none" : value;
     const take = (e: Event) => {
       const chosen = (e.target as HTMLSelectElement).value;
-      store.writeFrom(axis, chosen === "proposed" ? undefined : chosen === "none" ? null : chosen);
+      store.writeFrom(
+        axis,
+        chosen === "proposed" ? undefined : chosen === "none" ? null : chosen,
+      );
     };
     return html`<label><span>${this.t(AXES[axis])}</span> <select aria-label=${this.t("{axis} is written from", this.t(AXES[axis]))} ?disabled=${store.readonly} @change=${take}>${options.map((o) => html`<option value=${o.value} ?selected=${o.value.toLowerCase() === now.toLowerCase()}>${o.label}</option>`)}</select></label>`;
   }
@@ -163,17 +202,23 @@ class FeaturesPart extends Part {
     const { relations } = store.features;
     const choices = this.operands();
     const possible = store.catalog.relations.filter(
-      ({ places, least }) => choices[places ? "places" : "results"].length >= least,
+      ({ places, least }) =>
+        choices[places ? "places" : "results"].length >= least,
     );
-    if (relations.length === 0 && (possible.length === 0 || store.readonly)) return nothing;
-    const found = store.findings.filter(({ path }) => path.startsWith("relations"));
+    if (relations.length === 0 && (possible.length === 0 || store.readonly))
+      return nothing;
+    const found = store.findings.filter(({ path }) =>
+      path.startsWith("relations"),
+    );
     const add = (e: Event) => {
       const list = e.target as HTMLSelectElement;
       const kind = possible.find(({ type }) => type === list.value);
       list.value = "";
       if (!kind) return;
       const all = choices[kind.places ? "places" : "results"];
-      store.relate((features) => features.relate(kind.type, all.slice(0, kind.most ?? all.length)));
+      store.relate((features) =>
+        features.relate(kind.type, all.slice(0, kind.most ?? all.length)),
+      );
     };
     return html`<div class="relations">
       ${relations.length > 0 ? html`<ol aria-label=${this.t("Relations")}>${relations.map((one, i) => this.relation(one, i, choices))}</ol>` : nothing}
@@ -182,11 +227,18 @@ class FeaturesPart extends Part {
     </div>`;
   }
 
-  private relation({ name, type, of }: Related, i: number, choices: Operands): TemplateResult {
+  private relation(
+    { name, type, of }: Related,
+    i: number,
+    choices: Operands,
+  ): TemplateResult {
     const { store } = this;
     const kind = store.catalog.relations.find((one) => one.type === type);
-    const known = choices[kind?.places ? "places" : "results"].filter((one) => one.split(".")[0] !== name);
-    const change = (of: string[]) => store.relate((features) => features.changeRelation(i, { of }));
+    const known = choices[kind?.places ? "places" : "results"].filter(
+      (one) => one.split(".")[0] !== name,
+    );
+    const change = (of: string[]) =>
+      store.relate((features) => features.changeRelation(i, { of }));
     const select = (
       one: string,
       k: number,
@@ -203,7 +255,8 @@ class FeaturesPart extends Part {
 
   private renameRelation(box: HTMLInputElement, i: number): void {
     const name = box.value.trim();
-    if (name !== "") this.store.relate((features) => features.changeRelation(i, { name }));
+    if (name !== "")
+      this.store.relate((features) => features.changeRelation(i, { name }));
     else box.value = this.store.features.relations[i]?.name ?? "";
   }
 
@@ -212,10 +265,13 @@ class FeaturesPart extends Part {
     const { plan } = this.store;
     const names = [...plan.cycles, ...plan.relations];
     const axis = (key: string) =>
-      plan.datum.find((row) => row.axis === key)?.choices.map((one) => one.split(".")[0] ?? one) ?? [];
+      plan.datum
+        .find((row) => row.axis === key)
+        ?.choices.map((one) => one.split(".")[0] ?? one) ?? [];
     const y = axis("y");
     const measured = plan.results.filter(
-      ({ value, unit, code }) => value !== null && unit !== "" && !code.startsWith("offset."),
+      ({ value, unit, code }) =>
+        value !== null && unit !== "" && !code.startsWith("offset."),
     );
     return {
       places: axis("x").filter((one) => y.includes(one)),
@@ -226,7 +282,8 @@ class FeaturesPart extends Part {
   /** Another cycle for this program. */
   private adding(several: boolean): TemplateResult | typeof nothing {
     const { store } = this;
-    if (store.readonly || (!several && store.cycle.touches === false)) return nothing;
+    if (store.readonly || (!several && store.cycle.touches === false))
+      return nothing;
     const take = (e: Event) => {
       const list = e.target as HTMLSelectElement;
       const type = list.value as Cycle["type"];
@@ -234,7 +291,9 @@ class FeaturesPart extends Part {
       if (type) store.addFeature(type);
     };
     if (!store.rules.allowsSetUps) return nothing;
-    const cycles = store.catalog.cycles.filter((c) => c.maxTouches > 0 && store.rules.offers("cycles", c.type));
+    const cycles = store.catalog.cycles.filter(
+      (c) => c.maxTouches > 0 && store.rules.offers("cycles", c.type),
+    );
     return html`<p class="adding"><select aria-label=${this.t("Add a cycle to this program")} @change=${take}><option value="">${this.t("+ Add a cycle to this program")}</option>${cycles.map((c) => html`<option value=${c.type}>${c.title}</option>`)}</select></p>`;
   }
 }

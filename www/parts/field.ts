@@ -43,18 +43,29 @@ export abstract class FieldPart extends Part {
   protected override follows = ["change"];
 
   /** A field's value as text, with its unit in the box. */
-  protected number(field: FieldEntry, path: string, name?: string, proposed: string[] = []): TemplateResult {
+  protected number(
+    field: FieldEntry,
+    path: string,
+    name?: string,
+    proposed: string[] = [],
+  ): TemplateResult {
     const value = this.store.get(path);
     const stand = this.store.standIn(field);
     const index = /\[(\d)\]$/.exec(path)?.[1];
-    const missing = Array.isArray(stand) && index ? stand[Number(index)] : stand;
+    const missing =
+      Array.isArray(stand) && index ? stand[Number(index)] : stand;
     const held = (value === undefined ? missing : value) ?? "";
     const text =
-      this.store.typed.get(path) ?? (typeof held === "number" ? this.store.number(String(held)) : String(held));
+      this.store.typed.get(path) ??
+      (typeof held === "number"
+        ? this.store.number(String(held))
+        : String(held));
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
     const unit = this.unit(field);
     // Beside a box for null there is less room.
-    const crowded = unit !== "" && text.length + unit.length > (field.null === null ? 14 : 12);
+    const crowded =
+      unit !== "" &&
+      text.length + unit.length > (field.null === null ? 14 : 12);
     return html`<span class=${`number ${this.level(path)} ${crowded ? "crowded" : ""}`}><input id=${`f-${path}`} type="text" inputmode=${words || (typeof held === "string" && held !== "") ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
         aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text} list=${proposed.length > 0 ? `l-${path}` : nothing}
         @focus=${(e: Event) => {
@@ -65,31 +76,54 @@ export abstract class FieldPart extends Part {
         @blur=${() => this.accept(path)}
         @keydown=${(e: KeyboardEvent) => this.key(e, field, path)}
         @input=${(e: Event) => this.typed(field, path, (e.target as HTMLInputElement).value)} />${
-          unit ? html`<span class=${unit.length > 4 ? "unit long" : "unit"} id=${`u-${path}`}>${unit}</span>` : nothing
+          unit
+            ? html`<span class=${unit.length > 4 ? "unit long" : "unit"} id=${`u-${path}`}>${unit}</span>`
+            : nothing
         }${proposed.length > 0 ? html`<datalist id=${`l-${path}`}>${proposed.map((one) => html`<option value=${one}></option>`)}</datalist>` : nothing}</span>`;
   }
 
   /** What a field of a cycle can follow: results of the cycles before it, and of relations of those alone. `axis` is that of a coordinate of its place. */
   protected followed(field: FieldEntry, path: string, axis?: number): string[] {
     const { features, plan } = this.store;
-    const control = this.store.catalog.posts.find(({ id }) => id === plan.program.post);
+    const control = this.store.catalog.posts.find(
+      ({ id }) => id === plan.program.post,
+    );
     // Where the program does not compute, nothing follows.
-    if (!features.several || !path.startsWith("cycle.") || plan.program.own || !control?.computes) return [];
+    if (
+      !features.several ||
+      !path.startsWith("cycle.") ||
+      plan.program.own ||
+      !control?.computes
+    )
+      return [];
     // Abscissa, ordinate and tool axis in each plane.
-    const axes = { G17: [0, 1, 2], G18: [2, 0, 1], G19: [1, 2, 0] }[String(this.store.get("plane"))] ?? [0, 1, 2];
-    const written = (key: string | undefined) => plan.datum.find((row) => row.axis === key)?.choices ?? [];
+    const axes = { G17: [0, 1, 2], G18: [2, 0, 1], G19: [1, 2, 0] }[
+      String(this.store.get("plane"))
+    ] ?? [0, 1, 2];
+    const written = (key: string | undefined) =>
+      plan.datum.find((row) => row.axis === key)?.choices ?? [];
     const names = [...plan.cycles, ...plan.relations];
     const sizes = () =>
       plan.results
-        .filter(({ code, nominal, unit }) => SIZES.test(code) && unit !== "deg" && (nominal ?? 0) > 0)
+        .filter(
+          ({ code, nominal, unit }) =>
+            SIZES.test(code) && unit !== "deg" && (nominal ?? 0) > 0,
+        )
         .map((row) => `${names[row.cycle]}.${row.code}`)
         .filter((name) => !written("z").includes(name));
     const before = features.knownBefore(plan.cycles.slice(0, features.inJob));
     const from = (choices: string[]) =>
-      choices.filter((one) => before.has(head(one).toLowerCase())).map((one) => `=${one}`);
-    if (path === "cycle.origin") return axis === undefined ? [] : from(written(["x", "y", "z"][axes.indexOf(axis)]));
+      choices
+        .filter((one) => before.has(head(one).toLowerCase()))
+        .map((one) => `=${one}`);
+    if (path === "cycle.origin")
+      return axis === undefined
+        ? []
+        : from(written(["x", "y", "z"][axes.indexOf(axis)]));
     if (path === "cycle.rotation") return from(written("rotation"));
-    return field.kind === "number" && field.size && field.unit === "length" ? from(sizes()) : [];
+    return field.kind === "number" && field.size && field.unit === "length"
+      ? from(sizes())
+      : [];
   }
 
   /** What the field that has the focus held when it got it. */
@@ -98,10 +132,26 @@ export abstract class FieldPart extends Part {
   /** A nominal value may carry a tolerance (`20+0.1-0.1`): it is no sum. */
   private typed(field: FieldEntry, path: string, text: string): void {
     const words = field.kind === "nominal" || field.kind === "nominalPoint";
-    const plain = words && isWorkedOut(text.replaceAll("−", "-").replace(/\s*(mm|inch|in|"|″)$/i, ""));
+    const plain =
+      words &&
+      isWorkedOut(
+        text.replaceAll("−", "-").replace(/\s*(mm|inch|in|"|″)$/i, ""),
+      );
     // How much a size of the virtual part differs is no size.
     const size = field.size && !path.startsWith("part.");
-    this.store.set(path, plain ? text : readNumber(text, field.unit, this.store.units, this.store.comma, size), text);
+    this.store.set(
+      path,
+      plain
+        ? text
+        : readNumber(
+            text,
+            field.unit,
+            this.store.units,
+            this.store.comma,
+            size,
+          ),
+      text,
+    );
   }
 
   /** A sum shows what it comes to; any other text stays as it was typed. */
@@ -111,7 +161,11 @@ export abstract class FieldPart extends Part {
     const value = this.store.get(path);
     // The other sign may be read as a decimal sign: what it was read as is shown.
     const other = this.store.comma ? "." : ",";
-    if (text !== undefined && typeof value === "number" && (isWorkedOut(text) || text.includes(other)))
+    if (
+      text !== undefined &&
+      typeof value === "number" &&
+      (isWorkedOut(text) || text.includes(other))
+    )
       this.store.tidy(path);
   }
 
@@ -126,13 +180,25 @@ export abstract class FieldPart extends Part {
       const judged = toleranced(this.store, path);
       if (judged && PLAIN.test(judged.text)) judged.take();
       box.select();
-      box.dispatchEvent(new CustomEvent("entered", { bubbles: true, detail: box }));
-    } else if (event.key === "Escape" && this.entry !== undefined && this.entry !== box.value) {
+      box.dispatchEvent(
+        new CustomEvent("entered", { bubbles: true, detail: box }),
+      );
+    } else if (
+      event.key === "Escape" &&
+      this.entry !== undefined &&
+      this.entry !== box.value
+    ) {
       event.stopPropagation();
       this.typed(field, path, this.entry);
       this.accept(path);
       this.updateComplete.then(() => box.select());
-    } else if (step && typeof value === "number" && !event.ctrlKey && !event.altKey && !event.metaKey) {
+    } else if (
+      step &&
+      typeof value === "number" &&
+      !event.ctrlKey &&
+      !event.altKey &&
+      !event.metaKey
+    ) {
       const next = value + step * this.step(field, event.shiftKey);
       this.store.set(path, tidy(next));
       this.updateComplete.then(() => box.select());
@@ -163,7 +229,12 @@ export abstract class FieldPart extends Part {
     shown: { title?: string; value?: unknown; id?: string } = {},
   ): TemplateResult {
     const held = this.store.get(path);
-    const value = shown.value !== undefined ? shown.value : held === undefined ? this.fallback(path) : held;
+    const value =
+      shown.value !== undefined
+        ? shown.value
+        : held === undefined
+          ? this.fallback(path)
+          : held;
     const known = choices.some((c) => c.value === value);
     return html`<span class=${`choice ${this.level(path)}`}><select id=${shown.id ?? `f-${path}`} aria-label=${name ?? nothing} title=${shown.title ?? nothing} aria-describedby=${`h-${path} e-${path}`}
         aria-invalid=${this.isBad(path) ? "true" : "false"} @focus=${() => this.store.focus(path)}
@@ -174,13 +245,20 @@ export abstract class FieldPart extends Part {
             (c) =>
               html`<option value=${c.value ?? ""} title=${c.not ?? nothing} class=${c.not === undefined ? nothing : "not"} .selected=${live(c.value === value)}>${c.label}</option>`,
           );
-          return under.trim() ? html`<optgroup label=${under}>${options}</optgroup>` : options;
+          return under.trim()
+            ? html`<optgroup label=${under}>${options}</optgroup>`
+            : options;
         })}
       </select></span>`;
   }
 
   /** A choice of a few short words that are all seen; a value that is none of them is shown beside them. */
-  protected radios(path: string, words: string[], take: (word: string) => void, name: string): TemplateResult {
+  protected radios(
+    path: string,
+    words: string[],
+    take: (word: string) => void,
+    name: string,
+  ): TemplateResult {
     const value = String(this.store.get(path) ?? this.fallback(path));
     const shown = words.includes(value) ? words : [...words, value];
     return html`<span class=${`switch ${this.level(path)}`} role="radiogroup" aria-label=${name}>${shown.map(
@@ -194,12 +272,17 @@ export abstract class FieldPart extends Part {
 
   private fallback(path: string): unknown {
     const [section, key] = path.split(".");
-    const fields = this.store.catalog.sections.find((s) => s.path === (key ? section : ""))?.fields;
+    const fields = this.store.catalog.sections.find(
+      (s) => s.path === (key ? section : ""),
+    )?.fields;
     return fields?.find((f) => f.key === (key ?? section))?.default ?? null;
   }
 
   /** Help and messages of a field, for what reads them out; the box at the foot of the form shows them. */
-  protected said({ field, path }: Placed, parts: string[] = [path]): TemplateResult {
+  protected said(
+    { field, path }: Placed,
+    parts: string[] = [path],
+  ): TemplateResult {
     return html`<span class="unseen" id=${`h-${path}`}>${field.help}</span>${parts.map((part) => this.problems(part))}`;
   }
 
@@ -216,13 +299,22 @@ export abstract class FieldPart extends Part {
   /** The gravest that is said of a field. */
   protected level(path: string): string {
     const found = this.store.at(path);
-    return found.some((f) => f.level === "error") ? "error" : found.some((f) => f.level === "warning") ? "warning" : "";
+    return found.some((f) => f.level === "error")
+      ? "error"
+      : found.some((f) => f.level === "warning")
+        ? "warning"
+        : "";
   }
 
   protected unit(field: FieldEntry): string {
     const unit = this.store.units;
-    return { length: unit, feed: `${unit}/min`, acceleration: `${unit}/s²`, time: "ms", angle: "°", none: "" }[
-      field.unit
-    ];
+    return {
+      length: unit,
+      feed: `${unit}/min`,
+      acceleration: `${unit}/s²`,
+      time: "ms",
+      angle: "°",
+      none: "",
+    }[field.unit];
   }
 }

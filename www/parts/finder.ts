@@ -61,7 +61,8 @@ export class Finder {
   }
 
   private find(): void {
-    const holds = (text: string) => this.words !== "" && text.toLowerCase().includes(this.words);
+    const holds = (text: string) =>
+      this.words !== "" && text.toLowerCase().includes(this.words);
     this.lines = this.text()
       .split(/\r\n?|\n/)
       .flatMap((text, line) => (holds(text) ? [line] : []));
@@ -70,7 +71,8 @@ export class Finder {
   /** To the next line that was found, or the one before; past the end from the start again. */
   private step(way: 1 | -1): void {
     const { length } = this.lines;
-    if (length > 0) this.at = (Math.max(this.at, way < 0 ? 0 : -1) + way + length) % length;
+    if (length > 0)
+      this.at = (Math.max(this.at, way < 0 ? 0 : -1) + way + length) % length;
     this.show();
   }
 
@@ -79,6 +81,8 @@ export class Finder {
     const store = this.store();
     const { length } = this.lines;
     if (this.words === "" && length === 0) return "";
-    return length ? store.t("{count} of {all}", this.at + 1, length) : store.t("not found");
+    return length
+      ? store.t("{count} of {all}", this.at + 1, length)
+      : store.t("not found");
   }
 }

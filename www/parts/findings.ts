@@ -8,12 +8,27 @@ import { Part } from "./part.js";
 import { replaced, saveButton } from "./save.js";
 
 export const LEVELS = ["error", "warning", "info"] as const;
-export const NAMES = { error: w("error"), warning: w("warning"), info: w("note") } as const;
-const ONE = { error: w("1 error"), warning: w("1 warning"), info: w("1 note") } as const;
-const MANY = { error: w("{count} errors"), warning: w("{count} warnings"), info: w("{count} notes") } as const;
+export const NAMES = {
+  error: w("error"),
+  warning: w("warning"),
+  info: w("note"),
+} as const;
+const ONE = {
+  error: w("1 error"),
+  warning: w("1 warning"),
+  info: w("1 note"),
+} as const;
+const MANY = {
+  error: w("{count} errors"),
+  warning: w("{count} warnings"),
+  info: w("{count} notes"),
+} as const;
 
 /** What puts it right at once. A key that no job has is in no field: what helps is to remove it. A trial of the virtual part can end. Undo brings both back. */
-export function remedy(store: Store, { code, path }: Finding): TemplateResult | null {
+export function remedy(
+  store: Store,
+  { code, path }: Finding,
+): TemplateResult | null {
   if (code === "collision" && path === "part") return nominal(store);
   const judged = toleranced(store, path);
   if (judged)
@@ -42,20 +57,28 @@ class FindingsPart extends Part {
   static override properties = {
     said: { attribute: false },
     saves: { attribute: false },
-    panels: { attribute: false, hasChanged: (now: string[], before?: string[]) => now.join() !== before?.join() },
+    panels: {
+      attribute: false,
+      hasChanged: (now: string[], before?: string[]) =>
+        now.join() !== before?.join(),
+    },
   };
 
   override render(): TemplateResult {
     // What holds for the control always stands at its name.
     const { ofJob: findings, stale } = this.store;
-    const of = (level: Finding["level"]) => findings.filter((f) => f.level === level);
+    const of = (level: Finding["level"]) =>
+      findings.filter((f) => f.level === level);
     const words = LEVELS.flatMap((level) => {
       const n = of(level).length;
-      return n === 0 ? [] : [n === 1 ? this.t(ONE[level]) : this.t(MANY[level], n)];
+      return n === 0
+        ? []
+        : [n === 1 ? this.t(ONE[level]) : this.t(MANY[level], n)];
     });
     const worst = LEVELS.flatMap(of)[0];
     const { said } = this;
-    const other = this.panels.includes("program") || this.saves ? replaced(this.store) : "";
+    const other =
+      this.panels.includes("program") || this.saves ? replaced(this.store) : "";
     return html`
       ${
         worst
@@ -85,9 +108,14 @@ class BadgePart extends Part {
   protected override follows = ["change"];
 
   override render(): TemplateResult | typeof nothing {
-    const count = (level: Finding["level"]) => this.store.ofJob.filter((f) => f.level === level).length;
-    const level = (["error", "warning"] as const).find((level) => count(level) > 0);
-    return level ? html`<span class=${`badge ${level}`}>${count(level)}</span>` : nothing;
+    const count = (level: Finding["level"]) =>
+      this.store.ofJob.filter((f) => f.level === level).length;
+    const level = (["error", "warning"] as const).find(
+      (level) => count(level) > 0,
+    );
+    return level
+      ? html`<span class=${`badge ${level}`}>${count(level)}</span>`
+      : nothing;
   }
 }
 

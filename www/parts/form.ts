@@ -34,7 +34,8 @@ const FIRST = new Set(["feeds.work", "stylus.diameter", "name"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
 /** What only touches need. */
-const OF_TOUCHES = /^(stylus|feeds|limits|machine|part|overtravel|control\.(protection|orient|report))\b/;
+const OF_TOUCHES =
+  /^(stylus|feeds|limits|machine|part|overtravel|control\.(protection|orient|report))\b/;
 /** As many touches are listed; no cycle takes as many. */
 const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
@@ -55,7 +56,10 @@ const FOLDED = /^(Postprocessor|After probing|Repeated touches)/;
 /** The form, drawn from the catalog: groups that fold to a line of their values. */
 class FormPart extends FieldPart {
   /** Forms inside the form that may be left out, by heading. */
-  private readonly optional = new Map<string, { path: string; fields: FieldEntry[] }>();
+  private readonly optional = new Map<
+    string,
+    { path: string; fields: FieldEntry[] }
+  >();
   /** What the user has folded or opened. */
   private readonly opened = new Map<string, boolean>();
   /** Whether everything else stands open. */
@@ -97,7 +101,8 @@ class FormPart extends FieldPart {
     this.all ||= path === undefined;
     if (path?.startsWith("cycle.touches")) this.opened.set(PICKED, true);
     for (const [name, fields] of this.groups()) {
-      const holds = (placed: Placed) => path?.startsWith(placed.path) || placed.path.startsWith(`${path}.`);
+      const holds = (placed: Placed) =>
+        path?.startsWith(placed.path) || placed.path.startsWith(`${path}.`);
       if (path !== undefined && fields.some(holds)) this.opened.set(name, true);
     }
     this.requestUpdate();
@@ -113,43 +118,68 @@ class FormPart extends FieldPart {
     const add = (path: string, field: FieldEntry, group = field.group) => {
       if (IN_BAR.has(path)) return;
       // What is not shown is, where it must be put right.
-      if (!this.store.rules.showsField(path) && !this.levels(path).includes("error")) return;
+      if (
+        !this.store.rules.showsField(path) &&
+        !this.levels(path).includes("error")
+      )
+        return;
       // A cycle that touches nothing has no use for these, and some depend on the variant or the control; one that something is said of is there to be mended, until it is left.
-      const mended = this.levels(path).length > 0 || this.store.focused?.startsWith(path);
-      const idle = (maxTouches === 0 && OF_TOUCHES.test(path)) || !this.store.counts(path, field);
+      const mended =
+        this.levels(path).length > 0 || this.store.focused?.startsWith(path);
+      const idle =
+        (maxTouches === 0 && OF_TOUCHES.test(path)) ||
+        !this.store.counts(path, field);
       if (idle && !mended) return;
-      const asked = this.store.cam || !FOR_CAM.test(group) || !this.store.isUsual(path, field);
+      const asked =
+        this.store.cam ||
+        !FOR_CAM.test(group) ||
+        !this.store.isUsual(path, field);
       if (!asked && !mended) return;
       const list = groups.get(group) ?? [];
       list.push({ field, path });
       groups.set(group, list);
     };
     const { sections } = this.store.catalog;
-    for (const field of this.store.cycle.fields) add(`cycle.${field.key}`, field);
+    for (const field of this.store.cycle.fields)
+      add(`cycle.${field.key}`, field);
     for (const { key, optional, fields } of this.store.cycle.sections) {
-      if (optional) this.optional.set(fields[0]?.group ?? key, { path: `cycle.${key}`, fields });
+      if (optional)
+        this.optional.set(fields[0]?.group ?? key, {
+          path: `cycle.${key}`,
+          fields,
+        });
       const group = fields[0]?.group ?? key;
       if (optional && isOut(this.store.get(`cycle.${key}`))) {
         if (this.store.cam || !FOR_CAM.test(group)) groups.set(group, []);
-      } else for (const field of fields) add(`cycle.${key}.${field.key}`, field);
+      } else
+        for (const field of fields) add(`cycle.${key}.${field.key}`, field);
     }
     for (const { path, fields } of sections) {
       // A cycle with a touch probe table of its own has its own feeds and search length.
       if (own && path === "feeds") continue;
       if (path === "tool" && !post?.firstLength) continue;
       for (const field of fields) {
-        if (!(own && field.key === "overtravel")) add(path ? `${path}.${field.key}` : field.key, field);
+        if (!(own && field.key === "overtravel"))
+          add(path ? `${path}.${field.key}` : field.key, field);
       }
     }
     for (const field of this.store.cycle.fields.filter((f) => f.size))
-      add(`part.sizes.${field.key}`, sizeField(field, this.store.words) as FieldEntry, VIRTUAL);
+      add(
+        `part.sizes.${field.key}`,
+        sizeField(field, this.store.words) as FieldEntry,
+        VIRTUAL,
+      );
     // The postprocessor's own fields are rarely touched.
-    const order = (name: string) => (FOR_CAM.test(name) ? ORDER.length - 1.5 : ORDER.indexOf(name));
+    const order = (name: string) =>
+      FOR_CAM.test(name) ? ORDER.length - 1.5 : ORDER.indexOf(name);
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
   }
 
   private get isPicked(): boolean {
-    return Boolean(this.store.get("cycle.touches")) || this.levels("cycle.touches").length > 0;
+    return (
+      Boolean(this.store.get("cycle.touches")) ||
+      this.levels("cycle.touches").length > 0
+    );
   }
 
   private group(name: string, fields: Placed[]): TemplateResult {
@@ -157,12 +187,20 @@ class FormPart extends FieldPart {
     const level = this.gravest(fields);
     const body = html`${this.switch(name)}${fields.some(({ path }) => path === "stylus.diameter") ? this.styli() : nothing}${fields.map((placed) => this.field(placed))}
             ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}`;
-    return this.folding(name, open, level, open ? "" : this.summary(name, fields), body);
+    return this.folding(
+      name,
+      open,
+      level,
+      open ? "" : this.summary(name, fields),
+      body,
+    );
   }
 
   /** The gravest level of what is said of some fields. */
   private gravest(fields: Placed[]): string | undefined {
-    return ["error", "warning"].find((level) => fields.some(({ path }) => this.levels(path).includes(level)));
+    return ["error", "warning"].find((level) =>
+      fields.some(({ path }) => this.levels(path).includes(level)),
+    );
   }
 
   /** A group with its heading; folded, the heading says its values. */
@@ -184,13 +222,17 @@ class FormPart extends FieldPart {
   /** The levels of what is said at a path or inside it. */
   private levels(path: string): string[] {
     const of = (f: Finding) =>
-      f.path === path || f.path.startsWith(`${path}[`) || (f.path === "part" && path.startsWith("part."));
+      f.path === path ||
+      f.path.startsWith(`${path}[`) ||
+      (f.path === "part" && path.startsWith("part."));
     return this.store.findings.filter(of).map((f) => f.level);
   }
 
   /** What a drawing says stands open at first. */
   private isOpen(name: string): boolean {
-    const own = this.store.cycle.fields.some((f) => f.group === name) && !FOLDED.test(name);
+    const own =
+      this.store.cycle.fields.some((f) => f.group === name) &&
+      !FOLDED.test(name);
     return this.opened.get(name) ?? (this.all || own);
   }
 
@@ -262,7 +304,8 @@ class FormPart extends FieldPart {
       if (is === chip.hasAttribute("aria-current")) continue;
       if (!is) chip.removeAttribute("aria-current");
       else chip.setAttribute("aria-current", "true");
-      if (is) chips.scrollTo({ left: chip.offsetLeft - 40, behavior: "instant" });
+      if (is)
+        chips.scrollTo({ left: chip.offsetLeft - 40, behavior: "instant" });
     }
   };
 
@@ -277,33 +320,52 @@ class FormPart extends FieldPart {
 
   /** The values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
-    if (name === VIRTUAL) return deviations(this.store).join(" · ") || this.t("nominal");
+    if (name === VIRTUAL)
+      return deviations(this.store).join(" · ") || this.t("nominal");
     // What is at fault first, then the feed that the probe meets the part with, and its ball.
-    const faulty = (path: string) => this.levels(path).some((level) => level !== "info");
-    const rank = ({ path }: Placed) => (faulty(path) ? 0 : FIRST.has(path) ? 1 : 2);
+    const faulty = (path: string) =>
+      this.levels(path).some((level) => level !== "info");
+    const rank = ({ path }: Placed) =>
+      faulty(path) ? 0 : FIRST.has(path) ? 1 : 2;
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
     // In German a noun has its capital anywhere.
     const inside = (label: string) =>
       this.store.lang === "en" && !/^.[A-Z]|[a-z][A-Z]/.test(label)
         ? `${label.charAt(0).toLowerCase()}${label.slice(1)}`
         : label;
-    const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
+    const shown = (x: unknown) =>
+      typeof x === "number" ? this.store.number(String(x)) : String(x);
     // What stands as in a new job is not worth the line.
     const said = sorted.filter(({ field, path }) => {
       const own = this.store.cycle.fields.includes(field) && !FOLDED.test(name);
-      return own || FIRST.has(path) || !this.store.isUsual(path, field) || faulty(path);
+      return (
+        own ||
+        FIRST.has(path) ||
+        !this.store.isUsual(path, field) ||
+        faulty(path)
+      );
     });
     const words = said.flatMap(({ field, path }) => {
       const value =
-        this.store.typed.get(path) ?? this.store.get(path) ?? (field.null ? null : this.store.standIn(field));
-      if (value === undefined || value === "" || field.kind === "flag") return value === true ? [field.label] : [];
-      if (value === null) return field.null ? [`${inside(field.label)} ${field.null}`] : [];
-      const choice = this.choices({ field, path }).find((c) => c.value === value);
+        this.store.typed.get(path) ??
+        this.store.get(path) ??
+        (field.null ? null : this.store.standIn(field));
+      if (value === undefined || value === "" || field.kind === "flag")
+        return value === true ? [field.label] : [];
+      if (value === null)
+        return field.null ? [`${inside(field.label)} ${field.null}`] : [];
+      const choice = this.choices({ field, path }).find(
+        (c) => c.value === value,
+      );
       if (choice) return [choice.label];
       if (field.kind === "text") return [String(value)];
-      return [`${inside(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`];
+      return [
+        `${inside(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`,
+      ];
     });
-    return words.join(" · ") || (this.optional.has(name) ? this.t("not used") : "");
+    return (
+      words.join(" · ") || (this.optional.has(name) ? this.t("not used") : "")
+    );
   }
 
   /** The choices of a field. What the control of the job cannot do says so. */
@@ -311,18 +373,26 @@ class FormPart extends FieldPart {
     const { rules } = this.store;
     if (path === "control.form")
       return field.choices.filter(
-        ({ value }) => value === this.store.get(path) || rules.allowsForm(value as "moves" | "cycle"),
+        ({ value }) =>
+          value === this.store.get(path) ||
+          rules.allowsForm(value as "moves" | "cycle"),
       );
-    if (path !== "control.protection" || this.store.post?.watches !== false) return field.choices;
+    if (path !== "control.protection" || this.store.post?.watches !== false)
+      return field.choices;
     const label = (own: string) => this.t("{choice}: not on this control", own);
-    return field.choices.map((c) => (c.value === "checked" ? { ...c, label: label(c.label) } : c));
+    return field.choices.map((c) =>
+      c.value === "checked" ? { ...c, label: label(c.label) } : c,
+    );
   }
 
   /** The box that puts a form inside the form in or out. */
   private switch(group: string): TemplateResult | typeof nothing {
     const section = this.optional.get(group);
     if (!section) return nothing;
-    const values = () => Object.fromEntries(section.fields.map((f) => [f.key, this.store.begins(f) ?? null]));
+    const values = () =>
+      Object.fromEntries(
+        section.fields.map((f) => [f.key, this.store.begins(f) ?? null]),
+      );
     return html`<div class="row"><label class="check"><input type="checkbox" .checked=${!isOut(this.store.get(section.path))}
       @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${this.t("Use it")}</label></div>`;
   }
@@ -333,7 +403,9 @@ class FormPart extends FieldPart {
     const styli = store.rules.styli(store.units);
     if (styli.length === 0) return nothing;
     const now = store.get("stylus") as Record<string, unknown>;
-    const used = styli.findIndex(({ stylus }) => Object.entries(stylus).every(([key, value]) => now[key] === value));
+    const used = styli.findIndex(({ stylus }) =>
+      Object.entries(stylus).every(([key, value]) => now[key] === value),
+    );
     const take = (e: Event) => {
       const chosen = styli[Number((e.target as HTMLSelectElement).value)];
       if (chosen) store.useStylus(chosen.stylus);
@@ -345,27 +417,50 @@ class FormPart extends FieldPart {
 
   /** The frame that the tool lengths are seen in: made in the other tool, taken from there. */
   private frame(): TemplateResult {
-    const frame = (this.store.get("tool.frame") ?? []) as ({ rot: string; angle: number } | { mirror: string })[];
-    const words = frame.map((s) => ("rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`)).join(", ");
+    const frame = (this.store.get("tool.frame") ?? []) as (
+      | { rot: string; angle: number }
+      | { mirror: string }
+    )[];
+    const words = frame
+      .map((s) =>
+        "rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`,
+      )
+      .join(", ");
     return html`<div class="row"><p class="help">${this.t("Frame: {frame}. To change it: Tool lengths, under ⋯, then Apply to the job.", words || [w("none")])}</p>${frame.length ? html`<button type="button" @click=${() => this.store.put("tool.frame", [])}>${this.t("No frame")}</button>` : nothing}
       ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
   }
 
   /** The touches, picked one by one; else they follow from the dimensions. */
   private touches(): TemplateResult {
-    const picks = this.store.get("cycle.touches") as { point: unknown[]; vector: unknown[] }[] | null | undefined;
+    const picks = this.store.get("cycle.touches") as
+      | { point: unknown[]; vector: unknown[] }[]
+      | null
+      | undefined;
     const take = () => {
-      const touches = this.store.plan.touches.map(({ point, vector }) => ({ point: [...point], vector: [...vector] }));
+      const touches = this.store.plan.touches.map(({ point, vector }) => ({
+        point: [...point],
+        vector: [...vector],
+      }));
       this.store.put("cycle.touches", touches);
     };
-    const point: FieldEntry = { ...TOUCH, unit: "length", label: this.t("Point") };
-    const vector: FieldEntry = { ...TOUCH, unit: "none", label: this.t("Vector") };
+    const point: FieldEntry = {
+      ...TOUCH,
+      unit: "length",
+      label: this.t("Point"),
+    };
+    const vector: FieldEntry = {
+      ...TOUCH,
+      unit: "none",
+      label: this.t("Vector"),
+    };
     const open = this.opened.get(PICKED) ?? (this.all || Boolean(picks));
     return this.folding(
       PICKED,
       open,
       this.levels("cycle.touches")[0],
-      picks ? this.t("{count} touches", picks.length) : this.t("from the dimensions"),
+      picks
+        ? this.t("{count} touches", picks.length)
+        : this.t("from the dimensions"),
       html`
         <p class="help">${this.t("Points on the surface and outward normals, picked in the part. They replace the points that the dimensions give.")}</p>
         ${
@@ -389,7 +484,9 @@ class FormPart extends FieldPart {
                 `${this.t("{label} of touch {touch}", field.label, k + 1)}, ${axis}`,
               ),
             )}</div>`;
-          const found = this.store.findings.filter((f) => f.path.startsWith(at));
+          const found = this.store.findings.filter((f) =>
+            f.path.startsWith(at),
+          );
           return html`<li>${row(point, "point")}${row(vector, "vector")}${found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)}</li>`;
         })}</ol>`,
     );
@@ -399,7 +496,11 @@ class FormPart extends FieldPart {
   private field(placed: Placed): TemplateResult {
     const { rules } = this.store;
     const { path } = placed;
-    if (!rules.locks(path) || this.store.at(path).some(({ code }) => code === "locked")) return this.box(placed);
+    if (
+      !rules.locks(path) ||
+      this.store.at(path).some(({ code }) => code === "locked")
+    )
+      return this.box(placed);
     const why = rules.reason(path);
     const fixed = rules.config?.title
       ? this.t("Fixed by {portal}", rules.config.title)
@@ -411,7 +512,8 @@ class FormPart extends FieldPart {
 
   private box(placed: Placed): TemplateResult {
     const { field, path } = placed;
-    const follows = field.kind === "number" && typeof this.store.get(path) === "string";
+    const follows =
+      field.kind === "number" && typeof this.store.get(path) === "string";
     const row = (body: TemplateResult) =>
       html`<div class=${follows ? "row follows" : "row"}><label for=${`f-${path}`} title=${field.help}>${field.label}</label>${body}${this.said(placed)}</div>`;
     switch (field.kind) {
@@ -420,12 +522,19 @@ class FormPart extends FieldPart {
           aria-describedby=${`h-${path} e-${path}`} @focus=${() => this.store.focus(path)}
           @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>${this.said(placed)}</div>`;
       case "choice":
-        return row(this.select(path, this.choices(placed), (value) => this.store.put(path, value)));
+        return row(
+          this.select(path, this.choices(placed), (value) =>
+            this.store.put(path, value),
+          ),
+        );
       case "code":
         return row(
           this.select(
             path,
-            field.choices.map((c) => ({ value: c.value, label: `${c.value}: ${c.label}` })),
+            field.choices.map((c) => ({
+              value: c.value,
+              label: `${c.value}: ${c.label}`,
+            })),
             (value) => this.store.put(path, Number(value)),
           ),
         );
@@ -446,7 +555,9 @@ class FormPart extends FieldPart {
       case "number":
       case "count":
         return row(
-          field.null ? this.nullable(placed) : this.number(field, path, undefined, this.followed(field, path)),
+          field.null
+            ? this.nullable(placed)
+            : this.number(field, path, undefined, this.followed(field, path)),
         );
     }
   }
@@ -462,18 +573,29 @@ class FormPart extends FieldPart {
   /** What stands in for null: the number that the program has from its name. */
   private standing(path: string): string {
     const { stale, plan } = this.store;
-    return (path === "control.number" && !stale && /^O(\d+)/m.exec(plan.program.text)?.[1]) || "–";
+    return (
+      (path === "control.number" &&
+        !stale &&
+        /^O(\d+)/m.exec(plan.program.text)?.[1]) ||
+      "–"
+    );
   }
 
   /** A rate to start from where one was not wanted before. */
   private rate(field: FieldEntry): number {
     const stand = this.store.begins(field);
-    return typeof stand === "number" ? stand : this.store.units === "inch" ? 80 : 2000;
+    return typeof stand === "number"
+      ? stand
+      : this.store.units === "inch"
+        ? 80
+        : 2000;
   }
 
   /** Enter continues with the next number. */
   private next(box: HTMLElement): void {
-    const boxes = [...this.querySelectorAll<HTMLElement>("input[type=text]:not(:disabled)")];
+    const boxes = [
+      ...this.querySelectorAll<HTMLElement>("input[type=text]:not(:disabled)"),
+    ];
     boxes[boxes.indexOf(box) + 1]?.focus();
   }
 }

@@ -56,9 +56,15 @@ class GalleryPart extends Part {
     const last = Number.POSITIVE_INFINITY;
     // What moves nothing is for the authors of postprocessors.
     const all = store.catalog.cycles
-      .filter((cycle) => (store.cam || cycle.steps.length > 0) && store.rules.offers("cycles", cycle.type))
+      .filter(
+        (cycle) =>
+          (store.cam || cycle.steps.length > 0) &&
+          store.rules.offers("cycles", cycle.type),
+      )
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
-    const search = found([...all, null], this.query, (cycle) => (cycle ? this.text(cycle) : this.lengths()));
+    const search = found([...all, null], this.query, (cycle) =>
+      cycle ? this.text(cycle) : this.lengths(),
+    );
     const cycles = search.things.filter((cycle) => cycle !== null);
     const tool = search.things.includes(null);
     return html`
@@ -100,7 +106,8 @@ class GalleryPart extends Part {
   protected override firstUpdated(): void {
     this.paint();
     // Where fingers point, a focus would bring the keyboard up over the pictures.
-    if (matchMedia("(pointer: fine)").matches) this.querySelector<HTMLInputElement>("input")?.focus();
+    if (matchMedia("(pointer: fine)").matches)
+      this.querySelector<HTMLInputElement>("input")?.focus();
   }
 
   /** How many touches a cycle makes as it is chosen. */
@@ -120,8 +127,13 @@ class GalleryPart extends Part {
   }
 
   /** Enter takes the first that is found. The key is used up: it must not press the button that gets the focus. */
-  private key(event: KeyboardEvent, first: CycleEntry | undefined, tool: boolean): void {
-    if (event.key !== "Enter" || event.isComposing || this.query.trim() === "") return;
+  private key(
+    event: KeyboardEvent,
+    first: CycleEntry | undefined,
+    tool: boolean,
+  ): void {
+    if (event.key !== "Enter" || event.isComposing || this.query.trim() === "")
+      return;
     if (first) this.choose(first);
     else if (tool) this.toLengths();
     else return;
@@ -135,12 +147,15 @@ class GalleryPart extends Part {
   };
 
   private text(cycle: CycleEntry): string {
-    const english = this.english.find(({ type }) => type === cycle.type) ?? cycle;
+    const english =
+      this.english.find(({ type }) => type === cycle.type) ?? cycle;
     return textOf(cycle, english, (text) => this.t(text));
   }
 
   private lengths(): string {
-    return [this.t("Tool lengths"), LENGTHS, this.t(LENGTHS)].join(" ").toLowerCase();
+    return [this.t("Tool lengths"), LENGTHS, this.t(LENGTHS)]
+      .join(" ")
+      .toLowerCase();
   }
 
   private choose(cycle: CycleEntry): void {
@@ -149,19 +164,30 @@ class GalleryPart extends Part {
   }
 
   private about(cycle: CycleEntry): void {
-    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: `cycle:${cycle.type}` }));
+    this.dispatchEvent(
+      new CustomEvent("about", {
+        bubbles: true,
+        detail: `cycle:${cycle.type}`,
+      }),
+    );
   }
 
   private readonly toLengths = (): void => {
-    this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "lengths" }));
+    this.dispatchEvent(
+      new CustomEvent("ask", { bubbles: true, detail: "lengths" }),
+    );
   };
 
   private readonly paint = (): void => {
-    for (const button of this.querySelectorAll<HTMLElement>("button[data-type]")) {
+    for (const button of this.querySelectorAll<HTMLElement>(
+      "button[data-type]",
+    )) {
       const type = button.dataset.type as CycleEntry["type"];
       const canvas = button.querySelector("canvas");
       if (!canvas) continue;
-      const drawing = this.drawings.get(type) ?? new Drawing(canvas, (view) => view.showSmall(defaultJob(type)));
+      const drawing =
+        this.drawings.get(type) ??
+        new Drawing(canvas, (view) => view.showSmall(defaultJob(type)));
       this.drawings.set(type, drawing);
       drawing.restyle();
     }

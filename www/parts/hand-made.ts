@@ -34,8 +34,15 @@ type Size = "diameter" | "width1" | "width2" | "depth";
 
 type Cycle = { type: string; origin: number[] } & Partial<Record<Size, number>>;
 
-export function isHandMade(part: unknown): part is ProgramPart & { cycle: Cycle } {
-  return typeof part === "object" && part !== null && "cycle" in part && (part as { name?: string }).name === NAME;
+export function isHandMade(
+  part: unknown,
+): part is ProgramPart & { cycle: Cycle } {
+  return (
+    typeof part === "object" &&
+    part !== null &&
+    "cycle" in part &&
+    (part as { name?: string }).name === NAME
+  );
 }
 
 /** One of this kind, about where the program probes. */
@@ -49,16 +56,36 @@ export function handMade(run: ProgramRun, kind = "hole"): ProgramPart {
     }
   });
   const round = (x: number) => Math.round(x * 1e3) / 1e3;
-  const ends = (xs: number[]) => (xs.length > 0 ? [Math.min(...xs), Math.max(...xs)] : [0, 0]) as [number, number];
-  const [x, y, z] = seen.map(ends) as [[number, number], [number, number], [number, number]];
+  const ends = (xs: number[]) =>
+    (xs.length > 0 ? [Math.min(...xs), Math.max(...xs)] : [0, 0]) as [
+      number,
+      number,
+    ];
+  const [x, y, z] = seen.map(ends) as [
+    [number, number],
+    [number, number],
+    [number, number],
+  ];
   const middle = ([low, high]: [number, number]) => round((low + high) / 2);
   const inch = run.units === "inch" ? 25.4 : 1;
   // A touch searches behind the wall: half of what it spans lies before.
-  const size = (ends: [number, number]) => Math.max(round(ends[1] - ends[0]), round(40 / inch));
+  const size = (ends: [number, number]) =>
+    Math.max(round(ends[1] - ends[0]), round(40 / inch));
   const depth = round(20 / inch);
   const sizes = { diameter: size(x), width1: size(x), width2: size(y), depth };
-  const origin = [middle(x), middle(y), kind === "surface" ? z[0] : round(z[0] + depth / 2)];
-  return made(kind, run.units ?? "mm", origin, sizes, round(6 / inch), [0, 0, 0]);
+  const origin = [
+    middle(x),
+    middle(y),
+    kind === "surface" ? z[0] : round(z[0] + depth / 2),
+  ];
+  return made(
+    kind,
+    run.units ?? "mm",
+    origin,
+    sizes,
+    round(6 / inch),
+    [0, 0, 0],
+  );
 }
 
 function made(
@@ -69,9 +96,15 @@ function made(
   ball: number,
   offset: number[],
 ): ProgramPart {
-  const own = KINDS.find(([kind]) => kind === type)?.[2].map(([key]) => key) ?? [];
-  const fields = Object.fromEntries([...own, "depth"].map((key) => [key, sizes[key]]));
-  const cycle = type === "surface" ? { type, origin, elevation: 90 } : { type, origin, ...fields };
+  const own =
+    KINDS.find(([kind]) => kind === type)?.[2].map(([key]) => key) ?? [];
+  const fields = Object.fromEntries(
+    [...own, "depth"].map((key) => [key, sizes[key]]),
+  );
+  const cycle =
+    type === "surface"
+      ? { type, origin, elevation: 90 }
+      : { type, origin, ...fields };
   return {
     format: 1,
     name: NAME,
@@ -86,7 +119,12 @@ function made(
 export function handMadeFields(
   store: Store,
   part: ProgramPart & { cycle: Cycle },
-  number: (id: string, label: string, value: number, take: (x: number) => void) => TemplateResult,
+  number: (
+    id: string,
+    label: string,
+    value: number,
+    take: (x: number) => void,
+  ) => TemplateResult,
   change: (part: ProgramPart) => void,
 ): TemplateResult {
   const t = store.t.bind(store);
@@ -104,9 +142,16 @@ export function handMadeFields(
   const depth = cycle.depth ?? 20 / (units === "inch" ? 25.4 : 1);
   const sizes: Record<string, number> = { depth };
   for (const [, , keys] of KINDS)
-    for (const [key] of keys) sizes[key] = cycle[key] ?? cycle.diameter ?? cycle.width1 ?? 2 * depth;
+    for (const [key] of keys)
+      sizes[key] = cycle[key] ?? cycle.diameter ?? cycle.width1 ?? 2 * depth;
   const now = (
-    changed: Partial<{ type: string; origin: number[]; sizes: Record<string, number>; ball: number; offset: number[] }>,
+    changed: Partial<{
+      type: string;
+      origin: number[];
+      sizes: Record<string, number>;
+      ball: number;
+      offset: number[];
+    }>,
   ) =>
     change(
       made(
@@ -118,7 +163,8 @@ export function handMadeFields(
         changed.offset ?? lies.offset,
       ),
     );
-  const put = (list: number[], i: number, x: number) => list.map((old, at) => (at === i ? x : old));
+  const put = (list: number[], i: number, x: number) =>
+    list.map((old, at) => (at === i ? x : old));
   const keys = KINDS.find(([kind]) => kind === cycle.type)?.[2] ?? [];
   return html`<div class="field"><label for="hand-kind">${t("Feature")}</label>
       <select id="hand-kind" @change=${(e: Event) => now({ type: (e.target as HTMLSelectElement).value })}>

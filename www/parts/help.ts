@@ -18,11 +18,17 @@ class HelpPart extends Part {
     const found = this.store.at(focused);
     const { label, help, code, usual, range } = entry;
     const stand = this.store.begins(entry);
-    const standing = Array.isArray(stand) ? stand[Number(/\[(\d)\]/.exec(focused)?.[1] ?? 0)] : stand;
+    const standing = Array.isArray(stand)
+      ? stand[Number(/\[(\d)\]/.exec(focused)?.[1] ?? 0)]
+      : stand;
     const value = this.store.get(focused);
     const choice = entry.choices.find((c) => c.value === standing)?.label;
     const flag = standing === true ? this.t("on") : this.t("off");
-    const shown = choice ?? (typeof standing === "boolean" ? flag : this.store.number(String(standing)));
+    const shown =
+      choice ??
+      (typeof standing === "boolean"
+        ? flag
+        : this.store.number(String(standing)));
     const other =
       standing !== null &&
       standing !== undefined &&
@@ -31,7 +37,11 @@ class HelpPart extends Part {
       entry.kind !== "text";
     const span = (ends: unknown, digits: number) =>
       Array.isArray(ends)
-        ? this.t("{min} to {max}", this.scaled(entry.unit, ends[0], digits), this.scaled(entry.unit, ends[1], digits))
+        ? this.t(
+            "{min} to {max}",
+            this.scaled(entry.unit, ends[0], digits),
+            this.scaled(entry.unit, ends[1], digits),
+          )
         : "";
     // What is usual is not as exact as what is allowed.
     const usually = usual
@@ -44,7 +54,8 @@ class HelpPart extends Part {
       ${
         found.length > 0
           ? found.map(
-              (f) => html`<p class=${`problem ${f.level}`}>${this.message(f)} ${remedy(this.store, f) ?? nothing}</p>`,
+              (f) =>
+                html`<p class=${`problem ${f.level}`}>${this.message(f)} ${remedy(this.store, f) ?? nothing}</p>`,
             )
           : html`<p class="help">${help}${usually}${
               other
@@ -57,14 +68,20 @@ class HelpPart extends Part {
   }
 
   private about(topic: string): void {
-    this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: topic }));
+    this.dispatchEvent(
+      new CustomEvent("about", { bubbles: true, detail: topic }),
+    );
   }
 
   /** An end of a range in the job's units; where it is converted, of so many digits at most. */
   private scaled(unit: FieldEntry["unit"], x: unknown, digits: number): string {
     if (typeof x !== "number") return "∞";
     const inch = isMetric(unit) && this.store.units === "inch";
-    return this.store.number(String(inch ? Number(Number((x / 25.4).toPrecision(digits)).toFixed(4)) : x));
+    return this.store.number(
+      String(
+        inch ? Number(Number((x / 25.4).toPrecision(digits)).toFixed(4)) : x,
+      ),
+    );
   }
 }
 

@@ -1,4 +1,10 @@
-import { awaited, type Finding, type Job, JobError, type ProgramMoves } from "../core/browser.js";
+import {
+  awaited,
+  type Finding,
+  type Job,
+  JobError,
+  type ProgramMoves,
+} from "../core/browser.js";
 import { type Reading, read } from "../read-text.js";
 import { fromFragment, isFragment } from "../share.js";
 import type { Store } from "../store.js";
@@ -68,20 +74,31 @@ export class Intake {
       `.${extension}`,
       `.${extension.toUpperCase()}`,
     ]);
-    return [...new Set([".json", ".txt", ".csv", ".log", ".i", ...programs, "application/json", "text/plain"])].join(
-      ",",
-    );
+    return [
+      ...new Set([
+        ".json",
+        ".txt",
+        ".csv",
+        ".log",
+        ".i",
+        ...programs,
+        "application/json",
+        "text/plain",
+      ]),
+    ].join(",");
   }
 
   /** A file too large for any program is not even read. */
   async file(file: File): Promise<void> {
     const { signal, document } = this.begin();
-    if (file.size > this.store.longestProgram) this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
+    if (file.size > this.store.longestProgram)
+      this.page.tell(this.store.say(this.store.tooLong(file.size, "file")));
     else {
       // A folder can be dropped, too.
       const text = await file.text().catch(() => null);
       if (signal.aborted) return;
-      if (text === null) this.page.tell(this.store.t("This file cannot be read"));
+      if (text === null)
+        this.page.tell(this.store.t("This file cannot be read"));
       else await this.text(text, document, file.name);
     }
   }
@@ -101,7 +118,8 @@ export class Intake {
 
   /** A text of many megabytes in a field would hold up the browser: it never gets there. */
   readonly refuse = (event: ClipboardEvent | DragEvent): void => {
-    const data = event instanceof DragEvent ? event.dataTransfer : event.clipboardData;
+    const data =
+      event instanceof DragEvent ? event.dataTransfer : event.clipboardData;
     const field = event.composedPath()[0];
     if (event instanceof DragEvent && data?.files[0]) {
       event.preventDefault();
@@ -122,7 +140,8 @@ export class Intake {
     if (!file && text.trim().length < SHORTEST) return;
     event.preventDefault();
     if (file) await this.file(file);
-    else if (text.length > this.store.longest) this.page.tell(this.store.say(this.store.tooLong(text.length, "paste")));
+    else if (text.length > this.store.longest)
+      this.page.tell(this.store.say(this.store.tooLong(text.length, "paste")));
     else await this.text(text);
   };
 
@@ -131,37 +150,64 @@ export class Intake {
     const { hash } = location;
     if (!isFragment(hash)) return;
     await awaited();
-    history.replaceState(history.state, "", location.pathname + location.search);
+    history.replaceState(
+      history.state,
+      "",
+      location.pathname + location.search,
+    );
     const { signal } = this.begin();
     const state = await fromFragment(hash, this.store.longest);
     if (signal.aborted) return;
     try {
       if (!state) {
-        this.page.tell(this.store.t("Nothing was changed: this link holds no job that can be read here"));
+        this.page.tell(
+          this.store.t(
+            "Nothing was changed: this link holds no job that can be read here",
+          ),
+        );
         return;
       }
       this.store.take(state.job, state.measured);
       this.page.showJob();
-      this.page.tell(this.store.t("This is the job of the link that was opened. Undo brings back the one before."));
+      this.page.tell(
+        this.store.t(
+          "This is the job of the link that was opened. Undo brings back the one before.",
+        ),
+      );
     } catch (thrown) {
-      this.page.tell(thrown instanceof JobError ? this.store.why(thrown) : this.store.t("This link cannot be read"));
+      this.page.tell(
+        thrown instanceof JobError
+          ? this.store.why(thrown)
+          : this.store.t("This link cannot be read"),
+      );
     }
   };
 
   /** Takes a text, begun when the job was this document; false where nothing could be made of it. */
-  async text(text: string, document = this.store.document, name: string | null = null): Promise<boolean> {
+  async text(
+    text: string,
+    document = this.store.document,
+    name: string | null = null,
+  ): Promise<boolean> {
     const { signal } = this.begin();
     try {
       await awaited();
       const reading = await this.read(text, signal);
       if (signal.aborted) return false;
-      if (document === this.store.document) return this.take(text, reading, name);
-      this.page.tell(this.store.t("Nothing was changed: the job was replaced while this text was read"));
+      if (document === this.store.document)
+        return this.take(text, reading, name);
+      this.page.tell(
+        this.store.t(
+          "Nothing was changed: the job was replaced while this text was read",
+        ),
+      );
       return false;
     } catch (thrown) {
       const why =
         thrown instanceof NotLoaded
-          ? this.store.t("This part of the page could not be loaded: is there a network?")
+          ? this.store.t(
+              "This part of the page could not be loaded: is there a network?",
+            )
           : this.store.t("This text cannot be read");
       if (!signal.aborted) this.page.tell(why);
       return false;
@@ -171,7 +217,12 @@ export class Intake {
   /** Takes the job of a call in an opened program. */
   adopt(job: Job): void {
     try {
-      this.store.open({ imported: { kind: "job", job, findings: [] }, findings: [], moves: null, points: 0 });
+      this.store.open({
+        imported: { kind: "job", job, findings: [] },
+        findings: [],
+        moves: null,
+        points: 0,
+      });
       this.page.showJob();
       this.page.tell(
         this.store.t(
@@ -229,7 +280,10 @@ export class Intake {
     this.store.openPoints(text.trim());
     this.page.showResults();
     this.page.tell(
-      this.store.t("{count} measured points were taken from this log: Results compares them with this job", count),
+      this.store.t(
+        "{count} measured points were taken from this log: Results compares them with this job",
+        count,
+      ),
     );
     return true;
   }
@@ -248,21 +302,39 @@ export class Intake {
         this.page.tell(why);
         return false;
       }
-      this.page.showMoves({ text, moves, name, why: thrown.findings.filter((f) => f.level === "error") });
+      this.page.showMoves({
+        text,
+        moves,
+        name,
+        why: thrown.findings.filter((f) => f.level === "error"),
+      });
       this.page.tell(
         moves.kind.length > 0
-          ? this.store.t("The moves of this program are drawn; no job is made of it. {why}", why)
-          : this.store.t("This program is shown as text; no job is made of it. {why}", why),
+          ? this.store.t(
+              "The moves of this program are drawn; no job is made of it. {why}",
+              why,
+            )
+          : this.store.t(
+              "This program is shown as text; no job is made of it. {why}",
+              why,
+            ),
       );
       return true;
     }
     // What the job itself says is read at the foot.
     const ofJob = new Set(this.store.findings.map((f) => f.message));
-    const news = reading.findings.filter((f) => f.level !== "error" && !ofJob.has(f.message));
+    const news = reading.findings.filter(
+      (f) => f.level !== "error" && !ofJob.has(f.message),
+    );
     const notes = news.map((f) => this.store.say(f.said));
-    if (DUMP.test(text) || news.some(({ code }) => code === "not-in-dump")) this.page.forCam();
+    if (DUMP.test(text) || news.some(({ code }) => code === "not-in-dump"))
+      this.page.forCam();
     this.page.showJob();
-    this.page.tell(notes.length > 1 ? notes.map((note) => `• ${note}`).join("\n") : (notes[0] ?? ""));
+    this.page.tell(
+      notes.length > 1
+        ? notes.map((note) => `• ${note}`).join("\n")
+        : (notes[0] ?? ""),
+    );
     return true;
   }
 }

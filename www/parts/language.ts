@@ -47,11 +47,13 @@ export class Language implements ReactiveController {
     const { host, local } = this.around;
     const own = languageOf([host.lang].filter(Boolean));
     if (own) return own;
-    if (local) return languageOf([this.chosen ?? "", ...navigator.languages]) ?? "en";
+    if (local)
+      return languageOf([this.chosen ?? "", ...navigator.languages]) ?? "en";
     let around: Element | null = host;
     while (around && !(around as HTMLElement).lang) {
       const root: Node = around.getRootNode();
-      around = around.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
+      around =
+        around.parentElement ?? (root instanceof ShadowRoot ? root.host : null);
     }
     return languageOf([(around as HTMLElement | null)?.lang ?? ""]) ?? "en";
   }
@@ -68,7 +70,9 @@ export class Language implements ReactiveController {
       store.translate(wanted, words);
       frame.lang = wanted;
       // The page keeps the words for when there is no network.
-      this.around.host.dispatchEvent(new CustomEvent("language", { detail: wanted }));
+      this.around.host.dispatchEvent(
+        new CustomEvent("language", { detail: wanted }),
+      );
       frame.requestUpdate();
     } catch {
       if (wanted !== this.wanted) return this.follow();

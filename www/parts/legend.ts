@@ -11,7 +11,10 @@ const STROKES = {
 } as const;
 
 /** A kind of lines with a piece of one: told apart by its dashes, where colours are not seen. */
-export function kind(name: keyof typeof STROKES, words: string): TemplateResult {
+export function kind(
+  name: keyof typeof STROKES,
+  words: string,
+): TemplateResult {
   const [dashes, width] = STROKES[name];
   return html`<li class=${name}><svg viewBox="0 0 34 4" aria-hidden="true"><line x2="34" y1="2" y2="2" stroke-width=${width} stroke-dasharray=${dashes}></line></svg>${words}</li>`;
 }

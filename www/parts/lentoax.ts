@@ -1,5 +1,12 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type Finding, JobError, type Lentoax, type LentoaxQuery, lentoax, lentoaxWords } from "../core/browser.js";
+import {
+  type Finding,
+  JobError,
+  type Lentoax,
+  type LentoaxQuery,
+  lentoax,
+  lentoaxWords,
+} from "../core/browser.js";
 import { readNumber } from "../number.js";
 import { AXES_OF } from "../sentences.js";
 import type { Store } from "../store.js";
@@ -83,7 +90,9 @@ class LentoaxPart extends CanvasPart {
           answer
             ? html`<p><b>${this.t("Status {status}", answer.status)}</b>: ${this.store.say([words.meaning])}</p>
               <p class="sentence">${this.store.say(words.said)}</p>`
-            : findings.map((f) => html`<p class="problem error">${this.message(f)}</p>`)
+            : findings.map(
+                (f) => html`<p class="problem error">${this.message(f)}</p>`,
+              )
         }</div>
       </section>
       ${answer ? html`<section class="answer" aria-label=${this.t("Answer")}>${this.answer(answer, words)}</section>` : nothing}
@@ -92,7 +101,8 @@ class LentoaxPart extends CanvasPart {
 
   private form(findings: Finding[]): TemplateResult {
     const q = this.query;
-    const group = GROUPS.filter(([, type]) => type <= q.toolType).at(-1) ?? GROUPS[0];
+    const group =
+      GROUPS.filter(([, type]) => type <= q.toolType).at(-1) ?? GROUPS[0];
     const select = (
       label: string,
       id: string,
@@ -102,7 +112,12 @@ class LentoaxPart extends CanvasPart {
     ) =>
       html`<div class="field"><label for=${id}>${label}</label><select id=${id} @change=${(e: Event) => this.change(() => take((e.target as HTMLSelectElement).value))}>
         ${options.map(([v, text]) => html`<option value=${v} ?selected=${v === value}>${text}</option>`)}</select></div>`;
-    const box = (label: string, id: string, value: boolean, take: (v: boolean) => void) =>
+    const box = (
+      label: string,
+      id: string,
+      value: boolean,
+      take: (v: boolean) => void,
+    ) =>
       html`<div class="field wide"><label class="check"><input id=${id} type="checkbox" .checked=${value}
         @change=${(e: Event) => this.change(() => take((e.target as HTMLInputElement).checked))} /> ${label}</label></div>`;
     return html`<form @submit=${(e: Event) => e.preventDefault()} autocomplete="off">
@@ -160,7 +175,9 @@ class LentoaxPart extends CanvasPart {
       </fieldset>
       <fieldset><legend>${this.t("Setting data")}</legend>
         ${box(
-          this.t("SD42900 $SC_MIRROR_TOOL_LENGTH: mirroring changes the sign of the length"),
+          this.t(
+            "SD42900 $SC_MIRROR_TOOL_LENGTH: mirroring changes the sign of the length",
+          ),
           "l-42900",
           q.sd42900,
           (v) => {
@@ -170,7 +187,10 @@ class LentoaxPart extends CanvasPart {
         ${select(
           "SD42940 $SC_TOOL_LENGTH_CONST",
           "l-42940",
-          LENGTH_CONST.map((n): [number, string] => [n, n === 0 ? this.t("0: by the active plane") : `${n}`]),
+          LENGTH_CONST.map((n): [number, string] => [
+            n,
+            n === 0 ? this.t("0: by the active plane") : `${n}`,
+          ]),
           q.sd42940,
           (v) => {
             q.sd42940 = Number(v);
@@ -209,7 +229,9 @@ class LentoaxPart extends CanvasPart {
       <select aria-label=${`${name}: ${this.t("axis")}`} @change=${(e: Event) =>
         this.change(() => {
           const chosen = (e.target as HTMLSelectElement).value as "X";
-          frame[i] = turns ? { rot: chosen, angle: step.angle } : { mirror: chosen };
+          frame[i] = turns
+            ? { rot: chosen, angle: step.angle }
+            : { mirror: chosen };
         })}>${AXES.map((a) => html`<option ?selected=${a === axis}>${a}</option>`)}</select>
       ${
         turns
@@ -233,7 +255,12 @@ class LentoaxPart extends CanvasPart {
     </li>`;
   }
 
-  private number(id: string, value: number, take: (v: number | string) => void, name?: string): TemplateResult {
+  private number(
+    id: string,
+    value: number,
+    take: (v: number | string) => void,
+    name?: string,
+  ): TemplateResult {
     return html`<span class="number"><input id=${id} type="text" inputmode="decimal" aria-label=${name ?? nothing} .value=${this.typed.get(id) ?? this.store.number(String(value))}
       @focus=${(e: Event) => (e.target as HTMLInputElement).select()}
       @input=${(e: Event) =>
@@ -252,7 +279,10 @@ class LentoaxPart extends CanvasPart {
         <caption>${this.t("_AXIND and _MATRIX")}</caption>
         <thead><tr><th>${this.t("Axis")}</th><th class="n">_AXIND</th><th class="n">L1</th><th class="n">L2</th><th class="n">L3</th></tr></thead>
         <tbody>${answer.matrix.map(
-          (row, i) => html`<tr><td>${roles[i]} ${names[i]}</td><td class="n"><b>${answer.axind[i]}</b></td>
+          (
+            row,
+            i,
+          ) => html`<tr><td>${roles[i]} ${names[i]}</td><td class="n"><b>${answer.axind[i]}</b></td>
           ${row.map((x) => html`<td class="n">${Number.isInteger(x) ? x : this.store.number(x.toFixed(7))}</td>`)}</tr>`,
         )}</tbody>
       </table>
@@ -267,7 +297,13 @@ class LentoaxPart extends CanvasPart {
   private take(): void {
     const { plane, toolType, frame, sd42900, sd42940, sd42950 } = this.query;
     this.store.put("plane", plane);
-    this.store.put("tool", { type: toolType, frame: structuredClone(frame), sd42900, sd42940, sd42950 });
+    this.store.put("tool", {
+      type: toolType,
+      frame: structuredClone(frame),
+      sd42900,
+      sd42940,
+      sd42950,
+    });
     this.dispatchEvent(new CustomEvent("taken", { bubbles: true }));
   }
 
@@ -281,7 +317,9 @@ class LentoaxPart extends CanvasPart {
     const canvas = this.querySelector("canvas");
     if (!canvas || !this.isConnected) return;
     if (!this.drawing) {
-      this.drawing = new Drawing(canvas, (view) => view.showLentoax(this.query));
+      this.drawing = new Drawing(canvas, (view) =>
+        view.showLentoax(this.query),
+      );
       this.observer.observe(canvas);
     }
     if (canvas.clientWidth === 0) return;

@@ -25,7 +25,8 @@ export class LineList {
     list.lang = "en";
     list.translate = false;
     const pointed = (event: Event) => {
-      const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
+      const line = (event.target as Element).closest<HTMLElement>("[data-line]")
+        ?.dataset.line;
       if (line !== undefined) point(Number(line));
     };
     list.addEventListener("mouseover", pointed);
@@ -58,7 +59,8 @@ export class LineList {
       this.list.replaceChildren(...this.lines);
     }
     for (const row of this.marked) row.removeAttribute("title");
-    const rows = (numbers: Iterable<number>) => [...numbers].flatMap((k) => this.lines[k] ?? []);
+    const rows = (numbers: Iterable<number>) =>
+      [...numbers].flatMap((k) => this.lines[k] ?? []);
     this.lines.forEach((row, k) => {
       const is = `line ${kind(k)}`.trim();
       if (row.className !== is) row.className = is;
@@ -78,8 +80,12 @@ export class LineList {
   /** Brings a line into sight, where it is not. */
   private reveal(row: HTMLElement | undefined): void {
     if (!row) return;
-    const [{ top, bottom }, box] = [row.getBoundingClientRect(), this.list.getBoundingClientRect()];
+    const [{ top, bottom }, box] = [
+      row.getBoundingClientRect(),
+      this.list.getBoundingClientRect(),
+    ];
     if (top < box.top) this.list.scrollTop -= box.top - top + MARGIN;
-    else if (bottom > box.bottom) this.list.scrollTop += bottom - box.bottom + MARGIN;
+    else if (bottom > box.bottom)
+      this.list.scrollTop += bottom - box.bottom + MARGIN;
   }
 }

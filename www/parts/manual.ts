@@ -1,5 +1,11 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type CycleEntry, defaultJob, type FieldEntry, type PostEntry, plan } from "../core/browser.js";
+import {
+  type CycleEntry,
+  defaultJob,
+  type FieldEntry,
+  type PostEntry,
+  plan,
+} from "../core/browser.js";
 import { resultInWords } from "../sentences.js";
 import { CanvasPart } from "./canvas-part.js";
 import { Drawing } from "./drawing.js";
@@ -25,9 +31,10 @@ class ManualPart extends CanvasPart {
     const { store } = this;
     const job = defaultJob(cycle.type);
     const results = cycle.steps.length > 0 ? plan(job).results : [];
-    const fields = [...cycle.fields, ...cycle.sections.flatMap((section) => section.fields)].filter(
-      ({ group }) => store.cam || !group.startsWith("Postprocessor"),
-    );
+    const fields = [
+      ...cycle.fields,
+      ...cycle.sections.flatMap((section) => section.fields),
+    ].filter(({ group }) => store.cam || !group.startsWith("Postprocessor"));
     const used = store.cycle.type === cycle.type;
     return html`
       <h2 tabindex="-1">${cycle.title}</h2>
@@ -51,9 +58,15 @@ class ManualPart extends CanvasPart {
     const { store } = this;
     const now = !store.stale && store.post?.id === post.id;
     const always = now ? store.findings.filter((f) => store.stands(f)) : [];
-    const unable = now && !store.ownCycle ? store.plan.safety.filter((row) => row.holds === null) : [];
-    const rule = (name: string) => store.catalog.rules.find((one) => one.name === name)?.says ?? name;
-    const cycles = store.catalog.cycles.filter((cycle) => cycle.steps.length > 0);
+    const unable =
+      now && !store.ownCycle
+        ? store.plan.safety.filter((row) => row.holds === null)
+        : [];
+    const rule = (name: string) =>
+      store.catalog.rules.find((one) => one.name === name)?.says ?? name;
+    const cycles = store.catalog.cycles.filter(
+      (cycle) => cycle.steps.length > 0,
+    );
     return html`
       <h2 tabindex="-1">${post.title}</h2>
       ${always.length > 0 ? html`<h3>${this.t("What always holds")}</h3><ul>${always.map((f) => html`<li class=${f.level}>${this.message(f)}</li>`)}</ul>` : nothing}
@@ -78,7 +91,9 @@ class ManualPart extends CanvasPart {
           const is = of(form)?.supported === true;
           return html`<td><span role="img" aria-label=${is ? this.t("yes") : this.t("no")}>${is ? "✓" : "–"}</span></td>`;
         };
-        const why = ["moves", "cycle"].map((form) => of(form)?.reason).find(Boolean);
+        const why = ["moves", "cycle"]
+          .map((form) => of(form)?.reason)
+          .find(Boolean);
         return html`<tr><th scope="row">${name}</th>${mark("moves")}${mark("cycle")}<td>${why ?? ""}</td></tr>`;
       },
     )}</tbody></table>`;
@@ -100,7 +115,9 @@ class ManualPart extends CanvasPart {
     }
     this.drawn = this.topic;
     if (!canvas) return;
-    this.drawing ??= new Drawing(canvas, (view) => view.showSmall(defaultJob(type)));
+    this.drawing ??= new Drawing(canvas, (view) =>
+      view.showSmall(defaultJob(type)),
+    );
     this.drawing.restyle();
   }
 

@@ -5,13 +5,20 @@ import { LANGUAGES, w } from "../words.js";
 
 const THEMES = ["auto", "light", "dark"] as const;
 export type Theme = (typeof THEMES)[number];
-const THEME_NAMES = { auto: w("as the system"), light: w("light"), dark: w("dark") };
+const THEME_NAMES = {
+  auto: w("as the system"),
+  light: w("light"),
+  dark: w("dark"),
+};
 
 /** What can be done by the keyboard beyond Tab, Enter and the arrows of a control. */
 const KEYS: [string, string][] = [
   [w("Ctrl+Z, Ctrl+Y"), w("undo, redo: fields, choices, drags, files, Reset")],
   [w("Ctrl+K"), w("find anything: cycles, fields, controls, actions")],
-  [w("Ctrl+V"), w("open what is in the clipboard: a dump, a program, a job, a log")],
+  [
+    w("Ctrl+V"),
+    w("open what is in the clipboard: a dump, a program, a job, a log"),
+  ],
   [w("Ctrl+S"), w("save the program")],
   [w("↑ ↓ in a number"), w("one step more or less; with Shift a tenth of it")],
   [w("Enter in a number"), w("work out a sum, and to the next field")],
@@ -21,7 +28,10 @@ const KEYS: [string, string][] = [
   [w("Space there"), w("play, pause")],
   [w("↑ ↓ in the program"), w("line by line through the moves")],
   [w("Ctrl+F in an opened program"), w("find words in it")],
-  [w("Enter, Shift+Enter in Find"), w("the next line with the words, the one before")],
+  [
+    w("Enter, Shift+Enter in Find"),
+    w("the next line with the words, the one before"),
+  ],
   [w("Arrows, +, −, 0 on the picture"), w("shift, zoom, fit")],
   [w("Escape on picture, program, timeline"), w("no move is lit")],
   [w("Escape elsewhere"), w("back to the job")],
@@ -41,7 +51,12 @@ export const OF_THE_JOB = new Set([
 ]);
 
 /** What can be done beside the form, for the list of everything. */
-export function actions({ store, links, local, away }: Frame): [what: string, name: string][] {
+export function actions({
+  store,
+  links,
+  local,
+  away,
+}: Frame): [what: string, name: string][] {
   const { readonly, withheld } = store;
   const t = (text: string) => store.t(text);
   const all: [string, string, boolean][] = [
@@ -62,11 +77,15 @@ export function actions({ store, links, local, away }: Frame): [what: string, na
     ["keys", t("Keys"), true],
     [
       "cam",
-      store.cam ? t("For setters: hide parameters and codes") : t("For CAM: show parameters and codes"),
+      store.cam
+        ? t("For setters: hide parameters and codes")
+        : t("For CAM: show parameters and codes"),
       !store.camIsAsked,
     ],
   ];
-  return all.filter(([what, , is]) => is && !(away && OF_THE_JOB.has(what))).map(([what, name]) => [what, name]);
+  return all
+    .filter(([what, , is]) => is && !(away && OF_THE_JOB.has(what)))
+    .map(([what, name]) => [what, name]);
 }
 
 /** What menu and dialogs show of the frame, and what it does for them. */
@@ -95,7 +114,13 @@ export function menu(frame: Frame): TemplateResult {
   const { store, links, local, away } = frame;
   const { readonly } = store;
   const t = (text: string) => store.t(text);
-  const item = (what: string, name: string, offered = true, only = "", disabled = false) =>
+  const item = (
+    what: string,
+    name: string,
+    offered = true,
+    only = "",
+    disabled = false,
+  ) =>
     offered
       ? html`<button type="button" class=${only || nothing} ?disabled=${disabled || (away && OF_THE_JOB.has(what))} @click=${() => frame.choose(what)}>${name}</button>`
       : nothing;

@@ -53,7 +53,8 @@ export abstract class Part extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    for (const name of [...this.follows, "language"]) this.store.addEventListener(name, this.redraw);
+    for (const name of [...this.follows, "language"])
+      this.store.addEventListener(name, this.redraw);
     if (this.lights) this.store.addEventListener("highlight", this.relight);
     // While it was out of the page, nothing told it of changes.
     if (this.hasUpdated) this.requestUpdate();
@@ -61,7 +62,8 @@ export abstract class Part extends LitElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    for (const name of [...this.follows, "language"]) this.store.removeEventListener(name, this.redraw);
+    for (const name of [...this.follows, "language"])
+      this.store.removeEventListener(name, this.redraw);
     this.store.removeEventListener("highlight", this.relight);
   }
 }

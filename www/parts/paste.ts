@@ -14,7 +14,11 @@ class PastePart extends Part {
   /** Whether nothing could be made of the text. */
   private failed = false;
 
-  static override properties = { take: { attribute: false }, stop: { attribute: false }, said: { attribute: false } };
+  static override properties = {
+    take: { attribute: false },
+    stop: { attribute: false },
+    said: { attribute: false },
+  };
 
   override render(): TemplateResult {
     return html`<dialog class="paste" aria-label=${this.t("Paste")} @close=${this.closed}>${
@@ -49,7 +53,8 @@ class PastePart extends Part {
   };
 
   private readonly read = async (): Promise<void> => {
-    const held = () => this.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
+    const held = () =>
+      this.querySelector<HTMLTextAreaElement>("#paste")?.value ?? "";
     const text = held();
     const taken = await this.take(text);
     this.failed = !taken;

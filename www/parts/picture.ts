@@ -1,5 +1,10 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { awaited, type PageView, type Plan, type Vec3 } from "../core/browser.js";
+import {
+  awaited,
+  type PageView,
+  type Plan,
+  type Vec3,
+} from "../core/browser.js";
 import { tidy } from "../number.js";
 import { deviations, rateOf } from "../sentences.js";
 import { DrawnPart } from "./canvas-part.js";
@@ -67,7 +72,12 @@ class PicturePart extends DrawnPart {
   private get grips(): boolean {
     const { store } = this;
     const asked = /^part\.|Angle$|Length$/.test(store.focused ?? "");
-    return this.grip !== null || store.partOpen || asked || deviations(store).length > 0;
+    return (
+      this.grip !== null ||
+      store.partOpen ||
+      asked ||
+      deviations(store).length > 0
+    );
   }
 
   /** Where it is looked at from. */
@@ -115,9 +125,12 @@ class PicturePart extends DrawnPart {
   private kinds(): TemplateResult[] {
     const { store } = this;
     const { moves } = store.plan;
-    const has = (is: (move: Plan["moves"][number]) => boolean) => moves.some(is);
-    const isRapid = (move: Plan["moves"][number]) => move.kind !== "touch" && rateOf(store, move.feed) === null;
-    const links = ({ feed }: Plan["moves"][number]) => feed === "longLink" || feed === "work";
+    const has = (is: (move: Plan["moves"][number]) => boolean) =>
+      moves.some(is);
+    const isRapid = (move: Plan["moves"][number]) =>
+      move.kind !== "touch" && rateOf(store, move.feed) === null;
+    const links = ({ feed }: Plan["moves"][number]) =>
+      feed === "longLink" || feed === "work";
     const goes = (as: (move: Plan["moves"][number]) => boolean) =>
       has((m) => m.kind !== "touch" && !isRapid(m) && as(m));
     const touches = moves.some((m) => m.kind === "touch");
@@ -128,7 +141,10 @@ class PicturePart extends DrawnPart {
       [has(isRapid), kind("rapid", this.t("rapid"))],
       [touches, kind("ghost", this.t("overtravel"))],
       [deviations(store).length > 0, kind("actual", this.t("virtual part"))],
-      [store.measured.trim() !== "", html`<li class="points">${this.t("measured")}</li>`],
+      [
+        store.measured.trim() !== "",
+        html`<li class="points">${this.t("measured")}</li>`,
+      ],
     ];
     return kinds.flatMap(([is, line]) => (is ? [line] : []));
   }
@@ -152,7 +168,8 @@ class PicturePart extends DrawnPart {
           label(view, this.store);
           view.setHand(this.store.features.inJob);
           view.magnify(this.magnified);
-          if (!this.live || !view.show(this.store.job)) view.show(this.store.shown);
+          if (!this.live || !view.show(this.store.job))
+            view.show(this.store.shown);
           view.focus(this.lit);
           view.grips(this.grips);
           view.highlight(this.store.highlight ?? undefined);
@@ -163,7 +180,11 @@ class PicturePart extends DrawnPart {
       this.observer.observe(canvas);
     }
     // A nominal part has nothing to draw larger, and its handle is there again.
-    if (!this.grip && (deviations(this.store).length === 0 || !this.offered.includes(this.magnified))) {
+    if (
+      !this.grip &&
+      (deviations(this.store).length === 0 ||
+        !this.offered.includes(this.magnified))
+    ) {
       this.refit ||= this.magnified !== 1;
       this.magnified = 1;
     }
@@ -201,15 +222,21 @@ class PicturePart extends DrawnPart {
   /** Turns to where the dimension of a field is seen. */
   private face(path: string | null): void {
     this.turnedFor = path;
-    const look = path === null ? undefined : this.drawing?.use((view) => view.viewOf(path));
-    if (look && look !== this.look && this.look !== "isometric") this.turn(look as (typeof VIEWS)[number]);
+    const look =
+      path === null
+        ? undefined
+        : this.drawing?.use((view) => view.viewOf(path));
+    if (look && look !== this.look && this.look !== "isometric")
+      this.turn(look as (typeof VIEWS)[number]);
   }
 
   /** What lies other than the drawing says is seen without opening anything. */
   private deviates(): TemplateResult | typeof nothing {
     const off = deviations(this.store);
     if (off.length === 0) return nothing;
-    const implausible = this.store.findings.find(({ code }) => code === "implausible");
+    const implausible = this.store.findings.find(
+      ({ code }) => code === "implausible",
+    );
     return html`<p class="trial"><span title=${off.join(", ")}>${this.t("Virtual part")}: ${off.join(", ")}</span>
       ${implausible ? html`<b title=${this.store.say(implausible.said)}>${this.t("implausible")}</b>` : nothing}
       ${this.offered.length > 1 ? html`<button type="button" class="quiet" aria-label=${this.t("Deviations are drawn {times} times as large", this.magnified)} title=${this.t("Draw the deviations larger")} @click=${this.magnify}>${this.magnified === 1 ? "×1" : this.t("drawn ×{times}", this.magnified)}</button>` : nothing}
@@ -220,14 +247,21 @@ class PicturePart extends DrawnPart {
   protected override light(): void {
     const { highlight, stale } = this.store;
     if (!this.timeline.plays)
-      this.drawing?.use((view) => view.highlight(stale && this.live ? undefined : (highlight ?? undefined)));
+      this.drawing?.use((view) =>
+        view.highlight(
+          stale && this.live ? undefined : (highlight ?? undefined),
+        ),
+      );
     this.timeline.light();
   }
 
   /** How many times as large deviations can be drawn here. */
   private get offered(): readonly (typeof MAGNIFIED)[number][] {
     const turn = Math.abs(Number(this.store.get("part.rotation") ?? 0));
-    const offset = (this.store.get("part.offset") as unknown[] | undefined)?.map((x) => Math.abs(Number(x))) ?? [];
+    const offset =
+      (this.store.get("part.offset") as unknown[] | undefined)?.map((x) =>
+        Math.abs(Number(x)),
+      ) ?? [];
     const { touches } = this.store.plan;
     // How far apart the touches lie, along the axis where that is most.
     const spans = [0, 1, 2].map((i) => {
@@ -235,13 +269,15 @@ class PicturePart extends DrawnPart {
       return Math.max(...along) - Math.min(...along);
     });
     const room = Math.max(...spans, 0) / 3 || Number.POSITIVE_INFINITY;
-    const fits = (times: number) => turn * times <= MOST_TURNED && Math.max(...offset, 0) * times <= room;
+    const fits = (times: number) =>
+      turn * times <= MOST_TURNED && Math.max(...offset, 0) * times <= room;
     return MAGNIFIED.filter((times) => times === 1 || fits(times));
   }
 
   private readonly magnify = (): void => {
     const { offered } = this;
-    const next = offered[(offered.indexOf(this.magnified) + 1) % offered.length];
+    const next =
+      offered[(offered.indexOf(this.magnified) + 1) % offered.length];
     this.magnified = next as (typeof MAGNIFIED)[number];
     this.refit = true;
     this.requestUpdate();
@@ -281,7 +317,8 @@ class PicturePart extends DrawnPart {
     this.drawing?.use((view) => {
       const handle = this.store.readonly ? undefined : this.handleAt(view, at);
       const [x, y] = (handle && view.handleSpot(handle)) || [];
-      if (handle && x !== undefined && y !== undefined) this.grip = { handle, x: at.x - x, y: at.y - y };
+      if (handle && x !== undefined && y !== undefined)
+        this.grip = { handle, x: at.x - x, y: at.y - y };
       else this.end = this.store.readonly ? null : this.gripped(view, at);
       if (this.grip || this.end) view.pin(true);
       view.focus(this.lit);
@@ -315,7 +352,9 @@ class PicturePart extends DrawnPart {
   /** What a handle changes. */
   private handleInWords(view: PageView, handle: string | undefined): string {
     const part = { shift: "part.offset", turn: "part.rotation" }[handle ?? ""];
-    const label = this.store.fieldAt(part ?? (handle && view.handleField(handle)) ?? "")?.label ?? "";
+    const label =
+      this.store.fieldAt(part ?? (handle && view.handleField(handle)) ?? "")
+        ?.label ?? "";
     return part ? `${this.t("Virtual part")}: ${label}` : label;
   }
 
@@ -324,9 +363,14 @@ class PicturePart extends DrawnPart {
     const before = this.pointers.get(event.pointerId);
     if (!before) {
       this.drawing?.use((view) => {
-        const over = view.axisAt(at.x, at.y) ? "pointer" : view.dimensionAt(at.x, at.y) ? "text" : "";
+        const over = view.axisAt(at.x, at.y)
+          ? "pointer"
+          : view.dimensionAt(at.x, at.y)
+            ? "text"
+            : "";
         const handle = this.handleAt(view, at);
-        const grips = handle || (!this.store.readonly && this.grippable(view, at));
+        const grips =
+          handle || (!this.store.readonly && this.grippable(view, at));
         this.canvas().style.cursor = grips ? "grab" : over;
         this.canvas().title = this.handleInWords(view, handle);
         this.store.point(view.pick(at.x, at.y) ?? null);
@@ -335,17 +379,24 @@ class PicturePart extends DrawnPart {
     }
     this.dragged ||= Math.hypot(at.x - before.x, at.y - before.y) > 2;
     if (this.pointers.size === 2) {
-      const other = [...this.pointers].find(([id]) => id !== event.pointerId)?.[1];
+      const other = [...this.pointers].find(
+        ([id]) => id !== event.pointerId,
+      )?.[1];
       if (other) {
         const reach = (p: Spot) => Math.hypot(p.x - other.x, p.y - other.y);
         this.drawing?.use((view) => {
-          view.zoom(reach(at) / Math.max(reach(before), 1), (at.x + other.x) / 2, (at.y + other.y) / 2);
+          view.zoom(
+            reach(at) / Math.max(reach(before), 1),
+            (at.x + other.x) / 2,
+            (at.y + other.y) / 2,
+          );
           view.pan((at.x - before.x) / 2, (at.y - before.y) / 2);
         });
       }
     } else if (this.end) {
       // Measured from where it was gripped: a slow drag is one, too.
-      this.dragged ||= Math.hypot(at.x - this.end.at.x, at.y - this.end.at.y) > 2;
+      this.dragged ||=
+        Math.hypot(at.x - this.end.at.x, at.y - this.end.at.y) > 2;
       if (this.dragged) this.pull(at);
     } else if (this.grip) {
       this.pull(at);
@@ -365,7 +416,11 @@ class PicturePart extends DrawnPart {
     }
     this.planned = requestAnimationFrame(() => this.caughtUp());
     if (this.end) this.stretch(this.end.field, at);
-    else if (this.grip) this.drag(this.grip.handle, { x: at.x - this.grip.x, y: at.y - this.grip.y });
+    else if (this.grip)
+      this.drag(this.grip.handle, {
+        x: at.x - this.grip.x,
+        y: at.y - this.grip.y,
+      });
   }
 
   /** What is gripped is where the pointer is. */
@@ -379,7 +434,8 @@ class PicturePart extends DrawnPart {
 
   /** The end of a dimension's line at a pixel: its field, and which end it is. */
   private endAt(view: PageView, at: Spot): End | null {
-    if (this.look === "isometric" || (this.store.stale && !this.live)) return null;
+    if (this.look === "isometric" || (this.store.stale && !this.live))
+      return null;
     const ends = (view.dimensionLines() as Line[]).flatMap(([field, ...line]) =>
       ([0, 1] as const).map((index) => {
         const [x, y] = line.slice(2 * index) as [number, number];
@@ -387,7 +443,9 @@ class PicturePart extends DrawnPart {
       }),
     );
     const near = ends.filter(
-      ({ field, far }) => far <= (this.finger ? REACH.finger : REACH.end) && typeof this.store.get(field) === "number",
+      ({ field, far }) =>
+        far <= (this.finger ? REACH.finger : REACH.end) &&
+        typeof this.store.get(field) === "number",
     );
     return near.sort((a, b) => a.far - b.far)[0] ?? null;
   }
@@ -400,14 +458,17 @@ class PicturePart extends DrawnPart {
     const under = this.endAt(view, at);
     if (!under) return false;
     const end = `${this.store.revision} ${this.look} ${under.field} ${under.index}`;
-    if (end !== this.tried.end) this.tried = { end, moves: this.gripped(view, at) !== null };
+    if (end !== this.tried.end)
+      this.tried = { end, moves: this.gripped(view, at) !== null };
     return this.tried.moves;
   }
 
   /** Grips the end of a dimension's line; null where none is there, or where no number of the form moves it. */
   private gripped(view: PageView, at: Spot): (End & { at: Spot }) | null {
     const end = this.endAt(view, at);
-    return end && view.gripEnd(this.store.job, end.field, end.index, at.x, at.y) ? { ...end, at } : null;
+    return end && view.gripEnd(this.store.job, end.field, end.index, at.x, at.y)
+      ? { ...end, at }
+      : null;
   }
 
   /** The end of a dimension is dragged: it stays under the pointer. */
@@ -421,30 +482,43 @@ class PicturePart extends DrawnPart {
     const { store } = this;
     const field = this.drawing?.use((view) => view.handleField(handle));
     if (field) {
-      const degrees = this.drawing?.use((view) => view.dragAngle(handle, at.x, at.y));
+      const degrees = this.drawing?.use((view) =>
+        view.dragAngle(handle, at.x, at.y),
+      );
       if (degrees !== undefined) store.set(field, degrees);
       return;
     }
-    const lie = this.drawing?.use((view) => view.dragPart(handle, at.x, at.y)) as {
+    const lie = this.drawing?.use((view) =>
+      view.dragPart(handle, at.x, at.y),
+    ) as {
       offset: Vec3;
       rotation: number;
     } | null;
     if (!lie) return;
     for (const i of [0, 1, 2]) store.typed.delete(`part.offset[${i}]`);
     store.typed.delete("part.rotation");
-    store.set("part", { ...(store.get("part") as object), ...lie, rotation: tidy(lie.rotation) });
+    store.set("part", {
+      ...(store.get("part") as object),
+      ...lie,
+      rotation: tidy(lie.rotation),
+    });
   }
 
   private up(event: PointerEvent): void {
     const at = this.pointers.get(event.pointerId);
     this.pointers.delete(event.pointerId);
     const axis =
-      at && !this.dragged && !this.grip && !this.end ? this.drawing?.use((view) => view.axisAt(at.x, at.y)) : undefined;
+      at && !this.dragged && !this.grip && !this.end
+        ? this.drawing?.use((view) => view.axisAt(at.x, at.y))
+        : undefined;
     if (axis) this.turn(axis as (typeof VIEWS)[number]);
     else if (at && !this.dragged && !this.grip) {
       const field = this.drawing?.use((view) => view.dimensionAt(at.x, at.y));
       if (field) this.tapped = field;
-      else this.store.pin(this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null);
+      else
+        this.store.pin(
+          this.drawing?.use((view) => view.pick(at.x, at.y)) ?? null,
+        );
     }
     this.release();
   }
@@ -462,12 +536,16 @@ class PicturePart extends DrawnPart {
   private clicked(): void {
     const field = this.tapped;
     this.tapped = null;
-    if (field) this.dispatchEvent(new CustomEvent("go", { detail: field, bubbles: true }));
+    if (field)
+      this.dispatchEvent(
+        new CustomEvent("go", { detail: field, bubbles: true }),
+      );
   }
 
   private leave(event: PointerEvent): void {
     this.canvas().title = "";
-    if (!this.pointers.has(event.pointerId) && event.pointerType === "mouse") this.store.point(null);
+    if (!this.pointers.has(event.pointerId) && event.pointerType === "mouse")
+      this.store.point(null);
   }
 
   protected override wheel(event: WheelEvent): void {

@@ -1,6 +1,14 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { JobError } from "../core/browser.js";
-import { added, keepPresets, MOST, type Preset, presets, read, written } from "../presets.js";
+import {
+  added,
+  keepPresets,
+  MOST,
+  type Preset,
+  presets,
+  read,
+  written,
+} from "../presets.js";
 import { w } from "../words.js";
 import { download } from "./download.js";
 import { Part } from "./part.js";
@@ -33,7 +41,9 @@ class PresetsPart extends Part {
       <p class="told"><span role="status">${this.told}</span> ${this.earlier ? html`<button type="button" class="quiet" @click=${this.takeBack}>${this.t("Undo")}</button>` : nothing}</p>
       ${
         this.list.length > 0
-          ? html`<fieldset class="tools" aria-label=${this.t("What is taken of a machine")}>${Object.entries(PARTS).map(
+          ? html`<fieldset class="tools" aria-label=${this.t("What is taken of a machine")}>${Object.entries(
+              PARTS,
+            ).map(
               ([part, [name]]) =>
                 html`<label class="check"><input type="checkbox" .checked=${this.parts.has(part)} @change=${() => this.choose(part)} /> ${this.t(name)}</label>`,
             )}</fieldset>`
@@ -57,8 +67,16 @@ class PresetsPart extends Part {
     if (name === "") this.tell(this.t("A machine needs a name"));
     else {
       const replaced = this.list.some((one) => one.name === name);
-      const done = this.put((list) => added(list, this.store.preset(name)), replaced);
-      if (done) this.tell(replaced ? this.t("Replaced “{name}”", name) : this.t("Kept “{name}”", name));
+      const done = this.put(
+        (list) => added(list, this.store.preset(name)),
+        replaced,
+      );
+      if (done)
+        this.tell(
+          replaced
+            ? this.t("Replaced “{name}”", name)
+            : this.t("Kept “{name}”", name),
+        );
     }
   }
 
@@ -71,22 +89,36 @@ class PresetsPart extends Part {
   private readonly takeBack = (): void => {
     const { earlier } = this;
     // What another tab has kept since stays.
-    if (earlier && this.put((list) => earlier.reduce(added, list))) this.tell("");
+    if (earlier && this.put((list) => earlier.reduce(added, list)))
+      this.tell("");
   };
 
   private use(preset: Preset): void {
     try {
-      const sections = Object.entries(PARTS).flatMap(([part, [, names]]) => (this.parts.has(part) ? names : []));
+      const sections = Object.entries(PARTS).flatMap(([part, [, names]]) =>
+        this.parts.has(part) ? names : [],
+      );
       this.store.usePreset(preset, sections);
       this.earlier = null;
-      this.tell(this.t("“{name}” is used. Undo brings back what was there.", preset.name));
+      this.tell(
+        this.t(
+          "“{name}” is used. Undo brings back what was there.",
+          preset.name,
+        ),
+      );
     } catch (thrown) {
-      this.tell(thrown instanceof JobError ? this.store.why(thrown) : this.t("This machine cannot be used"));
+      this.tell(
+        thrown instanceof JobError
+          ? this.store.why(thrown)
+          : this.t("This machine cannot be used"),
+      );
     }
   }
 
   private forget(preset: Preset): void {
-    if (this.put((list) => list.filter((one) => one.name !== preset.name), true))
+    if (
+      this.put((list) => list.filter((one) => one.name !== preset.name), true)
+    )
       this.tell(this.t("Forgot “{name}”", preset.name));
   }
 
@@ -96,9 +128,15 @@ class PresetsPart extends Part {
     const file = input.files?.[0];
     input.value = "";
     if (!file) return;
-    const text = file.size > this.store.longest ? "" : await file.text().catch(() => "");
+    const text =
+      file.size > this.store.longest ? "" : await file.text().catch(() => "");
     const found = read(text);
-    if (!found) this.tell(this.t("Nothing was changed: this file has no machines that can be read here"));
+    if (!found)
+      this.tell(
+        this.t(
+          "Nothing was changed: this file has no machines that can be read here",
+        ),
+      );
     else if (this.put((list) => found.reduce(added, list), true))
       this.tell(this.t("{count} machines were read", found.length));
   };
@@ -109,7 +147,11 @@ class PresetsPart extends Part {
     const list = change(old);
     if (list.length > MOST) {
       this.tell(
-        this.t("Nothing was changed: at most {most} machines are kept, and these would be {count}", MOST, list.length),
+        this.t(
+          "Nothing was changed: at most {most} machines are kept, and these would be {count}",
+          MOST,
+          list.length,
+        ),
       );
       return false;
     }
@@ -118,7 +160,11 @@ class PresetsPart extends Part {
     const kept = keepPresets(list);
     this.store.dispatchEvent(new Event("machines"));
     if (kept) return true;
-    this.tell(this.t("This browser keeps nothing: the machines are there until the page is left"));
+    this.tell(
+      this.t(
+        "This browser keeps nothing: the machines are there until the page is left",
+      ),
+    );
     return false;
   }
 

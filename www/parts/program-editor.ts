@@ -1,6 +1,17 @@
 // The editor of an opened program: CodeMirror, which puts only the lines that are seen into the document, of however many. Nothing is edited.
-import { EditorState, type Range, StateEffect, StateField } from "@codemirror/state";
-import { Decoration, type DecorationSet, EditorView, ViewPlugin, type ViewUpdate } from "@codemirror/view";
+import {
+  EditorState,
+  type Range,
+  StateEffect,
+  StateField,
+} from "@codemirror/state";
+import {
+  Decoration,
+  type DecorationSet,
+  EditorView,
+  ViewPlugin,
+  type ViewUpdate,
+} from "@codemirror/view";
 import { words } from "./colours.js";
 import { letterOf } from "./keys.js";
 import { MARGIN, type Shown } from "./shown.js";
@@ -11,8 +22,17 @@ type Look = Pick<Shown, "kind" | "notes" | "lit" | "found">;
 const change = StateEffect.define<Look>();
 
 const look = StateField.define<Look>({
-  create: () => ({ kind: () => "", notes: new Map(), lit: -1, found: { matches: new Set(), here: -1 } }),
-  update: (before, { effects }) => effects.reduce((now, effect) => (effect.is(change) ? effect.value : now), before),
+  create: () => ({
+    kind: () => "",
+    notes: new Map(),
+    lit: -1,
+    found: { matches: new Set(), here: -1 },
+  }),
+  update: (before, { effects }) =>
+    effects.reduce(
+      (now, effect) => (effect.is(change) ? effect.value : now),
+      before,
+    ),
 });
 
 /** Numbers, kinds and words of the lines that are seen. */
@@ -31,14 +51,27 @@ function decorated({ state, visibleRanges }: EditorView): DecorationSet {
       if (line === found.here) names.push("here");
       const noted = notes.get(line);
       if (noted) names.push("noted");
-      const title: Record<string, string> = noted ? { title: noted.join("\n") } : {};
-      const attributes = { "data-line": String(line), "data-number": String(number), ...title };
+      const title: Record<string, string> = noted
+        ? { title: noted.join("\n") }
+        : {};
+      const attributes = {
+        "data-line": String(line),
+        "data-number": String(number),
+        ...title,
+      };
       // A long line may be seen in parts, with gaps between them: it is decorated once.
-      if (line !== last) all.push(Decoration.line({ class: names.filter(Boolean).join(" "), attributes }).range(from));
+      if (line !== last)
+        all.push(
+          Decoration.line({
+            class: names.filter(Boolean).join(" "),
+            attributes,
+          }).range(from),
+        );
       last = line;
       // A line may be as long as the text: only what is seen of it is looked at.
       const start = Math.max(from, seen.from);
-      const text = is === "touch" ? "" : state.sliceDoc(start, Math.min(to, seen.to));
+      const text =
+        is === "touch" ? "" : state.sliceDoc(start, Math.min(to, seen.to));
       for (const word of words(text)) {
         const colour = Decoration.mark({ class: `word-${word.kind}` });
         all.push(colour.range(start + word.from, start + word.to));
@@ -57,8 +90,19 @@ const decorations = ViewPlugin.fromClass(
       this.lines = decorated(view);
     }
 
-    update({ view, docChanged, viewportChanged, startState, state }: ViewUpdate): void {
-      if (docChanged || viewportChanged || startState.field(look) !== state.field(look)) this.lines = decorated(view);
+    update({
+      view,
+      docChanged,
+      viewportChanged,
+      startState,
+      state,
+    }: ViewUpdate): void {
+      if (
+        docChanged ||
+        viewportChanged ||
+        startState.field(look) !== state.field(look)
+      )
+        this.lines = decorated(view);
     }
   },
   { decorations: ({ lines }) => lines },
@@ -70,13 +114,23 @@ export class Editor {
   /** The text that was shown last. */
   private text = "";
 
-  constructor(box: HTMLElement, label: () => string, point: (line: number | null) => void) {
+  constructor(
+    box: HTMLElement,
+    label: () => string,
+    point: (line: number | null) => void,
+  ) {
     const pointed = (event: Event) => {
-      const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
+      const line = (event.target as Element).closest<HTMLElement>("[data-line]")
+        ?.dataset.line;
       if (line !== undefined) point(Number(line));
     };
     const all = (event: KeyboardEvent, view: EditorView) => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey || letterOf(event) !== "a") return false;
+      if (
+        !(event.ctrlKey || event.metaKey) ||
+        event.altKey ||
+        letterOf(event) !== "a"
+      )
+        return false;
       view.dispatch({ selection: { anchor: 0, head: view.state.doc.length } });
       return true;
     };
@@ -102,7 +156,11 @@ export class Editor {
       }),
     ];
     const root = box.getRootNode() as ShadowRoot;
-    this.view = new EditorView({ parent: box, root, state: EditorState.create({ extensions }) });
+    this.view = new EditorView({
+      parent: box,
+      root,
+      state: EditorState.create({ extensions }),
+    });
   }
 
   focus(): void {
@@ -117,7 +175,9 @@ export class Editor {
   begin(line: number): void {
     const { doc } = this.view.state;
     const { from } = doc.line(Math.min(line, doc.lines - 1) + 1);
-    this.view.dispatch({ effects: EditorView.scrollIntoView(from, { y: "start", yMargin: 0 }) });
+    this.view.dispatch({
+      effects: EditorView.scrollIntoView(from, { y: "start", yMargin: 0 }),
+    });
   }
 
   show({ text, kind, notes, lit, found, sight }: Shown): void {
@@ -125,10 +185,17 @@ export class Editor {
     const whole = { from: 0, to: state.doc.length, insert: text };
     const changes = state.changes(text === this.text ? [] : whole);
     this.text = text;
-    const effects: StateEffect<unknown>[] = [change.of({ kind, notes, lit, found })];
+    const effects: StateEffect<unknown>[] = [
+      change.of({ kind, notes, lit, found }),
+    ];
     const doc = changes.apply(state.doc);
     if (sight >= 0 && sight < doc.lines)
-      effects.push(EditorView.scrollIntoView(doc.line(sight + 1).from, { y: "nearest", yMargin: MARGIN }));
+      effects.push(
+        EditorView.scrollIntoView(doc.line(sight + 1).from, {
+          y: "nearest",
+          yMargin: MARGIN,
+        }),
+      );
     this.view.dispatch({ changes, effects });
   }
 }

@@ -11,7 +11,14 @@ export class ProgramList {
   private editor?: Editor | LineList;
   /** What stands there until the editor does. */
   private readonly plain = document.createElement("pre");
-  private readonly shown: Shown = { text: "", kind: () => "", notes: new Map(), found: NONE, lit: -1, sight: -1 };
+  private readonly shown: Shown = {
+    text: "",
+    kind: () => "",
+    notes: new Map(),
+    found: NONE,
+    lit: -1,
+    sight: -1,
+  };
   private frame = 0;
   private freed = false;
 
@@ -29,8 +36,19 @@ export class ProgramList {
   }
 
   /** Another text, with what is said of its lines. Nothing of it is lit or found yet. */
-  show(text: string, kind: (line: number) => Kind, notes: Shown["notes"]): void {
-    Object.assign(this.shown, { text, kind, notes, found: NONE, lit: -1, sight: 0 });
+  show(
+    text: string,
+    kind: (line: number) => Kind,
+    notes: Shown["notes"],
+  ): void {
+    Object.assign(this.shown, {
+      text,
+      kind,
+      notes,
+      found: NONE,
+      lit: -1,
+      sight: 0,
+    });
     const short = isShort(text);
     if (this.editor && this.editor instanceof LineList !== short) {
       this.editor.free();
@@ -95,8 +113,12 @@ export class ProgramList {
   /** Brings a line of the plain text into sight, where it is not. */
   private reveal(line: number): void {
     if (line < 0) return;
-    const [{ top, bottom }, box] = [this.placeOf(this.starts()[line] ?? 0), this.plain.getBoundingClientRect()];
-    if (top < box.top || bottom > box.bottom) this.plain.scrollTop += top - box.top - MARGIN;
+    const [{ top, bottom }, box] = [
+      this.placeOf(this.starts()[line] ?? 0),
+      this.plain.getBoundingClientRect(),
+    ];
+    if (top < box.top || bottom > box.bottom)
+      this.plain.scrollTop += top - box.top - MARGIN;
   }
 
   /** The first line of the plain text that is seen from its beginning. */
@@ -116,7 +138,8 @@ export class ProgramList {
   private starts(): number[] {
     const starts = [0];
     const { text } = this.shown;
-    for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1)) starts.push(at + 1);
+    for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1))
+      starts.push(at + 1);
     return starts;
   }
 
@@ -133,10 +156,20 @@ export class ProgramList {
 
   /** Where the editor cannot be loaded, the text stays as it is. */
   private async load(): Promise<void> {
-    const { Editor } = await import("./program-editor.js").catch(() => ({ Editor: null }));
-    if (!Editor || this.editor || this.freed || !this.box.isConnected || isShort(this.shown.text)) return;
+    const { Editor } = await import("./program-editor.js").catch(() => ({
+      Editor: null,
+    }));
+    if (
+      !Editor ||
+      this.editor ||
+      this.freed ||
+      !this.box.isConnected ||
+      isShort(this.shown.text)
+    )
+      return;
     const focused = this.plain.matches(":focus");
-    const first = this.plain.scrollTop > 0 && this.shown.sight < 0 ? this.first() : -1;
+    const first =
+      this.plain.scrollTop > 0 && this.shown.sight < 0 ? this.first() : -1;
     this.plain.remove();
     this.editor = new Editor(this.box, this.name, this.point);
     this.draw();

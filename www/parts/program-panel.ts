@@ -1,5 +1,10 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { type Job, type Plan, type Programmed, programs } from "../core/browser.js";
+import {
+  type Job,
+  type Plan,
+  type Programmed,
+  programs,
+} from "../core/browser.js";
 import type { Form } from "../entries.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
@@ -10,7 +15,10 @@ import { Finder } from "./finder.js";
 import { Part } from "./part.js";
 
 /** The forms of a program, as the field of the form has them. */
-const FORMS: Record<Form, string> = { moves: w("Plain moves"), cycle: w("The control's own cycle") };
+const FORMS: Record<Form, string> = {
+  moves: w("Plain moves"),
+  cycle: w("The control's own cycle"),
+};
 
 /** A line of the program, counted from 0. */
 interface Line {
@@ -29,8 +37,16 @@ interface Block {
 
 /** What a folded run of lines is, by its lines: the first that fits one of them counts. */
 const RUNS: [RegExp, string, string][] = [
-  [/^(?:N\d+ ?)+$|^TP_\w+:$|^#3000=/, w("1 line for a stop"), w("{count} lines for a stop")],
-  [/\b(?:IF|if|GOTOF?|STOPRE|endif)\b|^o\d/, w("1 line of checks"), w("{count} lines of checks")],
+  [
+    /^(?:N\d+ ?)+$|^TP_\w+:$|^#3000=/,
+    w("1 line for a stop"),
+    w("{count} lines for a stop"),
+  ],
+  [
+    /\b(?:IF|if|GOTOF?|STOPRE|endif)\b|^o\d/,
+    w("1 line of checks"),
+    w("{count} lines of checks"),
+  ],
   [/=/, w("1 line of arithmetic"), w("{count} lines of arithmetic")],
 ];
 
@@ -51,7 +67,8 @@ const COMMENT = /^(?:\d+ )?(?:;|\(|BEGIN PGM)|^%/;
 const TOLD = 8000;
 
 /** The block of a cycle that makes its moves by itself: not a protected move, the probe's switch, what lies between features, or 1493. */
-const CALL = /^(?:G65 P|CALL O)(?!\d\d(?:10|3[2-5])\b)|^CYCLE\d+\(|^\d+ TCH PROBE (?!1493)/;
+const CALL =
+  /^(?:G65 P|CALL O)(?!\d\d(?:10|3[2-5])\b)|^CYCLE\d+\(|^\d+ TCH PROBE (?!1493)/;
 
 /** The touches that moves make, counted from 1, where a touch is made for the first time. */
 function touchNumbers(store: Store): Map<number, number> {
@@ -68,18 +85,26 @@ function touchNumbers(store: Store): Map<number, number> {
 /** What a program shows when it has measured, with the values that the virtual part gives: DEBUG of LinuxCNC, MSG of SINUMERIK. */
 function screenText(store: Store): string[] {
   const { program, results } = store.plan;
-  const named = (row: Plan["results"][number]) => store.ofCycle(row.cycle, row.code);
+  const named = (row: Plan["results"][number]) =>
+    store.ofCycle(row.cycle, row.code);
   const put = (text: string, digits: number) =>
-    text.replaceAll(/([\w.]+)=(?:#<\w+>|"<<R\d+(?:<<")?)/g, (all, code: string) => {
-      const value = results.find((row) => named(row) === code)?.value;
-      return typeof value === "number" ? `${code}=${value.toFixed(digits)}` : all;
-    });
+    text.replaceAll(
+      /([\w.]+)=(?:#<\w+>|"<<R\d+(?:<<")?)/g,
+      (all, code: string) => {
+        const value = results.find((row) => named(row) === code)?.value;
+        return typeof value === "number"
+          ? `${code}=${value.toFixed(digits)}`
+          : all;
+      },
+    );
   return program.text.split("\n").flatMap((line) => {
     const debug = /^\(DEBUG,(.*)\)$/.exec(line)?.[1];
     // A value that DEBUG shows has six decimals.
     if (debug !== undefined) return [put(debug, 6)];
     const message = /^MSG\("(.*?)"?\)$/.exec(line)?.[1];
-    return message !== undefined && /="<<R\d+/.test(message) ? [put(message, 3)] : [];
+    return message !== undefined && /="<<R\d+/.test(message)
+      ? [put(message, 3)]
+      : [];
   });
 }
 
@@ -110,25 +135,34 @@ class ProgramPart extends Part {
     const { stale } = this.store;
     const { program, moves, cycles } = this.store.plan;
     const why = stale ? "withheld-program" : nothing;
-    const lines = program.text === "" ? [] : program.text.replace(/\n$/, "").split("\n");
+    const lines =
+      program.text === "" ? [] : program.text.replace(/\n$/, "").split("\n");
     const moveAt = new Map(program.moveLines.map((line, move) => [line, move]));
     // Of each call the last move that it makes.
     const callAt = new Map(this.lines.map((line, move) => [line, move]));
     const { head } = this;
     // Blocks that begin with their own numbers need no second ones.
-    const own = lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
+    const own =
+      lines.length > 0 && lines.every((text) => /^(\d+ | )/.test(text));
     // Calls of the control's own cycles are no documented steps.
-    const stepsOf = (cycle: number) => (program.own ? [] : this.store.stepsOf(cycle));
+    const stepsOf = (cycle: number) =>
+      program.own ? [] : this.store.stepsOf(cycle);
     const numbers = touchNumbers(this.store);
     const row = ({ text, line }: Line) => {
       const move = moveAt.get(line);
-      const kind = move === undefined ? "plain" : moves[move]?.kind === "touch" ? "touch" : "";
+      const kind =
+        move === undefined
+          ? "plain"
+          : moves[move]?.kind === "touch"
+            ? "touch"
+            : "";
       const touch = move === undefined ? undefined : numbers.get(move);
       return html`<div role="option" class=${`line ${kind}`} data-line=${line} aria-selected="false">${own ? nothing : html`<span class="no">${numberOf(line)}</span>`}<span class="text">${text}</span>${touch === undefined ? nothing : html`<span class="disc" role="img" aria-label=${this.t("touch {touch}", touch)}>${touch}</span>`}</div>`;
     };
     /** Lines that make no move and are rarely looked for, under one mark. */
     const rows = (lines: Line[]) => {
-      const plain = ({ text, line }: Line) => !moveAt.has(line) && !SEEN.test(text);
+      const plain = ({ text, line }: Line) =>
+        !moveAt.has(line) && !SEEN.test(text);
       const runs: Line[][] = [];
       for (const one of lines) {
         const last = runs.at(-1)?.[0];
@@ -137,7 +171,8 @@ class ProgramPart extends Part {
       }
       return runs.map((run) => {
         const [first] = run as [Line];
-        if (!plain(first) || this.everything || this.opened.has(first.line)) return run.map(row);
+        if (!plain(first) || this.everything || this.opened.has(first.line))
+          return run.map(row);
         return html`<div role="option" aria-selected="false" class="folded" data-run=${first.line}><span class="no">   ⋯  </span>${this.runInWords(run)}</div>`;
       });
     };
@@ -146,10 +181,14 @@ class ProgramPart extends Part {
     const blocks: Block[] = [];
     for (const one of numbered.slice(head)) {
       const named = NAMED.exec(one.text)?.[1];
-      const move = moveAt.get(one.line) ?? (named === undefined ? callAt.get(one.line) : Number(named) - 1);
-      const { step = 0, cycle = 0 } = (move === undefined ? undefined : moves[move]) ?? blocks.at(-1) ?? {};
+      const move =
+        moveAt.get(one.line) ??
+        (named === undefined ? callAt.get(one.line) : Number(named) - 1);
+      const { step = 0, cycle = 0 } =
+        (move === undefined ? undefined : moves[move]) ?? blocks.at(-1) ?? {};
       const next = `${cycle} ${step}`;
-      if (next !== now || blocks.length === 0) blocks.push({ step, cycle, lines: [] });
+      if (next !== now || blocks.length === 0)
+        blocks.push({ step, cycle, lines: [] });
       now = next;
       blocks.at(-1)?.lines.push(one);
     }
@@ -173,7 +212,8 @@ class ProgramPart extends Part {
         @click=${this.clicked}>
         ${head > 0 ? html`<div role="group" aria-label=${this.t("Before the first move")} ?hidden=${!this.unfolded}>${numbered.slice(0, head).map(row)}</div>` : nothing}
         ${blocks.map((block, i) => {
-          const begins = cycles.length > 1 && block.cycle !== blocks[i - 1]?.cycle;
+          const begins =
+            cycles.length > 1 && block.cycle !== blocks[i - 1]?.cycle;
           const text = stepsOf(block.cycle)[block.step - 1];
           const chapter = begins
             ? html`<div class="step chapter" role="presentation"><b>${cycles[block.cycle]}</b></div>`
@@ -199,17 +239,16 @@ class ProgramPart extends Part {
 
   /** What a folded run of lines is. */
   private runInWords(run: Line[]): string {
-    const [, one, many] = RUNS.find(([is]) => run.some(({ text }) => is.test(text))) ?? [
-      null,
-      w("1 more line"),
-      w("{count} more lines"),
-    ];
+    const [, one, many] = RUNS.find(([is]) =>
+      run.some(({ text }) => is.test(text)),
+    ) ?? [null, w("1 more line"), w("{count} more lines")];
     return run.length === 1 ? this.t(one) : this.t(many, run.length);
   }
 
   /** A click opens a run of lines, or pins the move of a line. */
   private readonly clicked = (event: MouseEvent): void => {
-    const run = (event.target as Element).closest<HTMLElement>("[data-run]")?.dataset.run;
+    const run = (event.target as Element).closest<HTMLElement>("[data-run]")
+      ?.dataset.run;
     if (run !== undefined) this.open(Number(run));
     else this.onLine(event, (move) => this.store.pin(move));
   };
@@ -236,7 +275,9 @@ class ProgramPart extends Part {
   private get head(): number {
     const { moveLines, text } = this.store.plan.program;
     const made = moveLines.find((line) => line >= 0);
-    const first = made ?? text.split("\n").findIndex((line) => line !== "" && !COMMENT.test(line));
+    const first =
+      made ??
+      text.split("\n").findIndex((line) => line !== "" && !COMMENT.test(line));
     return first > 3 ? first : 0;
   }
 
@@ -249,14 +290,17 @@ class ProgramPart extends Part {
     const { plan } = this.store;
     if (this.lined === plan) return this.known;
     const { moveLines, own, text } = plan.program;
-    const calls = [...text.split("\n").entries()].filter(([, block]) => CALL.test(block)).map(([line]) => line);
+    const calls = [...text.split("\n").entries()]
+      .filter(([, block]) => CALL.test(block))
+      .map(([line]) => line);
     let [call, made] = [-1, ""];
     this.known = plan.moves.map(({ cycle, step }, move) => {
       const line = moveLines[move] ?? -1;
       if (line >= 0) return line;
       // A step of such a program is a call. What leads to the first touch is made by the call that follows.
       const leads = !own || step < 2;
-      if (!leads && made !== `${cycle} ${step}`) [call, made] = [call + 1, `${cycle} ${step}`];
+      if (!leads && made !== `${cycle} ${step}`)
+        [call, made] = [call + 1, `${cycle} ${step}`];
       return calls[leads ? call + 1 : call] ?? -1;
     });
     this.lined = plan;
@@ -285,7 +329,9 @@ class ProgramPart extends Part {
   private get otherForm(): Form | undefined {
     const { store } = this;
     const own = (store.shown as { control?: { form?: unknown } }).control?.form;
-    return store.formsOf(store.plan.program.post, store.cycle.type).find((form) => form !== own);
+    return store
+      .formsOf(store.plan.program.post, store.cycle.type)
+      .find((form) => form !== own);
   }
 
   private readonly choose = async (event: Event): Promise<void> => {
@@ -294,7 +340,11 @@ class ProgramPart extends Part {
       if (this.against !== "") this.compares ??= await import("./compare.js");
     } catch {
       this.against = "";
-      this.tell(this.t("This part of the page could not be loaded: is there a network?"));
+      this.tell(
+        this.t(
+          "This part of the page could not be loaded: is there a network?",
+        ),
+      );
     }
     this.requestUpdate();
   };
@@ -302,19 +352,33 @@ class ProgramPart extends Part {
   /** The program that this one is compared with, or why there is none. */
   private other(): { text: string } | { why: string } {
     const { store } = this;
-    if (this.against === "saved") return store.saved === null ? { why: "" } : { text: store.saved };
-    const control = store.controlOf(store.plan.program.post, this.otherForm ?? "moves", store.shown);
-    const { program, findings } = programs([{ ...store.shown, control } as unknown as Job]).next().value as Programmed;
+    if (this.against === "saved")
+      return store.saved === null ? { why: "" } : { text: store.saved };
+    const control = store.controlOf(
+      store.plan.program.post,
+      this.otherForm ?? "moves",
+      store.shown,
+    );
+    const { program, findings } = programs([
+      { ...store.shown, control } as unknown as Job,
+    ]).next().value as Programmed;
     const error = findings.find((f) => f.level === "error");
-    return program ? { text: program.text } : { why: error ? this.message(error) : "" };
+    return program
+      ? { text: program.text }
+      : { why: error ? this.message(error) : "" };
   }
 
   /** Every line of both programs; a sign as well as a colour says in which one it is. */
   private differences(): TemplateResult {
     const other = this.other();
-    if ("why" in other || !this.compares) return html`<p class="problem">${"why" in other ? other.why : ""}</p>`;
-    const lines = this.compares.compare(other.text, this.store.plan.program.text);
-    const count = (sign: string) => lines.filter((one) => one.sign === sign).length;
+    if ("why" in other || !this.compares)
+      return html`<p class="problem">${"why" in other ? other.why : ""}</p>`;
+    const lines = this.compares.compare(
+      other.text,
+      this.store.plan.program.text,
+    );
+    const count = (sign: string) =>
+      lines.filter((one) => one.sign === sign).length;
     return html`<p class="compared"><span role="status">${this.t("{more} lines only here, {less} lines only there", count("+"), count("-"))}</span>
         <button type="button" class="quiet" ?disabled=${this.store.stale} @click=${() => this.widen(true)}>${this.t("Side by side")}</button></p>
       <dialog class="beside" aria-label=${this.t("Side by side")} @close=${() => this.widen(false)}>${this.wide ? this.beside(lines) : nothing}</dialog>
@@ -327,7 +391,10 @@ class ProgramPart extends Part {
   /** In which of both programs a line is: a sign with its meaning. */
   private sign(sign: Compared["sign"]): TemplateResult | string {
     if (sign === " ") return sign;
-    const says = sign === "-" ? this.t("not in this program") : this.t("only in this program");
+    const says =
+      sign === "-"
+        ? this.t("not in this program")
+        : this.t("only in this program");
     return html`<span role="img" aria-label=${says}>${sign}</span>`;
   }
 
@@ -335,13 +402,15 @@ class ProgramPart extends Part {
     this.wide = wide;
     this.requestUpdate();
     await this.updateComplete;
-    if (wide) this.querySelector<HTMLDialogElement>("dialog.beside")?.showModal();
+    if (wide)
+      this.querySelector<HTMLDialogElement>("dialog.beside")?.showModal();
   }
 
   /** Both programs in two columns. */
   private beside(lines: Compared[]): TemplateResult | typeof nothing {
     const cells = (one: Compared | null, line: number | null | undefined) => {
-      const kind = one === null ? "none" : { " ": "", "-": "less", "+": "more" }[one.sign];
+      const kind =
+        one === null ? "none" : { " ": "", "-": "less", "+": "more" }[one.sign];
       return html`<td class=${`no ${kind}`}>${one ? this.sign(one.sign) : nothing} ${typeof line === "number" ? line + 1 : ""}</td><td class=${kind}>${one?.text}</td>`;
     };
     return html`<form method="dialog" class="tools"><button>${this.t("Close")}</button></form>
@@ -351,12 +420,15 @@ class ProgramPart extends Part {
 
   protected override updated(changed: PropertyValues): void {
     super.updated(changed);
-    if (!this.wide) this.querySelector<HTMLDialogElement>("dialog.beside")?.close();
+    if (!this.wide)
+      this.querySelector<HTMLDialogElement>("dialog.beside")?.close();
     // A choice of the user stays in the list, whatever its options say.
     const list = this.querySelector<HTMLSelectElement>("select.compares");
     if (list) list.value = this.against;
     this.mark();
-    this.colours.follow(this.querySelector<HTMLElement>(".code[role=listbox]") as HTMLElement);
+    this.colours.follow(
+      this.querySelector<HTMLElement>(".code[role=listbox]") as HTMLElement,
+    );
     const shown = `${this.unfolded} ${this.everything} ${this.opened.size} ${this.store.plan.program.text}`;
     if (shown === this.coloured) return;
     this.coloured = shown;
@@ -385,7 +457,8 @@ class ProgramPart extends Part {
       old.setAttribute("aria-selected", "false");
       old.removeAttribute("id");
     }
-    for (const old of this.querySelectorAll(".step.lit")) old.classList.remove("lit");
+    for (const old of this.querySelectorAll(".step.lit"))
+      old.classList.remove("lit");
     const lit = this.lineAt(line) as HTMLElement | null;
     lit?.setAttribute("aria-selected", "true");
     const list = this.querySelector(".code[role=listbox]");
@@ -394,12 +467,16 @@ class ProgramPart extends Part {
       lit.id = "lit-line";
       list?.setAttribute("aria-activedescendant", lit.id);
     } else list?.removeAttribute("aria-activedescendant");
-    for (const heading of this.querySelectorAll(`[data-step="${step}"]`)) heading.classList.add("lit");
+    for (const heading of this.querySelectorAll(`[data-step="${step}"]`))
+      heading.classList.add("lit");
     if (this.matches(":hover") || this.comparing) return;
     const box = this.querySelector<HTMLElement>(".code");
     if (!lit || !box) return;
     const above = lit.offsetTop;
-    if (above < box.scrollTop || above + lit.offsetHeight > box.scrollTop + box.clientHeight) {
+    if (
+      above < box.scrollTop ||
+      above + lit.offsetHeight > box.scrollTop + box.clientHeight
+    ) {
       box.scrollTop = above - box.clientHeight / 2;
     }
   }
@@ -418,7 +495,8 @@ class ProgramPart extends Part {
   /** Marks the lines that hold what is looked for. */
   private mark(): void {
     const { matches, here } = this.finder.found;
-    for (const old of this.querySelectorAll(".line.match")) old.classList.remove("match", "here");
+    for (const old of this.querySelectorAll(".line.match"))
+      old.classList.remove("match", "here");
     for (const line of matches) this.lineAt(line)?.classList.add("match");
     this.lineAt(here)?.classList.add("here");
   }
@@ -436,11 +514,13 @@ class ProgramPart extends Part {
 
   /** What is done with the move of the line under the pointer; a line without a move has none, and beside the lines nothing is done. */
   private onLine(event: MouseEvent, act: (move: number | null) => void): void {
-    const line = (event.target as Element).closest<HTMLElement>("[data-line]")?.dataset.line;
+    const line = (event.target as Element).closest<HTMLElement>("[data-line]")
+      ?.dataset.line;
     if (line === undefined) return;
     const { program } = this.store.plan;
     const made = program.moveLines.lastIndexOf(Number(line));
-    const move = made < 0 && program.own ? this.lines.indexOf(Number(line)) : made;
+    const move =
+      made < 0 && program.own ? this.lines.indexOf(Number(line)) : made;
     act(move < 0 ? null : move);
   }
 
@@ -459,7 +539,8 @@ class ProgramPart extends Part {
   }
 
   private async copy(): Promise<void> {
-    if (!this.store.stale) this.tell(this.t(copied(await copy(this.store.plan.program.text))));
+    if (!this.store.stale)
+      this.tell(this.t(copied(await copy(this.store.plan.program.text))));
   }
 
   /** Says something of this very program. */

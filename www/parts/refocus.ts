@@ -15,22 +15,30 @@ export class Refocus implements ReactiveController {
 
   hostConnected(): void {
     // Before what is clicked does anything: it may be gone afterwards.
-    for (const name of EVENTS) this.frame.addEventListener(name, this.watch, true);
+    for (const name of EVENTS)
+      this.frame.addEventListener(name, this.watch, true);
   }
 
   hostDisconnected(): void {
-    for (const name of EVENTS) this.frame.removeEventListener(name, this.watch, true);
+    for (const name of EVENTS)
+      this.frame.removeEventListener(name, this.watch, true);
   }
 
   private readonly watch = (event: Event): void => {
     // The user's next click or key cancels what was to be looked at.
     clearTimeout(this.timer);
-    const acts = event.type === "click" || (event instanceof KeyboardEvent && event.key === "Escape");
+    const acts =
+      event.type === "click" ||
+      (event instanceof KeyboardEvent && event.key === "Escape");
     const at = this.root.activeElement;
     if (at && acts) this.look(at, at.closest(".group, dialog"), LOOKS);
   };
 
-  private look(at: Element, group: Element | null, [ms, ...later]: number[]): void {
+  private look(
+    at: Element,
+    group: Element | null,
+    [ms, ...later]: number[],
+  ): void {
     if (ms === undefined) return;
     this.timer = window.setTimeout(() => {
       this.restore(at, group);
@@ -40,10 +48,16 @@ export class Refocus implements ReactiveController {
 
   /** Moves the focus from `at`, where that is gone and nothing else has it, into the group it was in, or to the frame's first button. */
   private restore(at: Element, group: Element | null): void {
-    const there = (place: Element) => place.isConnected && place.checkVisibility() && !place.matches(":disabled");
+    const there = (place: Element) =>
+      place.isConnected &&
+      place.checkVisibility() &&
+      !place.matches(":disabled");
     const now = this.root.activeElement;
-    const outside = ![document.body, this.root.host].includes(document.activeElement as HTMLElement);
-    if (there(at) || (now && there(now)) || outside || !this.frame.isConnected) return;
+    const outside = ![document.body, this.root.host].includes(
+      document.activeElement as HTMLElement,
+    );
+    if (there(at) || (now && there(now)) || outside || !this.frame.isConnected)
+      return;
     const places = [
       ...(group?.querySelectorAll<HTMLElement>("input, select, button") ?? []),
       ...this.frame.querySelectorAll<HTMLElement>(".back button"),

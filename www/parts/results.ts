@@ -58,9 +58,20 @@ class ResultsPart extends Part {
   override render(): TemplateResult {
     const { plan, stale, units } = this.store;
     const { found, errors, parts } = this.evaluated();
-    const rows = found ? new Map(found.results.map((row) => [this.store.ofCycle(row.cycle, row.code), row])) : null;
-    const stored = this.store.bare ? w("What the touches will give") : w("What the control will have stored");
-    const caption = rows ? this.t("{stored}, and what the measured points give", [stored]) : this.t(stored);
+    const rows = found
+      ? new Map(
+          found.results.map((row) => [
+            this.store.ofCycle(row.cycle, row.code),
+            row,
+          ]),
+        )
+      : null;
+    const stored = this.store.bare
+      ? w("What the touches will give")
+      : w("What the control will have stored");
+    const caption = rows
+      ? this.t("{stored}, and what the measured points give", [stored])
+      : this.t(stored);
     return html`
       <div class=${stale ? "stale" : ""}>${this.tables(caption, rows)}
       ${this.tolerances()}
@@ -75,7 +86,9 @@ class ResultsPart extends Part {
         <summary>${this.t("All moves in words")}</summary>
         ${this.open ? html`<ol>${plan.moves.map((_, i) => html`<li>${moveInWords(this.store, i, false)}</li>`)}</ol>` : nothing}
       </details></div>
-      <details class="measured" ?open=${live(this.points)} @toggle=${(e: Event) => {
+      <details class="measured" ?open=${live(this.points)} @toggle=${(
+        e: Event,
+      ) => {
         this.points = (e.target as HTMLDetailsElement).open;
       }}>
         <summary>${this.t("Points that a machine measured")}</summary>
@@ -103,9 +116,12 @@ class ResultsPart extends Part {
     const { measured, plan, stale } = this.store;
     if (measured.trim() === "") return {};
     this.load();
-    const runs = stale || !this.reports ? [measured] : this.reports.runsOf(measured, plan);
+    const runs =
+      stale || !this.reports ? [measured] : this.reports.runsOf(measured, plan);
     try {
-      const parts = runs.map((text) => measure(this.store.job as unknown as Job, text));
+      const parts = runs.map((text) =>
+        measure(this.store.job as unknown as Job, text),
+      );
       return { found: parts.at(-1) as Measurement, parts };
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
@@ -158,14 +174,27 @@ class ResultsPart extends Part {
       machine: this.machine,
       when: reports.clock(new Date()),
     });
-    const t = (template: string, ...values: string[]) => this.t(template, ...values);
+    const t = (template: string, ...values: string[]) =>
+      this.t(template, ...values);
     const [text, type] =
       format === "html"
-        ? [reports.reportHtml(of, svg(store.shown as unknown as Job, "top"), t, store.lang), "text/html"]
+        ? [
+            reports.reportHtml(
+              of,
+              svg(store.shown as unknown as Job, "top"),
+              t,
+              store.lang,
+            ),
+            "text/html",
+          ]
         : format === "csv"
           ? [reports.reportCsv(of), "text/csv"]
           : [`${JSON.stringify(of, null, 2)}\n`, "application/json"];
-    download(text as string, store.otherName(`-report.${format}`), type as string);
+    download(
+      text as string,
+      store.otherName(`-report.${format}`),
+      type as string,
+    );
   }
 
   /** The block that states the work offset, to be typed. */
@@ -183,7 +212,9 @@ class ResultsPart extends Part {
 
   /** The predicted triggers as text to start from. */
   private fill(): void {
-    this.store.measured = this.store.plan.triggers.map((t) => (t ?? []).map((x) => number(x, 4)).join(", ")).join("\n");
+    this.store.measured = this.store.plan.triggers
+      .map((t) => (t ?? []).map((x) => number(x, 4)).join(", "))
+      .join("\n");
     this.requestUpdate();
   }
 
@@ -194,7 +225,9 @@ class ResultsPart extends Part {
 
   private signed(value: number | null, digits: number): string {
     const text = this.number(value, digits);
-    return value !== null && Number(number(value, digits)) > 0 ? `+${text}` : text;
+    return value !== null && Number(number(value, digits)) > 0
+      ? `+${text}`
+      : text;
   }
 
   /** A value within its limits: the middle half of the bar is good, the whisker is ± 2σ. What lies far out stands at the edge. */
@@ -203,11 +236,23 @@ class ResultsPart extends Part {
     if (!limits || value === null) return nothing;
     const [low, high] = limits;
     const digits = places(r.unit);
-    const at = (x: number) => Math.max(3, Math.min(97, 25 + (50 * (x - low)) / Math.max(high - low, 1e-9)));
+    const at = (x: number) =>
+      Math.max(
+        3,
+        Math.min(97, 25 + (50 * (x - low)) / Math.max(high - low, 1e-9)),
+      );
     const spread = 2 * (uncertainty ?? 0);
-    const bounds = [this.number(low, digits), this.number(high, digits)] as const;
+    const bounds = [
+      this.number(low, digits),
+      this.number(high, digits),
+    ] as const;
     const verdict: Said = said.verdict ?? ["–"];
-    const says = this.t("{value}, limits {min} and {max}: {verdict}", this.number(value, digits), ...bounds, verdict);
+    const says = this.t(
+      "{value}, limits {min} and {max}: {verdict}",
+      this.number(value, digits),
+      ...bounds,
+      verdict,
+    );
     const bad = isBad(r.verdict);
     return html`<tr class="bar"><td colspan="6"><svg class=${bad ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
       <title>${says}</title><rect x="25" y="3" width="50" height="6"></rect>
@@ -216,11 +261,17 @@ class ResultsPart extends Part {
 
   /** As the form names it, where that has the same: the rotation of a result is against the nominal one. */
   private nameOf(r: ResultRow): string {
-    const relation = this.store.plan.relations[r.cycle - this.store.plan.cycles.length];
+    const relation =
+      this.store.plan.relations[r.cycle - this.store.plan.cycles.length];
     if (relation !== undefined && this.store.plan.cycles.length > 1)
       return `${relation}: ${resultInWords(this.store, r)}`;
-    const own = this.store.plan.cycles.length < 2 || r.cycle === this.store.features.inJob;
-    const field = r.code === "rotation" || !own ? undefined : this.store.cycle.fields.find((f) => f.key === r.code);
+    const own =
+      this.store.plan.cycles.length < 2 ||
+      r.cycle === this.store.features.inJob;
+    const field =
+      r.code === "rotation" || !own
+        ? undefined
+        : this.store.cycle.fields.find((f) => f.key === r.code);
     return field?.label ?? resultInWords(this.store, r);
   }
 
@@ -228,11 +279,15 @@ class ResultsPart extends Part {
   private nominal({ nominal, limits, unit }: ResultRow): TemplateResult {
     const digits = places(unit);
     const middle = limits && (limits[0] + limits[1]) / 2;
-    const off = middle !== null && nominal !== null && Math.abs(middle - nominal) > 1e-9;
+    const off =
+      middle !== null && nominal !== null && Math.abs(middle - nominal) > 1e-9;
     return html`${this.number(nominal, digits)}${off ? html`<small class="middle">${this.t("middle {value}", this.number(middle, digits + 1))}</small>` : nothing}`;
   }
 
-  private row(r: ResultRow, measured: Map<string, ResultRow> | null): TemplateResult {
+  private row(
+    r: ResultRow,
+    measured: Map<string, ResultRow> | null,
+  ): TemplateResult {
     const digits = places(r.unit);
     const own = measured?.get(this.store.ofCycle(r.cycle, r.code));
     const name = html`<td role="cell" class="name" title=${this.store.say(r.said.meaning)}>${this.nameOf(r)} <small><code>${r.code}</code>${r.stored ? html` <code title=${this.t("Where the control has it")}>${r.stored}</code>` : nothing} <span class="unit">${r.unit === "deg" ? "°" : r.unit}</span></small></td>`;
@@ -267,7 +322,9 @@ class ResultsPart extends Part {
   /** The number of a touch, of a set-up with its cycle. */
   private touch(k: number): string {
     const { plan } = this.store;
-    return this.store.ofCycle(plan.touches[k]?.cycle ?? 0, String(this.store.touchNumber(k))).replace(".", " ");
+    return this.store
+      .ofCycle(plan.touches[k]?.cycle ?? 0, String(this.store.touchNumber(k)))
+      .replace(".", " ");
   }
 
   /** Whether the tolerances are listed: from when there are any, and as the user leaves it. */
@@ -276,18 +333,26 @@ class ResultsPart extends Part {
   /** The tolerance of each result, and what the program does with a value out of it. */
   private tolerances(): TemplateResult | typeof nothing {
     const { store } = this;
-    const found = store.findings.filter(({ path, level }) => path.startsWith("tolerances") && level !== "info");
+    const found = store.findings.filter(
+      ({ path, level }) => path.startsWith("tolerances") && level !== "info",
+    );
     // 1411 has tolerances of its own, in its form.
     const rows = store.plan.results.filter(
       ({ code, cycle, value, unit, limits }) =>
-        (value !== null || limits !== null || store.tolerance(cycle, code) !== undefined) &&
+        (value !== null ||
+          limits !== null ||
+          store.tolerance(cycle, code) !== undefined) &&
         unit !== "" &&
         !/^(offset\.|Q\d|form|preset|table)/.test(code),
     );
     if (rows.length === 0 && found.length === 0) return nothing;
-    const any = rows.some(({ cycle, code }) => store.tolerance(cycle, code) !== undefined);
+    const any = rows.some(
+      ({ cycle, code }) => store.tolerance(cycle, code) !== undefined,
+    );
     const open = this.tolerated ?? (any || found.length > 0);
-    return html`<details class="tolerances" ?open=${live(open)} @toggle=${(e: Event) => {
+    return html`<details class="tolerances" ?open=${live(open)} @toggle=${(
+      e: Event,
+    ) => {
       const now = (e.target as HTMLDetailsElement).open;
       if (now !== open) this.tolerated = now;
     }}>
@@ -298,7 +363,13 @@ class ResultsPart extends Part {
     </details>`;
   }
 
-  private tolerance({ cycle, code, unit, limits, said }: ResultRow): TemplateResult {
+  private tolerance({
+    cycle,
+    code,
+    unit,
+    limits,
+    said,
+  }: ResultRow): TemplateResult {
     const { store } = this;
     const own = store.tolerance(cycle, code);
     const name = store.ofCycle(cycle, code);
@@ -314,7 +385,8 @@ class ResultsPart extends Part {
       if (own)
         store.tolerate(cycle, code, {
           ...own,
-          action: (e.target as HTMLSelectElement).value as ResultTolerance["action"],
+          action: (e.target as HTMLSelectElement)
+            .value as ResultTolerance["action"],
         });
       store.settle();
     };
@@ -334,14 +406,21 @@ class ResultsPart extends Part {
   private corrects(code: string): boolean {
     const { program } = this.store.plan;
     const post = this.store.catalog.posts.find(({ id }) => id === program.post);
-    return program.own && !!post?.correctsTools && /^(diameter|width)/.test(code);
+    return (
+      program.own && !!post?.correctsTools && /^(diameter|width)/.test(code)
+    );
   }
 
   /** What is typed in the boxes of a tool, until they are left: `0.` is on its way to a number. */
   private typed = new Map<string, string>();
 
   /** The tool that the macro corrects by this result. What is typed and no number is kept, and reported. */
-  private wear(cycle: number, code: string, name: string, own: ResultTolerance): TemplateResult {
+  private wear(
+    cycle: number,
+    code: string,
+    name: string,
+    own: ResultTolerance,
+  ): TemplateResult {
     const { store } = this;
     const fields = [
       ["tool", w("Tool offset")],
@@ -356,10 +435,17 @@ class ResultsPart extends Part {
       const typed = (e.target as HTMLInputElement).value.trim();
       const number = Number(typed.replace(",", "."));
       const { [key]: _, ...rest } = given;
-      const wear = typed === "" ? rest : { ...rest, [key]: Number.isNaN(number) ? typed : number };
+      const wear =
+        typed === ""
+          ? rest
+          : { ...rest, [key]: Number.isNaN(number) ? typed : number };
       const { wear: __, ...bare } = own;
       const none = Object.keys(wear).length === 0;
-      store.tolerate(cycle, code, none ? bare : { ...bare, wear: wear as unknown as Wear });
+      store.tolerate(
+        cycle,
+        code,
+        none ? bare : { ...bare, wear: wear as unknown as Wear },
+      );
     };
     const left = (key: string) => () => {
       this.typed.delete(`${name} ${key}`);
@@ -375,7 +461,10 @@ class ResultsPart extends Part {
   }
 
   /** A table of the results; of a set-up one of each cycle, and one of what is written. */
-  private tables(caption: string, measured: Map<string, ResultRow> | null): TemplateResult[] {
+  private tables(
+    caption: string,
+    measured: Map<string, ResultRow> | null,
+  ): TemplateResult[] {
     const { results, cycles, relations } = this.store.plan;
     if (cycles.length < 2) return [this.table(results, caption, measured)];
     const own = cycles.map((name, i) => ({
@@ -384,21 +473,36 @@ class ResultsPart extends Part {
     }));
     const between = {
       name: this.t("Relations"),
-      rows: results.filter((row) => row.cycle >= cycles.length && !isWritten(row)),
+      rows: results.filter(
+        (row) => row.cycle >= cycles.length && !isWritten(row),
+      ),
     };
-    const last = { name: this.t("What the program writes"), rows: results.filter(isWritten) };
-    const shown = [...own, ...(relations.length > 0 ? [between] : []), last].filter(({ rows }) => rows.length > 0);
+    const last = {
+      name: this.t("What the program writes"),
+      rows: results.filter(isWritten),
+    };
+    const shown = [
+      ...own,
+      ...(relations.length > 0 ? [between] : []),
+      last,
+    ].filter(({ rows }) => rows.length > 0);
     return shown.map(({ name, rows }) => this.table(rows, name, measured));
   }
 
-  private table(rows: ResultRow[], caption: string, measured: Map<string, ResultRow> | null): TemplateResult {
+  private table(
+    rows: ResultRow[],
+    caption: string,
+    measured: Map<string, ResultRow> | null,
+  ): TemplateResult {
     // One sentence for all results that are off for one reason, by more than the table shows.
     const notes = new Map<string, string[]>();
     for (const row of rows) {
       const [, , reason] = row.said.note ?? [];
       const off = number((row.value ?? 0) - (row.truth ?? 0), places(row.unit));
       if (reason === undefined || Number(off) === 0) continue;
-      const words = this.store.say(typeof reason === "string" ? [reason] : reason);
+      const words = this.store.say(
+        typeof reason === "string" ? [reason] : reason,
+      );
       notes.set(words, [
         ...(notes.get(words) ?? []),
         `${this.nameOf(row)} ${this.signed(Number(off), places(row.unit))}`,
@@ -409,7 +513,8 @@ class ResultsPart extends Part {
     const uneven = rows.some(middle);
     const eccentric = ofRunout(
       rows,
-      (row) => `${this.nameOf(row)} ${this.number(2 * (row.uncertaintyRunout ?? 0), places(row.unit) + 1)}`,
+      (row) =>
+        `${this.nameOf(row)} ${this.number(2 * (row.uncertaintyRunout ?? 0), places(row.unit) + 1)}`,
     );
     return html`
       <table role="table" class="cards-when-narrow">

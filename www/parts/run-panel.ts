@@ -1,6 +1,12 @@
 // What is asked of an opened program, and what its run shows: the form, the safety rules, the cycles of the control's own.
 import { html, nothing, type TemplateResult } from "lit";
-import type { Finding, Job, ProgramKnown, ProgramPart, ProgramRun } from "../core/browser.js";
+import type {
+  Finding,
+  Job,
+  ProgramKnown,
+  ProgramPart,
+  ProgramRun,
+} from "../core/browser.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { handMade, handMadeFields, isHandMade } from "./hand-made.js";
@@ -47,11 +53,17 @@ export class RunPanel {
   }
 
   /** `wrong` is what is wrong with the part that was given. */
-  render(known: ProgramKnown, run: ProgramRun, wrong: Finding[]): TemplateResult {
+  render(
+    known: ProgramKnown,
+    run: ProgramRun,
+    wrong: Finding[],
+  ): TemplateResult {
     const t = this.store().t.bind(this.store());
     const asked = run.asks.map(({ name }) => name);
     for (const { name, lines } of run.asks) this.lines.set(name, lines);
-    this.names = [...new Set([...this.names, ...Object.keys(known.set ?? {}), ...asked])].slice(0, MOST_ASKED);
+    this.names = [
+      ...new Set([...this.names, ...Object.keys(known.set ?? {}), ...asked]),
+    ].slice(0, MOST_ASKED);
     const probes = run.kind.some((k) => run.kinds[k] === "probe");
     const form = this.names.length > 0 || probes;
     return html`
@@ -75,7 +87,11 @@ export class RunPanel {
     const start = known.start ?? [null, null, null];
     const axis = (i: 0 | 1 | 2) =>
       number(`start-${i}`, `${t("Start")} ${"XYZ"[i]}`, start[i], "", (x) => {
-        const place = [...start] as [number | null, number | null, number | null];
+        const place = [...start] as [
+          number | null,
+          number | null,
+          number | null,
+        ];
         place[i] = x;
         this.changed({ ...known, start: place });
       });
@@ -93,7 +109,10 @@ export class RunPanel {
             );
       return number(`ask-${name}`, name, known.set?.[name], note, (x) => {
         const { [name]: _, ...rest } = known.set ?? {};
-        this.changed({ ...known, set: x === null ? rest : { ...rest, [name]: x } });
+        this.changed({
+          ...known,
+          set: x === null ? rest : { ...rest, [name]: x },
+        });
       });
     };
     return html`<details class="known" ?open=${this.names.length > 0}>
@@ -124,12 +143,18 @@ export class RunPanel {
     return handMadeFields(
       this.store(),
       known.part,
-      (id, label, value, take) => number(id, label, value, "", (x) => x !== null && take(x)),
+      (id, label, value, take) =>
+        number(id, label, value, "", (x) => x !== null && take(x)),
       (part) => this.changed({ ...known, part }),
     );
   }
 
-  private meets(key: "at" | "positioning", label: string, known: ProgramKnown, run: ProgramRun): TemplateResult {
+  private meets(
+    key: "at" | "positioning",
+    label: string,
+    known: ProgramKnown,
+    run: ProgramRun,
+  ): TemplateResult {
     const t = this.store().t.bind(this.store());
     const part = known.part ?? {};
     const onPart = "cycle" in part;
@@ -137,14 +162,22 @@ export class RunPanel {
     const now = onPart ? undefined : part[key];
     const choose = (event: Event) => {
       const chosen = (event.target as HTMLSelectElement).value;
-      if (chosen === HAND) return this.changed({ ...known, part: handMade(run) });
+      if (chosen === HAND)
+        return this.changed({ ...known, part: handMade(run) });
       if (chosen === FORM) {
-        const job = structuredClone(this.store().draft) as unknown as ProgramPart;
+        const job = structuredClone(
+          this.store().draft,
+        ) as unknown as ProgramPart;
         return this.changed({ ...known, part: job });
       }
       const value = MEETS.find(([id]) => id === chosen)?.[1];
-      const { [key]: _, ...rest } = onPart ? ({} as { at?: number | null; positioning?: number | null }) : part;
-      this.changed({ ...known, part: value === undefined ? rest : { ...rest, [key]: value } });
+      const { [key]: _, ...rest } = onPart
+        ? ({} as { at?: number | null; positioning?: number | null })
+        : part;
+      this.changed({
+        ...known,
+        part: value === undefined ? rest : { ...rest, [key]: value },
+      });
     };
     return html`<div class="field"><label for=${`meets-${key}`}>${label}</label>
       <select id=${`meets-${key}`} @change=${choose}>${MEETS.map(([id, value, word]) => html`<option value=${id} ?selected=${!onPart && value === now}>${t(word)}</option>`)}
@@ -161,7 +194,12 @@ export class RunPanel {
     if (!wrong) take(value);
   }
 
-  private rule({ rule, holds, said, lines }: ProgramRun["rules"][number]): TemplateResult {
+  private rule({
+    rule,
+    holds,
+    said,
+    lines,
+  }: ProgramRun["rules"][number]): TemplateResult {
     const store = this.store();
     const { mark, word } = VERDICTS[`${holds}`];
     const why = store.catalog.rules.find(({ name }) => name === rule);
@@ -193,7 +231,10 @@ export class RunPanel {
     job,
   }: ProgramRun["calls"][number]): TemplateResult {
     const t = this.store().t.bind(this.store());
-    const words = given.map(({ name, value, meaning }) => `${name} ${value ?? "?"}${meaning ? ` (${meaning})` : ""}`);
+    const words = given.map(
+      ({ name, value, meaning }) =>
+        `${name} ${value ?? "?"}${meaning ? ` (${meaning})` : ""}`,
+    );
     return html`<li class=${contradictions.length > 0 ? "warning" : ""}><b>${name}</b>${this.places([line])} <span lang="en">${title ?? ""}${words.length > 0 ? `: ${words.join(", ")}` : ""}</span>
       ${mark === "recalled" ? html`<small>${t("not verified on a control")}</small>` : nothing}
       ${contradictions.length > 0 ? html`<b lang="en">${contradictions.join("; ")}</b>` : nothing}

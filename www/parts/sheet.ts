@@ -10,8 +10,13 @@ function conditions(text: string): string[] {
   const said = [];
   for (const line of text.split("\n")) {
     const comment = /^(?:\d+ )?[;(] ?(.*?)\)?$/.exec(line)?.[1];
-    if (/^Made by /i.test(comment ?? "") || (comment === undefined && said.length > 0)) break;
-    if (comment !== undefined && (said.length > 0 || /^Units /i.test(comment))) said.push(comment);
+    if (
+      /^Made by /i.test(comment ?? "") ||
+      (comment === undefined && said.length > 0)
+    )
+      break;
+    if (comment !== undefined && (said.length > 0 || /^Units /i.test(comment)))
+      said.push(comment);
   }
   return said;
 }
@@ -30,7 +35,8 @@ function unwrapped(lines: string[]): string[] {
   let before = "";
   for (const line of lines) {
     const [word = ""] = line.split(" ", 1);
-    const continues = before.length > 40 && before.length + 1 + word.length > most;
+    const continues =
+      before.length > 40 && before.length + 1 + word.length > most;
     if (continues) whole.push(`${whole.pop()} ${line}`);
     else whole.push(line);
     before = line;
@@ -59,14 +65,24 @@ class SheetPart extends Part {
     const { program } = plan;
     const post = this.store.postOf(program.post);
     const computes = !this.store.bare;
-    const dense = plan.results.length > MANY_RESULTS || plan.touches.length > MANY_TOUCHES;
+    const dense =
+      plan.results.length > MANY_RESULTS || plan.touches.length > MANY_TOUCHES;
     const head = conditions(program.text);
-    const shown = (x: unknown) => (typeof x === "number" ? this.store.number(String(x)) : String(x));
+    const shown = (x: unknown) =>
+      typeof x === "number" ? this.store.number(String(x)) : String(x);
     const number = (x: number | null) =>
-      x === null ? "–" : this.store.number(x.toFixed(units === "inch" ? 4 : 3).replace(/^-(0\.0*)$/, "$1"));
+      x === null
+        ? "–"
+        : this.store.number(
+            x.toFixed(units === "inch" ? 4 : 3).replace(/^-(0\.0*)$/, "$1"),
+          );
     const off = deviations(this.store);
-    const sigmas = (x: number | null) => this.store.number((2 * (x ?? 0)).toFixed(4));
-    const eccentric = ofRunout(plan.results, (r) => `${r.code} ${sigmas(r.uncertaintyRunout)}`);
+    const sigmas = (x: number | null) =>
+      this.store.number((2 * (x ?? 0)).toFixed(4));
+    const eccentric = ofRunout(
+      plan.results,
+      (r) => `${r.code} ${sigmas(r.uncertaintyRunout)}`,
+    );
     const feeds = job.feeds as Record<string, number | null>;
     const stylus = job.stylus as Record<string, unknown>;
     return html`
@@ -147,23 +163,39 @@ class SheetPart extends Part {
         return inner ? fields.map((f) => this.row(f, inner[f.key], inner)) : [];
       }),
     ];
-    if (!features.several) return of(cycle, draft.cycle as Record<string, unknown>);
+    if (!features.several)
+      return of(cycle, draft.cycle as Record<string, unknown>);
     return features.inOrder(draft).flatMap(({ name, cycle: form, off }) => {
       const entry = catalog.cycles.find((c) => c.type === form.type);
-      return off || !entry ? [] : [html`<tr><th colspan="3">${name}: ${entry.title}</th></tr>`, ...of(entry, form)];
+      return off || !entry
+        ? []
+        : [
+            html`<tr><th colspan="3">${name}: ${entry.title}</th></tr>`,
+            ...of(entry, form),
+          ];
     });
   }
 
   /** What a field says; the postprocessor's own are no part of a set-up. */
-  private row(field: FieldEntry, held: unknown, form: Record<string, unknown>): TemplateResult | typeof nothing {
-    const value = held === undefined ? this.store.standIn(field) : (held ?? field.null);
+  private row(
+    field: FieldEntry,
+    held: unknown,
+    form: Record<string, unknown>,
+  ): TemplateResult | typeof nothing {
+    const value =
+      held === undefined ? this.store.standIn(field) : (held ?? field.null);
     const { when } = field;
-    const idle = field.group.startsWith("Postprocessor") || (when !== null && form[when.key] !== when.value);
+    const idle =
+      field.group.startsWith("Postprocessor") ||
+      (when !== null && form[when.key] !== when.value);
     if (value === null || value === undefined || idle) return nothing;
     const words = (x: unknown) => {
       if (typeof x === "boolean") return x ? this.t("on") : this.t("off");
       const choice = field.choices.find((c) => c.value === x)?.label;
-      return choice ?? (typeof x === "number" ? this.store.number(String(x)) : String(x));
+      return (
+        choice ??
+        (typeof x === "number" ? this.store.number(String(x)) : String(x))
+      );
     };
     return html`<tr><td>${field.label}</td><td class="n">${(Array.isArray(value) ? value : [value]).map(words).join(" ")}${field.unit === "angle" ? "°" : ""}</td>${this.code(field.code)}</tr>`;
   }
@@ -207,11 +239,17 @@ class SheetPart extends Part {
     if (this.drawn.canvas !== canvas) {
       this.free();
       for (const from of SEEN) {
-        const own = this.querySelector<HTMLCanvasElement>(`[data-view=${from}]`) as HTMLCanvasElement;
-        this.drawings.set(from, new Drawing(own, (view) => this.show(view, from)));
+        const own = this.querySelector<HTMLCanvasElement>(
+          `[data-view=${from}]`,
+        ) as HTMLCanvasElement;
+        this.drawings.set(
+          from,
+          new Drawing(own, (view) => this.show(view, from)),
+        );
       }
     } else if (this.drawn.form !== form)
-      for (const [from, drawing] of this.drawings) drawing.use((view) => this.show(view, from));
+      for (const [from, drawing] of this.drawings)
+        drawing.use((view) => this.show(view, from));
     this.drawn = { canvas, form };
     this.restyle();
   }

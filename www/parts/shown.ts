@@ -32,5 +32,8 @@ const LONGEST_LINE = 5000;
 /** Whether a text is shown as lines. */
 export function isShort(text: string): boolean {
   const lines = text.split(/\r\n?|\n/, MOST_LINES + 1);
-  return lines.length <= MOST_LINES && lines.every((line) => line.length <= LONGEST_LINE);
+  return (
+    lines.length <= MOST_LINES &&
+    lines.every((line) => line.length <= LONGEST_LINE)
+  );
 }

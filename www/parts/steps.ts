@@ -23,8 +23,10 @@ export class Steps {
   take(count: number, touches: number[]): void {
     this.count = count;
     this.touches = touches;
-    const mark = (t: number) => `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
-    this.marks = touches.length <= MOST_MARKS ? touches.map(mark).join(", ") : "";
+    const mark = (t: number) =>
+      `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
+    this.marks =
+      touches.length <= MOST_MARKS ? touches.map(mark).join(", ") : "";
   }
 
   /** `at` is the move that is pointed at, from 0; null is none. */

@@ -20,7 +20,10 @@ const OTHERS = w("Cycle");
 /** Where a row belongs, by its code. */
 function groupOf(row: ParameterRow, groups: CodeGroup[]): string {
   const code = Number(/\[(-?\d+)\]/.exec(row.code)?.[1] ?? Number.NaN);
-  return groups.find(({ lowest, highest }) => code >= lowest && code <= highest)?.title ?? OTHERS;
+  return (
+    groups.find(({ lowest, highest }) => code >= lowest && code <= highest)
+      ?.title ?? OTHERS
+  );
 }
 
 /** The parameter table of the source, by groups. Rows of a touch light up with it. */
@@ -39,17 +42,26 @@ class TablePart extends Part {
     const { plan, stale, lang, shown } = this.store;
     // In English a row says itself what it means.
     const said = lang === "en" ? [] : meanings(shown as unknown as Job);
-    this.said = new Map(plan.table.flatMap((row, i) => (said[i] ? [[row, said[i]]] : [])));
+    this.said = new Map(
+      plan.table.flatMap((row, i) => (said[i] ? [[row, said[i]]] : [])),
+    );
     const why = stale ? "withheld-table" : nothing;
     const told = stale || this.toldOf !== plan ? "" : this.told;
     const wanted = this.filter.trim().toLowerCase();
     const { inJob, several } = this.store.features;
     const rows = plan.table.filter(
-      (row) => (!several || row.cycle === inJob) && `${row.code} ${this.meaning(row)}`.toLowerCase().includes(wanted),
+      (row) =>
+        (!several || row.cycle === inJob) &&
+        `${row.code} ${this.meaning(row)}`.toLowerCase().includes(wanted),
     );
     const { codeGroups } = this.store.catalog;
-    const names = [...new Set([...codeGroups.map(({ title }) => title), OTHERS])];
-    const groups = names.map((name) => ({ name, rows: rows.filter((row) => groupOf(row, codeGroups) === name) }));
+    const names = [
+      ...new Set([...codeGroups.map(({ title }) => title), OTHERS]),
+    ];
+    const groups = names.map((name) => ({
+      name,
+      rows: rows.filter((row) => groupOf(row, codeGroups) === name),
+    }));
     return html`
       <div class="tools">
         <button type="button" ?disabled=${stale} aria-describedby=${why} @click=${this.copy}>${this.t("Copy as text")}</button>
@@ -83,11 +95,14 @@ class TablePart extends Part {
   /** The rows of the touch that is pointed at. */
   protected override light(): void {
     const { highlight, plan } = this.store;
-    const touched = highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
+    const touched =
+      highlight === null ? null : (plan.moves[highlight]?.touch ?? null);
     // A row is of the first touch of its point.
     const one = touched === null ? undefined : plan.touches[touched];
     const same = (other: TouchPoint) =>
-      other.cycle === one?.cycle && alike(other.point, one.point) && alike(other.vector, one.vector);
+      other.cycle === one?.cycle &&
+      alike(other.point, one.point) &&
+      alike(other.vector, one.vector);
     const touch = one ? plan.touches.findIndex(same) : null;
     let first = null as HTMLElement | null;
     for (const row of this.querySelectorAll<HTMLElement>("tr[data-touch]")) {
@@ -98,8 +113,12 @@ class TablePart extends Part {
     const box = this.querySelector<HTMLElement>(".scroll");
     if (first && box && touch !== this.seen && !this.matches(":hover")) {
       // The table alone: what is around the element is not scrolled.
-      const [row, seen] = [first.getBoundingClientRect(), box.getBoundingClientRect()];
-      if (row.top < seen.top || row.bottom > seen.bottom) box.scrollTop += row.top - (seen.top + seen.bottom) / 2;
+      const [row, seen] = [
+        first.getBoundingClientRect(),
+        box.getBoundingClientRect(),
+      ];
+      if (row.top < seen.top || row.bottom > seen.bottom)
+        box.scrollTop += row.top - (seen.top + seen.bottom) / 2;
     }
     this.seen = touch;
   }
@@ -111,14 +130,21 @@ class TablePart extends Part {
   private meaning(row: ParameterRow): string {
     const said = this.said.get(row);
     if (!said) return row.meaning;
-    const field = row.field === null ? undefined : this.store.fieldAt(row.field);
-    return field?.code === row.code ? `${field.label}: ${field.help}` : this.store.say(said);
+    const field =
+      row.field === null ? undefined : this.store.fieldAt(row.field);
+    return field?.code === row.code
+      ? `${field.label}: ${field.help}`
+      : this.store.say(said);
   }
 
   private row(row: ParameterRow): TemplateResult {
     const touch = row.touch;
     const move =
-      touch === null ? null : this.store.plan.moves.findIndex((m) => m.kind === "touch" && m.touch === touch);
+      touch === null
+        ? null
+        : this.store.plan.moves.findIndex(
+            (m) => m.kind === "touch" && m.touch === touch,
+          );
     return html`<tr data-touch=${touch ?? nothing} @mouseenter=${() => this.store.point(move)}>
       <td><code>${row.code}</code> <small>${row.type}</small></td><td class="n">${String(row.value)}</td>
       <td>${row.field ? html`<a href="#" @click=${(e: Event) => this.go(e, row.field as string)}>${this.meaning(row)}</a>` : this.meaning(row)}</td>
@@ -133,7 +159,11 @@ class TablePart extends Part {
   private async copy(): Promise<void> {
     if (this.store.stale) return;
     const { plan } = this.store;
-    this.told = this.t(copied(await copy(exportTable(this.store.shown as unknown as Job, "text"))));
+    this.told = this.t(
+      copied(
+        await copy(exportTable(this.store.shown as unknown as Job, "text")),
+      ),
+    );
     this.toldOf = plan;
     this.requestUpdate();
   }
@@ -141,7 +171,11 @@ class TablePart extends Part {
   private save(): void {
     if (this.store.stale) return;
     const name = this.store.otherName("-parameters.csv");
-    download(exportTable(this.store.shown as unknown as Job, "csv"), name, "text/csv");
+    download(
+      exportTable(this.store.shown as unknown as Job, "csv"),
+      name,
+      "text/csv",
+    );
     this.told = this.t("Saved {file}", name);
     this.toldOf = this.store.plan;
     this.requestUpdate();

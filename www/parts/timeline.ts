@@ -1,6 +1,12 @@
 import { html, type TemplateResult } from "lit";
 import type { PageView } from "../core/browser.js";
-import { clockOf, moveInShort, moveInWords, pathInWords, runInWords } from "../sentences.js";
+import {
+  clockOf,
+  moveInShort,
+  moveInWords,
+  pathInWords,
+  runInWords,
+} from "../sentences.js";
 import type { Store } from "../store.js";
 
 /** How many times as fast as the machine the run is played. */
@@ -42,7 +48,13 @@ export class Timeline {
 
   render(): TemplateResult {
     const { count } = this;
-    const button = (kind: string, name: string, key: string, sign: string, act: () => void) =>
+    const button = (
+      kind: string,
+      name: string,
+      key: string,
+      sign: string,
+      act: () => void,
+    ) =>
       html`<button type="button" class=${`icon ${kind}`} aria-label=${name} title=${`${name} (${key})`} ?disabled=${count === 0} @click=${act}>${sign}</button>`;
     return html`<div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.key}>
         ${button("before", this.t("Touch before"), "Ctrl+←", "|◀", () => this.toTouch(-1))}
@@ -62,10 +74,14 @@ export class Timeline {
   mark(): void {
     const { count } = this;
     const track = this.box.querySelector<HTMLElement>(".track");
-    const mark = (t: number) => `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
+    const mark = (t: number) =>
+      `var(--tick) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 2px 12px`;
     const chapter = (t: number) =>
       `var(--chapter) calc(${THUMB / 2}px + (100% - ${THUMB}px) * ${t / count}) 50% / 1px 100%`;
-    const marks = count === 0 ? "" : [...this.chapters.map(chapter), ...this.touches.map(mark)].join(", ");
+    const marks =
+      count === 0
+        ? ""
+        : [...this.chapters.map(chapter), ...this.touches.map(mark)].join(", ");
     if (!track || marks === this.marks) return;
     this.marks = marks;
     track.style.background = marks;
@@ -79,7 +95,10 @@ export class Timeline {
     scrub.value = String(this.at);
     scrub.setAttribute("aria-valuetext", this.says(moveInWords));
     words.classList.toggle("rest", this.at === 0);
-    words.textContent = this.at === 0 && !this.store().stale ? this.rest(pathInWords) : this.says(moveInShort);
+    words.textContent =
+      this.at === 0 && !this.store().stale
+        ? this.rest(pathInWords)
+        : this.says(moveInShort);
     this.tell();
   }
 
@@ -104,31 +123,40 @@ export class Timeline {
 
   /** The touches among the moves, counted from 1. */
   private get touches(): number[] {
-    return this.store().plan.moves.flatMap((move, i) => (move.kind === "touch" ? [i + 1] : []));
+    return this.store().plan.moves.flatMap((move, i) =>
+      move.kind === "touch" ? [i + 1] : [],
+    );
   }
 
   /** Of a set-up, after how many moves each cycle but the first begins. */
   private get chapters(): number[] {
     const { moves } = this.store().plan;
-    return moves.flatMap(({ cycle }, i) => (i > 0 && cycle !== moves[i - 1]?.cycle ? [i] : []));
+    return moves.flatMap(({ cycle }, i) =>
+      i > 0 && cycle !== moves[i - 1]?.cycle ? [i] : [],
+    );
   }
 
   /** The seconds of the first so many moves. */
   private until(moves: number): number {
-    return this.times.subarray(0, moves).reduce((sum, seconds) => sum + seconds, 0);
+    return this.times
+      .subarray(0, moves)
+      .reduce((sum, seconds) => sum + seconds, 0);
   }
 
   /** The move that is pointed at in words, or else what the run comes to. */
   private says(inWords: typeof moveInShort): string {
     const store = this.store();
-    if (store.stale) return this.collides ? this.t("The run ends in the part") : "";
+    if (store.stale)
+      return this.collides ? this.t("The run ends in the part") : "";
     return this.at > 0 ? inWords(store, this.at - 1) : this.rest(runInWords);
   }
 
   /** What the run comes to, and that it ends before on the virtual part. */
   private rest(inWords: typeof runInWords): string {
     const words = inWords(this.store());
-    return this.collides ? `${words} · ${this.t("The run ends in the part")}` : words;
+    return this.collides
+      ? `${words} · ${this.t("The run ends in the part")}`
+      : words;
   }
 
   private get collides(): boolean {
@@ -140,7 +168,8 @@ export class Timeline {
     const clock = this.box.querySelector(".clock");
     if (!clock) return;
     const over = this.clock ?? this.until(this.at);
-    clock.textContent = this.count === 0 ? "" : `${clockOf(over)} / ${clockOf(this.whole)}`;
+    clock.textContent =
+      this.count === 0 ? "" : `${clockOf(over)} / ${clockOf(this.whole)}`;
   }
 
   /** To a move, counted from 1; 0 is none. */
@@ -152,7 +181,8 @@ export class Timeline {
   /** To the next touch, or the one before; from the last one to the end. */
   private toTouch(way: 1 | -1): void {
     const { at, touches } = this;
-    const next = way > 0 ? touches.find((t) => t > at) : touches.findLast((t) => t < at);
+    const next =
+      way > 0 ? touches.find((t) => t > at) : touches.findLast((t) => t < at);
     this.step(next ?? (way > 0 ? this.count : 0));
   }
 
@@ -165,14 +195,18 @@ export class Timeline {
     const target = event.target as HTMLElement;
     if (event.key === "Escape") this.store().pin(null);
     else if (event.key === " " && target.id === "scrub") this.toggle();
-    else if (event.ctrlKey && event.key === "ArrowRight" && this.count > 0) this.toTouch(1);
-    else if (event.ctrlKey && event.key === "ArrowLeft" && this.count > 0) this.toTouch(-1);
+    else if (event.ctrlKey && event.key === "ArrowRight" && this.count > 0)
+      this.toTouch(1);
+    else if (event.ctrlKey && event.key === "ArrowLeft" && this.count > 0)
+      this.toTouch(-1);
     else return;
     event.preventDefault();
   };
 
   private readonly faster = (): void => {
-    this.speed = SPEEDS[(SPEEDS.indexOf(this.speed) + 1) % SPEEDS.length] as (typeof SPEEDS)[number];
+    this.speed = SPEEDS[
+      (SPEEDS.indexOf(this.speed) + 1) % SPEEDS.length
+    ] as (typeof SPEEDS)[number];
     this.changed();
   };
 
@@ -196,7 +230,8 @@ export class Timeline {
       before = now;
       let left = this.clock;
       let move = 0;
-      while (move < this.times.length && left >= (this.times[move] as number)) left -= this.times[move++] as number;
+      while (move < this.times.length && left >= (this.times[move] as number))
+        left -= this.times[move++] as number;
       if (move >= this.times.length) {
         this.pause();
         this.store().pin(this.times.length - 1);
@@ -205,7 +240,9 @@ export class Timeline {
       this.store().pin(move);
       this.tell();
       // Where motion is not wanted the ball is shown at the ends of the moves only.
-      this.use((view) => view.play(move, still ? 1 : left / (this.times[move] as number)));
+      this.use((view) =>
+        view.play(move, still ? 1 : left / (this.times[move] as number)),
+      );
       this.frameAsked = requestAnimationFrame(tick);
     };
     this.frameAsked = requestAnimationFrame(tick);

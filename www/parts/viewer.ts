@@ -28,7 +28,12 @@ const LONGEST_RUN = 500_000;
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
 
 class ViewerPart extends DrawnPart {
-  declare viewed: { text: string; moves: ProgramMoves; why: Finding[]; name: string | null };
+  declare viewed: {
+    text: string;
+    moves: ProgramMoves;
+    why: Finding[];
+    name: string | null;
+  };
   protected override follows: string[] = [];
   private drawn?: object;
   private pointed: number | null = null;
@@ -61,7 +66,10 @@ class ViewerPart extends DrawnPart {
       if (move === undefined) this.listing?.light(line, true);
       else this.point(move);
     },
-    (job) => this.dispatchEvent(new CustomEvent("adopt", { detail: job, bubbles: true })),
+    (job) =>
+      this.dispatchEvent(
+        new CustomEvent("adopt", { detail: job, bubbles: true }),
+      ),
   );
 
   private readonly steps = new Steps(
@@ -82,23 +90,36 @@ class ViewerPart extends DrawnPart {
 
   /** Whether the run is shown: where it knows more than the words, or makes more moves, as those of a control's own macros. */
   private get shown(): boolean {
-    return this.knows || (this.run?.kind.length ?? 0) > this.viewed.moves.kind.length;
+    return (
+      this.knows || (this.run?.kind.length ?? 0) > this.viewed.moves.kind.length
+    );
   }
 
   /** Whether anything is known beside the text. */
   private get knows(): boolean {
     const { set = {}, start, part = {} } = this.known;
-    return Object.keys(set).length > 0 || start !== undefined || Object.keys(part).length > 0;
+    return (
+      Object.keys(set).length > 0 ||
+      start !== undefined ||
+      Object.keys(part).length > 0
+    );
   }
 
   /** Runs the program with what is known. */
   private runs(known: ProgramKnown): void {
     this.known = known;
-    this.run = this.viewed.text.length <= LONGEST_RUN ? this.tried(known) : null;
+    this.run =
+      this.viewed.text.length <= LONGEST_RUN ? this.tried(known) : null;
     this.pointed = null;
     const { line, kind, kinds } = this.moves;
-    const ownFile = (move: number) => !this.run || this.run.file.length === 0 || this.run.file[move] === 0;
-    this.moveAt = new Map(Array.from(line, (at, move): [number, number] => [ownFile(move) ? at : -1, move]));
+    const ownFile = (move: number) =>
+      !this.run || this.run.file.length === 0 || this.run.file[move] === 0;
+    this.moveAt = new Map(
+      Array.from(line, (at, move): [number, number] => [
+        ownFile(move) ? at : -1,
+        move,
+      ]),
+    );
     const touches: number[] = [];
     kind.forEach((is, move) => {
       if (kinds[is] === "probe") touches.push(move + 1);
@@ -113,10 +134,12 @@ class ViewerPart extends DrawnPart {
     const notes = new Map<number, string[]>();
     const { findings = [], rules = [] } = this.run ?? {};
     const say = (lines: number[], text: string) => {
-      for (const line of lines) notes.set(line, [...(notes.get(line) ?? []), text]);
+      for (const line of lines)
+        notes.set(line, [...(notes.get(line) ?? []), text]);
     };
     for (const finding of findings) say(finding.lines, this.message(finding));
-    for (const { holds, said, lines } of rules) if (holds === false) say(lines, this.store.say(said));
+    for (const { holds, said, lines } of rules)
+      if (holds === false) say(lines, this.store.say(said));
     return notes;
   }
 
@@ -199,20 +222,29 @@ class ViewerPart extends DrawnPart {
         (line) => {
           const move = this.moveAt.get(line);
           if (move === undefined) return "plain";
-          return moves.kinds[moves.kind[move] as number] === "probe" ? "touch" : "";
+          return moves.kinds[moves.kind[move] as number] === "probe"
+            ? "touch"
+            : "";
         },
         this.notes,
       );
       this.listing.mark(this.finder.found);
     }
-    const line = this.pointed === null ? -1 : (moves.line[this.pointed] as number);
+    const line =
+      this.pointed === null ? -1 : (moves.line[this.pointed] as number);
     this.listing.label();
     this.listing.light(line, !this.querySelector(".listing:hover"));
   }
 
   /** Ctrl+F: the browser would look through the lines that are seen only. */
   private key(event: KeyboardEvent): void {
-    if (!this.listing?.edits || !(event.ctrlKey || event.metaKey) || event.altKey || letterOf(event) !== "f") return;
+    if (
+      !this.listing?.edits ||
+      !(event.ctrlKey || event.metaKey) ||
+      event.altKey ||
+      letterOf(event) !== "f"
+    )
+      return;
     event.preventDefault();
     this.querySelector<HTMLInputElement>("input.filter")?.focus();
   }
@@ -260,14 +292,17 @@ class ViewerPart extends DrawnPart {
 
   private show(view: PageView): void {
     const { part: _, ...rest } = this.known;
-    if (this.shown && this.run) view.showRun(this.viewed.text, this.wrong.length > 0 ? rest : this.known);
+    if (this.shown && this.run)
+      view.showRun(this.viewed.text, this.wrong.length > 0 ? rest : this.known);
     else view.showProgram(this.viewed.text);
   }
 
   private says(): string {
     const { kind, kinds, units, dialect } = this.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
-    const read = { iso: "ISO", sinumerik: "SINUMERIK", klartext: "HEIDENHAIN" }[dialect];
+    const read = { iso: "ISO", sinumerik: "SINUMERIK", klartext: "HEIDENHAIN" }[
+      dialect
+    ];
     const said: Said[] = [units ? [units] : [w("units not said")]];
     return this.t(
       "{count} moves, {probing} of them probing; {units}; read as {dialect}",
@@ -285,11 +320,19 @@ class ViewerPart extends DrawnPart {
       return Number.isNaN(x) ? [] : [`${axis}${Number(x.toFixed(4))}`];
     });
     const rate = feed[index] as number;
-    const what: Said = [KINDS[kinds[kind[index] as number] as keyof typeof KINDS]];
+    const what: Said = [
+      KINDS[kinds[kind[index] as number] as keyof typeof KINDS],
+    ];
     const row = (line[index] as number) + 1;
     return Number.isNaN(rate)
       ? this.t("Line {line}: {what} to {place}", row, what, place.join(" "))
-      : this.t("Line {line}: {what} to {place} at {feed}", row, what, place.join(" "), rate);
+      : this.t(
+          "Line {line}: {what} to {place} at {feed}",
+          row,
+          what,
+          place.join(" "),
+          rate,
+        );
   }
 
   private down(event: PointerEvent): void {

@@ -1,7 +1,9 @@
 //! What neither of the two takes, or takes with a warning.
 
 use super::{CHANGES, FIRST, LAST};
-use crate::control::{Request, check_plain_moves, check_rotary, check_write, number, offsets, rotation_field};
+use crate::control::{
+    Request, check_plain_moves, check_rotary, check_write, number, offsets, rotation_field,
+};
 use crate::form::Checker;
 use crate::geom::Plane;
 use crate::path::Purpose;
@@ -16,11 +18,15 @@ const HAAS_LIMITS: [f64; 2] = [2500.0, 2540.0];
 
 /// The fastest G31 of a Haas.
 pub(super) fn check_haas_feeds(request: &Request<'_>, checker: &mut Checker) {
-    let feeds = request.path.moves.iter().filter_map(|step| match step.purpose {
-        Purpose::Touch(_) => Some(request.feeds.work),
-        Purpose::Position => request.feeds.rate(step.feed),
-        Purpose::Search(_) | Purpose::Back(_) => None,
-    });
+    let feeds = request
+        .path
+        .moves
+        .iter()
+        .filter_map(|step| match step.purpose {
+            Purpose::Touch(_) => Some(request.feeds.work),
+            Purpose::Position => request.feeds.rate(step.feed),
+            Purpose::Search(_) | Purpose::Back(_) => None,
+        });
     let fastest = feeds.fold(0.0, f64::max);
     let limit = HAAS_LIMITS[usize::from(request.scale != 1.0)];
     if fastest >= limit {
@@ -39,9 +45,19 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         "G31, skip positions and work offset origins follow posts and macros in use; none of it was run on a control: make a dry run first, with a hand on feed hold. G31 may ignore the feed override"
     );
     checker.info("not-verified", "control.post", unverified);
-    let rapid = request.path.moves.iter().find(|m| request.feeds.rate(m.feed).is_none());
-    if let Some(rate) = rapid.filter(|_| request.protected).and_then(|m| (request.post.rate)(request, None, m)) {
-        let message = text!("G31 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(rate));
+    let rapid = request
+        .path
+        .moves
+        .iter()
+        .find(|m| request.feeds.rate(m.feed).is_none());
+    if let Some(rate) = rapid
+        .filter(|_| request.protected)
+        .and_then(|m| (request.post.rate)(request, None, m))
+    {
+        let message = text!(
+            "G31 moves at a stated feed: rapids run as watched moves at {rate}/min",
+            checker.length(rate)
+        );
         checker.info("rapid-at-feed", "feeds", message);
     }
     if !request.protected && !request.path.moves.is_empty() {
@@ -51,20 +67,36 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         checker.error("protection-unsupported", "control.protection", message);
     }
     check_plain_moves(request, checker);
-    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
+    check_rotary(
+        request,
+        checker,
+        text!("The program does not know the rotary axis of the machine"),
+    );
     check_write(request, checker);
     offsets::check_optional(request, checker);
     number::check(request, checker);
     if request.plane != Plane::G17 && !request.path.moves.is_empty() {
-        let message = text!("The tool length is taken to act along Z: there are no programs for planes other than G17");
+        let message = text!(
+            "The tool length is taken to act along Z: there are no programs for planes other than G17"
+        );
         checker.error("plane-unsupported", "plane", message);
     }
-    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+    let datum = request
+        .path
+        .formula
+        .datum
+        .as_ref()
+        .filter(|_| request.work_offset.is_some());
     if datum.is_some_and(|d| d.rotation.is_some()) {
         let message = text!("A work offset of this control has no rotation: none can be written");
         checker.error("rotation-unsupported", rotation_field(request), message);
     }
-    if let Some(k) = request.path.touches.iter().position(|touch| touch.search < SHORTEST_SEARCH) {
+    if let Some(k) = request
+        .path
+        .touches
+        .iter()
+        .position(|touch| touch.search < SHORTEST_SEARCH)
+    {
         let message = text!(
             "Touch {touch} searches {search} past its nominal contact: at least {least} is needed to tell its contact from its end",
             k + 1,
@@ -91,8 +123,9 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
 /// Every touch begins far enough before its contact.
 fn check_starts(request: &Request<'_>, checker: &mut Checker) {
     let radius = request.setup.radius;
-    let mut ways =
-        request.path.searches().filter_map(|(k, from, _)| Some((k, from?.distance(request.path.touches[k].contact(radius)))));
+    let mut ways = request.path.searches().filter_map(|(k, from, _)| {
+        Some((k, from?.distance(request.path.touches[k].contact(radius))))
+    });
     if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_SEARCH) {
         let message = text!(
             "Touch {touch} begins {way} before its nominal contact: at least {least} is needed to tell its contact from its start",

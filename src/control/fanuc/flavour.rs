@@ -68,7 +68,11 @@ pub(super) static WITH_ALARMS: Flavour = Flavour {
     free_again: Some("G103"),
     forgets: false,
     refuses: "Nothing moves in other units, without G43, under a rotation or a scale. A mirror, G254 and G268 are not asked: switch them off",
-    states: &[("#4008 NE 43", NO_LENGTH), ("#4016 EQ 68", ROTATED), ("#4011 EQ 51", SCALED)],
+    states: &[
+        ("#4008 NE 43", NO_LENGTH),
+        ("#4016 EQ 68", ROTATED),
+        ("#4011 EQ 51", SCALED),
+    ],
     more_origins: 14_001,
     angle: Some(" R"),
 };

@@ -55,8 +55,18 @@ pub static HAAS: PostDef = PostDef {
         _ => format!("G154 P{}", n - offsets::STANDARD),
     },
     cannot: &[
-        (rules::CONTACT_LIFTS, words!("M78 raises the alarm in the control itself, where the ball is: nothing after it runs")),
-        (rules::MISS_LIFTS, words!("M79 raises the alarm in the control itself, where the ball is: nothing after it runs")),
+        (
+            rules::CONTACT_LIFTS,
+            words!(
+                "M78 raises the alarm in the control itself, where the ball is: nothing after it runs"
+            ),
+        ),
+        (
+            rules::MISS_LIFTS,
+            words!(
+                "M79 raises the alarm in the control itself, where the ball is: nothing after it runs"
+            ),
+        ),
     ],
     rate: |request, _, step| rate(request, step, WITH_ALARMS.rapid),
     check: |request, checker| {
@@ -89,7 +99,11 @@ const KIN: PostDef = PostDef {
     ..BASE
 };
 
-const DIALECT: Dialect = Dialect { points: true, capitals: true, ..writer::PLAIN };
+const DIALECT: Dialect = Dialect {
+    points: true,
+    capitals: true,
+    ..writer::PLAIN
+};
 
 /// The shortest probing move, mm: of a shorter one a contact could not be distinguished from its end, and positioning is plain. Ours.
 const SHORTEST_PROBE: f64 = 0.2;
@@ -108,16 +122,29 @@ fn checked(request: &Request<'_>, checker: &mut Checker) {
 
 /// The program, by moves or by the macros.
 fn written(request: &Request<'_>, flavour: &'static Flavour, calls: &Calls) -> Program {
-    if request.path.own.is_some() { post::emit(request, calls) } else { emit(request, flavour) }
+    if request.path.own.is_some() {
+        post::emit(request, calls)
+    } else {
+        emit(request, flavour)
+    }
 }
 
 /// What the macros say of work offsets and results: S154.01 for G154 P1 of a Haas [S].
 static OWN: OwnCycles = cycles(offsets::letter, |stored| variable(135, stored));
 static HAAS_OWN: OwnCycles = cycles(
-    |n| if n <= offsets::STANDARD { f64::from(n) } else { 154.0 + f64::from(n - offsets::STANDARD) / 100.0 },
+    |n| {
+        if n <= offsets::STANDARD {
+            f64::from(n)
+        } else {
+            154.0 + f64::from(n - offsets::STANDARD) / 100.0
+        }
+    },
     |stored| variable(185, stored),
 );
-static HAAS_CALLS: Calls = Calls { angle: WITH_ALARMS.angle, ..CALLS };
+static HAAS_CALLS: Calls = Calls {
+    angle: WITH_ALARMS.angle,
+    ..CALLS
+};
 
 /// Variables: 100 is the length, those after it hold results and what is needed on the way, 148 is a place aside, 149 the move.
 const FIRST: usize = 100;
@@ -129,9 +156,9 @@ const CHANGES: usize = 3;
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (_, Form::Moves) => Ok(()),
-        (Subject::Wall, Form::Cycle) => {
-            Err("the macro for the angle of a wall, 9843, is read and drawn, and not written: use moves")
-        }
+        (Subject::Wall, Form::Cycle) => Err(
+            "the macro for the angle of a wall, 9843, is read and drawn, and not written: use moves",
+        ),
         (Subject::Action, Form::Cycle) => {
             Err("a line for the control is not a cycle: the moves form states the modes and ends")
         }
@@ -145,12 +172,22 @@ fn rate(request: &Request<'_>, step: &Move, rapid: f64) -> Option<f64> {
     if request.path.own.is_some() {
         return request.feeds.rate(step.feed);
     }
-    request.feeds.rate(step.feed).or_else(|| feed_rate(request, None, step).map(|_| rapid))
+    request
+        .feeds
+        .rate(step.feed)
+        .or_else(|| feed_rate(request, None, step).map(|_| rapid))
 }
 
 /// The variable of the origin of a work offset along X; Y and Z are the next. Twenty apart: G54 to G59 from 5221 on, and from `more` on those beyond:
 /// G54.1 P1 of a Fanuc from 7001 (recalled), G154 P1 of a Haas from 14001.
 fn origin(number: i32, more: usize) -> usize {
-    let (number, standard) = (usize::try_from(number).unwrap_or(1), offsets::STANDARD as usize);
-    if number <= standard { 5201 + 20 * number } else { more + 20 * (number - standard - 1) }
+    let (number, standard) = (
+        usize::try_from(number).unwrap_or(1),
+        offsets::STANDARD as usize,
+    );
+    if number <= standard {
+        5201 + 20 * number
+    } else {
+        more + 20 * (number - standard - 1)
+    }
 }

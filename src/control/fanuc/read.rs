@@ -4,14 +4,19 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{Comment, program_number};
 use crate::control::iso::lines::{self, Blocks};
 use crate::control::iso::memory::Hand;
-use crate::control::iso::parse::{self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault};
+use crate::control::iso::parse::{
+    self, Cursor, Grammar, Names, Parsed, TIGHT_WORD_OPERATORS, fault,
+};
 use crate::control::iso::script::{Ahead, BlockKind, Part, Script, System, Trouble};
 use crate::control::iso::targets::Targets;
 use crate::control::iso::words;
 use crate::text::text;
 
 static FANUC: Grammar = LIKE_FANUC;
-static HAAS: Grammar = Grammar { takes: haas_takes, ..LIKE_FANUC };
+static HAAS: Grammar = Grammar {
+    takes: haas_takes,
+    ..LIKE_FANUC
+};
 const LIKE_FANUC: Grammar = Grammar {
     brackets: (b'[', b']'),
     points: true,
@@ -59,7 +64,8 @@ fn system(name: &[u8]) -> Option<System> {
 
 fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
-        (b'G', 200 | 210 | 310 | 530 | 540 | 550 | 560 | 570 | 580 | 590 | 800) | (b'M', 0 | 190) => Some(""),
+        (b'G', 200 | 210 | 310 | 530 | 540 | 550 | 560 | 570 | 580 | 590 | 800)
+        | (b'M', 0 | 190) => Some(""),
         (b'G', 541) => Some("P"),
         _ => words::common(letter, tenths),
     }
@@ -100,7 +106,11 @@ impl<'t> Blocks<'t> for Program<'_> {
     ) -> Parsed<()> {
         let results = comment.and_then(|comment| comment.text.strip_prefix("RESULTS: "));
         targets.depends |= results.is_some();
-        for (name, code) in results.into_iter().flat_map(|list| list.split(", ")).filter_map(|entry| entry.split_once(" = ")) {
+        for (name, code) in results
+            .into_iter()
+            .flat_map(|list| list.split(", "))
+            .filter_map(|entry| entry.split_once(" = "))
+        {
             let slot = script.slot(name.as_bytes());
             script.results.push((code, slot));
         }
@@ -129,13 +139,21 @@ fn read<'t>(text: &'t str, hand: Hand, grammar: &Grammar) -> Result<Script<'t>, 
     script.full_circle = true;
     let mut targets = Targets::default();
     let semicolons = lines::with_semicolons(text);
-    let mut program = Program { grammar, numbered: false };
+    let mut program = Program {
+        grammar,
+        numbered: false,
+    };
     let read = lines::lines(text, (hand, b'('), &mut script, &mut targets, &mut program);
     if !semicolons.is_empty() {
         // A line with a semicolon is reported once.
         let mut troubles = semicolons;
         let lines: Vec<usize> = troubles.iter().map(|trouble| trouble.line).collect();
-        troubles.extend(read.err().into_iter().flatten().filter(|trouble| lines.binary_search(&trouble.line).is_err()));
+        troubles.extend(
+            read.err()
+                .into_iter()
+                .flatten()
+                .filter(|trouble| lines.binary_search(&trouble.line).is_err()),
+        );
         return Err(troubles);
     }
     read?;
@@ -144,11 +162,22 @@ fn read<'t>(text: &'t str, hand: Hand, grammar: &Grammar) -> Result<Script<'t>, 
     Ok(script)
 }
 
-fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Grammar, targets: &mut Targets<'t>) -> Parsed<()> {
+fn block<'t>(
+    script: &mut Script<'t>,
+    line: usize,
+    code: &'t str,
+    grammar: &Grammar,
+    targets: &mut Targets<'t>,
+) -> Parsed<()> {
     let mut cursor = Cursor::new(code);
     let here = script.blocks.len();
     if cursor.eat("N") {
-        targets.known.push((cursor.label().ok_or_else(|| text!("a label without its number"))?, here));
+        targets.known.push((
+            cursor
+                .label()
+                .ok_or_else(|| text!("a label without its number"))?,
+            here,
+        ));
         if cursor.is_done() {
             script.push(line, BlockKind::Nothing);
             return Ok(());
@@ -162,15 +191,27 @@ fn block<'t>(script: &mut Script<'t>, line: usize, code: &'t str, grammar: &Gram
         let condition = cursor.bracketed(grammar, script)?;
         if cursor.eat("THEN") {
             script.push(line, BlockKind::JumpUnless(condition, here + 2));
-            let name = cursor.variable(Names::Hash).ok_or_else(|| text!("a condition without an action"))?;
+            let name = cursor
+                .variable(Names::Hash)
+                .ok_or_else(|| text!("a condition without an action"))?;
             assignment(name, &mut cursor, grammar, script)?
         } else {
             cursor.expect("GOTO")?;
-            targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
+            targets.wanted.push((
+                here,
+                cursor
+                    .label()
+                    .ok_or_else(|| text!("a jump without a label"))?,
+            ));
             BlockKind::JumpIf(condition, 0)
         }
     } else if cursor.eat("GOTO") {
-        targets.wanted.push((here, cursor.label().ok_or_else(|| text!("a jump without a label"))?));
+        targets.wanted.push((
+            here,
+            cursor
+                .label()
+                .ok_or_else(|| text!("a jump without a label"))?,
+        ));
         BlockKind::Jump(0)
     } else if let Some(name) = cursor.variable(Names::Hash) {
         assignment(name, &mut cursor, grammar, script)?
@@ -192,16 +233,26 @@ fn own(name: &[u8]) -> bool {
 
 /// `CENTER*X*#101[53]]`: what is printed of a variable, and with how many digits.
 fn printing(script: &mut Script<'_>, line: usize, printed: &str) -> Parsed<()> {
-    let plain = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || matches!(c, '*' | '#' | '[' | ']');
+    let plain = |c: char| {
+        c.is_ascii_uppercase() || c.is_ascii_digit() || matches!(c, '*' | '#' | '[' | ']')
+    };
     if !printed.ends_with("]]") || !printed.chars().all(plain) {
-        return fault(text!("\"{left}\" is not understood", crate::form::printable(printed)));
+        return fault(text!(
+            "\"{left}\" is not understood",
+            crate::form::printable(printed)
+        ));
     }
     script.push(line, BlockKind::Nothing);
     Ok(())
 }
 
 /// What stands after the name of a variable: its value, or an alarm.
-fn assignment<'t>(name: &'t [u8], cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<BlockKind> {
+fn assignment<'t>(
+    name: &'t [u8],
+    cursor: &mut Cursor<'t>,
+    grammar: &Grammar,
+    script: &mut Script<'t>,
+) -> Parsed<BlockKind> {
     cursor.expect("=")?;
     let value = cursor.value(grammar, script)?;
     match system(name) {

@@ -31,7 +31,11 @@ fn full_turn(formula: &Formula, node: NodeId) -> Option<i32> {
     let is_angle = |node: NodeId| matches!(formula.node(node), Node::Atan2(..));
     match formula.node(node) {
         Node::Atan2(..) => Some(360),
-        Node::Binary(Op::Divide, angle, two) if is_angle(angle) && formula.node(two) == Node::Number(2.0) => Some(180),
+        Node::Binary(Op::Divide, angle, two)
+            if is_angle(angle) && formula.node(two) == Node::Number(2.0) =>
+        {
+            Some(180)
+        }
         _ => None,
     }
 }
@@ -49,8 +53,14 @@ fn push_variable(text: &mut String, n: usize) {
 
 /// The program of a request, with what one of the two has of its own.
 pub(super) fn emit(request: &Request<'_>, flavour: &'static Flavour) -> Program {
-    let skip =
-        &mut Skip { request, flavour, registers: request.registers(), labels: 0, moves_on: false, implausible: Vec::new() };
+    let skip = &mut Skip {
+        request,
+        flavour,
+        registers: request.registers(),
+        labels: 0,
+        moves_on: false,
+        implausible: Vec::new(),
+    };
     moves::write(request, skip)
 }
 
@@ -95,7 +105,11 @@ fn decimals(x: f64) -> usize {
 /// A constant with its point.
 fn constant(x: f64) -> String {
     let text = decimal(x, decimals(x));
-    if text.contains('.') { text } else { format!("{text}.") }
+    if text.contains('.') {
+        text
+    } else {
+        format!("{text}.")
+    }
 }
 
 /// Where the ball stopped in the last G31, along each axis.
@@ -105,7 +119,11 @@ impl Skip<'_> {
     /// A number of the program, as a value: with its point, and in brackets where it is negative.
     fn number(w: &Writer<'_>, mm: f64) -> String {
         let text = w.number(mm);
-        if text.starts_with('-') { format!("[{text}]") } else { text.to_string() }
+        if text.starts_with('-') {
+            format!("[{text}]")
+        } else {
+            text.to_string()
+        }
     }
 
     /// How far the ball stopped off the end of a move, along the axes that are known, as a sum.
@@ -118,7 +136,12 @@ impl Skip<'_> {
         Self::off_place(w, from, &[0, 1, 2], |axis| w.begin_shift(axis))
     }
 
-    fn off_place<'w>(w: &'w Writer<'_>, to: Vec3, axes: &[usize], shift: impl Fn(usize) -> &'w str) -> String {
+    fn off_place<'w>(
+        w: &'w Writer<'_>,
+        to: Vec3,
+        axes: &[usize],
+        shift: impl Fn(usize) -> &'w str,
+    ) -> String {
         let mut sum = String::with_capacity(80);
         for &axis in axes {
             sum.push_str(if sum.is_empty() { "ABS[" } else { "+ABS[" });
@@ -167,7 +190,15 @@ impl Skip<'_> {
     }
 
     /// A watched move, and its check on the axes whose places are known.
-    fn goes(&mut self, w: &mut Writer<'_>, words: &str, to: Vec3, step: &Move, axes: &[usize], exit: &str) {
+    fn goes(
+        &mut self,
+        w: &mut Writer<'_>,
+        words: &str,
+        to: Vec3,
+        step: &Move,
+        axes: &[usize],
+        exit: &str,
+    ) {
         let rate = self.rate(step);
         self.probe(w, words, rate, self.flavour.free);
         if !axes.is_empty() {
@@ -193,7 +224,10 @@ impl Skip<'_> {
         let set = format!("#148=#5043-{}", Self::number(w, height));
         w.line(&set);
         w.line(&format!("IF [ABS[#148] LE {near}] GOTO {good}"));
-        w.line(&format!("IF [ABS[#148-{}] GT {near}] GOTO {exit}", variable(0)));
+        w.line(&format!(
+            "IF [ABS[#148-{}] GT {near}] GOTO {exit}",
+            variable(0)
+        ));
         w.line(&format!("N{good}"));
         w.line(&format!("{}=#148", variable(0)));
     }
@@ -225,7 +259,10 @@ impl Skip<'_> {
 
     /// The index of an alarm in `state_alarms`.
     fn alarm_of(&self, says: &str) -> usize {
-        self.state_alarms().iter().position(|alarm| *alarm == says).unwrap_or(0)
+        self.state_alarms()
+            .iter()
+            .position(|alarm| *alarm == says)
+            .unwrap_or(0)
     }
 
     fn moving(&self) -> bool {
@@ -247,15 +284,27 @@ impl Moves for Skip<'_> {
             w.comment("No number was chosen: this may replace a program O1000 of the control");
         }
         self.head(w);
-        let more = if request.corrects() { self.change(CHANGES) - self.registers.last - 1 } else { 0 };
-        for line in self.registers.lines(formula, more, request.post.dialect.comment_width - 2, variable) {
+        let more = if request.corrects() {
+            self.change(CHANGES) - self.registers.last - 1
+        } else {
+            0
+        };
+        for line in self.registers.lines(
+            formula,
+            more,
+            request.post.dialect.comment_width - 2,
+            variable,
+        ) {
             w.comment(&line);
         }
         w.says_job();
         if self.moving() {
             w.comment(self.flavour.refuses);
             for (check, says) in self.states() {
-                w.line(&format!("IF [{check}] GOTO {}", STATES.0 + self.alarm_of(says)));
+                w.line(&format!(
+                    "IF [{check}] GOTO {}",
+                    STATES.0 + self.alarm_of(says)
+                ));
             }
         }
         w.modes();
@@ -266,7 +315,10 @@ impl Moves for Skip<'_> {
         }
         if let Some(angle) = request.orient {
             let point = if angle.fract() == 0.0 { "." } else { "" };
-            let word = self.flavour.angle.map(|word| format!("{word}{}{point}", decimal(angle, 3)));
+            let word = self
+                .flavour
+                .angle
+                .map(|word| format!("{word}{}{point}", decimal(angle, 3)));
             w.parts(&["M19", &word.unwrap_or_default()]);
         }
         if let Some(n) = request.work_offset {
@@ -288,7 +340,10 @@ impl Moves for Skip<'_> {
         // zero, the second for one below, as tables with machine heights have. Sums of lengths and heights are rounded, and a control reads
         // its axes in its own steps.
         let height = Self::number(w, first.to.z - IN_POSITION);
-        w.line(&format!("IF [#5043-{} LT {height}] GOTO {ELSEWHERE}", variable(0)));
+        w.line(&format!(
+            "IF [#5043-{} LT {height}] GOTO {ELSEWHERE}",
+            variable(0)
+        ));
         w.line(&format!("IF [#5043 LT {height}] GOTO {ELSEWHERE}"));
         // The stylus is above all that the program knows of, but not by how much: a contact does not lift, since a lift to a stated height
         // could go down.
@@ -308,7 +363,11 @@ impl Moves for Skip<'_> {
                 self.moves(w, to, step.step);
                 return;
             }
-            let exit = if upwards(self.request, from, to) > 0 { BLOCKED } else { FREE };
+            let exit = if upwards(self.request, from, to) > 0 {
+                BLOCKED
+            } else {
+                FREE
+            };
             let words = w.goes_to(to, true);
             self.goes(w, &words, to, step.step, &[0, 1, 2], exit);
         });
@@ -328,9 +387,23 @@ impl Moves for Skip<'_> {
         let near = Self::in_position(w);
         // A probe that has not settled since the move before would have the start taken for the wall.
         if let Some(start) = step.from {
-            w.parts(&["IF [", &Self::off_begin(w, start), " LE ", &near, "] GOTO ", FREE]);
+            w.parts(&[
+                "IF [",
+                &Self::off_begin(w, start),
+                " LE ",
+                &near,
+                "] GOTO ",
+                FREE,
+            ]);
         }
-        w.parts(&["IF [", &Self::off(w, end, &[0, 1, 2]), " LE ", &near, "] GOTO ", MISSED]);
+        w.parts(&[
+            "IF [",
+            &Self::off(w, end, &[0, 1, 2]),
+            " LE ",
+            &near,
+            "] GOTO ",
+            MISSED,
+        ]);
     }
 
     fn stores(&self, sample: usize, axis: usize, stored: &mut StoredCoordinate) -> bool {
@@ -357,12 +430,21 @@ impl Moves for Skip<'_> {
         w.build(|text| {
             push_variable(text, self.registers.variables[index]);
             text.push('=');
-            print::print_to(text, &Variables(self.registers), formula, formula.assignments[index].node, self.request.scale);
+            print::print_to(
+                text,
+                &Variables(self.registers),
+                formula,
+                formula.assignments[index].node,
+                self.request.scale,
+            );
         });
         // ATAN gives 0 to 360 or -180 to 180 degrees, as a parameter of the control says (6004 bit 0): the formula means the latter.
         if let Some(turn) = full_turn(formula, formula.assignments[index].node) {
             let angle = variable(self.registers.variables[index]);
-            w.line(&format!("IF [{angle} GT {}] THEN {angle}={angle}-{turn}", turn / 2));
+            w.line(&format!(
+                "IF [{angle} GT {}] THEN {angle}={angle}-{turn}",
+                turn / 2
+            ));
         }
     }
 
@@ -371,12 +453,20 @@ impl Moves for Skip<'_> {
             self.halt(w);
         }
         for &(copy, index) in &self.registers.copies {
-            w.line(&format!("{}={}", variable(copy), variable(self.registers.variables[index])));
+            w.line(&format!(
+                "{}={}",
+                variable(copy),
+                variable(self.registers.variables[index])
+            ));
         }
     }
 
     fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
-        let unit = if question.angle { 1.0 } else { self.request.scale };
+        let unit = if question.angle {
+            1.0
+        } else {
+            self.request.scale
+        };
         let register = self.registers.variables[question.variable.index()];
         let [limit, wanted] = [question.limit, question.wanted].map(|x| constant(x / unit));
         let off = match wanted.as_str() {
@@ -385,11 +475,23 @@ impl Moves for Skip<'_> {
             text => format!("{}-{text}", variable(register)),
         };
         let result = &formula.results[question.result];
-        let off_or_out = if matches!(question.asked, Asked::Plausible | Asked::Leads) { "OFF" } else { "OUT" };
-        let says = |code: &str| format!("{} {off_or_out}, SEE {}", code.to_ascii_uppercase(), variable(register));
+        let off_or_out = if matches!(question.asked, Asked::Plausible | Asked::Leads) {
+            "OFF"
+        } else {
+            "OUT"
+        };
+        let says = |code: &str| {
+            format!(
+                "{} {off_or_out}, SEE {}",
+                code.to_ascii_uppercase(),
+                variable(register)
+            )
+        };
         // The variable says of which cycle it is, where there is no room for both.
         let whole = says(&formula.code(result));
-        let alarm = [whole, says(result.code)].into_iter().find(|says| says.len() <= LONGEST_ALARM);
+        let alarm = [whole, says(result.code)]
+            .into_iter()
+            .find(|says| says.len() <= LONGEST_ALARM);
         let alarm = alarm.unwrap_or_else(|| says("result"));
         if question.stops(self.request.corrects()) {
             // An alarm would stop the ball on its way.
@@ -414,7 +516,13 @@ impl Moves for Skip<'_> {
         let axes = self.request.plane.axes();
         let mut changed = Vec::new();
         for (i, place) in datum.place.iter().enumerate() {
-            let Some(Coordinate { measured: Some(measured), nominal }) = *place else { continue };
+            let Some(Coordinate {
+                measured: Some(measured),
+                nominal,
+            }) = *place
+            else {
+                continue;
+            };
             let value = print::variable(&Variables(self.registers), formula, measured);
             let nominal = nominal / self.request.scale;
             let nominal = match decimal(nominal, decimals(nominal)).as_str() {
@@ -428,7 +536,10 @@ impl Moves for Skip<'_> {
         }
         // A program that is started in its middle finds no count and no changes, and writes nothing.
         let count = variable(self.count());
-        w.line(&format!("IF [{count} NE {}] GOTO {INCOMPLETE}", self.request.path.touches.len()));
+        w.line(&format!(
+            "IF [{count} NE {}] GOTO {INCOMPLETE}",
+            self.request.path.touches.len()
+        ));
         w.line(&format!("{count}=0"));
         for (axis, change) in &changed {
             let origin = format!("#{}", origin(number, self.flavour.more_origins) + axis);
@@ -445,21 +556,40 @@ impl Moves for Skip<'_> {
             w.comment("A work offset has no rotation. What turns the system by the one measured:");
             w.comment(&format!("G68 X{x} Y{y} R{turn}"));
         }
-        let results = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
-        let mut results = results.map(|(i, result)| (variable(i + 1), formula.code(result))).peekable();
+        let results = formula
+            .results
+            .iter()
+            .filter(|result| result.variable.is_some())
+            .enumerate();
+        let mut results = results
+            .map(|(i, result)| (variable(i + 1), formula.code(result)))
+            .peekable();
         if results.peek().is_none() {
             return;
         }
         match self.request.report {
             Report::None => {}
             Report::Screen => {
-                let list: Vec<String> = results.map(|(variable, code)| format!("{variable}={code}")).collect();
-                let forgets = if self.flavour.forgets { ". M30 may clear them" } else { "" };
-                w.comment(&format!("Read the results now: {}{forgets}", list.join(", ")));
+                let list: Vec<String> = results
+                    .map(|(variable, code)| format!("{variable}={code}"))
+                    .collect();
+                let forgets = if self.flavour.forgets {
+                    ". M30 may clear them"
+                } else {
+                    ""
+                };
+                w.comment(&format!(
+                    "Read the results now: {}{forgets}",
+                    list.join(", ")
+                ));
                 w.line("M0");
             }
             Report::Log => {
-                let digits = if self.request.scale == 1.0 { "53" } else { "44" };
+                let digits = if self.request.scale == 1.0 {
+                    "53"
+                } else {
+                    "44"
+                };
                 w.line("POPEN");
                 for (variable, code) in results {
                     let name = code.to_ascii_uppercase().replace('.', "*");
@@ -524,11 +654,17 @@ impl Skip<'_> {
         let height = Self::number(w, top);
         let lift = format!("G1 Z{} F{}", w.number(top), w.number(self.rate(first)));
         // What was touched so far does not count any longer.
-        let forget = self.request.corrects().then(|| format!("{}=0", variable(self.count())));
+        let forget = self
+            .request
+            .corrects()
+            .then(|| format!("{}=0", variable(self.count())));
         let mut exit = |label: &str, lifts: Option<&str>, forget: Option<&String>, alarm: &str| {
             w.line(&format!("N{label}"));
             if let Some(stop) = lifts {
-                w.line(&format!("IF [#5043-{} GE {height}] GOTO {stop}", variable(0)));
+                w.line(&format!(
+                    "IF [#5043-{} GE {height}] GOTO {stop}",
+                    variable(0)
+                ));
                 w.line(&lift);
                 w.line(self.flavour.halt);
                 w.line(&format!("N{stop}"));
@@ -536,21 +672,48 @@ impl Skip<'_> {
             forget.into_iter().for_each(|forget| w.line(forget));
             w.line(&format!("#3000={alarm}"));
         };
-        let contact = if self.request.dry.is_some() { "1(DRY RUN: IN THE WAY, #149)" } else { "1(CONTACT IN MOVE #149)" };
+        let contact = if self.request.dry.is_some() {
+            "1(DRY RUN: IN THE WAY, #149)"
+        } else {
+            "1(CONTACT IN MOVE #149)"
+        };
         exit(FREE, Some("9011"), forget.as_ref(), contact);
         exit(BLOCKED, None, forget.as_ref(), contact);
-        exit(MISSED, Some("9012"), forget.as_ref(), "2(NO CONTACT IN TOUCH #149)");
-        let start =
-            if self.request.path.start.is_some() { "4(STYLUS NOT AT STATED START)" } else { "4(STYLUS TOO LOW TO START)" };
+        exit(
+            MISSED,
+            Some("9012"),
+            forget.as_ref(),
+            "2(NO CONTACT IN TOUCH #149)",
+        );
+        let start = if self.request.path.start.is_some() {
+            "4(STYLUS NOT AT STATED START)"
+        } else {
+            "4(STYLUS TOO LOW TO START)"
+        };
         exit(ELSEWHERE, None, None, start);
         if self.request.corrects() {
-            exit(INCOMPLETE, None, forget.as_ref(), "5(TOUCHES MISSING, RESTART)");
+            exit(
+                INCOMPLETE,
+                None,
+                forget.as_ref(),
+                "5(TOUCHES MISSING, RESTART)",
+            );
         }
         for (i, says) in self.state_alarms().iter().enumerate() {
-            exit(&(STATES.0 + i).to_string(), None, None, &format!("{}({says})", STATES.1 + i));
+            exit(
+                &(STATES.0 + i).to_string(),
+                None,
+                None,
+                &format!("{}({says})", STATES.1 + i),
+            );
         }
         for (i, says) in self.implausible.iter().enumerate() {
-            exit(&(RESULTS.0 + i).to_string(), None, forget.as_ref(), &format!("{}({says})", RESULTS.1 + i));
+            exit(
+                &(RESULTS.0 + i).to_string(),
+                None,
+                forget.as_ref(),
+                &format!("{}({says})", RESULTS.1 + i),
+            );
         }
     }
 }

@@ -14,8 +14,8 @@ use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
 use crate::control::moves::{self, Moves, Step, each_piece};
 use crate::control::rules;
 use crate::control::{
-    BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves, check_watched, does,
-    orientation_line,
+    BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves,
+    check_watched, does, orientation_line,
 };
 use crate::form::Checker;
 use crate::geom::Vec3;
@@ -46,11 +46,16 @@ const LATER: PostDef = PostDef {
     no_work_offset: words!(
         "the program is that of grbl and uses no variables: let the sender read the [PRB:] reports and write the offset"
     ),
-    orients: Err(words!("the program is that of grbl and does not turn the spindle: turn it by hand")),
+    orients: Err(words!(
+        "the program is that of grbl and does not turn the spindle: turn it by hand"
+    )),
     dialect: &LONG,
     cannot: &[
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
-        (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs")),
+        (
+            rules::MISS_LIFTS,
+            words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs"),
+        ),
         (
             rules::LOW_START,
             words!(
@@ -60,11 +65,15 @@ const LATER: PostDef = PostDef {
         (rules::ONE_WRITE, WRITTEN_BY_THE_SENDER),
         (
             rules::PLAUSIBLE,
-            words!("the program is that of grbl and uses no variables: whoever reads the results must judge them"),
+            words!(
+                "the program is that of grbl and uses no variables: whoever reads the results must judge them"
+            ),
         ),
         (
             rules::TOLERANCE,
-            words!("the program is that of grbl and uses no variables: whoever reads the results must judge them"),
+            words!(
+                "the program is that of grbl and uses no variables: whoever reads the results must judge them"
+            ),
         ),
         (rules::RESTART, WRITTEN_BY_THE_SENDER),
         (rules::WRITE_LAST, WRITTEN_BY_THE_SENDER),
@@ -89,25 +98,53 @@ const KIN: PostDef = PostDef {
         "{control} has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
     ),
     computes: false,
-    orients: Err(words!("{control} cannot turn a spindle to an angle: turn it by hand")),
+    orients: Err(words!(
+        "{control} cannot turn a spindle to an angle: turn it by hand"
+    )),
     watches_first: false,
     dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number", "setUp", "probeInput"],
     cannot: &[
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
-        (rules::MISS_LIFTS, words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs")),
+        (
+            rules::MISS_LIFTS,
+            words!("G38.2 raises alarm 5 and stops where the ball is: nothing after it runs"),
+        ),
         (
             rules::LOW_START,
-            words!("{control} cannot ask where the stylus is: it must be above the first place, as the header says"),
+            words!(
+                "{control} cannot ask where the stylus is: it must be above the first place, as the header says"
+            ),
         ),
-        (rules::ONE_WRITE, words!("{control} has no variables: the sender writes the work offset")),
-        (rules::PLAUSIBLE, words!("{control} has no variables: whoever reads the results must judge them")),
-        (rules::TOLERANCE, words!("{control} has no variables: whoever reads the results must judge them")),
-        (rules::RESTART, words!("{control} has no variables: the sender writes the work offset")),
-        (rules::WRITE_LAST, words!("{control} has no variables: the sender writes the work offset")),
+        (
+            rules::ONE_WRITE,
+            words!("{control} has no variables: the sender writes the work offset"),
+        ),
+        (
+            rules::PLAUSIBLE,
+            words!("{control} has no variables: whoever reads the results must judge them"),
+        ),
+        (
+            rules::TOLERANCE,
+            words!("{control} has no variables: whoever reads the results must judge them"),
+        ),
+        (
+            rules::RESTART,
+            words!("{control} has no variables: the sender writes the work offset"),
+        ),
+        (
+            rules::WRITE_LAST,
+            words!("{control} has no variables: the sender writes the work offset"),
+        ),
     ],
     rate,
-    serves: |_, form| if form == Form::Moves { Ok(()) } else { Err("it has no probing cycles of its own") },
+    serves: |_, form| {
+        if form == Form::Moves {
+            Ok(())
+        } else {
+            Err("it has no probing cycles of its own")
+        }
+    },
     check,
     emit,
     read: Some(read::read),
@@ -127,7 +164,11 @@ const DIALECT: Dialect = Dialect {
 };
 
 /// Their lines may have 256 characters.
-const LONG: Dialect = Dialect { comment_width: 120, longest_block: 250, ..DIALECT };
+const LONG: Dialect = Dialect {
+    comment_width: 120,
+    longest_block: 250,
+    ..DIALECT
+};
 
 fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
@@ -147,7 +188,13 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         );
         checker.info("approach-not-watched", "control.protection", message);
     }
-    if !request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
+    if !request.protected
+        && request
+            .path
+            .moves
+            .iter()
+            .any(|m| request.feeds.rate(m.feed).is_none())
+    {
         checker.info(
             "rapid-at-feed",
             "feeds",
@@ -183,7 +230,11 @@ struct Grbl<'a> {
 impl Moves for Grbl<'_> {
     fn begin(&mut self, w: &mut Writer<'_>) {
         let path = self.request.path;
-        let reported = if path.touches.is_empty() { "" } else { ": each touch is reported as PRB in machine coordinates" };
+        let reported = if path.touches.is_empty() {
+            ""
+        } else {
+            ": each touch is reported as PRB in machine coordinates"
+        };
         w.header(&format!("{}{reported}", does::sentence(self.request)));
         if let (Some(first), None) = (path.moves.first(), path.start) {
             let (height, place) = (w.height_word(first.to), w.place_words(first.to));
@@ -219,7 +270,9 @@ impl Moves for Grbl<'_> {
             return plain(w, self.request, step);
         }
         let rate = rate(self.request, step.from, step.step);
-        each_piece(self.request, step, |_, to| w.straight("G38.3", to, false, rate));
+        each_piece(self.request, step, |_, to| {
+            w.straight("G38.3", to, false, rate)
+        });
     }
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
@@ -258,5 +311,10 @@ fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Ste
     if let (Some(arc), Some(from)) = (&step.arc, from) {
         return w.arc(from, step, arc, rate);
     }
-    w.straight(if rate.is_some() { "G1" } else { "G0" }, step.to, false, rate);
+    w.straight(
+        if rate.is_some() { "G1" } else { "G0" },
+        step.to,
+        false,
+        rate,
+    );
 }

@@ -37,7 +37,11 @@ impl<'t> Blocks<'t> for Program {
         if code.is_empty() || code == "%" {
             return Ok(());
         }
-        let what = words::words(&mut Cursor::new(lex::without_number(code)), &GRAMMAR, script)?;
+        let what = words::words(
+            &mut Cursor::new(lex::without_number(code)),
+            &GRAMMAR,
+            script,
+        )?;
         script.push(line, what);
         Ok(())
     }
@@ -46,6 +50,12 @@ impl<'t> Blocks<'t> for Program {
 pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     let mut script = Script::with_room_for(text);
     script.begins_free = true;
-    lines::lines(text, (Hand::Grbl, b'('), &mut script, &mut Targets::default(), &mut Program)?;
+    lines::lines(
+        text,
+        (Hand::Grbl, b'('),
+        &mut script,
+        &mut Targets::default(),
+        &mut Program,
+    )?;
     Ok(script)
 }

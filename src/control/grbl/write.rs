@@ -19,9 +19,15 @@ pub fn typed(request: &Request<'_>, measured: [Option<f64>; 3], offset: u8) -> O
     let axes = request.plane.axes();
     let mut words = [String::new(), String::new(), String::new()];
     for (i, place) in datum.place.iter().enumerate() {
-        let Some(place) = place.filter(|place| place.measured.is_some()) else { continue };
+        let Some(place) = place.filter(|place| place.measured.is_some()) else {
+            continue;
+        };
         let reads = end[axes[i]] - measured[i]? + place.nominal;
-        words[axes[i]] = format!(" {}{}", AXIS_NAMES[axes[i]], decimal(reads / request.scale, DECIMALS));
+        words[axes[i]] = format!(
+            " {}{}",
+            AXIS_NAMES[axes[i]],
+            decimal(reads / request.scale, DECIMALS)
+        );
     }
     let units = if request.scale == 1.0 { "G21" } else { "G20" };
     let words = words.concat();

@@ -59,7 +59,12 @@ fn dialog(number: u16, q: u16) -> &'static str {
 }
 
 /// Writes a cycle.
-pub(super) fn write(w: &mut Writer<'_>, request: &Request<'_>, number: u16, parameters: &[(u16, Quantity)]) {
+pub(super) fn write(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    number: u16,
+    parameters: &[(u16, Quantity)],
+) {
     match number {
         247 => w.line("CYCL DEF 247 DATUM SETTING ~"),
         _ => {
@@ -70,11 +75,16 @@ pub(super) fn write(w: &mut Writer<'_>, request: &Request<'_>, number: u16, para
     for (i, (q, quantity)) in parameters.iter().enumerate() {
         let continues = if i + 1 < parameters.len() { " ~" } else { "" };
         let value = match quantity {
-            Quantity::Length(mm) | Quantity::Feed(mm) => decimal(mm / request.scale, request.post.decimals(request.scale)),
+            Quantity::Length(mm) | Quantity::Feed(mm) => {
+                decimal(mm / request.scale, request.post.decimals(request.scale))
+            }
             Quantity::Angle(degrees) => decimal(*degrees, 4),
             Quantity::Plain(x) => decimal(*x, 0),
         };
         let sign = if value.starts_with('-') { "" } else { "+" };
-        w.continued(&format!("    Q{q}={sign}{value} ;{}{continues}", dialog(number, *q)));
+        w.continued(&format!(
+            "    Q{q}={sign}{value} ;{}{continues}",
+            dialog(number, *q)
+        ));
     }
 }

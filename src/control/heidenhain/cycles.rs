@@ -13,9 +13,19 @@ use crate::geom::Vec3;
 use crate::path::{Arc, Reach};
 
 /// Runs a cycle by its Q parameters, lengths in mm and angles in degrees: `None` if the cycle or one of its parameters is not known here.
-pub fn run(number: u16, parameters: &[(u16, f64)], reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+pub fn run(
+    number: u16,
+    parameters: &[(u16, f64)],
+    reach: Reach,
+    machine: &mut Machine<'_>,
+) -> Option<Result<(), Alarm>> {
     let of = row(number)?.probed(|q| value(parameters, q))?;
-    let mut cycle = Cycle { of, reach, high: of.high?, machine };
+    let mut cycle = Cycle {
+        of,
+        reach,
+        high: of.high?,
+        machine,
+    };
     if !of.center.z.is_finite() {
         return None;
     }
@@ -57,7 +67,9 @@ impl Cycle<'_, '_> {
     /// A touch towards where the contact should be, and back.
     fn touches(&mut self, contact: Vec3) -> Result<(), Alarm> {
         let towards = (contact - self.machine.at).normalize_or_zero();
-        self.machine.touches_once(contact, towards, self.reach.behind).map(|_| ())
+        self.machine
+            .touches_once(contact, towards, self.reach.behind)
+            .map(|_| ())
     }
 
     fn ends(&mut self) -> Result<(), Alarm> {
@@ -72,7 +84,14 @@ impl Cycle<'_, '_> {
 
     /// Touch by touch from the angle of the first on.
     fn circle(&mut self) -> Result<(), Alarm> {
-        let Probed { center, sizes: [diameter, _], start, step, count, .. } = self.of;
+        let Probed {
+            center,
+            sizes: [diameter, _],
+            start,
+            step,
+            count,
+            ..
+        } = self.of;
         let (half, sign) = (diameter / 2.0, self.sign());
         let off = (half + sign * self.aside()).max(0.0);
         // From the middle nothing lies between the touches.
@@ -84,7 +103,13 @@ impl Cycle<'_, '_> {
             match k {
                 0 => self.comes(place)?,
                 _ if lifts => self.comes(place)?,
-                _ if arc => self.machine.along(Arc { center, sweep: step.to_radians() }, Alarm::Unexpected)?,
+                _ if arc => self.machine.along(
+                    Arc {
+                        center,
+                        sweep: step.to_radians(),
+                    },
+                    Alarm::Unexpected,
+                )?,
                 _ => self.machine.goes(place)?,
             }
             self.touches(center + towards * (half + sign * self.machine.radius))
@@ -96,21 +121,30 @@ impl Cycle<'_, '_> {
         let center = self.of.center;
         let (halves, sign) = (self.of.sizes.map(|size| size / 2.0), self.sign());
         let room = halves.iter().all(|half| half + sign * self.aside() >= 0.0);
-        let off = halves.map(|half| if room { half + sign * self.aside() } else { 0.0 });
+        let off = halves.map(|half| {
+            if room {
+                half + sign * self.aside()
+            } else {
+                0.0
+            }
+        });
         let lifts = self.of.lifts && room;
         let sides = [(Vec3::X, 0), (Vec3::Y, 1), (-Vec3::X, 0), (-Vec3::Y, 1)];
-        sides.iter().enumerate().try_for_each(|(k, (towards, axis))| {
-            let place = center + *towards * off[*axis];
-            if k == 0 || lifts {
-                self.comes(place)?;
-            } else {
-                // Round the corner, along the axes.
-                let before = sides[k - 1];
-                self.machine.goes(place + before.0 * off[before.1])?;
-                self.machine.goes(place)?;
-            }
-            self.touches(center + *towards * (halves[*axis] + sign * self.machine.radius))
-        })
+        sides
+            .iter()
+            .enumerate()
+            .try_for_each(|(k, (towards, axis))| {
+                let place = center + *towards * off[*axis];
+                if k == 0 || lifts {
+                    self.comes(place)?;
+                } else {
+                    // Round the corner, along the axes.
+                    let before = sides[k - 1];
+                    self.machine.goes(place + before.0 * off[before.1])?;
+                    self.machine.goes(place)?;
+                }
+                self.touches(center + *towards * (halves[*axis] + sign * self.machine.radius))
+            })
     }
 
     fn slot(&mut self) -> Result<(), Alarm> {
@@ -154,7 +188,12 @@ impl Cycle<'_, '_> {
 
     /// One touch along an axis; along that of the tool down.
     fn surface(&mut self) -> Result<(), Alarm> {
-        let Probed { center, axis, towards, .. } = self.of;
+        let Probed {
+            center,
+            axis,
+            towards,
+            ..
+        } = self.of;
         let towards = self.of.along() * if axis == 2 { -1.0 } else { towards };
         self.comes(center - towards * self.aside())?;
         self.touches(center - towards * self.machine.radius)

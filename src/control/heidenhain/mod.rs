@@ -33,7 +33,12 @@ pub static DEF: PostDef = PostDef {
         "the cycles orient the probe themselves, as the probe table says (TRACK): the orientation of the job is not used"
     )),
     watches: false,
-    dialect: &Dialect { comment: ("; ", ""), comment_width: 72, numbered: true, ..PLAIN },
+    dialect: &Dialect {
+        comment: ("; ", ""),
+        comment_width: 72,
+        numbered: true,
+        ..PLAIN
+    },
     unused: &["orient", "number", "probeInput"],
     unused_by_cycles: &[
         "control.protection",
@@ -55,10 +60,16 @@ pub static DEF: PostDef = PostDef {
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (Subject::Switch | Subject::Action, _) => Err("the control has no cycle for it"),
-        (_, Form::Moves) => {
-            Err("our sources do not document the control's low-level probing blocks well enough to write these moves")
-        }
-        (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, Form::Cycle) => Err(
+        (_, Form::Moves) => Err(
+            "our sources do not document the control's low-level probing blocks well enough to write these moves",
+        ),
+        (
+            Subject::CornerInside
+            | Subject::CornerOutside
+            | Subject::TripleInside
+            | Subject::TripleOutside,
+            Form::Cycle,
+        ) => Err(
             "no source shows the whole block of the corner cycles 414 and 415, and programs of one cycle 427 a touch with arithmetic in Q parameters are not made",
         ),
         (Subject::Wall, Form::Cycle) => Err("no source shows the whole block of cycle 420"),
@@ -68,15 +79,35 @@ fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
 
 /// A program name that the control takes: letters, digits, `_` and `-`.
 fn program_name(name: &str) -> String {
-    let safe: String = name.chars().take(32).map(|c| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' }).collect();
-    if safe.is_empty() { "PROBE".to_owned() } else { safe }
+    let safe: String = name
+        .chars()
+        .take(32)
+        .map(|c| {
+            if c.is_ascii_alphanumeric() || c == '-' {
+                c
+            } else {
+                '_'
+            }
+        })
+        .collect();
+    if safe.is_empty() {
+        "PROBE".to_owned()
+    } else {
+        safe
+    }
 }
 
 fn emit(request: &Request<'_>) -> Program {
     if let Some(own) = &request.path.own {
         return serve::emit(request, own, &program_name(request.name));
     }
-    moves::write(request, &mut Klartext { request, name: program_name(request.name) })
+    moves::write(
+        request,
+        &mut Klartext {
+            request,
+            name: program_name(request.name),
+        },
+    )
 }
 
 /// The program of one request.
@@ -88,7 +119,16 @@ struct Klartext<'a> {
 impl Klartext<'_> {
     /// The first and the last block.
     fn frame(&self, w: &mut Writer<'_>, word: &str) {
-        w.parts(&[word, " PGM ", &self.name, if self.request.scale == 1.0 { " MM" } else { " INCH" }]);
+        w.parts(&[
+            word,
+            " PGM ",
+            &self.name,
+            if self.request.scale == 1.0 {
+                " MM"
+            } else {
+                " INCH"
+            },
+        ]);
     }
 }
 
@@ -143,17 +183,31 @@ impl Moves for Klartext<'_> {
     }
 
     fn call(&self, _: usize, w: &mut Writer<'_>) {
-        let Some(circles) = self.request.path.feature.two_circles() else { return };
-        for (head, settings) in
-            [("1493 EXTRUSION PROBING", &circles.extrusion), ("1411 PROBING TWO CIRCLES", &circles.settings)]
-        {
+        let Some(circles) = self.request.path.feature.two_circles() else {
+            return;
+        };
+        for (head, settings) in [
+            ("1493 EXTRUSION PROBING", &circles.extrusion),
+            ("1411 PROBING TWO CIRCLES", &circles.settings),
+        ] {
             if settings.is_empty() {
                 continue;
             }
             w.parts(&["TCH PROBE ", head, " ~"]);
-            for (i, Setting { number, value, dialog }) in settings.iter().enumerate() {
+            for (
+                i,
+                Setting {
+                    number,
+                    value,
+                    dialog,
+                },
+            ) in settings.iter().enumerate()
+            {
                 let continues = if i + 1 < settings.len() { " ~" } else { "" };
-                w.continued(&format!("    {} ;{dialog}{continues}", word(*number, value, w)));
+                w.continued(&format!(
+                    "    {} ;{dialog}{continues}",
+                    word(*number, value, w)
+                ));
             }
         }
     }
@@ -180,16 +234,26 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         return serve::check(request, checker);
     }
     if request.work_offset.is_some() {
-        let message =
-            text!("cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty");
+        let message = text!(
+            "cycle 1411 corrects the active preset itself, as Q1120 and Q1121 say: leave the work offset empty"
+        );
         checker.error("work-offset-unsupported", "control.workOffset", message);
     }
     for (code, path) in [(325, "cycle.startingAngle"), (1119, "cycle.angularLength")] {
-        let settings = request.path.feature.two_circles().map_or(&[][..], |c| &c.settings);
-        if let Some(ParameterValue::Number(angle)) = settings.iter().find(|s| s.number == code).map(|s| &s.value)
+        let settings = request
+            .path
+            .feature
+            .two_circles()
+            .map_or(&[][..], |c| &c.settings);
+        if let Some(ParameterValue::Number(angle)) =
+            settings.iter().find(|s| s.number == code).map(|s| &s.value)
             && (angle * 1e3 - (angle * 1e3).round()).abs() > 1e-6
         {
-            let message = text!("The control takes three decimals: Q{code} is written as {angle}", code, decimal(*angle, 3));
+            let message = text!(
+                "The control takes three decimals: Q{code} is written as {angle}",
+                code,
+                decimal(*angle, 3)
+            );
             checker.info("angle-rounded", path, message);
         }
     }
@@ -197,7 +261,12 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// `Q1116=+10`, or `QS1116="10H7"`.
 fn word(code: i32, value: &ParameterValue, w: &Writer<'_>) -> String {
-    let signed = |text: &str| format!("Q{code}={}{text}", if text.starts_with('-') { "" } else { "+" });
+    let signed = |text: &str| {
+        format!(
+            "Q{code}={}{text}",
+            if text.starts_with('-') { "" } else { "+" }
+        )
+    };
     match value {
         ParameterValue::Length(mm) => signed(&w.number(*mm)),
         // Q325 and Q1119 have three decimals.

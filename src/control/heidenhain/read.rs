@@ -5,25 +5,41 @@ use crate::form::{Value, printable};
 
 /// Whether a block holds this word.
 pub fn says(blocks: &[String], word: &str) -> bool {
-    blocks.iter().any(|b| b.split_whitespace().any(|w| w.eq_ignore_ascii_case(word)))
+    blocks
+        .iter()
+        .any(|b| b.split_whitespace().any(|w| w.eq_ignore_ascii_case(word)))
 }
 
 /// A word of ISO programming: a letter and a number, a program name, or the end sign.
 pub fn is_iso_word(word: &str) -> bool {
     let number = |text: &str| crate::num::read(text).is_some();
-    word.starts_with('%') || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..])) || word == "PROBE"
+    word.starts_with('%')
+        || (word.starts_with(|c: char| c.is_ascii_alphabetic()) && number(&word[1..]))
+        || word == "PROBE"
 }
 
 /// Whether a block moves, or what it calls may.
 pub fn moves(words: &[&str]) -> bool {
-    const PATHS: [&str; 16] =
-        ["L", "LN", "LP", "C", "CR", "CT", "CP", "CTP", "CHF", "RND", "APPR", "DEP", "FL", "FLT", "FC", "FCT"];
-    let number = |word: &str| word.get(1..).and_then(|number| crate::num::read(&number.replace(',', ".")));
-    let axis = |word: &str| word.starts_with(['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W']) && number(word).is_some();
+    const PATHS: [&str; 16] = [
+        "L", "LN", "LP", "C", "CR", "CT", "CP", "CTP", "CHF", "RND", "APPR", "DEP", "FL", "FLT",
+        "FC", "FCT",
+    ];
+    let number = |word: &str| {
+        word.get(1..)
+            .and_then(|number| crate::num::read(&number.replace(',', ".")))
+    };
+    let axis = |word: &str| {
+        word.starts_with(['X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W']) && number(word).is_some()
+    };
     // G4 waits, G79 calls a cycle.
     let code = |word: &str| {
         let code = number(word).filter(|_| word.starts_with('G'));
-        code.is_some_and(|code| matches!(code, 0.0 | 1.0 | 2.0 | 3.0 | 5.0 | 6.0 | 7.0 | 10.0..=16.0 | 79.0))
+        code.is_some_and(|code| {
+            matches!(
+                code,
+                0.0 | 1.0 | 2.0 | 3.0 | 5.0 | 6.0 | 7.0 | 10.0..=16.0 | 79.0
+            )
+        })
     };
     match words {
         ["CALL", ..] | ["CYCL", "CALL", ..] => true,
@@ -45,34 +61,63 @@ pub fn shown(block: &str) -> String {
 /// What kind of change of the work coordinate system a block states, and whether it is one: it may also end it.
 pub fn transforms(words: &[&str]) -> Option<(&'static str, bool)> {
     // Zero, an axis alone, and a reset change nothing; a scale of 1 neither.
-    let value = |word: &&str| word.trim_start_matches(|c: char| c.is_ascii_alphabetic() || c == '+').to_owned();
+    let value = |word: &&str| {
+        word.trim_start_matches(|c: char| c.is_ascii_alphabetic() || c == '+')
+            .to_owned()
+    };
     let changes = |words: &[&str], none: f64| {
-        let numbers: Vec<Option<f64>> = words.iter().map(|word| crate::num::read(&value(word).replace(',', "."))).collect();
-        !words.contains(&"RESET") && numbers.iter().any(|number| number.is_some_and(|number| number != none))
+        let numbers: Vec<Option<f64>> = words
+            .iter()
+            .map(|word| crate::num::read(&value(word).replace(',', ".")))
+            .collect();
+        !words.contains(&"RESET")
+            && numbers
+                .iter()
+                .any(|number| number.is_some_and(|number| number != none))
     };
     match words {
         ["CYCL", "DEF", cycle, rest @ ..] => {
             let (number, part) = cycle.split_once('.')?;
-            let kind = ["7", "8", "10", "11", "19", "26"].into_iter().find(|known| *known == number)?;
+            let kind = ["7", "8", "10", "11", "19", "26"]
+                .into_iter()
+                .find(|known| *known == number)?;
             // The first part is a title.
             match (kind, part) {
                 (_, "0") => None,
                 ("8", _) => Some((kind, !rest.is_empty())),
                 ("11" | "26", _) => Some((kind, changes(rest, 1.0))),
-                ("7", _) => Some((kind, rest.iter().any(|word| word.starts_with('#')) || changes(rest, 0.0))),
+                ("7", _) => Some((
+                    kind,
+                    rest.iter().any(|word| word.starts_with('#')) || changes(rest, 0.0),
+                )),
                 _ => Some((kind, changes(rest, 0.0))),
             }
         }
         ["TRANS", what, rest @ ..] => {
-            let kind = ["DATUM", "MIRROR", "ROTATION", "SCALE"].into_iter().find(|known| known == what)?;
+            let kind = ["DATUM", "MIRROR", "ROTATION", "SCALE"]
+                .into_iter()
+                .find(|known| known == what)?;
             let axes = kind == "MIRROR" && !rest.is_empty() && !rest.contains(&"RESET");
-            Some((kind, axes || rest.contains(&"TABLE") || changes(rest, if kind == "SCALE" { 1.0 } else { 0.0 })))
+            Some((
+                kind,
+                axes || rest.contains(&"TABLE")
+                    || changes(rest, if kind == "SCALE" { 1.0 } else { 0.0 }),
+            ))
         }
         ["PLANE", kind, ..] => Some(("PLANE", *kind != "RESET")),
         // DIN/ISO: datum shift, rotation, scale, mirror, tilt.
         [code, rest @ ..] => {
-            let kind = ["G54", "G73", "G72", "G28", "G80"].into_iter().find(|known| known == code)?;
-            Some((kind, if kind == "G28" { !rest.is_empty() } else { changes(rest, if kind == "G72" { 1.0 } else { 0.0 }) }))
+            let kind = ["G54", "G73", "G72", "G28", "G80"]
+                .into_iter()
+                .find(|known| known == code)?;
+            Some((
+                kind,
+                if kind == "G28" {
+                    !rest.is_empty()
+                } else {
+                    changes(rest, if kind == "G72" { 1.0 } else { 0.0 })
+                },
+            ))
         }
         [] => None,
     }
@@ -80,12 +125,18 @@ pub fn transforms(words: &[&str]) -> Option<(&'static str, bool)> {
 
 /// An ISO word that says something of the job.
 pub fn wanted_iso(word: &str) -> bool {
-    matches!(word, "G17" | "G18" | "G19" | "G70" | "G71") || word.strip_prefix('T').is_some_and(|n| n.parse::<i32>().is_ok())
+    matches!(word, "G17" | "G18" | "G19" | "G70" | "G71")
+        || word
+            .strip_prefix('T')
+            .is_some_and(|n| n.parse::<i32>().is_ok())
 }
 
 /// The logical blocks of a program: comments, block numbers and continuation signs taken off.
 pub fn blocks(text: &str) -> Vec<String> {
-    numbered_blocks(text).into_iter().map(|(_, block)| block).collect()
+    numbered_blocks(text)
+        .into_iter()
+        .map(|(_, block)| block)
+        .collect()
 }
 
 /// The same, each with the 0-based line in which it begins. `~` continues a block over blank lines and comments. It may also end
@@ -105,7 +156,9 @@ pub fn numbered_blocks(text: &str) -> Vec<(usize, String)> {
         // `*` ends an ISO block.
         let line = code(line, false).trim().trim_end_matches('*').trim_end();
         if goes_on {
-            let (_, block) = blocks.last_mut().expect("a continuation line follows a block");
+            let (_, block) = blocks
+                .last_mut()
+                .expect("a continuation line follows a block");
             block.push(' ');
             block.push_str(line);
         } else {
@@ -136,13 +189,23 @@ pub fn assignments(block: &str) -> Vec<(u32, Given)> {
         rest = &rest[at + 1..];
         let name = rest.strip_prefix(['S', 's']).unwrap_or(rest);
         let digits = name.len() - name.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-        let Ok(number) = name[..digits].parse::<u32>() else { continue };
-        let Some(value) = name[digits..].trim_start().strip_prefix('=') else { continue };
+        let Ok(number) = name[..digits].parse::<u32>() else {
+            continue;
+        };
+        let Some(value) = name[digits..].trim_start().strip_prefix('=') else {
+            continue;
+        };
         let value = value.trim_start();
         let (text, quoted) = match value.strip_prefix('"') {
             Some(inside) => (inside.split('"').next().unwrap_or_default(), true),
             // `*` ends an ISO block.
-            None => (value.split(|c: char| c.is_whitespace() || c == '*').next().unwrap_or_default(), false),
+            None => (
+                value
+                    .split(|c: char| c.is_whitespace() || c == '*')
+                    .next()
+                    .unwrap_or_default(),
+                false,
+            ),
         };
         rest = &value[(text.len() + 2 * usize::from(quoted)).min(value.len())..];
         let plain = text.replace(',', ".");

@@ -11,7 +11,10 @@ use crate::control::{Program, Report, Request, check_write, does, own};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
-use crate::path::{Bore, Entry, Feature, Guard, Off, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored, Touch};
+use crate::path::{
+    Bore, Entry, Feature, Guard, Off, Own, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored,
+    Touch,
+};
 use crate::text::{Text, text};
 
 /// How nearly directions and places must agree.
@@ -27,7 +30,11 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Output(q) | Stored::Kept(q) => format!("Q{q}"),
     },
     corrects_tools: false,
-    several: Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: true, kept: FREE },
+    several: Several {
+        way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed),
+        comes_itself: true,
+        kept: FREE,
+    },
 };
 
 /// The Q parameters that the manuals leave to programs [S: TNC 620, TNC 640]: none of them is a cycle's.
@@ -40,19 +47,36 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
         return Ok(path.clone());
     }
     if request.setup.plane != Plane::G17 {
-        let message = text!("No source we have shows how these cycles take the tool axis of a plane other than G17");
+        let message = text!(
+            "No source we have shows how these cycles take the tool axis of a plane other than G17"
+        );
         return Err(own::refused("cycle-plane", "plane", message));
     }
     if path.picked {
-        let message = text!("The control's own cycles choose their touch points: picked ones cannot be used");
-        return Err(own::refused("cycle-chooses-points", "cycle.touches", message));
+        let message =
+            text!("The control's own cycles choose their touch points: picked ones cannot be used");
+        return Err(own::refused(
+            "cycle-chooses-points",
+            "cycle.touches",
+            message,
+        ));
     }
-    let mut program = Plan { request, blocks: Vec::new(), stored: Vec::new(), guards: Vec::new(), first: Vec3::ZERO };
+    let mut program = Plan {
+        request,
+        blocks: Vec::new(),
+        stored: Vec::new(),
+        guards: Vec::new(),
+        first: Vec3::ZERO,
+    };
     match &path.feature {
         Feature::Surface(point) => program.surface(point)?,
         Feature::Bore(bore) => program.bore(bore)?,
         Feature::Pairs(pairs) => program.pairs(pairs)?,
-        Feature::Corner(_) | Feature::TwoCircles(_) | Feature::Unmoving | Feature::Wall(_) | Feature::Several => {
+        Feature::Corner(_)
+        | Feature::TwoCircles(_)
+        | Feature::Unmoving
+        | Feature::Wall(_)
+        | Feature::Several => {
             return Ok(path.clone());
         }
     }
@@ -61,8 +85,13 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
 
 /// Runs a block; `None` if the block does not move.
 fn call(block: &OwnBlock, reach: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let OwnBlock::Cycle(number, parameters) = block else { return None };
-    let values: Vec<(u16, f64)> = parameters.iter().map(|(q, quantity)| (*q, quantity.value())).collect();
+    let OwnBlock::Cycle(number, parameters) = block else {
+        return None;
+    };
+    let values: Vec<(u16, f64)> = parameters
+        .iter()
+        .map(|(q, quantity)| (*q, quantity.value()))
+        .collect();
     cycles::run(*number, &values, reach, machine)
 }
 
@@ -92,9 +121,17 @@ impl Plan<'_> {
     /// Where the ball crosses between touches, and where the cycles end: as high as the documented path crosses, or begins.
     fn high(&self) -> f64 {
         let path = self.request.path;
-        let level = path.touches.iter().map(|touch| touch.point.z).fold(f64::NEG_INFINITY, f64::max);
+        let level = path
+            .touches
+            .iter()
+            .map(|touch| touch.point.z)
+            .fold(f64::NEG_INFINITY, f64::max);
         let crosses = made::start(path).filter(|start| start.z > level + NEAR);
-        self.clearance_height(crosses.or(path.moves.first().map(|step| step.to)).map_or(level, |place| place.z))
+        self.clearance_height(
+            crosses
+                .or(path.moves.first().map(|step| step.to))
+                .map_or(level, |place| place.z),
+        )
     }
 
     fn begins_at(&mut self, place: Vec3, high: f64) {
@@ -125,11 +162,19 @@ impl Plan<'_> {
     /// Calls the cycle for what is to be probed. `codes` are those of its results: of its centre, and of its sizes.
     fn calls(&mut self, probed: &Probed, [places, sizes]: [&[&'static str]; 2]) {
         let writes = probed.row.is_some();
-        let fits = |row: &&Row| (row.shape, row.inside, row.writes) == (probed.shape, probed.inside, writes);
+        let fits = |row: &&Row| {
+            (row.shape, row.inside, row.writes) == (probed.shape, probed.inside, writes)
+        };
         // Of a surface the tool axis has a cycle of its own to write it.
-        let number =
-            if probed.shape == Shape::Surface && writes { Some(if probed.axis == 2 { 417 } else { 419 }) } else { None };
-        let row = ROWS.iter().filter(fits).find(|row| number.is_none_or(|number| row.number == number));
+        let number = if probed.shape == Shape::Surface && writes {
+            Some(if probed.axis == 2 { 417 } else { 419 })
+        } else {
+            None
+        };
+        let row = ROWS
+            .iter()
+            .filter(fits)
+            .find(|row| number.is_none_or(|number| row.number == number));
         let Some(row) = row else { return };
         let log = match self.request.report {
             Report::None => 0.0,
@@ -137,24 +182,43 @@ impl Plan<'_> {
             Report::Screen => 2.0,
         };
         let limits = self.request.limits;
-        self.blocks.push(OwnBlock::Cycle(row.number, row.call(probed, &Asked { limits, log })));
+        self.blocks.push(OwnBlock::Cycle(
+            row.number,
+            row.call(probed, &Asked { limits, log }),
+        ));
         let code = |is: Is| match is {
             Is::Center(axis) => places.get(axis).copied(),
             Is::Along => places.get(probed.axis).copied(),
             Is::Size(n) => sizes.get(n).copied(),
             _ => None,
         };
-        self.stored.extend(row.results.iter().filter_map(|(q, is)| Some((code(*is)?, Stored::Output(usize::from(*q))))));
+        self.stored.extend(
+            row.results
+                .iter()
+                .filter_map(|(q, is)| Some((code(*is)?, Stored::Output(usize::from(*q))))),
+        );
         let [stops_for_sizes, stops_for_places] = row.stops();
-        let measured =
-            |wanted: fn(Is) -> bool| row.results.iter().filter(move |(_, is)| wanted(*is)).filter_map(|(_, is)| code(*is));
+        let measured = |wanted: fn(Is) -> bool| {
+            row.results
+                .iter()
+                .filter(move |(_, is)| wanted(*is))
+                .filter_map(|(_, is)| code(*is))
+        };
         if let Some(limit) = limits.size.filter(|_| stops_for_sizes) {
             let codes = measured(|is| matches!(is, Is::Size(_))).collect();
-            self.guards.push(Guard { codes, off: Off::Each, limit });
+            self.guards.push(Guard {
+                codes,
+                off: Off::Each,
+                limit,
+            });
         }
         if let Some(limit) = limits.position.filter(|_| stops_for_places) {
             let codes = measured(|is| !matches!(is, Is::Size(_))).collect();
-            self.guards.push(Guard { codes, off: Off::Each, limit });
+            self.guards.push(Guard {
+                codes,
+                off: Off::Each,
+                limit,
+            });
         }
     }
 
@@ -180,10 +244,17 @@ impl Plan<'_> {
         let path = self.request.path;
         let touch = &path.touches[0];
         let start = made::begins(path).unwrap_or(touch.point);
-        let entry = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
+        let entry = Entry {
+            field: point.clearance,
+            value: (start - touch.point).dot(touch.vector),
+        };
         let set_up = self.set_up(entry)?;
         let high = self.clearance_height(path.moves.first().map_or(start.z, |step| step.to.z));
-        self.touches_surface(touch, (set_up, high), (point.elevation, ["point.x", "point.y", "point.z"]))
+        self.touches_surface(
+            touch,
+            (set_up, high),
+            (point.elevation, ["point.x", "point.y", "point.z"]),
+        )
     }
 
     /// One touch of a surface across an axis. `codes` are those of its coordinates.
@@ -194,39 +265,71 @@ impl Plan<'_> {
         (field, codes): (&'static str, [&'static str; 3]),
     ) -> Result<(), Refused> {
         let Some(axis) = (0..3).find(|axis| made::is_along(touch.vector, *axis)) else {
-            let message = text!("The control's own cycles touch surfaces across X, Y or Z: this one is turned or sloped");
+            let message = text!(
+                "The control's own cycles touch surfaces across X, Y or Z: this one is turned or sloped"
+            );
             return Err(own::refused("cycle-not-parallel", field, message));
         };
         self.begins_at(touch.point + touch.vector * self.aside(set_up), high);
         let towards = -touch.vector[axis].signum();
         let probed = self.probed(Shape::Surface, false, set_up);
-        self.calls(&Probed { center: touch.point, axis, towards, high: Some(high), ..probed }, [&codes, &[]]);
+        self.calls(
+            &Probed {
+                center: touch.point,
+                axis,
+                towards,
+                high: Some(high),
+                ..probed
+            },
+            [&codes, &[]],
+        );
         Ok(())
     }
 
     fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
         let path = self.request.path;
         let (center, touches) = (path.frame.origin, &path.touches);
-        let inside = touches.first().is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
-        let mut angles: Vec<f64> = touches.iter().map(|touch| degrees_of(touch.point - center)).collect();
+        let inside = touches
+            .first()
+            .is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
+        let mut angles: Vec<f64> = touches
+            .iter()
+            .map(|touch| degrees_of(touch.point - center))
+            .collect();
         let start = angles[0];
         // By the angle of the first, counter-clockwise, or clockwise where they are documented so.
         let square = made::are_quarters(&angles);
-        let step = if square { 90.0 } else { wrap_degrees(angles.get(1).map_or(0.0, |second| second - start)) };
+        let step = if square {
+            90.0
+        } else {
+            wrap_degrees(angles.get(1).map_or(0.0, |second| second - start))
+        };
         if square {
             angles = (0..4).map(|k| start + 90.0 * f64::from(k)).collect();
         }
-        let even = angles.iter().enumerate().all(|(k, angle)| wrap_degrees(angle - start - step * k as f64).abs() < 1e-4);
+        let even = angles
+            .iter()
+            .enumerate()
+            .all(|(k, angle)| wrap_degrees(angle - start - step * k as f64).abs() < 1e-4);
         // As far as our sources go, those that measure only touch four times.
         let fewest = if self.row().is_some() { 3 } else { 4 };
-        if !(fewest..=4).contains(&angles.len()) || !even || !(5.0 - NEAR..=120.0 + NEAR).contains(&step.abs()) {
+        if !(fewest..=4).contains(&angles.len())
+            || !even
+            || !(5.0 - NEAR..=120.0 + NEAR).contains(&step.abs())
+        {
             let message = text!(
                 "The control's own cycles touch a circle four times, 5° to 120° apart (three times where they write a preset): not {count} times like this",
                 angles.len()
             );
-            return Err(own::refused("cycle-chooses-points", "cycle.stepCount", message));
+            return Err(own::refused(
+                "cycle-chooses-points",
+                "cycle.stepCount",
+                message,
+            ));
         }
-        let set_up = bore.clearance.map_or(Ok(self.free_set_up()), |clearance| self.set_up(clearance))?;
+        let set_up = bore
+            .clearance
+            .map_or(Ok(self.free_set_up()), |clearance| self.set_up(clearance))?;
         let sign = if inside { -1.0 } else { 1.0 };
         let towards = (touches[0].point - center).with_z(0.0).normalize_or_zero();
         let off = (bore.diameter.value / 2.0 + sign * self.aside(set_up)).max(0.0);
@@ -246,20 +349,34 @@ impl Plan<'_> {
     fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
         let path = self.request.path;
         let Some(axis) = (0..2).find(|axis| made::is_along(path.touches[0].vector, *axis)) else {
-            let message = text!("The control's own cycles take walls along X and Y: these are turned");
-            return Err(own::refused("cycle-not-parallel", "cycle.rotation", message));
+            let message =
+                text!("The control's own cycles take walls along X and Y: these are turned");
+            return Err(own::refused(
+                "cycle-not-parallel",
+                "cycle.rotation",
+                message,
+            ));
         };
-        let clearances: Vec<Entry> = pairs.sides.iter().filter_map(|side| side.clearance).collect();
+        let clearances: Vec<Entry> = pairs
+            .sides
+            .iter()
+            .filter_map(|side| side.clearance)
+            .collect();
         if let [one, two] = clearances.as_slice()
             && (one.value - two.value).abs() > NEAR
         {
-            let message =
-                text!("One set-up clearance holds for all sides of a rectangle: both side clearances must be the same");
+            let message = text!(
+                "One set-up clearance holds for all sides of a rectangle: both side clearances must be the same"
+            );
             return Err(own::refused("cycle-one-path", two.field, message));
         }
-        let set_up = clearances.first().map_or(Ok(self.free_set_up()), |clearance| self.set_up(*clearance))?;
+        let set_up = clearances
+            .first()
+            .map_or(Ok(self.free_set_up()), |clearance| self.set_up(*clearance))?;
         match pairs.sides.as_slice() {
-            [one, two] => self.rectangle(pairs, [one, two].map(|side| side.width.value), axis, set_up),
+            [one, two] => {
+                self.rectangle(pairs, [one, two].map(|side| side.width.value), axis, set_up)
+            }
             _ => return self.width(pairs, axis, set_up),
         }
         Ok(())
@@ -272,12 +389,20 @@ impl Plan<'_> {
             sizes.swap(0, 1);
             codes.swap(0, 1);
         }
-        let off = if pairs.internal { -self.aside(set_up) } else { self.aside(set_up) };
+        let off = if pairs.internal {
+            -self.aside(set_up)
+        } else {
+            self.aside(set_up)
+        };
         let room = sizes.iter().all(|side| side / 2.0 + off >= 0.0);
         let start = Vec3::X * if room { sizes[0] / 2.0 + off } else { 0.0 };
         self.begins_at(self.request.path.frame.origin + start, self.high());
         let lifts = !pairs.internal || pairs.sides[0].clearance.is_some();
-        let probed = Probed { sizes, lifts, ..self.probed(Shape::Rectangle, pairs.internal, set_up) };
+        let probed = Probed {
+            sizes,
+            lifts,
+            ..self.probed(Shape::Rectangle, pairs.internal, set_up)
+        };
         self.calls(&probed, [&CENTER, &codes]);
     }
 
@@ -292,7 +417,13 @@ impl Plan<'_> {
             return Err(own::refused("cycle-no-lift", "control.workOffset", message));
         }
         let sizes = [side.width.value, f64::NAN];
-        let probed = Probed { sizes, axis, towards: 1.0, lifts, ..self.probed(Shape::Width, pairs.internal, set_up) };
+        let probed = Probed {
+            sizes,
+            axis,
+            towards: 1.0,
+            lifts,
+            ..self.probed(Shape::Width, pairs.internal, set_up)
+        };
         let half = sizes[0] / 2.0;
         let off = match (pairs.internal, writes) {
             (true, true) => (half - self.aside(set_up)).max(0.0),
@@ -305,9 +436,16 @@ impl Plan<'_> {
         let top = path.searches().find(|(k, ..)| *k == 2);
         if let Some((k, Some(from), _)) = top {
             let touch = &path.touches[k];
-            let entry = Entry { field: "cycle.middleClearance", value: (from - touch.point).dot(touch.vector) };
+            let entry = Entry {
+                field: "cycle.middleClearance",
+                value: (from - touch.point).dot(touch.vector),
+            };
             let set_up = self.set_up(entry)?;
-            self.touches_surface(touch, (set_up, self.high()), ("cycle", ["point.x", "point.y", "height"]))?;
+            self.touches_surface(
+                touch,
+                (set_up, self.high()),
+                ("cycle", ["point.x", "point.y", "height"]),
+            )?;
         }
         Ok(())
     }
@@ -315,10 +453,20 @@ impl Plan<'_> {
     /// The path that the cycles make on the nominal part.
     fn finish(mut self, meets: Meets<'_>) -> Result<Path, Refused> {
         if let Some(row) = self.row() {
-            self.blocks.push(OwnBlock::Cycle(247, vec![(339, Quantity::Plain(row))]));
+            self.blocks
+                .push(OwnBlock::Cycle(247, vec![(339, Quantity::Plain(row))]));
         }
-        let Plan { request, blocks, stored, guards, first } = self;
-        let reach = Reach { set_up: request.set_up, behind: request.setup.overtravel };
+        let Plan {
+            request,
+            blocks,
+            stored,
+            guards,
+            first,
+        } = self;
+        let reach = Reach {
+            set_up: request.set_up,
+            behind: request.setup.overtravel,
+        };
         made::planned(request, Drafted { blocks, stored, guards, first, reach }, call, meets).map_err(|alarm| {
             let message = match alarm {
                 Some(alarm) => text!("On the nominal part the control's own cycle would stop: {alarm}", what(alarm)),
@@ -356,7 +504,10 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
         _ => None,
     });
     if let Some(number) = width.filter(|_| request.limits.position.is_some()) {
-        let message = text!("Cycle {number} has no position tolerance: the position limit is not checked", usize::from(number));
+        let message = text!(
+            "Cycle {number} has no position tolerance: the position limit is not checked",
+            usize::from(number)
+        );
         checker.warning("limits-not-asked", "limits.position", message);
     }
     if let Some(row) = request.work_offset {
@@ -376,8 +527,9 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
 
 /// The longest search of the path, mm: from where a touch begins to its end.
 fn reach(request: &Request<'_>) -> f64 {
-    let ways =
-        request.path.searches().filter_map(|(k, from, step)| Some(from?.distance(step.to) + request.path.touches[k].search));
+    let ways = request.path.searches().filter_map(|(k, from, step)| {
+        Some(from?.distance(step.to) + request.path.touches[k].search)
+    });
     ways.fold(0.0, f64::max)
 }
 
@@ -394,7 +546,10 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
         length(2.0 * request.setup.radius),
         length(request.setup.overtravel)
     ));
-    w.comment(&does::line(request, ": by the cycle, then activated by cycle 247"));
+    w.comment(&does::line(
+        request,
+        ": by the cycle, then activated by cycle 247",
+    ));
     w.comment(&match request.tool {
         Some(tool) => format!("Before the start: tool {tool} is the probe, it is called"),
         None => "Before the start: the probe is in the spindle and active, tool axis Z. No tool is called".to_owned(),
@@ -410,7 +565,10 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
         length(reach(request))
     ));
     let stored = request.path.stored();
-    let names: Vec<String> = stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();
+    let names: Vec<String> = stored
+        .iter()
+        .map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored)))
+        .collect();
     if !names.is_empty() {
         w.comment(&format!("Results: {}", names.join(", ")));
     }
@@ -433,7 +591,9 @@ pub(super) fn emit(request: &Request<'_>, own: &Own, name: &str) -> Program {
             w.leaves_move();
         }
         match block {
-            OwnBlock::Cycle(number, parameters) => blocks::write(&mut w, request, *number, parameters),
+            OwnBlock::Cycle(number, parameters) => {
+                blocks::write(&mut w, request, *number, parameters)
+            }
             OwnBlock::Keep(variable, output) => w.line(&format!("FN 0: Q{variable} = +Q{output}")),
             // The next cycle goes there by itself.
             OwnBlock::Goes(..) | OwnBlock::Call(..) => {}

@@ -157,7 +157,9 @@ fn iso(tenths: i32) -> Option<Effect> {
         500 => Effect::Rename,
         501 => Effect::Elsewhere,
         // 12.1: polar coordinates of a turned part.
-        121 | 160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 => Effect::Transform { own_axes: true },
+        121 | 160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 => {
+            Effect::Transform { own_axes: true }
+        }
         // Fanuc's: each axis goes farther by the radius, or less far. 112: polar coordinates again, or a work offset of a Haas.
         411 | 421 | 450 | 460 | 470 | 480 | 1120 => Effect::Transform { own_axes: false },
         // A Haas has twenty more, which G154 counts, too.

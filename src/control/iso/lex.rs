@@ -8,7 +8,14 @@ use crate::num::{read, read_digits};
 /// count lines.
 pub fn line_end(text: &[u8], at: usize) -> (usize, usize) {
     let end = memchr::memchr2(b'\n', b'\r', &text[at..]).map_or(text.len(), |length| at + length);
-    (end, if text[end..].starts_with(b"\r\n") { end + 2 } else { (end + 1).min(text.len()) })
+    (
+        end,
+        if text[end..].starts_with(b"\r\n") {
+            end + 2
+        } else {
+            (end + 1).min(text.len())
+        },
+    )
 }
 
 /// Takes the next line off a text, without its end.
@@ -54,7 +61,11 @@ pub struct Comment<'t> {
 
 /// Where the first comment of a line begins: at a `;`, or at a `(` where that begins one. A sign inside a text begins none.
 pub fn comment_at(line: &[u8], round: bool) -> Option<usize> {
-    let first = if round { memchr::memchr3(b'(', b';', b'"', line) } else { memchr::memchr2(b';', b'"', line) }?;
+    let first = if round {
+        memchr::memchr3(b'(', b';', b'"', line)
+    } else {
+        memchr::memchr2(b';', b'"', line)
+    }?;
     let mut quoted = false;
     line[first..]
         .iter()
@@ -86,7 +97,10 @@ pub fn head(line: &[u8]) -> Head {
     let mut head = Head::default();
     while let Some(sign @ (b'/' | b':' | b'N' | b'n')) = line.get(head.end) {
         let begin = head.end + 1;
-        let digits = line[begin..].iter().take_while(|b| b.is_ascii_digit()).count();
+        let digits = line[begin..]
+            .iter()
+            .take_while(|b| b.is_ascii_digit())
+            .count();
         let end = begin + digits;
         if sign.is_ascii_alphabetic() && (digits == 0 || line.get(end) == Some(&b'.')) {
             break;
@@ -96,7 +110,11 @@ pub fn head(line: &[u8]) -> Head {
         } else {
             head.number = whole(&line[begin..end]);
         }
-        head.end = end + line[end..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+        head.end = end
+            + line[end..]
+                .iter()
+                .take_while(|b| matches!(b, b' ' | b'\t'))
+                .count();
     }
     head
 }
@@ -110,20 +128,32 @@ pub fn without_number(code: &str) -> &str {
 /// The same of a Klartext block, whose number has no letter: `12 TCH PROBE`, `12 ; a comment`.
 pub fn without_count(line: &str) -> &str {
     let rest = line.trim_start_matches(|c: char| c.is_ascii_digit());
-    if rest.is_empty() || rest.starts_with(char::is_whitespace) { rest.trim_start() } else { line }
+    if rest.is_empty() || rest.starts_with(char::is_whitespace) {
+        rest.trim_start()
+    } else {
+        line
+    }
 }
 
 /// The number of a program, which is alone in its line: `O100 (A COMMENT)`.
 pub fn program_number(line: &[u8]) -> Option<u32> {
-    let [b'O' | b'o', rest @ ..] = line else { return None };
+    let [b'O' | b'o', rest @ ..] = line else {
+        return None;
+    };
     let digits = rest.iter().take_while(|b| b.is_ascii_digit()).count();
-    let alone = matches!(rest[digits..].trim_ascii_start().first(), None | Some(b'(' | b';'));
+    let alone = matches!(
+        rest[digits..].trim_ascii_start().first(),
+        None | Some(b'(' | b';')
+    );
     whole(&rest[..digits]).filter(|_| alone)
 }
 
 /// The number that digits make, the largest there is where they make a larger one.
 fn whole(digits: &[u8]) -> Option<u32> {
-    let more = |sum: u32, digit: &u8| sum.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+    let more = |sum: u32, digit: &u8| {
+        sum.saturating_mul(10)
+            .saturating_add(u32::from(digit - b'0'))
+    };
     (!digits.is_empty()).then(|| digits.iter().fold(0, more))
 }
 
@@ -142,7 +172,10 @@ pub fn tokens(code: &str) -> Vec<Token> {
     let mut tokens = Vec::new();
     let mut at = 0;
     while at < bytes.len() {
-        let digits = bytes[at..].iter().take_while(|b| b.is_ascii_digit() || **b == b'.').count();
+        let digits = bytes[at..]
+            .iter()
+            .take_while(|b| b.is_ascii_digit() || **b == b'.')
+            .count();
         let end = at + digits.max(1);
         match code.get(at..end).filter(|_| digits > 0).and_then(read) {
             Some(number) => tokens.push(Token::Number(number)),
@@ -175,7 +208,10 @@ pub fn number(line: &[u8], at: usize) -> Option<(f64, usize)> {
 
 /// After the bracket that closes; the end of the line where none does.
 pub fn end_of(line: &[u8], at: usize, close: u8) -> usize {
-    line[at..].iter().position(|b| *b == close).map_or(line.len(), |n| at + n + 1)
+    line[at..]
+        .iter()
+        .position(|b| *b == close)
+        .map_or(line.len(), |n| at + n + 1)
 }
 
 /// After a value that is not a plain number: brackets belong together.
@@ -219,7 +255,8 @@ pub fn next_word(line: &[u8], at: usize) -> usize {
 
 /// Whether what follows a letter may be a value.
 pub fn valued(line: &[u8], at: usize) -> bool {
-    line.get(at + 1).is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))
+    line.get(at + 1)
+        .is_some_and(|next| next.is_ascii_digit() || b".+-=#[ ".contains(next))
 }
 
 #[cfg(test)]
@@ -244,7 +281,11 @@ mod tests {
             ("\"a;b\" (c)", "\"a;b\" ", "\"a;b\" (c)"),
             ("G0", "G0", "G0"),
         ] {
-            assert_eq!((code(line, true), code(line, false)), (round, plain), "{line}");
+            assert_eq!(
+                (code(line, true), code(line, false)),
+                (round, plain),
+                "{line}"
+            );
         }
     }
 
@@ -262,16 +303,42 @@ mod tests {
             ("", false, None, ""),
         ] {
             let head = head(line.as_bytes());
-            assert_eq!((head.skips, head.number, &line[head.end..]), (skips, number, words), "{line}");
+            assert_eq!(
+                (head.skips, head.number, &line[head.end..]),
+                (skips, number, words),
+                "{line}"
+            );
         }
-        assert_eq!(without_number("/N10 G1"), "/N10 G1", "a strict reader sees what skips a block");
-        assert_eq!((without_count("12 TCH PROBE"), without_count("12"), without_count("12X")), ("TCH PROBE", "", "12X"));
+        assert_eq!(
+            without_number("/N10 G1"),
+            "/N10 G1",
+            "a strict reader sees what skips a block"
+        );
+        assert_eq!(
+            (
+                without_count("12 TCH PROBE"),
+                without_count("12"),
+                without_count("12X")
+            ),
+            ("TCH PROBE", "", "12X")
+        );
     }
 
     #[test]
     fn a_program_number_is_alone_in_its_line() {
         let number = |line: &str| program_number(line.as_bytes());
-        assert_eq!((number("O0100 (A)"), number("o7"), number("O7 ; A")), (Some(100), Some(7), Some(7)));
-        assert_eq!((number("O7 sub"), number("O<a> call"), number("O"), number("X1")), (None, None, None, None));
+        assert_eq!(
+            (number("O0100 (A)"), number("o7"), number("O7 ; A")),
+            (Some(100), Some(7), Some(7))
+        );
+        assert_eq!(
+            (
+                number("O7 sub"),
+                number("O<a> call"),
+                number("O"),
+                number("X1")
+            ),
+            (None, None, None, None)
+        );
     }
 }

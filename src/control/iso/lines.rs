@@ -10,13 +10,17 @@ use crate::text::{Text, text};
 
 /// The code of a line and its comment. A sign inside a text begins none.
 pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)> {
-    let Some(at) = comment_at(line.as_bytes(), sign == b'(') else { return Ok((line, None)) };
+    let Some(at) = comment_at(line.as_bytes(), sign == b'(') else {
+        return Ok((line, None));
+    };
     let (code, behind) = (&line[..at], trimmed(&line[at + 1..]));
     let sign = line.as_bytes()[at];
     if sign == b';' {
         return Ok((code, Some(Comment { sign, text: behind })));
     }
-    let inner = behind.strip_suffix(')').ok_or_else(|| text!("a comment is not closed, or there is code after it"))?;
+    let inner = behind
+        .strip_suffix(')')
+        .ok_or_else(|| text!("a comment is not closed, or there is code after it"))?;
     if inner.bytes().any(|b| b == b')' || b == b'(') {
         return fault(text!("two comments are in one line, or one in another"));
     }
@@ -26,7 +30,9 @@ pub fn split_comment(line: &str, sign: u8) -> Parsed<(&str, Option<Comment<'_>>)
 /// Where the header says that the ball is before the start: `The stylus is taken to be at X0 Y0 Z100 before the start`.
 pub fn stated_start(comment: &str) -> Option<[f64; 3]> {
     const HEAD: &str = "The stylus is taken to be at ";
-    let words = comment.get(HEAD.len()..).filter(|_| comment[..HEAD.len()].eq_ignore_ascii_case(HEAD))?;
+    let words = comment
+        .get(HEAD.len()..)
+        .filter(|_| comment[..HEAD.len()].eq_ignore_ascii_case(HEAD))?;
     let mut place = [None; 3];
     for word in words.split(' ').take(3) {
         let axis = AXIS_NAMES.iter().position(|name| word.starts_with(name))?;
@@ -81,22 +87,39 @@ pub fn lines<'t>(
         let returns = text.as_bytes()[..text.len() - rest.len()].ends_with(b"\r");
         let place = (hand, targets.place);
         // A line that was read before says something, and nothing is wrong with it.
-        if !returned && let Some(begins) = memory.as_mut().and_then(|memory| memory.put((line, full), place, script, targets)) {
+        if !returned
+            && let Some(begins) = memory
+                .as_mut()
+                .and_then(|memory| memory.put((line, full), place, script, targets))
+        {
             (returned, begun) = (returns, begun || begins);
             if let Err(message) = later(reader, script, targets) {
-                troubles.push(Trouble { line, message: *message, understood: false });
+                troubles.push(Trouble {
+                    line,
+                    message: *message,
+                    understood: false,
+                });
             }
             continue;
         }
         if hidden_any && hides(full) {
-            troubles.push(Trouble { line, message: hidden(), understood: false });
+            troubles.push(Trouble {
+                line,
+                message: hidden(),
+                understood: false,
+            });
             continue;
         }
         let trimmed = trimmed(full);
         // grbl ends a line there, LinuxCNC does not: `;\r` would hide from it what stands behind.
         if returned && !trimmed.is_empty() {
-            let message = text!("a carriage return without a line feed: not every control ends a line there");
-            troubles.push(Trouble { line, message, understood: false });
+            let message =
+                text!("a carriage return without a line feed: not every control ends a line there");
+            troubles.push(Trouble {
+                line,
+                message,
+                understood: false,
+            });
             returned = false;
             continue;
         }
@@ -104,9 +127,17 @@ pub fn lines<'t>(
         // A tape sign stands before a program and after it: what stands after another is not loaded.
         if let Some(behind) = trimmed.strip_prefix('%') {
             if !is_tape_name(behind) {
-                troubles.push(Trouble { line, message: text!("there is code after the final %"), understood: false });
+                troubles.push(Trouble {
+                    line,
+                    message: text!("there is code after the final %"),
+                    understood: false,
+                });
             } else if begun && lines_of(rest).any(|line| code(lex::trimmed(line))) {
-                troubles.push(Trouble { line, message: text!("% ends the program here"), understood: false });
+                troubles.push(Trouble {
+                    line,
+                    message: text!("% ends the program here"),
+                    understood: false,
+                });
             }
             continue;
         }
@@ -130,21 +161,38 @@ pub fn lines<'t>(
         }
         // What is wrong behind it is only seen after it.
         if let Err(message) = later(reader, script, targets).and(read) {
-            troubles.push(Trouble { line, message: *message, understood: false });
+            troubles.push(Trouble {
+                line,
+                message: *message,
+                understood: false,
+            });
         }
     }
     Memory::give_back(memory);
     script.asked = Vec::new();
-    if troubles.is_empty() { Ok(()) } else { Err(troubles) }
+    if troubles.is_empty() {
+        Ok(())
+    } else {
+        Err(troubles)
+    }
 }
 
-fn later<'t>(reader: &mut dyn Blocks<'t>, script: &mut Script<'t>, targets: &mut Targets<'t>) -> Parsed<()> {
-    targets.later.take().map_or(Ok(()), |later| reader.later(script, targets, later))
+fn later<'t>(
+    reader: &mut dyn Blocks<'t>,
+    script: &mut Script<'t>,
+    targets: &mut Targets<'t>,
+) -> Parsed<()> {
+    targets
+        .later
+        .take()
+        .map_or(Ok(()), |later| reader.later(script, targets, later))
 }
 
 /// Whether what stands behind a tape sign is no code: nothing, a comment, a number, or the name of an archive, `_N_PART_MPF`.
 fn is_tape_name(behind: &str) -> bool {
-    let Ok((code, _)) = split_comment(behind, b'(') else { return false };
+    let Ok((code, _)) = split_comment(behind, b'(') else {
+        return false;
+    };
     let code = trimmed(code);
     let name = code.strip_prefix("_N_").unwrap_or_default();
     let named = |b: u8| b.is_ascii_alphanumeric() || b == b'_';
@@ -166,8 +214,13 @@ pub fn with_semicolons(text: &str) -> Vec<Trouble> {
             break;
         }
         if next_line(&mut rest).contains(';') {
-            let message = text!("a semicolon begins no comment on this control: it may end the block");
-            troubles.push(Trouble { line, message, understood: false });
+            let message =
+                text!("a semicolon begins no comment on this control: it may end the block");
+            troubles.push(Trouble {
+                line,
+                message,
+                understood: false,
+            });
         }
     }
     troubles

@@ -121,7 +121,12 @@ impl Memory {
     }
 
     fn empty() -> Self {
-        Memory { lines: vec![None; LINES], once: vec![0; LINES], names: BTreeMap::new(), slots: Vec::new() }
+        Memory {
+            lines: vec![None; LINES],
+            once: vec![0; LINES],
+            names: BTreeMap::new(),
+            slots: Vec::new(),
+        }
     }
 
     /// Puts in what a line says, where it was read before: whether the program begins with it at the latest.
@@ -134,7 +139,10 @@ impl Memory {
     ) -> Option<bool> {
         let pair = pair(hashed(text, place)?);
         let is_it = |own: &&Line| *own.text == *text && own.place == place;
-        let own = self.lines[pair..pair + 2].iter().filter_map(Option::as_deref).find(is_it)?;
+        let own = self.lines[pair..pair + 2]
+            .iter()
+            .filter_map(Option::as_deref)
+            .find(is_it)?;
         let part = |(at, length): Part| &text.as_bytes()[usize::from(at)..][..usize::from(length)];
         let mut slots = [0; MOST_NAMES];
         for (slot, (name, number)) in slots.iter_mut().zip(&own.names) {
@@ -146,9 +154,14 @@ impl Memory {
         }
         let slot = |slot: Slot| slots[slot as usize];
         let (first, here) = (script.nodes.len() as u32, script.blocks.len());
-        script.nodes.extend(own.nodes.iter().map(|node| shifted(node, first, &slot)));
+        script
+            .nodes
+            .extend(own.nodes.iter().map(|node| shifted(node, first, &slot)));
         for kind in &own.blocks {
-            script.blocks.push(Block { line, kind: moved(kind, first, here, &slot) });
+            script.blocks.push(Block {
+                line,
+                kind: moved(kind, first, here, &slot),
+            });
         }
         if let Some((label, block)) = own.known {
             targets.known.push((part(label), here + block));
@@ -156,7 +169,10 @@ impl Memory {
         if let Some((label, block)) = own.wanted {
             targets.wanted.push((here + block, part(label)));
         }
-        targets.later = own.later.map(|(what, label)| Later { what, label: part(label) });
+        targets.later = own.later.map(|(what, label)| Later {
+            what,
+            label: part(label),
+        });
         Some(own.begins)
     }
 
@@ -169,7 +185,9 @@ impl Memory {
         script: &Script<'_>,
         targets: &Targets<'_>,
     ) {
-        let Some(hash) = hashed(text, place) else { return };
+        let Some(hash) = hashed(text, place) else {
+            return;
+        };
         let pair = pair(hash);
         let [first, second] = [self.once[pair], self.once[pair + 1]];
         if first != hash && second != hash {
@@ -189,8 +207,15 @@ impl Memory {
     ) -> Option<Line> {
         let nodes = &script.nodes[before.nodes..];
         let blocks = &script.blocks[before.blocks..];
-        let (known, wanted) = (&targets.known[before.known..], &targets.wanted[before.wanted..]);
-        if nodes.len() > MOST_NODES || script.asked.len() > MOST_NODES || known.len() > 1 || wanted.len() > 1 {
+        let (known, wanted) = (
+            &targets.known[before.known..],
+            &targets.wanted[before.wanted..],
+        );
+        if nodes.len() > MOST_NODES
+            || script.asked.len() > MOST_NODES
+            || known.len() > 1
+            || wanted.len() > 1
+        {
             return None;
         }
         // By their order; what is named again is the same variable.
@@ -206,25 +231,57 @@ impl Memory {
         if self.names.len() + MOST_NAMES > MOST_KNOWN {
             *self = Memory::empty();
         }
-        let labelled = |label: &[u8], block: usize| Some((part_of(text, label)?, block - before.blocks));
-        let order = |slot: Slot| named.iter().position(|(own, _)| *own == slot).map_or(NOT_YET, |at| at as Slot);
-        let (first, here) = ((before.nodes as u32).wrapping_neg(), before.blocks.wrapping_neg());
+        let labelled =
+            |label: &[u8], block: usize| Some((part_of(text, label)?, block - before.blocks));
+        let order = |slot: Slot| {
+            named
+                .iter()
+                .position(|(own, _)| *own == slot)
+                .map_or(NOT_YET, |at| at as Slot)
+        };
+        let (first, here) = (
+            (before.nodes as u32).wrapping_neg(),
+            before.blocks.wrapping_neg(),
+        );
         let own = Line {
             text: text.into(),
             place,
             begins,
-            names: named.iter().map(|(_, name)| Some((part_of(text, name)?, self.number(name)))).collect::<Option<_>>()?,
-            nodes: nodes.iter().map(|node| shifted(node, first, &order)).collect(),
-            blocks: blocks.iter().map(|block| moved(&block.kind, first, here, &order)).collect(),
-            known: known.first().map_or(Some(None), |(label, block)| labelled(label, *block).map(Some))?,
-            wanted: wanted.first().map_or(Some(None), |(block, label)| labelled(label, *block).map(Some))?,
-            later: targets.later.map_or(Some(None), |later| Some(Some((later.what, part_of(text, later.label)?))))?,
+            names: named
+                .iter()
+                .map(|(_, name)| Some((part_of(text, name)?, self.number(name))))
+                .collect::<Option<_>>()?,
+            nodes: nodes
+                .iter()
+                .map(|node| shifted(node, first, &order))
+                .collect(),
+            blocks: blocks
+                .iter()
+                .map(|block| moved(&block.kind, first, here, &order))
+                .collect(),
+            known: known.first().map_or(Some(None), |(label, block)| {
+                labelled(label, *block).map(Some)
+            })?,
+            wanted: wanted.first().map_or(Some(None), |(block, label)| {
+                labelled(label, *block).map(Some)
+            })?,
+            later: targets.later.map_or(Some(None), |later| {
+                Some(Some((later.what, part_of(text, later.label)?)))
+            })?,
         };
         // What is kept must come out again as it was.
         let slot = |slot: Slot| named.get(slot as usize).map_or(NOT_YET, |(own, _)| *own);
         let (first, here) = (before.nodes as u32, before.blocks);
-        let same = own.nodes.iter().zip(nodes).all(|(kept, node)| shifted(kept, first, &slot) == *node)
-            && own.blocks.iter().zip(blocks).all(|(kept, block)| moved(kept, first, here, &slot) == block.kind);
+        let same = own
+            .nodes
+            .iter()
+            .zip(nodes)
+            .all(|(kept, node)| shifted(kept, first, &slot) == *node)
+            && own
+                .blocks
+                .iter()
+                .zip(blocks)
+                .all(|(kept, block)| moved(kept, first, here, &slot) == block.kind);
         same.then_some(own)
     }
 
@@ -261,7 +318,9 @@ fn part_of(text: &str, part: &[u8]) -> Option<Part> {
     if part.is_empty() {
         return Some((0, 0));
     }
-    let at = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize).filter(|at| *at <= LONGEST)?;
+    let at = (part.as_ptr() as usize)
+        .checked_sub(text.as_ptr() as usize)
+        .filter(|at| *at <= LONGEST)?;
     (text.as_bytes().get(at..at + part.len())? == part).then_some((at as u8, part.len() as u8))
 }
 
@@ -272,7 +331,9 @@ fn shifted(node: &Node, by: u32, slot: &impl Fn(Slot) -> Slot) -> Node {
         Node::Number(_) | Node::System(_) => *node,
         Node::Slot(own) => Node::Slot(slot(own)),
         Node::Unary(unary, inner) => Node::Unary(unary, inner.shifted(by)),
-        Node::Binary(binary, left, right) => Node::Binary(binary, left.shifted(by), right.shifted(by)),
+        Node::Binary(binary, left, right) => {
+            Node::Binary(binary, left.shifted(by), right.shifted(by))
+        }
     }
 }
 
@@ -280,7 +341,13 @@ fn shifted(node: &Node, by: u32, slot: &impl Fn(Slot) -> Slot) -> Node {
 fn moved(kind: &BlockKind, by: u32, blocks: usize, slot: &dyn Fn(Slot) -> Slot) -> BlockKind {
     let later = |id: NodeId| id.shifted(by);
     let place = |ids: [Option<NodeId>; 3]| ids.map(|id| id.map(later));
-    let target = |target: usize| if target == 0 { 0 } else { target.wrapping_add(blocks) };
+    let target = |target: usize| {
+        if target == 0 {
+            0
+        } else {
+            target.wrapping_add(blocks)
+        }
+    };
     match kind {
         BlockKind::Words(words) => {
             let mut words = words.clone();
@@ -295,10 +362,14 @@ fn moved(kind: &BlockKind, by: u32, blocks: usize, slot: &dyn Fn(Slot) -> Slot) 
         BlockKind::Jump(to) => BlockKind::Jump(target(*to)),
         BlockKind::JumpIf(value, to) => BlockKind::JumpIf(later(*value), target(*to)),
         BlockKind::JumpUnless(value, to) => BlockKind::JumpUnless(later(*value), target(*to)),
-        BlockKind::Call(to, values) => BlockKind::Call(target(*to), values.iter().map(|id| later(*id)).collect()),
+        BlockKind::Call(to, values) => {
+            BlockKind::Call(target(*to), values.iter().map(|id| later(*id)).collect())
+        }
         BlockKind::Output(code, value) => BlockKind::Output(code.clone(), later(*value)),
         BlockKind::Reading(number, to) => BlockKind::Reading(*number, place(*to)),
-        BlockKind::Origin(number, to, turn) => BlockKind::Origin(*number, place(*to), turn.map(later)),
+        BlockKind::Origin(number, to, turn) => {
+            BlockKind::Origin(*number, place(*to), turn.map(later))
+        }
         BlockKind::Nothing
         | BlockKind::Elsewhere(_)
         | BlockKind::Return
@@ -316,13 +387,19 @@ mod tests {
     use crate::control::{POSTS, Reader};
 
     fn reader(post: &str) -> Reader {
-        POSTS.iter().find(|known| known.key == post).and_then(|known| known.read).unwrap()
+        POSTS
+            .iter()
+            .find(|known| known.key == post)
+            .and_then(|known| known.read)
+            .unwrap()
     }
 
     /// How many lines are kept, and names known. Both are bounded.
     fn kept() -> (usize, usize) {
         let own = Memory::take();
-        let kept = own.as_ref().map_or((0, 0), |own| (own.lines.iter().flatten().count(), own.names.len()));
+        let kept = own.as_ref().map_or((0, 0), |own| {
+            (own.lines.iter().flatten().count(), own.names.len())
+        });
         Memory::give_back(own);
         assert!(kept.0 <= LINES && kept.1 <= MOST_KNOWN, "{kept:?}");
         kept
@@ -379,12 +456,27 @@ mod tests {
     fn the_memory_is_bounded() {
         let name = |n: usize| format!("#<n{n}>=[#<m{n}>+{n}]\n");
         for from in 0..4 {
-            same("linuxcnc", &(0..MOST_KNOWN).map(|n| name(from * MOST_KNOWN / 2 + n)).collect::<String>());
+            same(
+                "linuxcnc",
+                &(0..MOST_KNOWN)
+                    .map(|n| name(from * MOST_KNOWN / 2 + n))
+                    .collect::<String>(),
+            );
             assert!(kept().1 > 0);
         }
-        same("linuxcnc", &(0..LINES / 4).map(|n| format!("G1 X{n} Y1\n")).collect::<String>());
+        same(
+            "linuxcnc",
+            &(0..LINES / 4)
+                .map(|n| format!("G1 X{n} Y1\n"))
+                .collect::<String>(),
+        );
         assert!(kept().0 > LINES / 8);
-        same("linuxcnc", &(0..2 * LINES).map(|n| format!("G1 X{n} Y2\n")).collect::<String>());
+        same(
+            "linuxcnc",
+            &(0..2 * LINES)
+                .map(|n| format!("G1 X{n} Y2\n"))
+                .collect::<String>(),
+        );
         same("linuxcnc", LINUXCNC);
         let long = format!("#1=[{}1]\n", "1+".repeat(60));
         same("linuxcnc", &long.repeat(3));

@@ -100,7 +100,12 @@ impl<'t> Cursor<'t> {
     /// Leading blanks are skipped.
     pub fn new(text: &'t str) -> Self {
         let text = text.trim_start_matches(BLANKS).as_bytes();
-        Cursor { text, rest: text, depth: 0, operators: 0 }
+        Cursor {
+            text,
+            rest: text,
+            depth: 0,
+            operators: 0,
+        }
     }
 
     pub fn is_done(&self) -> bool {
@@ -120,7 +125,13 @@ impl<'t> Cursor<'t> {
     /// What was passed since a place, without the blanks after it, for a message.
     pub(super) fn word_since(&self, at: usize) -> String {
         let word = String::from_utf8_lossy(self.since(at));
-        printable(&word.trim_end_matches(BLANKS).chars().take(40).collect::<String>())
+        printable(
+            &word
+                .trim_end_matches(BLANKS)
+                .chars()
+                .take(40)
+                .collect::<String>(),
+        )
     }
 
     /// What is left, in part, for a message.
@@ -130,7 +141,12 @@ impl<'t> Cursor<'t> {
 
     /// What stands from a place on, in part, for a message.
     pub(super) fn from(&self, at: usize) -> String {
-        printable(&String::from_utf8_lossy(&self.text[at..]).chars().take(40).collect::<String>())
+        printable(
+            &String::from_utf8_lossy(&self.text[at..])
+                .chars()
+                .take(40)
+                .collect::<String>(),
+        )
     }
 
     /// The next byte, which is not read yet.
@@ -140,7 +156,10 @@ impl<'t> Cursor<'t> {
 
     /// How many bytes that are left are such, at the beginning.
     fn count(&self, such: impl Fn(u8) -> bool) -> usize {
-        self.rest.iter().position(|b| !such(*b)).unwrap_or(self.rest.len())
+        self.rest
+            .iter()
+            .position(|b| !such(*b))
+            .unwrap_or(self.rest.len())
     }
 
     /// Goes past these bytes, of which the last is ASCII, so that what is left begins at a character; and past the blanks after them. Nearly
@@ -168,7 +187,10 @@ impl<'t> Cursor<'t> {
 
     /// Goes past a word or sign where it is next.
     pub fn eat(&mut self, word: &str) -> bool {
-        let next = self.rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
+        let next = self
+            .rest
+            .get(..word.len())
+            .is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
         if next {
             self.advance(word.len());
         }
@@ -177,29 +199,49 @@ impl<'t> Cursor<'t> {
 
     /// Goes past a name where it is next as a whole.
     pub fn eat_name(&mut self, word: &str) -> bool {
-        let more = self.rest.get(word.len()).is_some_and(|b| b.is_ascii_alphanumeric() || *b == b'_');
+        let more = self
+            .rest
+            .get(word.len())
+            .is_some_and(|b| b.is_ascii_alphanumeric() || *b == b'_');
         !more && self.eat(word)
     }
 
     /// Goes past a sign that must be next.
     pub fn expect(&mut self, sign: &str) -> Parsed<()> {
-        if self.eat(sign) { Ok(()) } else { fault(text!("{sign} is missing before \"{left}\"", sign.to_owned(), self.left())) }
+        if self.eat(sign) {
+            Ok(())
+        } else {
+            fault(text!(
+                "{sign} is missing before \"{left}\"",
+                sign.to_owned(),
+                self.left()
+            ))
+        }
     }
 
     /// An error where anything is left.
     pub fn end(&self) -> Parsed<()> {
-        if self.is_done() { Ok(()) } else { fault(text!("\"{left}\" is left over", self.left())) }
+        if self.is_done() {
+            Ok(())
+        } else {
+            fault(text!("\"{left}\" is left over", self.left()))
+        }
     }
 
     /// A name: letters, digits and underscores.
     pub fn name(&mut self) -> Option<&'t [u8]> {
-        let named = self.next().is_some_and(|b| b.is_ascii_alphabetic() || b == b'_');
+        let named = self
+            .next()
+            .is_some_and(|b| b.is_ascii_alphabetic() || b == b'_');
         named.then(|| self.take(self.count(|b| b.is_ascii_alphanumeric() || b == b'_')))
     }
 
     /// Goes past a text in quotes where one is next.
     pub fn text(&mut self) -> bool {
-        let end = self.rest.strip_prefix(b"\"").and_then(|inside| memchr::memchr(b'"', inside));
+        let end = self
+            .rest
+            .strip_prefix(b"\"")
+            .and_then(|inside| memchr::memchr(b'"', inside));
         if let Some(end) = end {
             self.advance(end + 2);
         }
@@ -233,10 +275,23 @@ impl<'t> Cursor<'t> {
         let end = match (names, bytes) {
             (Names::Hash, [b'#', b'<', ..]) => to(b'>')?,
             (Names::Hash, [b'#', b'[', ..]) => to(b']')?,
-            (Names::Hash, [b'#', rest @ ..]) => rest.iter().position(|b| !b.is_ascii_digit()).unwrap_or(rest.len()) + 1,
+            (Names::Hash, [b'#', rest @ ..]) => {
+                rest.iter()
+                    .position(|b| !b.is_ascii_digit())
+                    .unwrap_or(rest.len())
+                    + 1
+            }
             (Names::Words, [b'$', rest @ ..]) => {
-                let end = rest.iter().position(|b| !(b.is_ascii_alphanumeric() || *b == b'_')).unwrap_or(rest.len()) + 1;
-                if bytes.get(end) == Some(&b'[') { to(b']')? } else { end }
+                let end = rest
+                    .iter()
+                    .position(|b| !(b.is_ascii_alphanumeric() || *b == b'_'))
+                    .unwrap_or(rest.len())
+                    + 1;
+                if bytes.get(end) == Some(&b'[') {
+                    to(b']')?
+                } else {
+                    end
+                }
             }
             // What a measuring cycle has left.
             (Names::Words, _) if bytes.starts_with(b"_OVR[") => to(b']')?,
@@ -253,14 +308,20 @@ impl<'t> Cursor<'t> {
     /// A value whose operators bind as tightly as this, or tighter.
     fn bound(&mut self, least: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
         let mut left = self.operand(grammar, script)?;
-        while let Some((length, binds, binary)) = self.operator(grammar).filter(|(_, binds, _)| *binds >= least) {
+        while let Some((length, binds, binary)) = self
+            .operator(grammar)
+            .filter(|(_, binds, _)| *binds >= least)
+        {
             self.advance(length);
             self.operators += 1;
             if self.operators > LONGEST {
                 return fault(text!("this value is too long"));
             }
-            let right =
-                if binds == TIGHTEST { self.operand(grammar, script)? } else { self.bound(binds + 1, grammar, script)? };
+            let right = if binds == TIGHTEST {
+                self.operand(grammar, script)?
+            } else {
+                self.bound(binds + 1, grammar, script)?
+            };
             // What AND and OR bind tighter than must stand in brackets to be a condition: of numbers they make other numbers.
             let joins = binds > COMPARES && matches!(binary, Binary::And | Binary::Or);
             if joins && !(script.is_condition(left) && script.is_condition(right)) {
@@ -287,8 +348,16 @@ impl<'t> Cursor<'t> {
 
     /// The same of operators that are words, or more than one sign.
     fn word(&self, grammar: &Grammar) -> Option<(usize, u8, Binary)> {
-        let here = |word: &str| self.rest.get(..word.len()).is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()));
-        grammar.operators.iter().find(|(word, ..)| here(word)).map(|(word, binds, binary)| (word.len(), *binds, *binary))
+        let here = |word: &str| {
+            self.rest
+                .get(..word.len())
+                .is_some_and(|next| next.eq_ignore_ascii_case(word.as_bytes()))
+        };
+        grammar
+            .operators
+            .iter()
+            .find(|(word, ..)| here(word))
+            .map(|(word, binds, binary)| (word.len(), *binds, *binary))
     }
 
     /// One value without an operator around it.
@@ -353,10 +422,23 @@ impl<'t> Cursor<'t> {
         (end > 1 && self.rest.get(end) == Some(&open)).then(|| self.take(end))
     }
 
-    fn call(&mut self, name: &[u8], close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
-        const FUNCTIONS: [(&str, Unary); 4] =
-            [("SIN", Unary::Sin), ("COS", Unary::Cos), ("SQRT", Unary::Sqrt), ("ABS", Unary::Abs)];
-        let Some((_, unary)) = FUNCTIONS.into_iter().find(|(word, _)| name.eq_ignore_ascii_case(word.as_bytes())) else {
+    fn call(
+        &mut self,
+        name: &[u8],
+        close: u8,
+        grammar: &Grammar,
+        script: &mut Script<'t>,
+    ) -> Parsed<NodeId> {
+        const FUNCTIONS: [(&str, Unary); 4] = [
+            ("SIN", Unary::Sin),
+            ("COS", Unary::Cos),
+            ("SQRT", Unary::Sqrt),
+            ("ABS", Unary::Abs),
+        ];
+        let Some((_, unary)) = FUNCTIONS
+            .into_iter()
+            .find(|(word, _)| name.eq_ignore_ascii_case(word.as_bytes()))
+        else {
             return self.angle(name, close, grammar, script);
         };
         let inner = self.bracketed(grammar, script)?;
@@ -364,7 +446,13 @@ impl<'t> Cursor<'t> {
     }
 
     /// `ATAN[y]/[x]`, `ATAN2(y,x)`.
-    fn angle(&mut self, name: &[u8], close: u8, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<NodeId> {
+    fn angle(
+        &mut self,
+        name: &[u8],
+        close: u8,
+        grammar: &Grammar,
+        script: &mut Script<'t>,
+    ) -> Parsed<NodeId> {
         let (y, x) = if name.eq_ignore_ascii_case(b"ATAN") {
             let y = self.bracketed(grammar, script)?;
             self.expect("/")?;
@@ -377,7 +465,10 @@ impl<'t> Cursor<'t> {
             self.expect(sign(close))?;
             (y, x)
         } else {
-            return fault(text!("the function {name} is not understood", printable(&String::from_utf8_lossy(name))));
+            return fault(text!(
+                "the function {name} is not understood",
+                printable(&String::from_utf8_lossy(name))
+            ));
         };
         Ok(script.keep(Node::Binary(Binary::Atan, y, x)))
     }
@@ -406,7 +497,11 @@ pub fn whole(digits: &[u8]) -> Option<i32> {
         b'0'..=b'9' => sum.checked_mul(10)?.checked_add(i32::from(digit - b'0')),
         _ => None,
     };
-    if digits.is_empty() { None } else { digits.iter().try_fold(0, more) }
+    if digits.is_empty() {
+        None
+    } else {
+        digits.iter().try_fold(0, more)
+    }
 }
 
 fn sign(byte: u8) -> &'static str {

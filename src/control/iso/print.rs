@@ -21,8 +21,19 @@ pub trait Notation {
 }
 
 /// Prints a node of `formula` at the end of a text. `scale` is the millimetres in a unit of the program.
-pub fn print_to<N: Notation>(text: &mut String, notation: &N, formula: &Formula, node: NodeId, scale: f64) {
-    Printer { notation, formula, scale }.put(node, 0, text);
+pub fn print_to<N: Notation>(
+    text: &mut String,
+    notation: &N,
+    formula: &Formula,
+    node: NodeId,
+    scale: f64,
+) {
+    Printer {
+        notation,
+        formula,
+        scale,
+    }
+    .put(node, 0, text);
 }
 
 /// The name of an assignment's value, as a control writes it.
@@ -38,7 +49,10 @@ const SHIFT_DECIMALS: usize = 10;
 /// What is added to a place that these shift: `+#<bore_shift_x>`, `-0.5*R13`. `scale` is the millimetres in a unit of the program.
 pub fn shift<N: Notation>(notation: &N, formula: &Formula, terms: &[Term], scale: f64) -> String {
     let mut text = String::new();
-    for Term { by, factor, length, .. } in terms {
+    for Term {
+        by, factor, length, ..
+    } in terms
+    {
         text.push(if *factor < 0.0 { '-' } else { '+' });
         let size = factor.abs() / if *length { scale } else { 1.0 };
         if size != 1.0 || *length {
@@ -95,7 +109,10 @@ impl<N: Notation> Printer<'_, N> {
             Node::Number(x) => self.constant(x, binding, out),
             Node::Length(x) => self.constant(x / self.scale, binding, out),
             Node::Variable(variable) => self.notation.variable(self.formula, variable.index(), out),
-            Node::Trigger { sample, axis } => self.notation.trigger(usize::from(sample), usize::from(axis), out),
+            Node::Trigger { sample, axis } => {
+                self.notation
+                    .trigger(usize::from(sample), usize::from(axis), out)
+            }
             Node::Call(function, a) => {
                 out.push_str(match function {
                     Function::Sin => "SIN",
@@ -171,10 +188,22 @@ mod tests {
         let mut texts = Vec::new();
         for assignment in &formula.assignments[1..] {
             texts.push(String::new());
-            print_to(texts.last_mut().unwrap(), &Rs274, &formula, assignment.node, 25.4);
+            print_to(
+                texts.last_mut().unwrap(),
+                &Rs274,
+                &formula,
+                assignment.node,
+                25.4,
+            );
         }
-        let expected =
-            ["#<z2>", "[#<a>+#<b>]/2", "#<a>-[#<b>-1]", "#<a>*[-0.5]", "#<a>/[#<b>*#<a>]", "SIN[ATAN[#<a>]/[#<b>]/2]"];
+        let expected = [
+            "#<z2>",
+            "[#<a>+#<b>]/2",
+            "#<a>-[#<b>-1]",
+            "#<a>*[-0.5]",
+            "#<a>/[#<b>*#<a>]",
+            "SIN[ATAN[#<a>]/[#<b>]/2]",
+        ];
         assert_eq!(texts, expected);
     }
 }

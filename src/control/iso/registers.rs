@@ -52,7 +52,11 @@ pub fn needed_touches(path: &Path) -> Vec<usize> {
 
 /// How many points its formula computes with.
 fn samples(path: &Path) -> usize {
-    path.touches.iter().map(|touch| touch.sample + 1).max().unwrap_or(0)
+    path.touches
+        .iter()
+        .map(|touch| touch.sample + 1)
+        .max()
+        .unwrap_or(0)
 }
 
 /// Read to the end, or never again.
@@ -70,20 +74,34 @@ impl Reads {
     fn of(path: &Path) -> Self {
         let formula = &path.formula;
         let triggers = vec![[None; 3]; samples(path)];
-        let mut reads = Reads { variables: (0..formula.assignments.len()).collect(), triggers };
+        let mut reads = Reads {
+            variables: (0..formula.assignments.len()).collect(),
+            triggers,
+        };
         for (i, assignment) in formula.assignments.iter().enumerate() {
             formula.each(assignment.node, &mut |node| match node {
                 Node::Variable(variable) => reads.variables[variable.index()] = i,
-                Node::Trigger { sample, axis } => reads.triggers[usize::from(sample)][usize::from(axis)] = Some(i),
+                Node::Trigger { sample, axis } => {
+                    reads.triggers[usize::from(sample)][usize::from(axis)] = Some(i)
+                }
                 _ => {}
             });
         }
         // What moves read is kept to the end, and so is what the datum reads.
-        let moves = path.members.iter().flat_map(|member| member.placing.moved_by());
+        let moves = path
+            .members
+            .iter()
+            .flat_map(|member| member.placing.moved_by());
         moves.for_each(|variable| reads.variables[variable.index()] = TO_THE_END);
         if let Some(datum) = &formula.datum {
-            let measured = datum.place.iter().flatten().filter_map(|place| place.measured);
-            measured.chain(datum.rotation).for_each(|variable| reads.variables[variable.index()] = TO_THE_END);
+            let measured = datum
+                .place
+                .iter()
+                .flatten()
+                .filter_map(|place| place.measured);
+            measured
+                .chain(datum.rotation)
+                .for_each(|variable| reads.variables[variable.index()] = TO_THE_END);
         }
         if let Some((turn, _)) = formula.turn {
             reads.variables[turn.index()] = TO_THE_END;
@@ -119,14 +137,19 @@ impl Registers {
         let mut registers = Registers::of_results(formula);
         let reads = Reads::of(path);
         // What each assignment is the last to read is free after it, the lowest first; results stay.
-        let mut spent = Spent { first: vec![0; formula.assignments.len()], next: Vec::new() };
+        let mut spent = Spent {
+            first: vec![0; formula.assignments.len()],
+            next: Vec::new(),
+        };
         let mut free: BinaryHeap<Reverse<usize>> = BinaryHeap::new();
         let (needed, samples) = (needed_touches(path), path.samples());
         let mut next = 0;
         for (n, (k, ..)) in path.searches().enumerate() {
             let sample = &samples[k];
             for axis in (0..3).filter(|_| sample.first) {
-                let Some(last) = reads.triggers[sample.index][axis] else { continue };
+                let Some(last) = reads.triggers[sample.index][axis] else {
+                    continue;
+                };
                 let register = registers.take(&mut free);
                 registers.triggers.push(((sample.index, axis), register));
                 spent.after(last, register);
@@ -136,7 +159,8 @@ impl Registers {
                 next += 1;
             }
         }
-        (next..formula.assignments.len()).for_each(|i| registers.assign(i, &reads, &mut spent, &mut free));
+        (next..formula.assignments.len())
+            .for_each(|i| registers.assign(i, &reads, &mut spent, &mut free));
         registers
     }
 
@@ -152,7 +176,13 @@ impl Registers {
     }
 
     /// Gives an assignment its place, and frees what it is the last to read.
-    fn assign(&mut self, i: usize, reads: &Reads, spent: &mut Spent, free: &mut BinaryHeap<Reverse<usize>>) {
+    fn assign(
+        &mut self,
+        i: usize,
+        reads: &Reads,
+        spent: &mut Spent,
+        free: &mut BinaryHeap<Reverse<usize>>,
+    ) {
         if self.variables[i] == 0 {
             self.variables[i] = self.take(free);
         }
@@ -174,25 +204,51 @@ impl Registers {
         for variable in formula.results.iter().filter_map(|r| r.variable) {
             last += 1;
             let index = variable.index();
-            if variables[index] == 0 { variables[index] = last } else { copies.push((last, index)) }
+            if variables[index] == 0 {
+                variables[index] = last
+            } else {
+                copies.push((last, index))
+            }
         }
-        Registers { variables, triggers: Vec::new(), copies, results: last, last }
+        Registers {
+            variables,
+            triggers: Vec::new(),
+            copies,
+            results: last,
+            last,
+        }
     }
 
     /// Where coordinate `axis` of a sample's trigger is.
     pub fn trigger(&self, sample: usize, axis: usize) -> usize {
-        self.triggers.iter().find(|(key, _)| *key == (sample, axis)).map_or(0, |(_, register)| *register)
+        self.triggers
+            .iter()
+            .find(|(key, _)| *key == (sample, axis))
+            .map_or(0, |(_, register)| *register)
     }
 
     /// What stands where, for the header, in lines of at most `width`; `more` registers are needed for the write of the frame. `name` is what
     /// the control calls one.
-    pub fn lines(&self, formula: &Formula, more: usize, width: usize, name: fn(usize) -> String) -> Vec<String> {
+    pub fn lines(
+        &self,
+        formula: &Formula,
+        more: usize,
+        width: usize,
+        name: fn(usize) -> String,
+    ) -> Vec<String> {
         const HEAD: &str = "Results: ";
         let mut lines: Vec<String> = Vec::new();
-        let codes = formula.results.iter().filter(|r| r.variable.is_some()).map(|r| formula.code(r));
+        let codes = formula
+            .results
+            .iter()
+            .filter(|r| r.variable.is_some())
+            .map(|r| formula.code(r));
         for (i, code) in codes.enumerate() {
             let entry = format!("{} = {code}", name(i + 1));
-            match lines.last_mut().filter(|line| line.len() + 2 + entry.len() <= width) {
+            match lines
+                .last_mut()
+                .filter(|line| line.len() + 2 + entry.len() <= width)
+            {
                 Some(line) => {
                     line.push_str(", ");
                     line.push_str(&entry);
@@ -202,7 +258,11 @@ impl Registers {
         }
         let last = self.last + more;
         if last > self.results {
-            lines.push(format!("Used on the way: {} to {}", name(self.results + 1), name(last)));
+            lines.push(format!(
+                "Used on the way: {} to {}",
+                name(self.results + 1),
+                name(last)
+            ));
         }
         lines
     }

@@ -189,7 +189,10 @@ pub enum Motion {
 impl Motion {
     /// Whether it watches for a contact.
     pub fn probes(self) -> bool {
-        matches!(self, Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree)
+        matches!(
+            self,
+            Motion::MustTouch | Motion::MayTouch | Motion::MustBeFree
+        )
     }
 }
 
@@ -234,7 +237,11 @@ impl Modes {
     /// These modes after those of a later block.
     pub fn then(self, later: Modes) -> Modes {
         // What was stated before is no longer so.
-        let before = if later.restored == Some(true) { Modes::NONE } else { self };
+        let before = if later.restored == Some(true) {
+            Modes::NONE
+        } else {
+            self
+        };
         before.with(later)
     }
 
@@ -341,7 +348,11 @@ impl<'t> Script<'t> {
     pub fn find(&self, name: &[u8]) -> Option<Slot> {
         let known = self.names.get(name).copied();
         // The tree is empty in nearly every program.
-        if known.is_some() || self.more_names.is_empty() { known } else { self.more_names.get(name).copied() }
+        if known.is_some() || self.more_names.is_empty() {
+            known
+        } else {
+            self.more_names.get(name).copied()
+        }
     }
 
     pub fn keep(&mut self, node: Node) -> NodeId {
@@ -365,8 +376,17 @@ impl<'t> Script<'t> {
     pub fn is_condition(&self, id: NodeId) -> bool {
         match self.node(id) {
             Node::Binary(binary, ..) => match binary {
-                Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Atan => false,
-                Binary::Equal | Binary::Unequal | Binary::Less | Binary::AtMost | Binary::Greater | Binary::AtLeast => true,
+                Binary::Add
+                | Binary::Subtract
+                | Binary::Multiply
+                | Binary::Divide
+                | Binary::Atan => false,
+                Binary::Equal
+                | Binary::Unequal
+                | Binary::Less
+                | Binary::AtMost
+                | Binary::Greater
+                | Binary::AtLeast => true,
                 Binary::And | Binary::Or => true,
             },
             Node::Number(_) | Node::Slot(_) | Node::System(_) | Node::Unary(..) => false,
@@ -389,16 +409,23 @@ impl<'t> Script<'t> {
                 _ => {}
             }
         }
-        self.blocks.splice(at..at, blocks.into_iter().map(|kind| Block { line, kind }));
+        self.blocks
+            .splice(at..at, blocks.into_iter().map(|kind| Block { line, kind }));
     }
 
     /// The results go out where they stand at the end.
     pub fn give_results(&mut self) {
-        let end = self.blocks.iter().position(|block| matches!(block.kind, BlockKind::End)).unwrap_or(self.blocks.len());
+        let end = self
+            .blocks
+            .iter()
+            .position(|block| matches!(block.kind, BlockKind::End))
+            .unwrap_or(self.blocks.len());
         let line = self.blocks.get(end).map_or(0, |block| block.line);
         let results = std::mem::take(&mut self.results);
-        let outputs =
-            results.into_iter().map(|(code, slot)| BlockKind::Output(code.to_owned(), self.keep(Node::Slot(slot)))).collect();
+        let outputs = results
+            .into_iter()
+            .map(|(code, slot)| BlockKind::Output(code.to_owned(), self.keep(Node::Slot(slot))))
+            .collect();
         self.insert(end, line, outputs);
     }
 
@@ -423,7 +450,8 @@ fn spelled(name: &[u8]) -> Cow<'_, [u8]> {
     let hash = name.starts_with(b"#");
     // In one pass: nearly every name is spelled so already.
     let none = |name: &[u8], letters: std::ops::RangeInclusive<u8>| {
-        name.iter().all(|b| !(letters.contains(b) || b.is_ascii_whitespace()))
+        name.iter()
+            .all(|b| !(letters.contains(b) || b.is_ascii_whitespace()))
     };
     let plain = match name {
         [b'#', b'[', ..] => true,
@@ -435,8 +463,18 @@ fn spelled(name: &[u8]) -> Cow<'_, [u8]> {
     if plain {
         return Cow::Borrowed(name);
     }
-    let same = |b: &u8| if hash { b.to_ascii_lowercase() } else { b.to_ascii_uppercase() };
-    let mut spelled: Vec<u8> = name.iter().filter(|b| !b.is_ascii_whitespace()).map(same).collect();
+    let same = |b: &u8| {
+        if hash {
+            b.to_ascii_lowercase()
+        } else {
+            b.to_ascii_uppercase()
+        }
+    };
+    let mut spelled: Vec<u8> = name
+        .iter()
+        .filter(|b| !b.is_ascii_whitespace())
+        .map(same)
+        .collect();
     if let [b'#' | b'R', number @ .., last] = spelled.as_slice()
         && number.iter().chain([last]).all(u8::is_ascii_digit)
     {
@@ -477,8 +515,17 @@ mod tests {
     fn every_name_is_one_variable() {
         let names: Vec<String> = (0..3 * USUAL_NAMES).map(|n| format!("#<v{n}>")).collect();
         let mut script = Script::with_room_for("");
-        let slots: Vec<_> = names.iter().map(|name| script.slot(name.as_bytes())).collect();
-        assert!(slots.iter().enumerate().all(|(n, slot)| *slot as usize == n), "each is a new one");
+        let slots: Vec<_> = names
+            .iter()
+            .map(|name| script.slot(name.as_bytes()))
+            .collect();
+        assert!(
+            slots
+                .iter()
+                .enumerate()
+                .all(|(n, slot)| *slot as usize == n),
+            "each is a new one"
+        );
         for (name, slot) in names.iter().zip(slots).rev() {
             assert_eq!(script.slot(name.as_bytes()), slot, "{name}");
             assert_eq!(script.find(name.as_bytes()), Some(slot), "{name}");

@@ -34,10 +34,17 @@ impl Targets<'_> {
     /// Puts the targets in. Each must be there once; `below` is whether it has to stand below the jump.
     pub fn resolve(&self, script: &mut Script<'_>, below: bool) -> Result<(), Vec<Trouble>> {
         let mut troubles = Vec::new();
-        let names: Vec<Vec<u8>> = self.known.iter().map(|(name, _)| name.to_ascii_lowercase()).collect();
+        let names: Vec<Vec<u8>> = self
+            .known
+            .iter()
+            .map(|(name, _)| name.to_ascii_lowercase())
+            .collect();
         let mut places: BTreeMap<&[u8], u32> = BTreeMap::new();
         for (name, (_, place)) in names.iter().zip(&self.known) {
-            places.entry(name).and_modify(|known| *known = TWICE).or_insert(*place as u32);
+            places
+                .entry(name)
+                .and_modify(|known| *known = TWICE)
+                .or_insert(*place as u32);
         }
         // Most jumps go where the one before them goes.
         let mut last: Option<(&[u8], Option<&u32>)> = None;
@@ -50,7 +57,9 @@ impl Targets<'_> {
             let message = match place {
                 None => text!("the target of this jump does not exist"),
                 Some(&TWICE) => text!("the target of this jump exists more than once"),
-                Some(&to) if below && to as usize <= *from => text!("a forward jump whose label is only above it"),
+                Some(&to) if below && to as usize <= *from => {
+                    text!("a forward jump whose label is only above it")
+                }
                 Some(&to) => {
                     match &mut script.blocks[*from].kind {
                         BlockKind::Jump(target)
@@ -64,8 +73,16 @@ impl Targets<'_> {
                     continue;
                 }
             };
-            troubles.push(Trouble { line: script.blocks[*from].line, message, understood: true });
+            troubles.push(Trouble {
+                line: script.blocks[*from].line,
+                message,
+                understood: true,
+            });
         }
-        if troubles.is_empty() { Ok(()) } else { Err(troubles) }
+        if troubles.is_empty() {
+            Ok(())
+        } else {
+            Err(troubles)
+        }
     }
 }

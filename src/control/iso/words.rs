@@ -8,7 +8,9 @@ use crate::text::text;
 /// The codes that every strict reader takes; no letters are allowed beside them.
 pub fn common(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
-        (b'G', 0 | 10 | 170 | 180 | 190 | 400 | 900 | 940) | (b'M', 30 | 40 | 50 | 90 | 300) => Some(""),
+        (b'G', 0 | 10 | 170 | 180 | 190 | 400 | 900 | 940) | (b'M', 30 | 40 | 50 | 90 | 300) => {
+            Some("")
+        }
         _ => None,
     }
 }
@@ -16,7 +18,9 @@ pub fn common(letter: u8, tenths: i32) -> Option<&'static str> {
 /// Those of the RS274 family: LinuxCNC, grbl and their kin.
 pub fn rs274(letter: u8, tenths: i32) -> Option<&'static str> {
     match (letter, tenths) {
-        (b'G', 20 | 30 | 80 | 100 | 200 | 210 | 382 | 383 | 490 | 610 | 640 | 800 | 911) => Some(""),
+        (b'G', 20 | 30 | 80 | 100 | 200 | 210 | 382 | 383 | 490 | 610 | 640 | 800 | 911) => {
+            Some("")
+        }
         (b'G', 540 | 550 | 560 | 570 | 580 | 590 | 591..=593) | (b'M', 20 | 700 | 720) => Some(""),
         (b'M', 660) => Some("ELPQ"),
         _ => common(letter, tenths),
@@ -42,7 +46,11 @@ struct Block {
 /// The letters whose values matter in a block without a motion.
 const VALUED: [u8; 3] = [b'L', b'P', b'R'];
 
-pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script<'t>) -> Parsed<BlockKind> {
+pub fn words<'t>(
+    cursor: &mut Cursor<'t>,
+    grammar: &Grammar,
+    script: &mut Script<'t>,
+) -> Parsed<BlockKind> {
     let mut block = Block::default();
     if cursor.is_done() {
         return Ok(BlockKind::Nothing);
@@ -58,14 +66,23 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
         // `X=10+R5`: a place that is computed.
         let sum = grammar.names == Names::Words && matches!(letter, b'X'..=b'Z') && cursor.eat("=");
         // A word of more letters is named as a whole.
-        let value = if sum { cursor.value(grammar, script) } else { cursor.operand(grammar, script) };
+        let value = if sum {
+            cursor.value(grammar, script)
+        } else {
+            cursor.operand(grammar, script)
+        };
         let value = value.map_err(|why| match named {
             true => Box::new(text!("\"{left}\" is not understood", cursor.from(begin))),
             false => why,
         })?;
-        let counted = grammar.points && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z') && script.number(value).is_some();
+        let counted = grammar.points
+            && matches!(letter, b'F' | b'I'..=b'K' | b'X'..=b'Z')
+            && script.number(value).is_some();
         if counted && !cursor.since(begin).contains(&b'.') {
-            return fault(text!("a number has no decimal point: \"{left}\"", cursor.from(begin)));
+            return fault(text!(
+                "a number has no decimal point: \"{left}\"",
+                cursor.from(begin)
+            ));
         }
         block
             .add(letter, value, grammar, script)
@@ -75,9 +92,19 @@ pub fn words<'t>(cursor: &mut Cursor<'t>, grammar: &Grammar, script: &mut Script
 }
 
 impl Block {
-    fn add(&mut self, letter: u8, value: NodeId, grammar: &Grammar, script: &Script<'_>) -> Parsed<()> {
+    fn add(
+        &mut self,
+        letter: u8,
+        value: NodeId,
+        grammar: &Grammar,
+        script: &Script<'_>,
+    ) -> Parsed<()> {
         let twice = |place: &mut Option<NodeId>| {
-            if place.replace(value).is_some() { fault(text!("the block repeats a word")) } else { Ok(()) }
+            if place.replace(value).is_some() {
+                fault(text!("the block repeats a word"))
+            } else {
+                Ok(())
+            }
         };
         match letter {
             b'X' | b'Y' | b'Z' => {
@@ -87,9 +114,15 @@ impl Block {
             b'I' | b'J' | b'K' => twice(&mut self.words.center[usize::from(letter - b'I')]),
             b'F' => twice(&mut self.words.feed),
             b'G' | b'M' => {
-                let tenths = script.number(value).map(|x| (x * 10.0).round()).filter(|x| (0.0..100_000.0).contains(x));
+                let tenths = script
+                    .number(value)
+                    .map(|x| (x * 10.0).round())
+                    .filter(|x| (0.0..100_000.0).contains(x));
                 let taken = tenths.and_then(|tenths| {
-                    Some(((grammar.takes)(letter, tenths as i32)?, effect(grammar.family, letter, tenths as i32)?))
+                    Some((
+                        (grammar.takes)(letter, tenths as i32)?,
+                        effect(grammar.family, letter, tenths as i32)?,
+                    ))
                 });
                 match taken {
                     Some((letters, effect)) => self.code(effect, letters),
@@ -119,7 +152,9 @@ impl Block {
                 self.words.motion = Some(match (self.words.motion, motion) {
                     (None, motion) => motion,
                     (Some(Motion::MayTouch), Motion::MustTouch | Motion::MustBeFree) => motion,
-                    (Some(Motion::MustTouch | Motion::MustBeFree), Motion::MayTouch) => self.words.motion.unwrap_or(motion),
+                    (Some(Motion::MustTouch | Motion::MustBeFree), Motion::MayTouch) => {
+                        self.words.motion.unwrap_or(motion)
+                    }
                     _ => return fault(text!("two motions are in one block")),
                 });
             }
@@ -132,13 +167,22 @@ impl Block {
             Effect::Exact(exact) => modes.exact = Some(exact),
             Effect::Length(counts) => modes.length = Some(counts),
             // What was stated before is no longer so.
-            Effect::GiveBack => *modes = Modes { restored: Some(true), ..Modes::NONE },
+            Effect::GiveBack => {
+                *modes = Modes {
+                    restored: Some(true),
+                    ..Modes::NONE
+                }
+            }
             Effect::Offset(number) => modes.offset = Some(number),
             Effect::OffsetOf(from) => (self.extended, self.allowed) = (Some(from), letters),
             Effect::Setting => self.setting = true,
             Effect::End => self.ends = true,
-            Effect::Halt | Effect::Ahead | Effect::Machine => (self.halts, self.allowed) = (true, letters),
-            Effect::Nothing | Effect::Keep | Effect::CycleEnds | Effect::Diameter(false) => self.allowed = letters,
+            Effect::Halt | Effect::Ahead | Effect::Machine => {
+                (self.halts, self.allowed) = (true, letters)
+            }
+            Effect::Nothing | Effect::Keep | Effect::CycleEnds | Effect::Diameter(false) => {
+                self.allowed = letters
+            }
             _ => return fault(text!("this code is not understood")),
         }
         Ok(())
@@ -151,8 +195,9 @@ impl Block {
     fn finish(mut self, script: &mut Script<'_>) -> Parsed<BlockKind> {
         if let Some(from) = self.extended {
             let number = self.value(b'P').and_then(|node| script.number(node));
-            let number =
-                number.filter(|n| (1.0..=99.0).contains(n)).ok_or_else(|| text!("a work offset without its number"))?;
+            let number = number
+                .filter(|n| (1.0..=99.0).contains(n))
+                .ok_or_else(|| text!("a work offset without its number"))?;
             self.words.modes.offset = Some(from + number as i32);
         }
         let allowed = if self.setting { "LPR" } else { self.allowed };
@@ -165,12 +210,18 @@ impl Block {
             others &= others - 1;
         }
         if self.setting {
-            let whole = |letter: u8| self.value(letter).and_then(|node| script.number(node)).map(|x| x as i32);
+            let whole = |letter: u8| {
+                self.value(letter)
+                    .and_then(|node| script.number(node))
+                    .map(|x| x as i32)
+            };
             let number = whole(b'P')
                 .filter(|n| (1..=999).contains(n))
                 .ok_or_else(|| text!("G10 without the number of a work offset"))?;
             return match whole(b'L') {
-                Some(20) if self.value(b'R').is_none() => Ok(BlockKind::Reading(number, self.words.to)),
+                Some(20) if self.value(b'R').is_none() => {
+                    Ok(BlockKind::Reading(number, self.words.to))
+                }
                 Some(2) => Ok(BlockKind::Origin(number, self.words.to, self.value(b'R'))),
                 _ => fault(text!("G10 is understood with L2 and L20")),
             };
@@ -181,7 +232,9 @@ impl Block {
             (false, None) if self.words.feed.is_some() => fault(text!("a feed without a motion")),
             (false, None) if self.ends => Ok(BlockKind::End),
             (false, None) if self.halts && self.words.modes == Modes::NONE => Ok(BlockKind::Halt),
-            (true, _) if self.halts => Ok(BlockKind::Elsewhere(self.words.to.map(|node| node.is_some()))),
+            (true, _) if self.halts => Ok(BlockKind::Elsewhere(
+                self.words.to.map(|node| node.is_some()),
+            )),
             _ if self.halts => fault(text!("this code must be alone in its block")),
             (true, _) if self.ends => fault(text!("a motion in the last block")),
             _ => Ok(BlockKind::Words(self.words)),

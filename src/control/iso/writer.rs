@@ -88,7 +88,9 @@ impl<'a> Writer<'a> {
         let mut writer = Writer {
             request,
             dialect: request.post.dialect,
-            text: String::with_capacity(2048 + 40 * request.path.formula.assignments.len() + 160 * request.path.moves.len()),
+            text: String::with_capacity(
+                2048 + 40 * request.path.formula.assignments.len() + 160 * request.path.moves.len(),
+            ),
             lines: 0,
             blocks: 0,
             move_lines,
@@ -135,29 +137,46 @@ impl<'a> Writer<'a> {
     fn push_line(&mut self, write: impl FnOnce(&mut String)) {
         let begin = self.text.len();
         write(&mut self.text);
-        debug_assert!(!self.text[begin..].contains(['\n', '\r']), "a line is one line");
-        self.too_long |= !self.text[begin..].starts_with(['(', ';']) && self.text.len() - begin > self.dialect.longest_block;
+        debug_assert!(
+            !self.text[begin..].contains(['\n', '\r']),
+            "a line is one line"
+        );
+        self.too_long |= !self.text[begin..].starts_with(['(', ';'])
+            && self.text.len() - begin > self.dialect.longest_block;
         self.text.push('\n');
         self.lines += 1;
     }
 
     /// A comment, in as many lines as it needs. Whatever is in `text`, it stays inside.
     pub fn comment(&mut self, text: &str) {
-        debug_assert!(!text.contains(['(', ')', '\n', '\r']), "comments are made of safe text");
+        debug_assert!(
+            !text.contains(['(', ')', '\n', '\r']),
+            "comments are made of safe text"
+        );
         let (open, close) = self.dialect.comment;
         let capitals = self.dialect.capitals;
-        each_line(text, self.dialect.comment_width - open.len() - close.len(), |line| {
-            self.build(|text| {
-                text.push_str(open);
-                if capitals {
-                    // A semicolon is what such a control shows for the end of a block.
-                    text.extend(line.chars().map(|c| if c == ';' { ',' } else { c.to_ascii_uppercase() }));
-                } else {
-                    text.push_str(line);
-                }
-                text.push_str(close);
-            });
-        });
+        each_line(
+            text,
+            self.dialect.comment_width - open.len() - close.len(),
+            |line| {
+                self.build(|text| {
+                    text.push_str(open);
+                    if capitals {
+                        // A semicolon is what such a control shows for the end of a block.
+                        text.extend(line.chars().map(|c| {
+                            if c == ';' {
+                                ','
+                            } else {
+                                c.to_ascii_uppercase()
+                            }
+                        }));
+                    } else {
+                        text.push_str(line);
+                    }
+                    text.push_str(close);
+                });
+            },
+        );
     }
 
     /// What is added to the places of the blocks that follow, along X, Y and Z: sums that begin with a sign.
@@ -178,7 +197,11 @@ impl<'a> Writer<'a> {
     /// A length or feed in the program's units, with the decimals the control takes.
     pub fn number(&self, mm: f64) -> Digits {
         let digits = Digits::of(mm / self.request.scale, self.decimals());
-        if self.dialect.points { digits.pointed() } else { digits }
+        if self.dialect.points {
+            digits.pointed()
+        } else {
+            digits
+        }
     }
 
     /// A place by its axis words: `X0 Y0 Z30`.
@@ -202,7 +225,11 @@ impl<'a> Writer<'a> {
         let request = self.request;
         let unit = if request.scale == 1.0 { "mm" } else { "inch" };
         if let Some(lift) = request.dry {
-            let lifted = if lift > 0.0 { format!(", {} above the path of the job", self.number(lift)) } else { String::new() };
+            let lifted = if lift > 0.0 {
+                format!(", {} above the path of the job", self.number(lift))
+            } else {
+                String::new()
+            };
             self.comment(&format!(
                 "DRY RUN{lifted}: the moves alone. A contact anywhere stops it. Nothing is measured or written"
             ));
@@ -218,7 +245,12 @@ impl<'a> Writer<'a> {
             self.number(2.0 * request.setup.radius),
             self.number(request.setup.overtravel)
         ));
-        let named = request.path.formula.results.iter().any(|result| result.code.ends_with(".x"));
+        let named = request
+            .path
+            .formula
+            .results
+            .iter()
+            .any(|result| result.code.ends_with(".x"));
         if request.plane != Plane::G17 && request.post.computes && named {
             let [abscissa, ordinate, tool] = request.plane.axes().map(|axis| AXIS_NAMES[axis]);
             self.comment(&format!(
@@ -238,17 +270,27 @@ impl<'a> Writer<'a> {
             let text = stated_start(request, &self.place_words(start));
             self.comment(&format!("{text} Bring it there first"));
         }
-        for member in request.path.members.iter().filter(|member| member.path.top.is_none()) {
-            let Some(first) = member.path.moves.first() else { continue };
+        for member in request
+            .path
+            .members
+            .iter()
+            .filter(|member| member.path.top.is_none())
+        {
+            let Some(first) = member.path.moves.first() else {
+                continue;
+            };
             let height = self.height_word(first.to);
             self.comment(&format!(
                 "{} knows no top side: it begins and ends at {height}, which must be above the part",
                 member.name
             ));
         }
-        if let (Some(first), None, None, true) =
-            (request.path.moves.first(), request.path.start, request.path.top, request.path.members.is_empty())
-        {
+        if let (Some(first), None, None, true) = (
+            request.path.moves.first(),
+            request.path.start,
+            request.path.top,
+            request.path.members.is_empty(),
+        ) {
             let height = self.height_word(first.to);
             self.comment(&format!(
                 "This cycle knows no top side: it begins and ends at {height}, which must be above the part"
@@ -259,7 +301,9 @@ impl<'a> Writer<'a> {
     /// Which way must be free, of a program that comes to its first place from anywhere: up, across and down.
     pub fn comment_approach(&mut self) {
         let path = self.request.path;
-        let (Some(first), None) = (path.moves.first(), path.start) else { return };
+        let (Some(first), None) = (path.moves.first(), path.start) else {
+            return;
+        };
         let (height, place) = (self.height_word(first.to), self.place_words(first.to));
         self.comment(&format!(
             "The way to {place} must be free: a stylus below {height} goes straight up to it first, then in the plane, then down"
@@ -269,7 +313,11 @@ impl<'a> Writer<'a> {
     /// The job, the version and the hash over what follows, as comments.
     pub fn says_job(&mut self) {
         let (open, close) = self.dialect.comment;
-        for line in header::lines(self.request, self.dialect.comment_width - open.len() - close.len(), self.dialect.capitals) {
+        for line in header::lines(
+            self.request,
+            self.dialect.comment_width - open.len() - close.len(),
+            self.dialect.capitals,
+        ) {
             self.comment(&line);
         }
     }
@@ -286,11 +334,19 @@ impl<'a> Writer<'a> {
     /// Units and modes: stated, never inherited.
     pub fn modes(&mut self) {
         let request = self.request;
-        let units = if request.scale == 1.0 { self.dialect.units.0 } else { self.dialect.units.1 };
+        let units = if request.scale == 1.0 {
+            self.dialect.units.0
+        } else {
+            self.dialect.units.1
+        };
         if !units.is_empty() {
             self.line(units);
         }
-        let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) { self.dialect.arcs } else { "" };
+        let arcs = if request.path.moves.iter().any(|m| m.arc.is_some()) {
+            self.dialect.arcs
+        } else {
+            ""
+        };
         self.parts(&[request.plane.word(), " ", self.dialect.modes, arcs, " G94"]);
     }
 
@@ -321,7 +377,16 @@ impl<'a> Writer<'a> {
         let (first, second) = (a.min(o), a.max(o));
         let [one, two] = [first, second].map(|axis| self.number(to_center[axis]));
         let (sign, feed) = self.feed(rate);
-        self.parts(&[word, &words, CENTER[first], &one, CENTER[second], &two, sign, &feed]);
+        self.parts(&[
+            word,
+            &words,
+            CENTER[first],
+            &one,
+            CENTER[second],
+            &two,
+            sign,
+            &feed,
+        ]);
     }
 
     /// Goes to a place: all three axis words, whatever the last block said.
@@ -332,7 +397,11 @@ impl<'a> Writer<'a> {
     /// Goes there in the plane: the words of its two axes, whatever the last block said.
     pub fn goes_in_plane(&mut self, to: Vec3) -> String {
         let [a, o, _] = self.request.plane.axes();
-        self.named(to, self.numbers(to), [0, 1, 2].map(|axis| axis == a || axis == o))
+        self.named(
+            to,
+            self.numbers(to),
+            [0, 1, 2].map(|axis| axis == a || axis == o),
+        )
     }
 
     /// Goes to its height: the word of the tool axis, whatever the last block said.
@@ -380,7 +449,11 @@ impl<'a> Writer<'a> {
 
     pub fn finish(mut self) -> Program {
         header::seal(&mut self.text);
-        Program { text: self.text, move_lines: self.move_lines, too_long: self.too_long.then_some(self.dialect.longest_block) }
+        Program {
+            text: self.text,
+            move_lines: self.move_lines,
+            too_long: self.too_long.then_some(self.dialect.longest_block),
+        }
     }
 
     fn named(&mut self, place: Vec3, numbers: [Digits; 3], wanted: [bool; 3]) -> String {
@@ -407,13 +480,28 @@ impl<'a> Writer<'a> {
     }
 
     /// A block of a word, axis words, and a feed where there is one.
-    fn block(&mut self, word: &str, to: Vec3, (numbers, wanted): ([Digits; 3], [bool; 3]), rate: Option<f64>) {
+    fn block(
+        &mut self,
+        word: &str,
+        to: Vec3,
+        (numbers, wanted): ([Digits; 3], [bool; 3]),
+        rate: Option<f64>,
+    ) {
         let (sign, feed) = self.feed(rate);
         let shifts = std::mem::take(&mut self.shifts);
         let (before, behind) = self.dialect.shifted;
         self.build(|text| {
             text.push_str(word);
-            push_axis_words(text, &numbers, wanted, &ShiftWords { of: &shifts, before, behind });
+            push_axis_words(
+                text,
+                &numbers,
+                wanted,
+                &ShiftWords {
+                    of: &shifts,
+                    before,
+                    behind,
+                },
+            );
             text.push_str(sign);
             text.push_str(&feed);
         });
@@ -423,12 +511,18 @@ impl<'a> Writer<'a> {
 
     fn shift_words(&self) -> ShiftWords<'_> {
         let (before, behind) = self.dialect.shifted;
-        ShiftWords { of: &self.shifts, before, behind }
+        ShiftWords {
+            of: &self.shifts,
+            before,
+            behind,
+        }
     }
 
     /// The word of a feed in two parts; nothing if it has no feed.
     fn feed(&mut self, rate: Option<f64>) -> (&'static str, Digits) {
-        let Some(rate) = rate else { return ("", Digits::NONE) };
+        let Some(rate) = rate else {
+            return ("", Digits::NONE);
+        };
         if self.last_rate.0 != rate {
             self.last_rate = (rate, self.number(rate));
         }
@@ -437,11 +531,21 @@ impl<'a> Writer<'a> {
 
     /// The numbers of a place. Most coordinates are those of the last block.
     fn numbers(&self, place: Vec3) -> [Digits; 3] {
-        [0, 1, 2].map(|i| if place[i] == self.last_mm[i] { self.last[i].clone() } else { self.number(place[i]) })
+        [0, 1, 2].map(|i| {
+            if place[i] == self.last_mm[i] {
+                self.last[i].clone()
+            } else {
+                self.number(place[i])
+            }
+        })
     }
 
     fn decimals(&self) -> usize {
-        if self.request.scale == 1.0 { self.dialect.decimals_mm } else { self.dialect.decimals_inch }
+        if self.request.scale == 1.0 {
+            self.dialect.decimals_mm
+        } else {
+            self.dialect.decimals_inch
+        }
     }
 }
 
@@ -455,7 +559,11 @@ struct ShiftWords<'a> {
     behind: &'static str,
 }
 
-const NO_SHIFTS: ShiftWords<'_> = ShiftWords { of: &[const { String::new() }; 3], before: "", behind: "" };
+const NO_SHIFTS: ShiftWords<'_> = ShiftWords {
+    of: &[const { String::new() }; 3],
+    before: "",
+    behind: "",
+};
 
 /// The wanted axis words, each after a space.
 fn axis_words(numbers: &[Digits; 3], wanted: [bool; 3], shifts: &ShiftWords<'_>) -> String {
@@ -464,7 +572,12 @@ fn axis_words(numbers: &[Digits; 3], wanted: [bool; 3], shifts: &ShiftWords<'_>)
     words
 }
 
-fn push_axis_words(text: &mut String, numbers: &[Digits; 3], wanted: [bool; 3], shifts: &ShiftWords<'_>) {
+fn push_axis_words(
+    text: &mut String,
+    numbers: &[Digits; 3],
+    wanted: [bool; 3],
+    shifts: &ShiftWords<'_>,
+) {
     for (i, number) in numbers.iter().enumerate().filter(|(i, _)| wanted[*i]) {
         text.push(' ');
         text.push_str(AXIS_NAMES[i]);
@@ -472,14 +585,20 @@ fn push_axis_words(text: &mut String, numbers: &[Digits; 3], wanted: [bool; 3], 
         if shift.is_empty() {
             text.push_str(number);
         } else {
-            [shifts.before, number, shift, shifts.behind].into_iter().for_each(|part| text.push_str(part));
+            [shifts.before, number, shift, shifts.behind]
+                .into_iter()
+                .for_each(|part| text.push_str(part));
         }
     }
 }
 
 /// Where the job says the stylus is before the start, and what is done first for that reason. `place` is written as the control has it.
 pub fn stated_start(request: &Request<'_>, place: &str) -> String {
-    let first = request.path.moves.first().map_or(0, |m| upwards(request, request.path.start, m.to));
+    let first = request
+        .path
+        .moves
+        .first()
+        .map_or(0, |m| upwards(request, request.path.start, m.to));
     let first = match first {
         1 => "below the clearance height: first straight up",
         -1 => "over the first place: first straight down",
@@ -493,7 +612,10 @@ fn each_line(text: &str, width: usize, mut line: impl FnMut(&str)) {
     let mut rest = text;
     while rest.len() > width {
         // The last space that leaves no more than a line; else the first one after it.
-        let space = rest.as_bytes()[..=width].iter().rposition(|b| *b == b' ').or_else(|| rest.find(' '));
+        let space = rest.as_bytes()[..=width]
+            .iter()
+            .rposition(|b| *b == b' ')
+            .or_else(|| rest.find(' '));
         let (head, tail) = space.map_or((rest, ""), |at| (&rest[..at], &rest[at + 1..]));
         // A word longer than a line is cut: comments are ASCII.
         for piece in head.as_bytes().chunks(width) {
@@ -535,13 +657,19 @@ pub fn upwards(request: &Request<'_>, from: Option<Vec3>, to: Vec3) -> i32 {
 
 /// The ends of the straight moves that make a positioning move.
 pub fn pieces(request: &Request<'_>, step: &Move, at: Option<Vec3>) -> Vec<Vec3> {
-    let (Some(arc), Some(from)) = (step.arc, at) else { return vec![step.to] };
+    let (Some(arc), Some(from)) = (step.arc, at) else {
+        return vec![step.to];
+    };
     // A chord over the angle x leaves a circle of radius r by r(1 − cos x/2).
     let radius = from.distance(arc.center);
     let sag = CHORD_SAG.min(request.path.shortest_way() / 2.0);
     let degrees = (2.0 * crate::num::within(1.0 - sag / radius, -1.0, 1.0).acos()).to_degrees();
     let degrees = crate::num::within(degrees, 0.1, 30.0);
-    step.pieces(from, request.path.frame.w, degrees.max(long_enough(request, &arc, radius).unwrap_or(0.0)))
+    step.pieces(
+        from,
+        request.path.frame.w,
+        degrees.max(long_enough(request, &arc, radius).unwrap_or(0.0)),
+    )
 }
 
 /// Over how many degrees chords of an arc are long enough to be watched; none where such chords would leave the circle by too much.
@@ -558,8 +686,13 @@ fn long_enough(request: &Request<'_>, arc: &Arc, radius: f64) -> Option<f64> {
         Surface::Round(round) => round.hole && (round.center - arc.center).cross(w).length() < 1e-6,
         Surface::Flat(_) | Surface::Unknown => false,
     });
-    let free = if in_hole { f64::INFINITY } else { request.path.shortest_way() / 2.0 };
-    (count.is_finite() && count >= 1.0 && leaves <= CHORD_SAG.min(free)).then(|| each.to_degrees() * (1.0 + 1e-9))
+    let free = if in_hole {
+        f64::INFINITY
+    } else {
+        request.path.shortest_way() / 2.0
+    };
+    (count.is_finite() && count >= 1.0 && leaves <= CHORD_SAG.min(free))
+        .then(|| each.to_degrees() * (1.0 + 1e-9))
 }
 
 /// The first move is to a place that the ball comes to from somewhere: then it goes there in steps.

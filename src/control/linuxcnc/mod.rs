@@ -14,12 +14,15 @@ mod read;
 use std::borrow::Cow;
 
 use crate::control::iso::print::{self, Notation};
-use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards};
+use crate::control::iso::writer::{
+    Dialect, PLAIN, Writer, across_from_stated, lower_than, upwards,
+};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::rules;
 use crate::control::{
-    BASE, Form, PostDef, Program, Report, Request, check_length_axis, check_orientation, check_plain_moves, check_rotary,
-    check_watched, check_write, does, orientation_line, rotation_field, work_offset_word,
+    BASE, Form, PostDef, Program, Report, Request, check_length_axis, check_orientation,
+    check_plain_moves, check_rotary, check_watched, check_write, does, orientation_line,
+    rotation_field, work_offset_word,
 };
 use crate::form::Checker;
 use crate::formula::{Datum, Formula, Question, Variable};
@@ -40,12 +43,16 @@ pub static DEF: PostDef = PostDef {
     unused: &["tool", "number", "setUp", "probeInput"],
     cannot: &[(
         rules::MISS_LIFTS,
-        words!("G38.2 itself stops the program with an error where the ball is: nothing after it runs"),
+        words!(
+            "G38.2 itself stops the program with an error where the ball is: nothing after it runs"
+        ),
     )],
     rate,
     serves: |_, form| match form {
         Form::Moves => Ok(()),
-        Form::Cycle => Err("LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches"),
+        Form::Cycle => Err(
+            "LinuxCNC has no probing cycles of its own: its shipped macros choose their own points and touches",
+        ),
     },
     check,
     emit,
@@ -71,18 +78,34 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
     check_plain_moves(request, checker);
     check_length_axis(request, checker);
     check_watched(request, checker);
-    check_rotary(request, checker, text!("LinuxCNC has no rotary table that a program could know of"));
+    check_rotary(
+        request,
+        checker,
+        text!("LinuxCNC has no rotary table that a program could know of"),
+    );
     check_write(request, checker);
     check_short(request, checker);
     check_orientation(request, checker);
-    if request.protected && request.path.moves.iter().any(|m| request.feeds.rate(m.feed).is_none()) {
-        let message =
-            text!("G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min", checker.length(STATED_RAPID));
+    if request.protected
+        && request
+            .path
+            .moves
+            .iter()
+            .any(|m| request.feeds.rate(m.feed).is_none())
+    {
+        let message = text!(
+            "G38.3 moves at a stated feed: rapids run as watched moves at {rate}/min",
+            checker.length(STATED_RAPID)
+        );
         checker.info("rapid-at-feed", "feeds", message);
     }
-    let Some(datum) = request.path.formula.datum.as_ref() else { return };
+    let Some(datum) = request.path.formula.datum.as_ref() else {
+        return;
+    };
     if request.work_offset.is_some() && datum.rotation.is_some() && request.plane != Plane::G17 {
-        let message = text!("LinuxCNC turns a work offset about Z only: no rotation can be written in this plane");
+        let message = text!(
+            "LinuxCNC turns a work offset about Z only: no rotation can be written in this plane"
+        );
         checker.error("rotation-unsupported", rotation_field(request), message);
     }
 }
@@ -90,7 +113,9 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
 /// A touch too short for a probe move.
 fn check_short(request: &Request<'_>, checker: &mut Checker) {
     let path = request.path;
-    let mut ways = path.searches().filter_map(|(k, from, step)| Some((k, from?.distance(step.to) + path.touches[k].search)));
+    let mut ways = path
+        .searches()
+        .filter_map(|(k, from, step)| Some((k, from?.distance(step.to) + path.touches[k].search)));
     if let Some((k, way)) = ways.find(|(_, way)| *way < SHORTEST_PROBE) {
         let message = text!(
             "Touch {touch} searches {way} in all: older interpreters refuse a probe move below {least}. Use a larger clearance or overtravel",
@@ -114,7 +139,13 @@ fn rate(request: &Request<'_>, _from: Option<Vec3>, step: &Move) -> Option<f64> 
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    moves::write(request, &mut LinuxCnc { request, labels: Labels { next: FIRST_LABEL } })
+    moves::write(
+        request,
+        &mut LinuxCnc {
+            request,
+            labels: Labels { next: FIRST_LABEL },
+        },
+    )
 }
 
 /// The program of one request.
@@ -128,7 +159,13 @@ impl Moves for LinuxCnc<'_> {
         begin(w, self.request);
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
-            rise(w, self.request, [lower_than(self.request, start), start], first, &mut self.labels);
+            rise(
+                w,
+                self.request,
+                [lower_than(self.request, start), start],
+                first,
+                &mut self.labels,
+            );
         }
     }
 
@@ -147,7 +184,13 @@ impl Moves for LinuxCnc<'_> {
 
     fn touch(&mut self, w: &mut Writer<'_>, step: Step<'_>, touch: &Touch) {
         w.makes_move();
-        w.touch("G38.2", step.step, touch, self.request.protected, self.request.feeds.work);
+        w.touch(
+            "G38.2",
+            step.step,
+            touch,
+            self.request.protected,
+            self.request.feeds.work,
+        );
     }
 
     fn stores(&self, sample: usize, axis: usize, stored: &mut StoredCoordinate) -> bool {
@@ -172,7 +215,13 @@ impl Moves for LinuxCnc<'_> {
             text.push_str("#<");
             formula.push_name(index, text);
             text.push_str(">=[");
-            print::print_to(text, &print::Rs274, formula, assignment.node, self.request.scale);
+            print::print_to(
+                text,
+                &print::Rs274,
+                formula,
+                assignment.node,
+                self.request.scale,
+            );
             text.push(']');
         });
     }
@@ -184,16 +233,27 @@ impl Moves for LinuxCnc<'_> {
             Report::Log => "(LOG,",
             Report::None => "(PRINT,",
         };
-        let log = self.request.report == Report::Log && formula.results.iter().any(|result| result.variable.is_some());
+        let log = self.request.report == Report::Log
+            && formula
+                .results
+                .iter()
+                .any(|result| result.variable.is_some());
         if log {
             let name = log_name(self.request.name);
             w.line(&format!("(LOGAPPEND,{name}.txt)"));
             w.line(&format!("(LOG,{name})"));
         }
-        let shown: Vec<(Cow<'_, str>, Variable)> =
-            formula.results.iter().filter_map(|result| Some((formula.code(result), result.variable?))).collect();
+        let shown: Vec<(Cow<'_, str>, Variable)> = formula
+            .results
+            .iter()
+            .filter_map(|result| Some((formula.code(result), result.variable?)))
+            .collect();
         let crowded = self.request.report == Report::Screen && shown.len() > MOST_MESSAGES;
-        let most = if crowded { shown.len().div_ceil(MOST_MESSAGES) } else { 1 };
+        let most = if crowded {
+            shown.len().div_ceil(MOST_MESSAGES)
+        } else {
+            1
+        };
         let mut rest = shown.as_slice();
         while !rest.is_empty() {
             w.build(|text| {
@@ -220,21 +280,37 @@ impl Moves for LinuxCnc<'_> {
 
     fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
         let label = self.labels.take();
-        let unit = if question.angle { 1.0 } else { self.request.scale };
+        let unit = if question.angle {
+            1.0
+        } else {
+            self.request.scale
+        };
         let value = print::variable(&print::Rs274, formula, question.variable);
-        let (limit, wanted) = (decimal(question.limit / unit, 12), decimal(question.wanted / unit, 12));
+        let (limit, wanted) = (
+            decimal(question.limit / unit, 12),
+            decimal(question.wanted / unit, 12),
+        );
         let off = less(&value, &wanted);
         let writes = self.request.corrects();
         let stops = question.stops(writes);
         // The interpreter that draws a program when it is loaded ends each probing move at its target: no result is plausible there.
-        let (on_machine, end) = if stops { ("[#<_task> EQ 1] AND [", "]") } else { ("", "") };
-        w.parts(&["o", &label, " if [", on_machine, "ABS[", &off, "] GT ", &limit, end, "]"]);
+        let (on_machine, end) = if stops {
+            ("[#<_task> EQ 1] AND [", "]")
+        } else {
+            ("", "")
+        };
+        w.parts(&[
+            "o", &label, " if [", on_machine, "ABS[", &off, "] GT ", &limit, end, "]",
+        ]);
         let code = formula.code(&formula.results[question.result]);
         let says = format!("{code} is {value}{}", question.complaint(unit));
         if stops {
             // As in the exit: the last lift is made first.
             w.line("M66 E0 L0");
-            w.line(&format!("(ABORT,{says}{})", if writes { ". Nothing is written" } else { "" }));
+            w.line(&format!(
+                "(ABORT,{says}{})",
+                if writes { ". Nothing is written" } else { "" }
+            ));
         } else {
             w.line(&format!("(DEBUG,{says})"));
         }
@@ -261,9 +337,19 @@ const LONGEST_MESSAGE: usize = 160;
 
 /// The name of a log file: letters, digits, - and _.
 fn log_name(name: &str) -> String {
-    let safe = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c } else { '_' };
+    let safe = |c: char| {
+        if c.is_ascii_alphanumeric() || c == '-' {
+            c
+        } else {
+            '_'
+        }
+    };
     let safe: String = name.chars().take(40).map(safe).collect();
-    if safe.is_empty() { "PROBE".to_owned() } else { safe }
+    if safe.is_empty() {
+        "PROBE".to_owned()
+    } else {
+        safe
+    }
 }
 
 /// A value less a constant, as a sum.
@@ -288,7 +374,9 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>) {
         });
     }
     if request.scale != 1.0 && !formula.results.is_empty() {
-        w.comment("PRINT shows a value below .0001 inch as 0; the named parameters hold it in full");
+        w.comment(
+            "PRINT shows a value below .0001 inch as 0; the named parameters hold it in full",
+        );
     }
     if !request.path.moves.is_empty() {
         w.comment(&orientation_line(request));
@@ -333,12 +421,20 @@ const CURRENT: [&str; 3] = ["#<_x>", "#<_y>", "#<_z>"];
 fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
     let tool = request.plane.axes()[2];
     let top = request.highest();
-    let lift = request.path.moves.iter().find_map(|m| request.feeds.rate(m.feed)).unwrap_or(STATED_RAPID);
+    let lift = request
+        .path
+        .moves
+        .iter()
+        .find_map(|m| request.feeds.rate(m.feed))
+        .unwrap_or(STATED_RAPID);
     let height = w.height_word(top);
     let level = height[1..].to_owned();
     w.line("o<tp_exit> sub");
     w.comment("#1 is the move, #2 is 1 where up is free");
-    w.line(&format!("o1 if [[#2 EQ 1] AND [{} LT {level}]]", CURRENT[tool]));
+    w.line(&format!(
+        "o1 if [[#2 EQ 1] AND [{} LT {level}]]",
+        CURRENT[tool]
+    ));
     let lift = w.number(lift);
     w.line(&format!("G1 {height} F{lift}"));
     w.line("o1 endif");
@@ -354,7 +450,9 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
         return;
     }
     let short = w.number(SHORTEST_PROBE);
-    let near: Vec<String> = (0..3).map(|i| format!("[ABS[#{}-{}] LT {short}]", i + 1, CURRENT[i])).collect();
+    let near: Vec<String> = (0..3)
+        .map(|i| format!("[ABS[#{}-{}] LT {short}]", i + 1, CURRENT[i]))
+        .collect();
     w.line("o<tp_first> sub");
     w.comment("#1 #2 #3 are the place, #4 is the feed, #5 is 1 where up is free");
     w.line(&format!("o2 if [{}]", near.join(" AND ")));
@@ -369,18 +467,44 @@ fn exit(w: &mut Writer<'_>, request: &Request<'_>) {
 }
 
 /// A call of the way to a place, along some axes: the others stay where they are. `free` is 1 where up is free.
-fn approach_block(w: &mut Writer<'_>, request: &Request<'_>, step: &Move, to: Vec3, moves: &dyn Fn(usize) -> bool, free: u8) {
+fn approach_block(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    step: &Move,
+    to: Vec3,
+    moves: &dyn Fn(usize) -> bool,
+    free: u8,
+) {
     let rate = w.number(rate(request, None, step).unwrap_or(STATED_RAPID));
-    let target = [0, 1, 2].map(|i| if moves(i) { format!("[{}]", w.number(to[i])) } else { format!("[{}]", CURRENT[i]) });
-    w.line(&format!("o<tp_first> call {} [{rate}] [{free}]", target.join(" ")));
+    let target = [0, 1, 2].map(|i| {
+        if moves(i) {
+            format!("[{}]", w.number(to[i]))
+        } else {
+            format!("[{}]", CURRENT[i])
+        }
+    });
+    w.line(&format!(
+        "o<tp_first> call {} [{rate}] [{free}]",
+        target.join(" ")
+    ));
 }
 
 /// Straight up to the height of a place, where the stylus is `below` another one; as the first move goes.
-fn rise(w: &mut Writer<'_>, request: &Request<'_>, [below, to]: [Vec3; 2], first: &Move, labels: &mut Labels) {
+fn rise(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    [below, to]: [Vec3; 2],
+    first: &Move,
+    labels: &mut Labels,
+) {
     let tool = request.plane.axes()[2];
     let label = labels.take();
     let height = w.height_word(below);
-    w.line(&format!("o{label} if [{} LT {}]", CURRENT[tool], &height[1..]));
+    w.line(&format!(
+        "o{label} if [{} LT {}]",
+        CURRENT[tool],
+        &height[1..]
+    ));
     if request.protected {
         approach_block(w, request, first, to, &|i| i == tool, 0);
     } else {
@@ -429,9 +553,19 @@ fn watched(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>, labels: &
         w.straight("G38.3", to, true, rate);
         let label = labels.take();
         // On the way up a lift would push on against what was met.
-        let free = if upwards(request, from, to) <= 0 { "1" } else { "0" };
+        let free = if upwards(request, from, to) <= 0 {
+            "1"
+        } else {
+            "0"
+        };
         w.parts(&["o", &label, " if [#5070 NE 0]"]);
-        w.parts(&["o<tp_exit> call [", &format_count(place.index + 1), "] [", free, "]"]);
+        w.parts(&[
+            "o<tp_exit> call [",
+            &format_count(place.index + 1),
+            "] [",
+            free,
+            "]",
+        ]);
         w.parts(&["o", &label, " endif"]);
     });
 }
@@ -442,14 +576,25 @@ fn plain(w: &mut Writer<'_>, request: &Request<'_>, Step { step, from, .. }: Ste
     if let (Some(arc), Some(from)) = (&step.arc, from) {
         return w.arc(from, step, arc, rate);
     }
-    w.straight(if rate.is_some() { "G1" } else { "G0" }, step.to, request.protected, rate);
+    w.straight(
+        if rate.is_some() { "G1" } else { "G0" },
+        step.to,
+        request.protected,
+        rate,
+    );
 }
 
 /// The write at the end. G10 L20 makes the current position read what it would read if the measured point were at its nominal
 /// place: right in any units and under any rotation, as long as both axes of the plane are named. A rotation is set first (in
 /// degrees, on top of the one that is there); it turns the axes in which the way from the measured point to the current position
 /// is counted.
-fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: i32, datum: &Datum) {
+fn write_datum(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    formula: &Formula,
+    n: i32,
+    datum: &Datum,
+) {
     let axes = request.plane.axes();
     let name = |variable: Variable| print::variable(&print::Rs274, formula, variable);
     let current = axes.map(|axis| CURRENT[axis]);
@@ -457,7 +602,10 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, n: 
     if let Some(turn) = &turned {
         if let [Some(x), Some(y), _] = datum.place {
             for (away, current, place) in [("away_a", current[0], x), ("away_o", current[1], y)] {
-                let measured = place.measured.map_or_else(|| format!("[{}]", decimal(place.nominal / request.scale, 12)), name);
+                let measured = place.measured.map_or_else(
+                    || format!("[{}]", decimal(place.nominal / request.scale, 12)),
+                    name,
+                );
                 w.line(&format!("#<{away}>=[{current}-{measured}]"));
             }
         }

@@ -22,7 +22,11 @@ static GRAMMAR: Grammar = Grammar {
 
 /// M19 turns the spindle to an angle, R, within a time, Q.
 fn takes(letter: u8, tenths: i32) -> Option<&'static str> {
-    if (letter, tenths) == (b'M', 190) { Some("RQ") } else { words::rs274(letter, tenths) }
+    if (letter, tenths) == (b'M', 190) {
+        Some("RQ")
+    } else {
+        words::rs274(letter, tenths)
+    }
 }
 
 /// `#5061` and its kin. `#<_task>` is 1 where a program runs on the machine, and 0 where it is only drawn. Rotation and origin of the work offsets stand from #5220 on, twenty apart.
@@ -82,8 +86,13 @@ impl<'t> Blocks<'t> for Program<'t> {
             active(script, line, comment)?;
         }
         let in_sub = targets.place == IN_SUB;
-        if in_sub && (has_own(code) || comment.is_some_and(|comment| says_values(comment) && has_own(comment.text))) {
-            return fault(text!("a subroutine has variables of its own: they are not followed"));
+        if in_sub
+            && (has_own(code)
+                || comment.is_some_and(|comment| says_values(comment) && has_own(comment.text)))
+        {
+            return fault(text!(
+                "a subroutine has variables of its own: they are not followed"
+            ));
         }
         if code.is_empty() || code == "%" {
             return Ok(());
@@ -103,11 +112,22 @@ impl<'t> Blocks<'t> for Program<'t> {
             let slot = script.slot(name);
             // Above 5000 stand the control's own; #5599 only says whether messages are shown. Which one #[…] is comes out only where it runs.
             let own = match parse::whole(&name[1..]) {
-                Some(1..=30) if in_sub => return fault(text!("a subroutine has variables of its own: they are not followed")),
+                Some(1..=30) if in_sub => {
+                    return fault(text!(
+                        "a subroutine has variables of its own: they are not followed"
+                    ));
+                }
                 Some(number) => number <= 5000 || number == 5599,
                 None => name.starts_with(b"#<"),
             };
-            script.push(line, if own { BlockKind::Set(slot, value) } else { BlockKind::SetOther(slot, value) });
+            script.push(
+                line,
+                if own {
+                    BlockKind::Set(slot, value)
+                } else {
+                    BlockKind::SetOther(slot, value)
+                },
+            );
             return Ok(());
         }
         let what = words::words(&mut cursor, &GRAMMAR, script)?;
@@ -116,7 +136,12 @@ impl<'t> Blocks<'t> for Program<'t> {
     }
 
     /// What opens and closes.
-    fn later(&mut self, script: &mut Script<'t>, targets: &mut Targets<'t>, Later { what, label }: Later<'t>) -> Parsed<()> {
+    fn later(
+        &mut self,
+        script: &mut Script<'t>,
+        targets: &mut Targets<'t>,
+        Later { what, label }: Later<'t>,
+    ) -> Parsed<()> {
         let here = script.blocks.len() - 1;
         match what {
             SUB => self.open.push(Open::Sub(label, here)),
@@ -136,7 +161,9 @@ impl<'t> Blocks<'t> for Program<'t> {
                 }
             },
             _ => match self.open.pop() {
-                Some(Open::If(own, begin, middle)) if own == label => jump_to(script, middle.unwrap_or(begin), here),
+                Some(Open::If(own, begin, middle)) if own == label => {
+                    jump_to(script, middle.unwrap_or(begin), here)
+                }
                 _ => {
                     targets.place = self.place();
                     return fault(text!("an endif without its if"));
@@ -150,7 +177,11 @@ impl<'t> Blocks<'t> for Program<'t> {
 
 impl Program<'_> {
     fn place(&self) -> u8 {
-        if self.open.iter().any(|open| matches!(open, Open::Sub(..))) { IN_SUB } else { 0 }
+        if self.open.iter().any(|open| matches!(open, Open::Sub(..))) {
+            IN_SUB
+        } else {
+            0
+        }
     }
 }
 
@@ -169,11 +200,21 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     script.ahead = Ahead::Alarms;
     let mut targets = Targets::default();
     let mut program = Program::default();
-    lines::lines(text, (Hand::LinuxCnc, b'('), &mut script, &mut targets, &mut program)?;
+    lines::lines(
+        text,
+        (Hand::LinuxCnc, b'('),
+        &mut script,
+        &mut targets,
+        &mut program,
+    )?;
     if let Some(Open::Sub(_, begin) | Open::If(_, begin, _)) = program.open.last() {
         let line = script.blocks[*begin].line;
         let message = text!("a subroutine or an if is not closed");
-        return Err(vec![Trouble { line, message, understood: true }]);
+        return Err(vec![Trouble {
+            line,
+            message,
+            understood: true,
+        }]);
     }
     targets.resolve(&mut script, false)?;
     Ok(script)
@@ -181,26 +222,32 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
 
 /// Whether a text names a variable of the subroutine alone: one without _, or a number up to 30 that is no argument.
 fn has_own(text: &str) -> bool {
-    text.match_indices('#').any(|(at, _)| match text[at + 1..].strip_prefix('<') {
-        Some(name) => !name.starts_with('_'),
-        None => {
-            let mut cursor = Cursor::new(&text[at + 1..]);
-            let number = cursor.label().and_then(parse::whole);
-            number.is_some_and(|number| (MOST_ARGUMENTS + 1..=30).contains(&number))
-        }
-    })
+    text.match_indices('#')
+        .any(|(at, _)| match text[at + 1..].strip_prefix('<') {
+            Some(name) => !name.starts_with('_'),
+            None => {
+                let mut cursor = Cursor::new(&text[at + 1..]);
+                let number = cursor.label().and_then(parse::whole);
+                number.is_some_and(|number| (MOST_ARGUMENTS + 1..=30).contains(&number))
+            }
+        })
 }
 
 /// Whether a comment says the values of variables that it names.
 fn says_values(comment: Comment<'_>) -> bool {
-    ["PRINT,", "DEBUG,", "LOG,"].iter().any(|word| after(trimmed(comment.text), word).is_some())
+    ["PRINT,", "DEBUG,", "LOG,"]
+        .iter()
+        .any(|word| after(trimmed(comment.text), word).is_some())
 }
 
 /// Comments that do something: `(PRINT,center.x=#<center_x>)`, `(ABORT,…)`, in small letters as well. Behind a semicolon the interpreter passes
 /// them by, but for Python, which may do anything.
 fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Parsed<()> {
     let text = trimmed(comment.text);
-    if ["PY,", "PYRUN,", "PYRELOAD"].iter().any(|word| after(text, word).is_some()) {
+    if ["PY,", "PYRUN,", "PYRELOAD"]
+        .iter()
+        .any(|word| after(text, word).is_some())
+    {
         return fault(text!("Python in a comment is not followed"));
     }
     if comment.sign != b'(' {
@@ -209,7 +256,11 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
     if let Some(rest) = after(text, "PRINT,") {
         // A text alone is shown, and nothing else.
         let Some((code, value)) = rest.split_once('=') else {
-            return if rest.contains('#') { fault(text!("a PRINT without its value")) } else { Ok(()) };
+            return if rest.contains('#') {
+                fault(text!("a PRINT without its value"))
+            } else {
+                Ok(())
+            };
         };
         let mut cursor = Cursor::new(value);
         let value = cursor.operand(&GRAMMAR, script)?;
@@ -220,11 +271,15 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
         let mut shown = Vec::new();
         while let Some((code, value)) = rest.split_once('=') {
             let mut cursor = Cursor::new(value);
-            let Ok(operand) = cursor.operand(&GRAMMAR, script) else { return Ok(()) };
+            let Ok(operand) = cursor.operand(&GRAMMAR, script) else {
+                return Ok(());
+            };
             shown.push((code.trim_start().to_owned(), operand));
             rest = &value[cursor.at()..];
         }
-        if rest.is_empty() && (shown.len() == 1 || shown.iter().all(|(code, _)| !code.contains(' '))) {
+        if rest.is_empty()
+            && (shown.len() == 1 || shown.iter().all(|(code, _)| !code.contains(' ')))
+        {
             for (code, operand) in shown {
                 script.push(line, BlockKind::Output(code, operand));
             }
@@ -236,13 +291,21 @@ fn active<'t>(script: &mut Script<'t>, line: usize, comment: Comment<'t>) -> Par
 }
 
 /// `o<name> sub`, `endsub`, `call`; `o1 if`, `else`, `endif`.
-fn o_word<'t>(script: &mut Script<'t>, line: usize, cursor: &mut Cursor<'t>, targets: &mut Targets<'t>) -> Parsed<()> {
+fn o_word<'t>(
+    script: &mut Script<'t>,
+    line: usize,
+    cursor: &mut Cursor<'t>,
+    targets: &mut Targets<'t>,
+) -> Parsed<()> {
     cursor.expect("o")?;
-    let label = cursor.label().ok_or_else(|| text!("an O word without a name"))?;
+    let label = cursor
+        .label()
+        .ok_or_else(|| text!("an O word without a name"))?;
     let here = script.blocks.len();
     let word = cursor.name().unwrap_or_default();
-    let known =
-        ["sub", "endsub", "call", "if", "else", "endif"].into_iter().find(|known| word.eq_ignore_ascii_case(known.as_bytes()));
+    let known = ["sub", "endsub", "call", "if", "else", "endif"]
+        .into_iter()
+        .find(|known| word.eq_ignore_ascii_case(known.as_bytes()));
     let (block, later) = match known.unwrap_or_default() {
         "sub" => {
             targets.known.push((label, here + 1));
@@ -255,7 +318,10 @@ fn o_word<'t>(script: &mut Script<'t>, line: usize, cursor: &mut Cursor<'t>, tar
             targets.wanted.push((here, label));
             (BlockKind::Call(0, arguments), None)
         }
-        "if" => (BlockKind::JumpUnless(cursor.bracketed(&GRAMMAR, script)?, 0), Some(IF)),
+        "if" => (
+            BlockKind::JumpUnless(cursor.bracketed(&GRAMMAR, script)?, 0),
+            Some(IF),
+        ),
         "else" => (BlockKind::Jump(0), Some(ELSE)),
         "endif" => (BlockKind::Nothing, Some(END_IF)),
         _ => return fault(text!("this O word is not understood")),
@@ -278,7 +344,9 @@ fn arguments<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<Vec
 }
 
 fn jump_to(script: &mut Script<'_>, from: usize, to: usize) {
-    if let BlockKind::Jump(target) | BlockKind::JumpUnless(_, target) = &mut script.blocks[from].kind {
+    if let BlockKind::Jump(target) | BlockKind::JumpUnless(_, target) =
+        &mut script.blocks[from].kind
+    {
         *target = to;
     }
 }

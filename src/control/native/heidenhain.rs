@@ -34,7 +34,10 @@ const Q: [Argument; 62] = [
     length("Q289", "smallest size"),
     length("Q294", "first point, third axis"),
     plain("Q301", "1: lifts to the clearance height between touches").within(0.0, 1.0),
-    plain("Q303", "where the value goes: 0 datum table, 1 preset table"),
+    plain(
+        "Q303",
+        "where the value goes: 0 datum table, 1 preset table",
+    ),
     plain("Q305", "row of the table; 0 is the active datum"),
     angle("Q307", "angle that the wall shall have"),
     plain("Q309", "1: stops out of tolerance"),
@@ -72,11 +75,24 @@ const Q: [Argument; 62] = [
 const POST: &str = "a post that the maker of the CAM system publishes, and posted programs";
 
 const fn cycle(name: &'static str, title: &'static str) -> Call {
-    Call { name, title, arguments: &Q, shared: &[], needs: &[], excludes: &[], mark: Mark::Sourced, source: POST }
+    Call {
+        name,
+        title,
+        arguments: &Q,
+        shared: &[],
+        needs: &[],
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: POST,
+    }
 }
 
 const fn recalled(name: &'static str, title: &'static str) -> Call {
-    Call { mark: Mark::Recalled, source: "recalled: title only", ..cycle(name, title) }
+    Call {
+        mark: Mark::Recalled,
+        source: "recalled: title only",
+        ..cycle(name, title)
+    }
 }
 
 pub static CALLS: [Call; 30] = [
@@ -91,12 +107,18 @@ pub static CALLS: [Call; 30] = [
     cycle("TCH PROBE 410", "centre of a rectangular pocket as datum"),
     cycle("TCH PROBE 411", "centre of a rectangular stud as datum"),
     cycle("TCH PROBE 412", "centre of a hole (inside circle) as datum"),
-    cycle("TCH PROBE 413", "centre of a stud (outside circle) as datum"),
+    cycle(
+        "TCH PROBE 413",
+        "centre of a stud (outside circle) as datum",
+    ),
     recalled("TCH PROBE 414", "outside corner as datum"),
     recalled("TCH PROBE 415", "inside corner as datum"),
     recalled("TCH PROBE 416", "centre of a pitch circle as datum"),
     cycle("TCH PROBE 417", "surface across the tool axis as datum"),
-    recalled("TCH PROBE 418", "crossing of lines between four holes as datum"),
+    recalled(
+        "TCH PROBE 418",
+        "crossing of lines between four holes as datum",
+    ),
     cycle("TCH PROBE 419", "one axis as datum"),
     cycle("TCH PROBE 420", "angle of a wall"),
     cycle("TCH PROBE 421", "hole, measured"),
@@ -108,10 +130,16 @@ pub static CALLS: [Call; 30] = [
     cycle("TCH PROBE 427", "one coordinate, measured"),
     recalled("TCH PROBE 430", "pitch circle, measured"),
     recalled("TCH PROBE 431", "plane by three touches"),
-    Call { source: "the control's manual, cycle 1411", ..cycle("TCH PROBE 1411", "two circles: position and rotation") },
+    Call {
+        source: "the control's manual, cycle 1411",
+        ..cycle("TCH PROBE 1411", "two circles: position and rotation")
+    },
     Call {
         source: "the control's manual, cycle 1493",
-        ..cycle("TCH PROBE 1493", "touches of the next cycle along a line (extrusion)")
+        ..cycle(
+            "TCH PROBE 1493",
+            "touches of the next cycle along a line (extrusion)",
+        )
     },
 ];
 
@@ -138,18 +166,60 @@ const TO_ROW: Words = &[(305, Is::Row)];
 const CENTER: Words = &[(331, Is::Gets(0)), (332, Is::Gets(1))];
 const COORDINATE: Words = &[(405, Is::GetsAlong)];
 const PRESET: Words = &[(303, Is::Preset)];
-const NO_TOP: Words = &[(381, Is::No), (382, Is::Idle), (383, Is::Idle), (384, Is::Idle), (333, Is::Idle)];
+const NO_TOP: Words = &[
+    (381, Is::No),
+    (382, Is::Idle),
+    (383, Is::Idle),
+    (384, Is::Idle),
+    (333, Is::Idle),
+];
 const SPREAD: Words = &[(423, Is::Count), (365, Is::Arcs)];
 /// What a cycle that measures only asks of its results; no tool is monitored.
 const PLACE: Words = &[(279, Is::Off), (280, Is::Off)];
 const LOG: Words = &[(281, Is::Log)];
-const ASKS_BOTH: Words = &[(309, Is::Stops { sizes: true, places: true }), (330, Is::No)];
-const ASKS_SIZE: Words = &[(309, Is::Stops { sizes: true, places: false }), (330, Is::No)];
-const ASKS_PLACE: Words = &[(309, Is::Stops { sizes: false, places: true }), (330, Is::No)];
+const ASKS_BOTH: Words = &[
+    (
+        309,
+        Is::Stops {
+            sizes: true,
+            places: true,
+        },
+    ),
+    (330, Is::No),
+];
+const ASKS_SIZE: Words = &[
+    (
+        309,
+        Is::Stops {
+            sizes: true,
+            places: false,
+        },
+    ),
+    (330, Is::No),
+];
+const ASKS_PLACE: Words = &[
+    (
+        309,
+        Is::Stops {
+            sizes: false,
+            places: true,
+        },
+    ),
+    (330, Is::No),
+];
 const OF_WIDTH: Words = &[(288, Is::Largest(0)), (289, Is::Smallest(0))];
 
-const ROUND: Words = &[(151, Is::Center(0)), (152, Is::Center(1)), (153, Is::Size(0))];
-const SIDES: Words = &[(151, Is::Center(0)), (152, Is::Center(1)), (154, Is::Size(0)), (155, Is::Size(1))];
+const ROUND: Words = &[
+    (151, Is::Center(0)),
+    (152, Is::Center(1)),
+    (153, Is::Size(0)),
+];
+const SIDES: Words = &[
+    (151, Is::Center(0)),
+    (152, Is::Center(1)),
+    (154, Is::Size(0)),
+    (155, Is::Size(1)),
+];
 const ACROSS: Words = &[(157, Is::Along), (156, Is::Size(0))];
 
 const fn of(
@@ -159,7 +229,15 @@ const fn of(
     words: &'static [Words],
     results: Words,
 ) -> Row {
-    Row { number, head, shape, inside, writes, words, results }
+    Row {
+        number,
+        head,
+        shape,
+        inside,
+        writes,
+        words,
+        results,
+    }
 }
 
 /// The cycles that programs call and that are read as jobs. [S: posted programs for the order of the words and the heads, the control's pages for meaning]
@@ -199,4 +277,9 @@ pub static ROWS: [Row; 15] = [
 ];
 
 const SIDES_OF: Words = &[(282, Is::Size(0)), (283, Is::Size(1))];
-const OF_SIDES: Words = &[(284, Is::Largest(0)), (285, Is::Smallest(0)), (286, Is::Largest(1)), (287, Is::Smallest(1))];
+const OF_SIDES: Words = &[
+    (284, Is::Largest(0)),
+    (285, Is::Smallest(0)),
+    (286, Is::Largest(1)),
+    (287, Is::Smallest(1)),
+];

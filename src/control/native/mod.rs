@@ -59,7 +59,10 @@ pub struct Argument {
 
 impl Argument {
     const fn within(self, low: f64, high: f64) -> Argument {
-        Argument { range: Some((low, high)), ..self }
+        Argument {
+            range: Some((low, high)),
+            ..self
+        }
     }
 
     /// More than nothing.
@@ -69,31 +72,57 @@ impl Argument {
 
     /// Whether the control takes a value.
     pub fn takes(&self, value: f64) -> bool {
-        self.range.is_none_or(|(low, high)| (low..=high).contains(&value) && (high.is_finite() || value > low))
+        self.range.is_none_or(|(low, high)| {
+            (low..=high).contains(&value) && (high.is_finite() || value > low)
+        })
     }
 
     /// Its range in words.
     pub fn range_words(&self) -> Option<String> {
         let (low, high) = self.range?;
         let low = crate::num::decimal(low, 3);
-        Some(if high.is_finite() { format!("{low} to {}", crate::num::decimal(high, 3)) } else { format!("more than {low}") })
+        Some(if high.is_finite() {
+            format!("{low} to {}", crate::num::decimal(high, 3))
+        } else {
+            format!("more than {low}")
+        })
     }
 }
 
 const fn feed(name: &'static str, meaning: &'static str) -> Argument {
-    Argument { name, meaning, unit: Unit::Feed, range: None }
+    Argument {
+        name,
+        meaning,
+        unit: Unit::Feed,
+        range: None,
+    }
 }
 
 const fn length(name: &'static str, meaning: &'static str) -> Argument {
-    Argument { name, meaning, unit: Unit::Length, range: None }
+    Argument {
+        name,
+        meaning,
+        unit: Unit::Length,
+        range: None,
+    }
 }
 
 const fn angle(name: &'static str, meaning: &'static str) -> Argument {
-    Argument { name, meaning, unit: Unit::Angle, range: None }
+    Argument {
+        name,
+        meaning,
+        unit: Unit::Angle,
+        range: None,
+    }
 }
 
 const fn plain(name: &'static str, meaning: &'static str) -> Argument {
-    Argument { name, meaning, unit: Unit::None, range: None }
+    Argument {
+        name,
+        meaning,
+        unit: Unit::None,
+        range: None,
+    }
 }
 
 /// A call.
@@ -119,16 +148,23 @@ pub struct Call {
 impl Call {
     /// An argument by its name.
     pub fn argument(&self, name: &str) -> Option<&'static Argument> {
-        self.arguments.iter().chain(self.shared).find(|argument| argument.name == name)
+        self.arguments
+            .iter()
+            .chain(self.shared)
+            .find(|argument| argument.name == name)
     }
 }
 
 /// The set whose calls have the numbers of others.
-const CENTROID: &str = "Centroid CNC12: the macros that are shipped with it (numbers of Renishaw's, other meanings)";
+const CENTROID: &str =
+    "Centroid CNC12: the macros that are shipped with it (numbers of Renishaw's, other meanings)";
 
 /// The sets of calls.
 pub static SETS: [(&str, &[Call]); 8] = [
-    ("Renishaw's macros: Fanuc and its kin, Haas, Mazak, Hurco (P98xx), Brother (P88xx)", &renishaw::CALLS),
+    (
+        "Renishaw's macros: Fanuc and its kin, Haas, Mazak, Hurco (P98xx), Brother (P88xx)",
+        &renishaw::CALLS,
+    ),
     ("Haas: the macros of its probing screens", &renishaw::HAAS),
     ("HEIDENHAIN: touch probe cycles", &heidenhain::CALLS),
     ("SINUMERIK: measuring cycles", &siemens::CALLS),
@@ -149,10 +185,19 @@ pub fn find_centroid(name: &str) -> Option<&'static Call> {
 }
 
 fn find_in(name: &str, is_searched: fn(&str) -> bool) -> Option<&'static Call> {
-    let plain: String = name.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
-    let plain = plain.replace("G65P88", "G65P98").replace("CALLO98", "G65P98");
+    let plain: String = name
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .map(|c| c.to_ascii_uppercase())
+        .collect();
+    let plain = plain
+        .replace("G65P88", "G65P98")
+        .replace("CALLO98", "G65P98");
     let same = |call: &&Call| call.name.bytes().filter(|b| *b != b' ').eq(plain.bytes());
-    SETS.iter().filter(|(set, _)| is_searched(set)).flat_map(|(_, calls)| calls.iter()).find(same)
+    SETS.iter()
+        .filter(|(set, _)| is_searched(set))
+        .flat_map(|(_, calls)| calls.iter())
+        .find(same)
 }
 
 #[cfg(test)]
@@ -168,13 +213,16 @@ mod tests {
             let call = find(&format!("TCH PROBE {}", row.number)).expect("a call of the table");
             let mut numbers: Vec<u16> = row.words().map(|(number, _)| number).collect();
             for (number, is) in row.words() {
-                let argument = call.argument(&format!("Q{number}")).expect("a word of the table");
-                let unit = match is.value(&Probed::unknown(row.shape, row.inside), &Asked::default()) {
-                    Quantity::Length(_) => Unit::Length,
-                    Quantity::Angle(_) => Unit::Angle,
-                    Quantity::Feed(_) => Unit::Feed,
-                    Quantity::Plain(_) => Unit::None,
-                };
+                let argument = call
+                    .argument(&format!("Q{number}"))
+                    .expect("a word of the table");
+                let unit =
+                    match is.value(&Probed::unknown(row.shape, row.inside), &Asked::default()) {
+                        Quantity::Length(_) => Unit::Length,
+                        Quantity::Angle(_) => Unit::Angle,
+                        Quantity::Feed(_) => Unit::Feed,
+                        Quantity::Plain(_) => Unit::None,
+                    };
                 assert_eq!(unit, argument.unit, "{} Q{number}", row.number);
             }
             numbers.sort_unstable();
@@ -185,17 +233,36 @@ mod tests {
 
     #[test]
     fn every_call_is_found_by_its_name_and_says_each_letter_once() {
-        for (set, call) in SETS.iter().flat_map(|(set, calls)| calls.iter().map(move |call| (*set, call))) {
-            let found = if set == CENTROID { find_centroid(call.name) } else { find(call.name) };
-            assert!(std::ptr::eq(found.unwrap(), call), "{} is there twice", call.name);
-            let mut names: Vec<&str> = call.arguments.iter().map(|argument| argument.name).collect();
+        for (set, call) in SETS
+            .iter()
+            .flat_map(|(set, calls)| calls.iter().map(move |call| (*set, call)))
+        {
+            let found = if set == CENTROID {
+                find_centroid(call.name)
+            } else {
+                find(call.name)
+            };
+            assert!(
+                std::ptr::eq(found.unwrap(), call),
+                "{} is there twice",
+                call.name
+            );
+            let mut names: Vec<&str> = call
+                .arguments
+                .iter()
+                .map(|argument| argument.name)
+                .collect();
             names.sort_unstable();
             let all = names.len();
             names.dedup();
             assert_eq!(names.len(), all, "{}", call.name);
             let known = |name: &str| name.split(' ').all(|name| call.argument(name).is_some());
             assert!(call.needs.iter().all(|name| known(name)), "{}", call.name);
-            assert!(call.excludes.iter().all(|(a, b)| known(a) && known(b)), "{}", call.name);
+            assert!(
+                call.excludes.iter().all(|(a, b)| known(a) && known(b)),
+                "{}",
+                call.name
+            );
             assert!(!call.source.is_empty() && !call.title.is_empty());
         }
         assert_eq!(find("g65p8814").unwrap().name, "G65 P9814");

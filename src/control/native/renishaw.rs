@@ -4,9 +4,15 @@ use super::{Argument, Call, Mark, angle, feed, length, plain};
 
 /// Letters of every measuring macro. Given only where they are wanted: a letter that is there may stop the program.
 const SHARED: [Argument; 10] = [
-    length("Q", "how far the touch searches behind the nominal surface, by the ball's centre; 5 mm unless it is given"),
+    length(
+        "Q",
+        "how far the touch searches behind the nominal surface, by the ball's centre; 5 mm unless it is given",
+    ),
     length("H", "tolerance of the size"),
-    length("M", "tolerance of the position, the whole zone: half of it to each side"),
+    length(
+        "M",
+        "tolerance of the position, the whole zone: half of it to each side",
+    ),
     angle("B", "tolerance of the angle"),
     plain("T", "tool offset that is corrected"),
     plain("F", "share of the error that the correction takes").within(0.0, 1.0),
@@ -16,31 +22,63 @@ const SHARED: [Argument; 10] = [
     length("U", "error above which the program stops"),
 ];
 
-const CLEARANCE: Argument =
-    length("R", "side clearance, from the surface of the ball; negative: inside, over an island or a protection zone");
-const HEIGHT: Argument = length("Z", "height of the touches, absolute: the feature is outside, or one to go down beside");
+const CLEARANCE: Argument = length(
+    "R",
+    "side clearance, from the surface of the ball; negative: inside, over an island or a protection zone",
+);
+const HEIGHT: Argument = length(
+    "Z",
+    "height of the touches, absolute: the feature is outside, or one to go down beside",
+);
 const SOURCE: &str = "the maker's macros (interface), and posts that write them";
 
 const fn measures(name: &'static str, title: &'static str, arguments: &'static [Argument]) -> Call {
-    Call { name, title, arguments, shared: &SHARED, needs: &[], excludes: &[], mark: Mark::Sourced, source: SOURCE }
+    Call {
+        name,
+        title,
+        arguments,
+        shared: &SHARED,
+        needs: &[],
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: SOURCE,
+    }
 }
 
 const fn moves(name: &'static str, title: &'static str, arguments: &'static [Argument]) -> Call {
-    Call { name, title, arguments, shared: &[], needs: &[], excludes: &[], mark: Mark::Sourced, source: SOURCE }
+    Call {
+        name,
+        title,
+        arguments,
+        shared: &[],
+        needs: &[],
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: SOURCE,
+    }
 }
 
 const X: Argument = length("X", "place along X");
 const Y: Argument = length("Y", "place along Y");
 const Z: Argument = length("Z", "place along Z");
-const PLACES: [Argument; 5] =
-    [X, Y, Z, feed("F", "feed"), plain("M", "1: a contact sets a flag and does not stop").within(1.0, 1.0)];
+const PLACES: [Argument; 5] = [
+    X,
+    Y,
+    Z,
+    feed("F", "feed"),
+    plain("M", "1: a contact sets a flag and does not stop").within(1.0, 1.0),
+];
 const SURFACE: [Argument; 3] = [
     length("X", "place of the surface along X"),
     length("Y", "place of the surface along Y"),
     length("Z", "place of the surface along Z"),
 ];
-const WIDTHS: [Argument; 4] =
-    [length("X", "width along X").positive(), length("Y", "width along Y").positive(), HEIGHT, CLEARANCE];
+const WIDTHS: [Argument; 4] = [
+    length("X", "width along X").positive(),
+    length("Y", "width along Y").positive(),
+    HEIGHT,
+    CLEARANCE,
+];
 const ROUND: [Argument; 3] = [length("D", "diameter").positive(), HEIGHT, CLEARANCE];
 const CORNER: [Argument; 4] = [
     length("X", "place of the wall across X"),
@@ -50,7 +88,10 @@ const CORNER: [Argument; 4] = [
 ];
 const THREE: [Argument; 6] = [
     angle("A", "direction of the first touch"),
-    angle("B", "direction of the second touch; in this macro no tolerance"),
+    angle(
+        "B",
+        "direction of the second touch; in this macro no tolerance",
+    ),
     angle("C", "direction of the third touch"),
     length("D", "diameter").positive(),
     HEIGHT,
@@ -60,7 +101,10 @@ const WALL: [Argument; 4] = [
     length("X", "place of the wall along X"),
     length("Y", "place of the wall along Y"),
     length("D", "distance of the two touches").positive(),
-    angle("A", "nominal angle; 90 for a wall across X and 0 for one across Y unless it is given"),
+    angle(
+        "A",
+        "nominal angle; 90 for a wall across X and 0 for one across Y unless it is given",
+    ),
 ];
 const PITCH: [Argument; 7] = [
     angle("A", "direction of the first hole"),
@@ -71,10 +115,18 @@ const PITCH: [Argument; 7] = [
     HEIGHT,
     CLEARANCE,
 ];
-const TURNED: [Argument; 2] =
-    [angle("A", "direction of the touch, from X+"), length("D", "distance from the start to the surface along that direction")];
+const TURNED: [Argument; 2] = [
+    angle("A", "direction of the touch, from X+"),
+    length(
+        "D",
+        "distance from the start to the surface along that direction",
+    ),
+];
 const TURNED_WIDTH: [Argument; 4] = [
-    angle("A", "angle of the wall's line; the touches are at 90 degrees to it"),
+    angle(
+        "A",
+        "angle of the wall's line; the touches are at 90 degrees to it",
+    ),
     length("D", "width").positive(),
     HEIGHT,
     CLEARANCE,
@@ -107,52 +159,129 @@ const MEAN: [Argument; 6] = [
     plain("F", "share of the error"),
     length("Z", "what the error is counted from"),
 ];
-const CALIBRATES: [Argument; 3] =
-    [length("D", "diameter of the ring or pin"), length("Z", "height, on a pin"), length("R", "side clearance, on a pin")];
-const CALIBRATES_LENGTH: [Argument; 2] = [plain("T", "tool offset of the probe"), length("Z", "place of the surface")];
+const CALIBRATES: [Argument; 3] = [
+    length("D", "diameter of the ring or pin"),
+    length("Z", "height, on a pin"),
+    length("R", "side clearance, on a pin"),
+];
+const CALIBRATES_LENGTH: [Argument; 2] = [
+    plain("T", "tool offset of the probe"),
+    length("Z", "place of the surface"),
+];
 
 pub static CALLS: [Call; 22] = [
-    moves("G65 P9801", "calibrates the probe's length", &CALIBRATES_LENGTH),
-    moves("G65 P9802", "calibrates the stylus offset in X and Y", &CALIBRATES),
+    moves(
+        "G65 P9801",
+        "calibrates the probe's length",
+        &CALIBRATES_LENGTH,
+    ),
+    moves(
+        "G65 P9802",
+        "calibrates the stylus offset in X and Y",
+        &CALIBRATES,
+    ),
     moves("G65 P9803", "calibrates the ball's radius", &CALIBRATES),
-    moves("G65 P9804", "calibrates the ball's radius by directions", &CALIBRATES),
-    Call { needs: &["X Y Z"], ..moves("G65 P9810", "protected positioning move", &PLACES) },
+    moves(
+        "G65 P9804",
+        "calibrates the ball's radius by directions",
+        &CALIBRATES,
+    ),
+    Call {
+        needs: &["X Y Z"],
+        ..moves("G65 P9810", "protected positioning move", &PLACES)
+    },
     Call {
         needs: &["X Y Z"],
         excludes: &[("S", "T"), ("T", "M"), ("S", "H")],
         ..measures("G65 P9811", "single surface", &SURFACE)
     },
-    Call { needs: &["X Y"], excludes: &[("X", "Y")], ..measures("G65 P9812", "web or slot", &WIDTHS) },
-    Call { needs: &["D"], ..measures("G65 P9814", "hole or boss, four touches", &ROUND) },
-    Call { needs: &["X", "Y"], excludes: &[("X", "H")], ..measures("G65 P9815", "inside corner", &CORNER) },
-    Call { needs: &["X", "Y"], excludes: &[("X", "H")], ..measures("G65 P9816", "outside corner", &CORNER) },
     Call {
-        excludes: &[("X", "Y")],
         needs: &["X Y"],
-        ..measures("G65 P9817", "fourth axis by two touches along X or Y", &FOURTH)
+        excludes: &[("X", "Y")],
+        ..measures("G65 P9812", "web or slot", &WIDTHS)
+    },
+    Call {
+        needs: &["D"],
+        ..measures("G65 P9814", "hole or boss, four touches", &ROUND)
+    },
+    Call {
+        needs: &["X", "Y"],
+        excludes: &[("X", "H")],
+        ..measures("G65 P9815", "inside corner", &CORNER)
+    },
+    Call {
+        needs: &["X", "Y"],
+        excludes: &[("X", "H")],
+        ..measures("G65 P9816", "outside corner", &CORNER)
     },
     Call {
         excludes: &[("X", "Y")],
         needs: &["X Y"],
-        ..measures("G65 P9818", "fourth axis by two touches, the other way", &FOURTH)
+        ..measures(
+            "G65 P9817",
+            "fourth axis by two touches along X or Y",
+            &FOURTH,
+        )
     },
-    Call { needs: &["C", "D"], ..measures("G65 P9819", "holes or bosses on a pitch circle", &PITCH) },
-    measures("G65 P9820", "stock: largest and smallest of several touches", &STOCK),
+    Call {
+        excludes: &[("X", "Y")],
+        needs: &["X Y"],
+        ..measures(
+            "G65 P9818",
+            "fourth axis by two touches, the other way",
+            &FOURTH,
+        )
+    },
+    Call {
+        needs: &["C", "D"],
+        ..measures("G65 P9819", "holes or bosses on a pitch circle", &PITCH)
+    },
+    measures(
+        "G65 P9820",
+        "stock: largest and smallest of several touches",
+        &STOCK,
+    ),
     Call {
         needs: &["A", "D"],
         excludes: &[("S", "H"), ("T", "M"), ("S", "T")],
         ..measures("G65 P9821", "turned surface", &TURNED)
     },
-    Call { needs: &["A", "D"], ..measures("G65 P9822", "turned web or slot", &TURNED_WIDTH) },
-    Call { needs: &["A", "B", "C", "D"], ..measures("G65 P9823", "hole or boss, three touches", &THREE) },
+    Call {
+        needs: &["A", "D"],
+        ..measures("G65 P9822", "turned web or slot", &TURNED_WIDTH)
+    },
+    Call {
+        needs: &["A", "B", "C", "D"],
+        ..measures("G65 P9823", "hole or boss, three touches", &THREE)
+    },
     moves("G65 P9832", "switches the probe on", &[]),
     moves("G65 P9833", "switches the probe off", &[]),
     Call {
-        excludes: &[("S", "T"), ("T", "M"), ("S", "H"), ("Z", "X"), ("Z", "Y"), ("A", "X"), ("A", "Y")],
-        ..measures("G65 P9834", "from feature to feature; alone it keeps the last one", &BETWEEN)
+        excludes: &[
+            ("S", "T"),
+            ("T", "M"),
+            ("S", "H"),
+            ("Z", "X"),
+            ("Z", "Y"),
+            ("A", "X"),
+            ("A", "Y"),
+        ],
+        ..measures(
+            "G65 P9834",
+            "from feature to feature; alone it keeps the last one",
+            &BETWEEN,
+        )
     },
-    moves("G65 P9835", "corrects a tool by the mean of several parts", &MEAN),
-    Call { needs: &["X Y", "D"], excludes: &[("X", "Y")], ..measures("G65 P9843", "angle of a wall, two touches", &WALL) },
+    moves(
+        "G65 P9835",
+        "corrects a tool by the mean of several parts",
+        &MEAN,
+    ),
+    Call {
+        needs: &["X Y", "D"],
+        excludes: &[("X", "Y")],
+        ..measures("G65 P9843", "angle of a wall, two touches", &WALL)
+    },
 ];
 
 const SCREEN: [Argument; 4] = [
@@ -160,7 +289,10 @@ const SCREEN: [Argument; 4] = [
         "A",
         "what: 0 to 2 tool length, 10 bore, 11 boss, 12 and 13 rectangle in- and outside, 14 and 16 web in X and Y, 15 and 17 pocket, 18 and 19 corner out- and inside, 20 surface, 21 vice corner",
     ),
-    plain("W", "work offset that is written: 54 to 59, 110 to 129, 154.01 to 154.99"),
+    plain(
+        "W",
+        "work offset that is written: 54 to 59, 110 to 129, 154.01 to 154.99",
+    ),
     length("D", "size"),
     length("Z", "way down, negative"),
 ];
@@ -176,9 +308,20 @@ const EDITION: [Argument; 5] = [
 ];
 
 pub static HAAS: [Call; 2] = [
-    Call { needs: &["A"], ..moves("G65 P9995", "probing screen: measures and writes the work offset", &SCREEN) },
     Call {
         needs: &["A"],
-        ..moves("G65 P9023", "probing screen of another edition: its numbers are not those of P9995", &EDITION)
+        ..moves(
+            "G65 P9995",
+            "probing screen: measures and writes the work offset",
+            &SCREEN,
+        )
+    },
+    Call {
+        needs: &["A"],
+        ..moves(
+            "G65 P9023",
+            "probing screen of another edition: its numbers are not those of P9995",
+            &EDITION,
+        )
     },
 ];

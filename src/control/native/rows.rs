@@ -177,7 +177,9 @@ impl Is {
             Is::Highest => length(position.map_or(0.0, |off| of.center[of.axis] + off)),
             Is::Lowest => length(position.map_or(0.0, |off| of.center[of.axis] - off)),
             Is::Off => length(position.unwrap_or(0.0)),
-            Is::Stops { sizes, places } => flag(sizes && size.is_some() || places && position.is_some()),
+            Is::Stops { sizes, places } => {
+                flag(sizes && size.is_some() || places && position.is_some())
+            }
             Is::Log => Quantity::Plain(asked.log),
             Is::No => flag(false),
             Is::Idle => length(0.0),
@@ -201,8 +203,15 @@ impl Is {
             Is::Arcs => of.arcs = value == 1.0,
             Is::Beside => of.beside = value,
             Is::Row => of.row = Some(value),
-            Is::Along | Is::Preset | Is::Gets(_) | Is::GetsAlong | Is::No | Is::Idle | Is::Log | Is::Off | Is::Stops { .. } => {
-            }
+            Is::Along
+            | Is::Preset
+            | Is::Gets(_)
+            | Is::GetsAlong
+            | Is::No
+            | Is::Idle
+            | Is::Log
+            | Is::Off
+            | Is::Stops { .. } => {}
             Is::Largest(_) | Is::Smallest(_) | Is::Highest | Is::Lowest => {}
         }
         Some(())
@@ -210,7 +219,10 @@ impl Is {
 
     /// Whether nothing can be said of the feature without it.
     fn is_needed(self) -> bool {
-        matches!(self, Is::Center(_) | Is::Edge(..) | Is::Size(_) | Is::Axis | Is::Towards)
+        matches!(
+            self,
+            Is::Center(_) | Is::Edge(..) | Is::Size(_) | Is::Axis | Is::Towards
+        )
     }
 
     /// Whether a row is written for what a job has no word for, unless the word has the value that a job gives it.
@@ -246,14 +258,21 @@ impl Row {
 
     /// Whether it stops for sizes and for places that are off by more than their limits.
     pub fn stops(&self) -> [bool; 2] {
-        let stops =
-            self.words().find_map(|(_, is)| if let Is::Stops { sizes, places } = is { Some([sizes, places]) } else { None });
+        let stops = self.words().find_map(|(_, is)| {
+            if let Is::Stops { sizes, places } = is {
+                Some([sizes, places])
+            } else {
+                None
+            }
+        });
         stops.unwrap_or_default()
     }
 
     /// The words of the call for what is to be probed.
     pub fn call(&self, of: &Probed, asked: &Asked) -> Vec<(u16, Quantity)> {
-        self.words().map(|(number, is)| (number, is.value(of, asked))).collect()
+        self.words()
+            .map(|(number, is)| (number, is.value(of, asked)))
+            .collect()
     }
 
     /// What a call with these values probes; none where they do not say enough.

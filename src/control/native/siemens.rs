@@ -9,7 +9,10 @@ const HOLE: [Argument; 21] = [
         "1",
         "variant: units 1 hole, 2 shaft, 3 groove, 4 web, 5 and 6 rectangle in- and outside; hundreds: corrects; thousands: protection zone",
     ),
-    plain("2", "where the correction goes: 9000 active offset, 10000 + n for n of the settable ones"),
+    plain(
+        "2",
+        "where the correction goes: 9000 active offset, 10000 + n for n of the settable ones",
+    ),
     plain("4", "probe data set").within(1.0, 10.0),
     length("5", "diameter or width").positive(),
     length("6", "first side of a rectangle").positive(),
@@ -48,17 +51,33 @@ const ANGLE: [Argument; 8] = [
     plain("4", "probe data set").within(1.0, 10.0),
     length("8", "measuring path"),
     angle("9", "safe area"),
-    plain("10", "axes: 201 measures X and steps along Y, 102 the other way, 103 on a tilted face"),
+    plain(
+        "10",
+        "axes: 201 measures X and steps along Y, 102 the other way, 103 on a tilted face",
+    ),
     plain("11", "direction: 1 plus, 2 minus"),
     length("12", "distance of the two touches"),
 ];
 
 const fn cycle(name: &'static str, title: &'static str, arguments: &'static [Argument]) -> Call {
-    Call { name, title, arguments, shared: &[], needs: &[], excludes: &[], mark: Mark::Sourced, source: SOURCE }
+    Call {
+        name,
+        title,
+        arguments,
+        shared: &[],
+        needs: &[],
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: SOURCE,
+    }
 }
 
 const fn recalled(name: &'static str, title: &'static str) -> Call {
-    Call { mark: Mark::Recalled, source: "recalled: title only", ..cycle(name, title, &[]) }
+    Call {
+        mark: Mark::Recalled,
+        source: "recalled: title only",
+        ..cycle(name, title, &[])
+    }
 }
 
 pub static CALLS: [Call; 8] = [

@@ -4,10 +4,22 @@ use super::{Argument, Call, Mark, angle, feed, length, plain};
 
 const MACROS: &str = "the maker's own macro set for a CAM system";
 
-const OFFSET: Argument = plain("A", "work offset that is written: 54 is G54, 54.5 the fifth of the extended ones");
+const OFFSET: Argument = plain(
+    "A",
+    "work offset that is written: 54 is G54, 54.5 the fifth of the extended ones",
+);
 
 const fn lnc(name: &'static str, title: &'static str, arguments: &'static [Argument]) -> Call {
-    Call { name, title, arguments, shared: &[], needs: &[], excludes: &[], mark: Mark::Sourced, source: MACROS }
+    Call {
+        name,
+        title,
+        arguments,
+        shared: &[],
+        needs: &[],
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: MACROS,
+    }
 }
 
 const SINGLE: [Argument; 2] = [OFFSET, length("B", "distance to the surface, signed")];
@@ -15,11 +27,33 @@ const BORE: [Argument; 3] = [OFFSET, length("B", "diameter"), length("Q", "overt
 const BOSS: [Argument; 3] = [OFFSET, length("B", "diameter"), length("C", "way down")];
 const WEB: [Argument; 3] = [OFFSET, length("B", "width"), length("C", "way down")];
 const SLOT: [Argument; 2] = [OFFSET, length("B", "width")];
-const POCKET: [Argument; 3] = [OFFSET, length("B", "width along X"), length("C", "width along Y")];
-const BLOCK: [Argument; 4] = [OFFSET, length("B", "width along X"), length("C", "width along Y"), length("D", "way down")];
-const INSIDE: [Argument; 3] = [OFFSET, plain("B", "corner, 1 to 4"), length("C", "distance")];
-const OUTSIDE: [Argument; 4] = [OFFSET, plain("B", "corner, 1 to 4"), length("C", "distance"), length("D", "way down")];
-const PLACE: [Argument; 3] = [length("X", "place along X"), length("Y", "place along Y"), length("Z", "place along Z")];
+const POCKET: [Argument; 3] = [
+    OFFSET,
+    length("B", "width along X"),
+    length("C", "width along Y"),
+];
+const BLOCK: [Argument; 4] = [
+    OFFSET,
+    length("B", "width along X"),
+    length("C", "width along Y"),
+    length("D", "way down"),
+];
+const INSIDE: [Argument; 3] = [
+    OFFSET,
+    plain("B", "corner, 1 to 4"),
+    length("C", "distance"),
+];
+const OUTSIDE: [Argument; 4] = [
+    OFFSET,
+    plain("B", "corner, 1 to 4"),
+    length("C", "distance"),
+    length("D", "way down"),
+];
+const PLACE: [Argument; 3] = [
+    length("X", "place along X"),
+    length("Y", "place along Y"),
+    length("Z", "place along Z"),
+];
 
 pub static LNC: [Call; 14] = [
     lnc("G65 \"PROBEX\"", "single surface across X", &SINGLE),
@@ -31,11 +65,19 @@ pub static LNC: [Call; 14] = [
     lnc("G65 \"PROBEYWEB\"", "web across Y", &WEB),
     lnc("G65 \"PROBESLOTX\"", "slot across X", &SLOT),
     lnc("G65 \"PROBESLOTY\"", "slot across Y", &SLOT),
-    lnc("G65 \"PROBERECTANGULARPOCKET\"", "rectangular pocket", &POCKET),
+    lnc(
+        "G65 \"PROBERECTANGULARPOCKET\"",
+        "rectangular pocket",
+        &POCKET,
+    ),
     lnc("G65 \"PROBERECTANGULARBOSS\"", "rectangular boss", &BLOCK),
     lnc("G65 \"PROBEINSIDECORNER\"", "inside corner", &INSIDE),
     lnc("G65 \"PROBEOUTSIDECORNER\"", "outside corner", &OUTSIDE),
-    lnc("G65 \"PROTECTEDMOVE\"", "protected positioning move", &PLACE),
+    lnc(
+        "G65 \"PROTECTEDMOVE\"",
+        "protected positioning move",
+        &PLACE,
+    ),
 ];
 
 const STARTS: [Argument; 10] = [
@@ -87,7 +129,10 @@ const RADII: [Argument; 14] = [
     length("X", "way of the touches along X, from the middle"),
     length("Y", "way of the touches along Y, from the middle"),
     length("Z", "way of the touch along Z"),
-    length("E", "way down from the top to the touches; of M465 the distance of the two touches"),
+    length(
+        "E",
+        "way down from the top to the touches; of M465 the distance of the two touches",
+    ),
     length("H", "way down before probing"),
     length("C", "clearance"),
     angle("Q", "angle that is added to the one in force"),
@@ -101,7 +146,16 @@ const RADII: [Argument; 14] = [
 ];
 
 const fn carvera(name: &'static str, title: &'static str, needs: &'static [&'static str]) -> Call {
-    Call { name, title, arguments: &RADII, shared: &[], needs, excludes: &[], mark: Mark::Sourced, source: FIRMWARE }
+    Call {
+        name,
+        title,
+        arguments: &RADII,
+        shared: &[],
+        needs,
+        excludes: &[],
+        mark: Mark::Sourced,
+        source: FIRMWARE,
+    }
 }
 
 pub static CARVERA: [Call; 7] = [
@@ -130,10 +184,20 @@ const PLACES: [Argument; 7] = [
     length("Z", "place along Z"),
     feed("F", "feed"),
 ];
-const ONE: [Argument; 5] = [AXIS, ALONG_X, ALONG_Y, length("Z", "surface across Z"), SEARCH];
+const ONE: [Argument; 5] = [
+    AXIS,
+    ALONG_X,
+    ALONG_Y,
+    length("Z", "surface across Z"),
+    SEARCH,
+];
 const WIDTH: [Argument; 7] = [AXIS, BOTH, ALONG_X, ALONG_Y, SEARCH, DOWN, ASIDE];
 const ROUND: [Argument; 4] = [length("D", "diameter").positive(), SEARCH, DOWN, ASIDE];
-const WALLS: [Argument; 3] = [length("X", "place of the wall across X"), length("Y", "place of the wall across Y"), SEARCH];
+const WALLS: [Argument; 3] = [
+    length("X", "place of the wall across X"),
+    length("Y", "place of the wall across Y"),
+    SEARCH,
+];
 const SLOPE: [Argument; 6] = [
     AXIS,
     ALONG_X,
@@ -142,8 +206,11 @@ const SLOPE: [Argument; 6] = [
     SEARCH,
     angle("B", "tolerance of the angle"),
 ];
-const OFFSETS: [Argument; 1] =
-    [plain("S", "work offset that is written: 1 to 6, of the largest edition to 18").within(1.0, 18.0)];
+const OFFSETS: [Argument; 1] = [plain(
+    "S",
+    "work offset that is written: 1 to 6, of the largest edition to 18",
+)
+.within(1.0, 18.0)];
 
 const fn centroid(
     name: &'static str,
@@ -165,15 +232,40 @@ const fn centroid(
 
 /// Numbers of Renishaw's macros, and other meanings: a letter names the axis, and a slot and a hole have numbers of their own.
 pub static CENTROID: [Call; 11] = [
-    centroid("G65 P9810", "protected positioning move", &PLACES, &["X Y Z"]),
+    centroid(
+        "G65 P9810",
+        "protected positioning move",
+        &PLACES,
+        &["X Y Z"],
+    ),
     centroid("G65 P9811", "single surface", &ONE, &["A", "X Y Z"]),
-    centroid("G65 P9812", "web, or with C1 a block", &WIDTH, &["A", "X Y"]),
-    centroid("G65 P9813", "slot, or with C1 a rectangular pocket", &WIDTH, &["A", "X Y"]),
+    centroid(
+        "G65 P9812",
+        "web, or with C1 a block",
+        &WIDTH,
+        &["A", "X Y"],
+    ),
+    centroid(
+        "G65 P9813",
+        "slot, or with C1 a rectangular pocket",
+        &WIDTH,
+        &["A", "X Y"],
+    ),
     centroid("G65 P9814", "boss, four touches", &ROUND, &["D"]),
     centroid("G65 P9815", "inside corner", &WALLS, &["X", "Y"]),
     centroid("G65 P9816", "outside corner", &WALLS, &["X", "Y"]),
     centroid("G65 P9817", "hole, four touches", &ROUND, &["D"]),
-    centroid("G65 P9843", "angle of a wall, two touches", &SLOPE, &["A", "X Y", "D"]),
+    centroid(
+        "G65 P9843",
+        "angle of a wall, two touches",
+        &SLOPE,
+        &["A", "X Y", "D"],
+    ),
     centroid("G65 P9832", "switches the probe on", &[], &[]),
-    centroid("G65 P9833", "switches the probe off, and shows the error", &[], &[]),
+    centroid(
+        "G65 P9833",
+        "switches the probe off, and shows the error",
+        &[],
+        &[],
+    ),
 ];

@@ -83,11 +83,25 @@ pub struct Machine<'w> {
 
 impl<'w> Machine<'w> {
     pub fn new(at: Vec3, radius: f64, tip: f64, answers: Answers<'w>) -> Self {
-        Machine { answers, at, radius, tip, made: Vec::new(), count: 0 }
+        Machine {
+            answers,
+            at,
+            radius,
+            tip,
+            made: Vec::new(),
+            count: 0,
+        }
     }
 
     fn push(&mut self, kind: Kind, to: Vec3, met: Option<Met>, rate: Option<f64>) {
-        self.made.push(Made { kind, to, met, rate, arc: None, count: self.count });
+        self.made.push(Made {
+            kind,
+            to,
+            met,
+            rate,
+            arc: None,
+            count: self.count,
+        });
         self.count += 1;
     }
 
@@ -118,11 +132,20 @@ impl<'w> Machine<'w> {
 
     /// A watched move as fast as the control goes; none where it is there already.
     pub fn goes(&mut self, to: Vec3) -> Result<(), Alarm> {
-        if self.is_at(to) { Ok(()) } else { self.watched(to, None, Alarm::Unexpected) }
+        if self.is_at(to) {
+            Ok(())
+        } else {
+            self.watched(to, None, Alarm::Unexpected)
+        }
     }
 
     /// One touch in a direction, searching `behind` where the contact is expected, and back: where the ball's centre was.
-    pub fn touches_once(&mut self, contact: Vec3, towards: Vec3, behind: f64) -> Result<Vec3, Alarm> {
+    pub fn touches_once(
+        &mut self,
+        contact: Vec3,
+        towards: Vec3,
+        behind: f64,
+    ) -> Result<Vec3, Alarm> {
         let start = self.at;
         let met = self.touch(contact + towards * behind, contact, Kind::Once, None)?;
         self.plain(start, Kind::Back, None)?;
@@ -148,8 +171,15 @@ impl<'w> Machine<'w> {
     pub fn along(&mut self, arc: Arc, alarm: Alarm) -> Result<(), Alarm> {
         let arm = self.at - arc.center;
         let (sin, cos) = arc.sweep.sin_cos();
-        let to = arc.center + Vec3::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos, arm.z);
-        let step = Move { to, feed: Feed::Rapid, purpose: Purpose::Position, step: 1, arc: Some(arc) };
+        let to =
+            arc.center + Vec3::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos, arm.z);
+        let step = Move {
+            to,
+            feed: Feed::Rapid,
+            purpose: Purpose::Position,
+            step: 1,
+            arc: Some(arc),
+        };
         let (mut from, mut met) = (self.at, None);
         for end in step.pieces(self.at, Vec3::Z, PIECE) {
             met = (self.answers)(from, end, None);
@@ -159,13 +189,22 @@ impl<'w> Machine<'w> {
             from = end;
         }
         self.push(Kind::Watched, to, met, None);
-        self.made.last_mut().into_iter().for_each(|made| made.arc = Some(arc));
+        self.made
+            .last_mut()
+            .into_iter()
+            .for_each(|made| made.arc = Some(arc));
         self.at = met.map_or(to, |met| met.center);
         if met.is_some() { Err(alarm) } else { Ok(()) }
     }
 
     /// A touch towards the end of its search; the contact is expected at a place.
-    pub fn touch(&mut self, end: Vec3, expected: Vec3, kind: Kind, rate: Option<f64>) -> Result<Vec3, Alarm> {
+    pub fn touch(
+        &mut self,
+        end: Vec3,
+        expected: Vec3,
+        kind: Kind,
+        rate: Option<f64>,
+    ) -> Result<Vec3, Alarm> {
         let start = self.at;
         let met = (self.answers)(start, end, Some(expected));
         self.push(kind, end, met, rate);

@@ -25,11 +25,29 @@ pub fn moves_of(
     first: Vec3,
     (radius, search): (f64, Option<f64>),
 ) -> Option<(Vec<Move>, Vec<Touch>)> {
-    let mut touches: Vec<Option<Touch>> = if own_order { Vec::new() } else { vec![None; path.touches.len()] };
-    let mut moves = vec![Move { to: first, feed: Feed::Approach, purpose: Purpose::Position, step: 1, arc: None }];
+    let mut touches: Vec<Option<Touch>> = if own_order {
+        Vec::new()
+    } else {
+        vec![None; path.touches.len()]
+    };
+    let mut moves = vec![Move {
+        to: first,
+        feed: Feed::Approach,
+        purpose: Purpose::Position,
+        step: 1,
+        arc: None,
+    }];
     let mut now = 0;
     for (made, (feed, step)) in made.iter().zip(feeds) {
-        let mut push = |to, feed, purpose| moves.push(Move { to, feed, purpose, step: *step, arc: made.arc });
+        let mut push = |to, feed, purpose| {
+            moves.push(Move {
+                to,
+                feed,
+                purpose,
+                step: *step,
+                arc: made.arc,
+            })
+        };
         match made.kind {
             Kind::Watched if search.is_some() && made.rate == search && feed.is_none() => {
                 push(made.to, Feed::Search, Purpose::Position)
@@ -53,11 +71,16 @@ pub fn moves_of(
                 } else {
                     let same = |k: &usize| {
                         let documented = &path.touches[*k];
-                        touches[*k].is_none() && documented.group == touch.group && documented.vector.dot(vector) > 1.0 - NEAR
+                        touches[*k].is_none()
+                            && documented.group == touch.group
+                            && documented.vector.dot(vector) > 1.0 - NEAR
                     };
                     now = (0..path.touches.len()).find(same)?;
                 }
-                touches[now] = Some(Touch { sample: now, ..touch });
+                touches[now] = Some(Touch {
+                    sample: now,
+                    ..touch
+                });
                 match made.kind {
                     Kind::Search => push(met.center, Feed::Search, Purpose::Search(now)),
                     _ => push(met.center, Feed::Work, Purpose::Touch(now)),
@@ -72,8 +95,10 @@ pub fn moves_of(
 /// Whether four directions, degrees, are a quarter turn apart.
 pub fn are_quarters(angles: &[f64]) -> bool {
     let turns = angles.iter().map(|angle| (angle - angles[0]) / 90.0);
-    let mut quarters: Vec<i64> =
-        turns.filter(|turn| (turn - turn.round()).abs() < NEAR).map(|turn| (turn.round() as i64).rem_euclid(4)).collect();
+    let mut quarters: Vec<i64> = turns
+        .filter(|turn| (turn - turn.round()).abs() < NEAR)
+        .map(|turn| (turn.round() as i64).rem_euclid(4))
+        .collect();
     quarters.sort_unstable();
     quarters == [0, 1, 2, 3]
 }
@@ -85,7 +110,11 @@ pub fn begins(path: &Path) -> Option<Vec3> {
 
 /// Where a documented cycle stands before it goes anywhere else: the end of its first steps.
 pub fn start(path: &Path) -> Option<Vec3> {
-    path.moves.iter().take_while(|step| step.step <= 1).last().map(|step| step.to)
+    path.moves
+        .iter()
+        .take_while(|step| step.step <= 1)
+        .last()
+        .map(|step| step.to)
 }
 
 /// Runs a block of a program; `None` if the block does not move.
@@ -105,8 +134,19 @@ pub struct Drafted {
 
 /// The path that a program makes on the nominal part, its touches in the order of the documented ones. Else what stops it, or nothing where it touches other
 /// surfaces than the documented cycle.
-pub fn planned(request: &OwnRequest<'_>, drafted: Drafted, runs: Runs, meets: Meets<'_>) -> Result<Path, Option<Alarm>> {
-    let Drafted { blocks, stored, guards, first, reach } = drafted;
+pub fn planned(
+    request: &OwnRequest<'_>,
+    drafted: Drafted,
+    runs: Runs,
+    meets: Meets<'_>,
+) -> Result<Path, Option<Alarm>> {
+    let Drafted {
+        blocks,
+        stored,
+        guards,
+        first,
+        reach,
+    } = drafted;
     let (mut path, radius) = (request.path.clone(), request.setup.radius);
     let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
     let mut machine = Machine::new(first, radius, 0.0, &mut answer);
@@ -116,14 +156,24 @@ pub fn planned(request: &OwnRequest<'_>, drafted: Drafted, runs: Runs, meets: Me
         if let Some(Err(alarm)) = runs(block, reach, &mut machine) {
             return Err(Some(alarm));
         }
-        let feed = if let OwnBlock::Goes(_, feed) = block { *feed } else { Feed::Rapid };
-        feeds.resize(machine.made.len(), (Some(feed), u8::try_from(step + 2).unwrap_or(u8::MAX)));
+        let feed = if let OwnBlock::Goes(_, feed) = block {
+            *feed
+        } else {
+            Feed::Rapid
+        };
+        feeds.resize(
+            machine.made.len(),
+            (Some(feed), u8::try_from(step + 2).unwrap_or(u8::MAX)),
+        );
         counted.push(machine.made.len() - before);
     }
     let made = machine.made;
-    (path.moves, path.touches) = moves_of(&path, false, &made, &feeds, first, (radius, None)).ok_or(None)?;
+    (path.moves, path.touches) =
+        moves_of(&path, false, &made, &feeds, first, (radius, None)).ok_or(None)?;
     path.start = None;
-    path.formula.results.retain(|result| result.role != Role::Residual);
+    path.formula
+        .results
+        .retain(|result| result.role != Role::Residual);
     path.own = Some(Box::new(Own {
         counts: made.iter().map(|made| made.count).collect(),
         first,
@@ -139,6 +189,9 @@ pub fn planned(request: &OwnRequest<'_>, drafted: Drafted, runs: Runs, meets: Me
 pub fn rerun(own: &Own, (radius, tip): (f64, f64), runs: Runs, meets: Meets<'_>) -> Outcome {
     let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
     let mut machine = Machine::new(own.first, radius, tip, &mut answer);
-    let alarm = own.blocks.iter().find_map(|(block, _)| runs(block, own.reach, &mut machine)?.err());
+    let alarm = own
+        .blocks
+        .iter()
+        .find_map(|(block, _)| runs(block, own.reach, &mut machine)?.err());
     (machine.made, alarm)
 }

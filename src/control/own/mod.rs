@@ -82,7 +82,11 @@ pub struct Several {
 impl OwnRequest<'_> {
     /// What else can be done where its own cycles do not take a job.
     pub fn advice(&self) -> Text {
-        Text::words(if self.takes_moves { words!(". Use the form \"moves\"") } else { "" })
+        Text::words(if self.takes_moves {
+            words!(". Use the form \"moves\"")
+        } else {
+            ""
+        })
     }
 
     /// A length, mm, in the job's unit.
@@ -94,7 +98,10 @@ impl OwnRequest<'_> {
 
 /// A value of a call by its letter, or by the number of its parameter: lengths in mm, angles in degrees.
 pub fn value<K: PartialEq>(values: &[(K, f64)], key: K) -> Option<f64> {
-    values.iter().find(|(known, _)| *known == key).map(|(_, value)| *value)
+    values
+        .iter()
+        .find(|(known, _)| *known == key)
+        .map(|(_, value)| *value)
 }
 
 /// The angle of a direction in the plane XY, degrees from X towards Y.

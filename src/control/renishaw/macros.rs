@@ -24,7 +24,10 @@ pub const KNOWN: [u32; 10] = [9810, 9811, 9812, 9814, 9815, 9816, 9821, 9822, 98
 
 /// Runs a macro by its letters, lengths in mm and angles in degrees: none of a number that is not known here.
 pub fn run(number: u32, letters: &[(char, f64)], m: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let call = Call { letters, q: value(letters, 'Q').unwrap_or(if number == 9843 { Q_ANGLE } else { Q }) };
+    let call = Call {
+        letters,
+        q: value(letters, 'Q').unwrap_or(if number == 9843 { Q_ANGLE } else { Q }),
+    };
     Some(match number {
         9810 => call.protected(m),
         9811 => call.surface(m),
@@ -93,11 +96,19 @@ impl Call<'_> {
     }
 
     fn surface(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
-        let given = [self.get('X'), self.get('Y'), self.get('Z').map(|tip| m.height(tip))];
-        let axis = given.iter().position(Option::is_some).filter(|_| given.iter().flatten().count() == 1);
+        let given = [
+            self.get('X'),
+            self.get('Y'),
+            self.get('Z').map(|tip| m.height(tip)),
+        ];
+        let axis = given
+            .iter()
+            .position(Option::is_some)
+            .filter(|_| given.iter().flatten().count() == 1);
         let (axis, mut surface) = (axis.ok_or(Alarm::Arguments)?, m.at);
         surface[axis] = given[axis].unwrap_or(surface[axis]);
-        m.measure(surface, self.q, if axis == 2 { 0.0 } else { m.radius }).map(drop)
+        m.measure(surface, self.q, if axis == 2 { 0.0 } else { m.radius })
+            .map(drop)
     }
 
     /// Minus first, then plus; both ends at where it began.
@@ -183,7 +194,9 @@ impl Call<'_> {
         let (first_x, first_y) = (2.0 * x - start.x, 2.0 * y - start.y);
         // From inside away from the corner is where the start lies, from outside the other side.
         let sign = |wall: f64, start: f64| if (start > wall) == outside { -1.0 } else { 1.0 };
-        let step = |letter: char, wall: f64, start: f64| self.get(letter).map(|step| step.abs() * sign(wall, start));
+        let step = |letter: char, wall: f64, start: f64| {
+            self.get(letter).map(|step| step.abs() * sign(wall, start))
+        };
         self.wall(m, (0, x), step('J', y, start.y), outside.then_some(first_y))?;
         self.wall(m, (1, y), step('I', x, start.x), outside.then_some(first_x))
     }
@@ -198,7 +211,8 @@ impl Call<'_> {
 
     fn turned_surface(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
         let (a, d) = (self.need('A')?, self.need('D')?);
-        m.measure(m.at + direction_at(a) * d, self.q, m.radius).map(drop)
+        m.measure(m.at + direction_at(a) * d, self.q, m.radius)
+            .map(drop)
     }
 
     /// Out to a side, down, a touch, up and back. Beside a feature Q counts from the nominal contact of the ball's centre, and not from the surface.
@@ -245,7 +259,11 @@ impl Call<'_> {
             _ => return Err(Alarm::Arguments),
         };
         let a = self.get('A').unwrap_or([90.0, 0.0][axis]);
-        let slope = if axis == 0 { (90.0 - a).to_radians().tan() } else { a.to_radians().tan() };
+        let slope = if axis == 0 {
+            (90.0 - a).to_radians().tan()
+        } else {
+            a.to_radians().tan()
+        };
         for side in [1.0, -1.0] {
             let mut off = Vec3::ZERO;
             (off[axis], off[1 - axis]) = (side * slope * half, side * half);
@@ -270,12 +288,24 @@ mod tests {
         at: [f64; 3],
         mut answers: impl FnMut(Vec3, Vec3) -> Option<Vec3>,
     ) -> Vec<String> {
-        let mut meets = |from, to, _: Option<Vec3>| answers(from, to).map(|center| Met { center, surface: 0, edge: false });
+        let mut meets = |from, to, _: Option<Vec3>| {
+            answers(from, to).map(|center| Met {
+                center,
+                surface: 0,
+                edge: false,
+            })
+        };
         let mut m = Machine::new(at.into(), 3.0, 3.0, &mut meets);
         let end = run(number, letters, &mut m).expect("known");
-        let place = |v: Vec3| v.to_array().map(|x| format!("{}", (x * 1e3).round() / 1e3 + 0.0)).join(" ");
+        let place = |v: Vec3| {
+            v.to_array()
+                .map(|x| format!("{}", (x * 1e3).round() / 1e3 + 0.0))
+                .join(" ")
+        };
         let row = |made: &crate::control::own::machine::Made| {
-            let contact = made.met.map_or_else(String::new, |met| format!(" at {}", place(met.center)));
+            let contact = made
+                .met
+                .map_or_else(String::new, |met| format!(" at {}", place(met.center)));
             format!("{:?} {}{contact}", made.kind, place(made.to))
         };
         let rows = m.made.iter().map(row);
@@ -294,11 +324,42 @@ mod tests {
     /// P9811 X40 Q2 from X30 with a ball of 6: the search ends 2 behind the surface, by the ball's centre; contact at 37; 1.6 back; again.
     #[test]
     fn a_surface_is_touched_twice() {
-        let rows = made(9811, &[('X', 40.0), ('Q', 2.0)], [30.0, 5.0, -4.0], wall(37.0));
-        assert_eq!(rows, ["Search 42 5 -4 at 37 5 -4", "Back 35.4 5 -4", "Measure 42 5 -4 at 37 5 -4", "Back 30 5 -4",]);
-        assert_eq!(made(9811, &[('X', 40.0), ('Q', 2.0)], [30.0, 5.0, -4.0], |_, _| None).last().unwrap(), "NotFound");
-        assert_eq!(made(9811, &[('X', 40.0)], [36.96, 5.0, -4.0], wall(37.0)).last().unwrap(), "Unexpected");
-        assert_eq!(made(9811, &[('X', 40.0), ('Y', 1.0)], [0.0; 3], |_, _| None), ["Arguments"]);
+        let rows = made(
+            9811,
+            &[('X', 40.0), ('Q', 2.0)],
+            [30.0, 5.0, -4.0],
+            wall(37.0),
+        );
+        assert_eq!(
+            rows,
+            [
+                "Search 42 5 -4 at 37 5 -4",
+                "Back 35.4 5 -4",
+                "Measure 42 5 -4 at 37 5 -4",
+                "Back 30 5 -4",
+            ]
+        );
+        assert_eq!(
+            made(
+                9811,
+                &[('X', 40.0), ('Q', 2.0)],
+                [30.0, 5.0, -4.0],
+                |_, _| None
+            )
+            .last()
+            .unwrap(),
+            "NotFound"
+        );
+        assert_eq!(
+            made(9811, &[('X', 40.0)], [36.96, 5.0, -4.0], wall(37.0))
+                .last()
+                .unwrap(),
+            "Unexpected"
+        );
+        assert_eq!(
+            made(9811, &[('X', 40.0), ('Y', 1.0)], [0.0; 3], |_, _| None),
+            ["Arguments"]
+        );
     }
 
     /// A web of 30 along Y, from 12 above: out by 15 + 3 + 4, down to the tip's Z−8 (the ball's centre at −5), in, up, over, the other side.
@@ -306,10 +367,16 @@ mod tests {
     fn a_web_is_gone_down_beside() {
         let faces = |from: Vec3, to: Vec3| {
             let side = from.y.signum();
-            (to.z < 0.0 && (to.y * side) < 18.0 && from.y.abs() > 18.0 + 1e-9)
-                .then(|| from + (to - from) * ((18.0 - from.y.abs()) / (to.y * side - from.y.abs())))
+            (to.z < 0.0 && (to.y * side) < 18.0 && from.y.abs() > 18.0 + 1e-9).then(|| {
+                from + (to - from) * ((18.0 - from.y.abs()) / (to.y * side - from.y.abs()))
+            })
         };
-        let rows = made(9812, &[('Y', 30.0), ('Z', -8.0), ('R', 4.0), ('Q', 1.0)], [2.0, 0.0, 12.0], faces);
+        let rows = made(
+            9812,
+            &[('Y', 30.0), ('Z', -8.0), ('R', 4.0), ('Q', 1.0)],
+            [2.0, 0.0, 12.0],
+            faces,
+        );
         assert_eq!(
             rows,
             [
@@ -344,7 +411,10 @@ mod tests {
             (bb > 0.0 && (0.0..1.0).contains(&t)).then(|| from + b * t)
         };
         let rows = made(9814, &[('D', 20.0), ('Q', 3.0)], [0.0, 0.0, -5.0], circle);
-        let contacts: Vec<&String> = rows.iter().filter(|row| row.starts_with("Measure")).collect();
+        let contacts: Vec<&String> = rows
+            .iter()
+            .filter(|row| row.starts_with("Measure"))
+            .collect();
         assert_eq!(
             contacts,
             [
@@ -363,12 +433,19 @@ mod tests {
         // The ball's centre comes to these places across the walls, from either side.
         let contact = |planes: [f64; 2]| {
             move |from: Vec3, to: Vec3| {
-                let axis = (0..2).find(|&axis| (from[axis] - planes[axis]) * (to[axis] - planes[axis]) < -1e-9)?;
+                let axis = (0..2).find(|&axis| {
+                    (from[axis] - planes[axis]) * (to[axis] - planes[axis]) < -1e-9
+                })?;
                 Some(from + (to - from) * ((planes[axis] - from[axis]) / (to[axis] - from[axis])))
             }
         };
         let touches = |number: u32, at: [f64; 3], planes: [f64; 2]| {
-            let rows = made(number, &[('X', 10.0), ('Y', 20.0), ('I', 7.0), ('J', 8.0), ('Q', 1.0)], at, contact(planes));
+            let rows = made(
+                number,
+                &[('X', 10.0), ('Y', 20.0), ('I', 7.0), ('J', 8.0), ('Q', 1.0)],
+                at,
+                contact(planes),
+            );
             rows.into_iter()
                 .filter(|row| row.starts_with("Search"))
                 .map(|row| row.split(" at").next().unwrap().to_owned())
@@ -376,7 +453,12 @@ mod tests {
         };
         assert_eq!(
             touches(9815, [30.0, 35.0, 0.0], [13.0, 23.0]),
-            ["Search 9 35 0", "Search 9 43 0", "Search 30 19 0", "Search 37 19 0"]
+            [
+                "Search 9 35 0",
+                "Search 9 43 0",
+                "Search 30 19 0",
+                "Search 37 19 0"
+            ]
         );
         // From outside, left of and below the corner: the first touches are as far behind it as the start is in front.
         let planes = |from: Vec3, to: Vec3| {
@@ -384,7 +466,12 @@ mod tests {
             let free = from.y.max(to.y) < 17.0 || from.x.max(to.x) < 7.0;
             (!free).then(|| contact([7.0, 17.0])(from, to)).flatten()
         };
-        let rows = made(9816, &[('X', 10.0), ('Y', 20.0), ('I', 7.0), ('J', 8.0), ('Q', 1.0)], [-7.0, 5.0, 0.0], planes);
+        let rows = made(
+            9816,
+            &[('X', 10.0), ('Y', 20.0), ('I', 7.0), ('J', 8.0), ('Q', 1.0)],
+            [-7.0, 5.0, 0.0],
+            planes,
+        );
         let own: Vec<&str> = rows
             .iter()
             .filter(|row| !row.starts_with("Back") && !row.starts_with("Measure"))
@@ -408,28 +495,72 @@ mod tests {
     /// A wall line at 30 degrees: A < 90 touches at 120 first, from 90 on at A − 90; beside a web the other way round.
     #[test]
     fn the_order_of_a_turned_width_changes_at_90() {
-        assert_eq!([first_side(30.0, false), first_side(89.999, false), first_side(90.0, false)], [120.0, 179.999, 0.0]);
+        assert_eq!(
+            [
+                first_side(30.0, false),
+                first_side(89.999, false),
+                first_side(90.0, false)
+            ],
+            [120.0, 179.999, 0.0]
+        );
         assert_eq!(first_side(30.0, true), 300.0);
-        let rows = made(9822, &[('A', 0.0), ('D', 10.0), ('Q', 2.0)], [0.0; 3], |from: Vec3, to: Vec3| {
-            (to.y.abs() > 2.0 && from.y.abs() < 2.0).then(|| Vec3::new(0.0, 2.0 * to.y.signum(), 0.0))
-        });
+        let rows = made(
+            9822,
+            &[('A', 0.0), ('D', 10.0), ('Q', 2.0)],
+            [0.0; 3],
+            |from: Vec3, to: Vec3| {
+                (to.y.abs() > 2.0 && from.y.abs() < 2.0)
+                    .then(|| Vec3::new(0.0, 2.0 * to.y.signum(), 0.0))
+            },
+        );
         assert_eq!(rows[0], "Search 0 7 0 at 0 2 0");
         // With Z and R inside, Q counts from the contact of the ball's centre: 5 − 3 − 1 = 1 out, 1 to the contact at 2, 2 more.
-        let rows = made(9822, &[('A', 0.0), ('D', 10.0), ('Q', 2.0), ('Z', -9.0), ('R', -1.0)], [0.0; 3], |_, _| None);
-        assert_eq!(rows[..3], ["Watched 0 1 0", "Watched 0 1 -6", "Search 0 4 -6"]);
+        let rows = made(
+            9822,
+            &[
+                ('A', 0.0),
+                ('D', 10.0),
+                ('Q', 2.0),
+                ('Z', -9.0),
+                ('R', -1.0),
+            ],
+            [0.0; 3],
+            |_, _| None,
+        );
+        assert_eq!(
+            rows[..3],
+            ["Watched 0 1 0", "Watched 0 1 -6", "Search 0 4 -6"]
+        );
     }
 
     /// A wall across X that runs at 90 − atan(0.1): the second touches begin a step aside along it.
     #[test]
     fn a_wall_angle_begins_on_the_plus_side() {
-        let rows = made(9843, &[('Y', 10.0), ('D', 20.0), ('Q', 3.0), ('A', 45.0)], [0.0; 3], |_, to: Vec3| {
-            (to.y > 8.0).then(|| Vec3::new(to.x, 7.0, 0.0))
-        });
+        let rows = made(
+            9843,
+            &[('Y', 10.0), ('D', 20.0), ('Q', 3.0), ('A', 45.0)],
+            [0.0; 3],
+            |_, to: Vec3| (to.y > 8.0).then(|| Vec3::new(to.x, 7.0, 0.0)),
+        );
         assert_eq!(rows[..2], ["Watched 10 10 0 at 10 7 0", "Obstructed"]);
-        let rows = made(9843, &[('Y', 10.0), ('D', 20.0), ('Q', 3.0)], [0.0; 3], |_, to: Vec3| {
-            (to.y > 8.0).then(|| Vec3::new(to.x, 7.0, 0.0))
-        });
-        let watched: Vec<&String> = rows.iter().filter(|row| row.starts_with("Watched") || row.starts_with("Search")).collect();
-        assert_eq!(watched, ["Watched 10 0 0", "Search 10 13 0 at 10 7 0", "Watched -10 0 0", "Search -10 13 0 at -10 7 0"]);
+        let rows = made(
+            9843,
+            &[('Y', 10.0), ('D', 20.0), ('Q', 3.0)],
+            [0.0; 3],
+            |_, to: Vec3| (to.y > 8.0).then(|| Vec3::new(to.x, 7.0, 0.0)),
+        );
+        let watched: Vec<&String> = rows
+            .iter()
+            .filter(|row| row.starts_with("Watched") || row.starts_with("Search"))
+            .collect();
+        assert_eq!(
+            watched,
+            [
+                "Watched 10 0 0",
+                "Search 10 13 0 at 10 7 0",
+                "Watched -10 0 0",
+                "Search -10 13 0 at -10 7 0"
+            ]
+        );
     }
 }

@@ -6,8 +6,8 @@
 
 use crate::control::iso::writer::Writer;
 use crate::control::{
-    Program, Report, Request, check_orientation, check_plain_moves, check_rotary, check_write, does, number, offsets,
-    orientation_line, rotation_field,
+    Program, Report, Request, check_orientation, check_plain_moves, check_rotary, check_write,
+    does, number, offsets, orientation_line, rotation_field,
 };
 use crate::form::Checker;
 use crate::num::decimal;
@@ -56,7 +56,11 @@ pub(in crate::control) const CALLS: Calls = Calls {
 impl Calls {
     /// How the control's screen and its manual call a macro: `P9814`.
     fn name(&self, number: u32) -> String {
-        format!("{}{}", self.call.chars().next_back().unwrap_or('P'), number - self.lower)
+        format!(
+            "{}{}",
+            self.call.chars().next_back().unwrap_or('P'),
+            number - self.lower
+        )
     }
 }
 
@@ -95,8 +99,10 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
     );
     checker.info("not-verified", "control.form", message);
     if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
-        let message =
-            text!("Turned features and three touches ask for a calibration by directions, {macro}", calls.name(CALIBRATION));
+        let message = text!(
+            "Turned features and three touches ask for a calibration by directions, {macro}",
+            calls.name(CALIBRATION)
+        );
         checker.warning("needs-calibration", "control.form", message);
     }
     if let Some(number) = called(own).find(|number| calls.not_seen.contains(number)) {
@@ -117,8 +123,17 @@ pub(in crate::control) fn check(request: &Request<'_>, calls: &Calls, checker: &
         check_asked(request, own, checker);
     }
     check_plain_moves(request, checker);
-    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
-    let datum = request.path.formula.datum.as_ref().filter(|_| request.work_offset.is_some());
+    check_rotary(
+        request,
+        checker,
+        text!("The program does not know the rotary axis of the machine"),
+    );
+    let datum = request
+        .path
+        .formula
+        .datum
+        .as_ref()
+        .filter(|_| request.work_offset.is_some());
     if datum.is_some_and(|d| d.rotation.is_some()) {
         let message = text!("A work offset of this control has no rotation: none can be written");
         checker.error("rotation-unsupported", rotation_field(request), message);
@@ -141,19 +156,29 @@ fn check_asked(request: &Request<'_>, own: &Own, checker: &mut Checker) {
     }
     let is_asked = |code: &str| own.guards.iter().any(|guard| guard.codes.contains(&code));
     // What was said of the walls holds for the angle between them.
-    let questions = path.formula.questions(&request.limits).into_iter().filter(|question| !(of_walls && question.angle));
-    let results = questions.map(|question| path.formula.results[question.result].code).filter(|code| !is_asked(code));
+    let questions = path
+        .formula
+        .questions(&request.limits)
+        .into_iter()
+        .filter(|question| !(of_walls && question.angle));
+    let results = questions
+        .map(|question| path.formula.results[question.result].code)
+        .filter(|code| !is_asked(code));
     let results: Vec<&str> = results.collect();
     if !results.is_empty() {
-        let message =
-            text!("The macros write without asking whether these are within their limits: {results}", results.join(", "));
+        let message = text!(
+            "The macros write without asking whether these are within their limits: {results}",
+            results.join(", ")
+        );
         checker.warning("limits-not-asked", "limits", message);
     }
 }
 
 pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program {
     let mut w = Writer::new(request);
-    let Some(own) = &request.path.own else { return w.finish() };
+    let Some(own) = &request.path.own else {
+        return w.finish();
+    };
     begin(request, own, calls, &mut w);
     let probes = !request.path.moves.is_empty();
     if probes {
@@ -170,16 +195,25 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
             OwnBlock::Call(number, letters) => {
                 for _ in 0..*moves {
                     // A protected move is the program's, the rest is the macro's.
-                    if *number == 9810 { w.makes_move() } else { w.leaves_move() }
+                    if *number == 9810 {
+                        w.makes_move()
+                    } else {
+                        w.leaves_move()
+                    }
                 }
-                let words: Vec<(char, String)> =
-                    letters.iter().map(|(letter, quantity)| (*letter, word(&w, *quantity))).collect();
+                let words: Vec<(char, String)> = letters
+                    .iter()
+                    .map(|(letter, quantity)| (*letter, word(&w, *quantity)))
+                    .collect();
                 w.line(&call(calls, *number, &words));
             }
             OwnBlock::Cycle(..) | OwnBlock::Goes(..) => {}
             OwnBlock::Keep(kept, output) => {
-                let Some(cycles) = request.post.own else { continue };
-                let [kept, output] = [Stored::Kept(*kept), Stored::Output(*output)].map(cycles.name);
+                let Some(cycles) = request.post.own else {
+                    continue;
+                };
+                let [kept, output] =
+                    [Stored::Kept(*kept), Stored::Output(*output)].map(cycles.name);
                 w.parts(&[&kept, "=", &output]);
             }
         }
@@ -201,22 +235,37 @@ pub(in crate::control) fn emit(request: &Request<'_>, calls: &Calls) -> Program 
 
 /// Where each result is: `#135 center.x`.
 fn results(request: &Request<'_>) -> Vec<String> {
-    let named = |(code, stored): &(String, Stored)| Some(format!("{} {}", (request.post.own?.name)(*stored), code));
+    let named = |(code, stored): &(String, Stored)| {
+        Some(format!("{} {}", (request.post.own?.name)(*stored), code))
+    };
     request.path.stored().iter().filter_map(named).collect()
 }
 
 /// A call as the control writes it.
 fn call(calls: &Calls, number: u32, words: &[(char, String)]) -> String {
     let (before, between) = calls.letter;
-    let words = words.iter().map(|(letter, value)| format!(" {before}{letter}{between}{value}"));
-    format!("{}{}{}", calls.call, number - calls.lower, words.collect::<String>())
+    let words = words
+        .iter()
+        .map(|(letter, value)| format!(" {before}{letter}{between}{value}"));
+    format!(
+        "{}{}{}",
+        calls.call,
+        number - calls.lower,
+        words.collect::<String>()
+    )
 }
 
 /// Turns the spindle to the angle of the job.
 fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
     if let Some(angle) = request.orient.filter(|_| request.post.orients.is_ok()) {
-        let point = if request.post.dialect.points && angle.fract() == 0.0 { "." } else { "" };
-        let word = calls.angle.map(|word| format!("{word}{}{point}", decimal(angle, 3)));
+        let point = if request.post.dialect.points && angle.fract() == 0.0 {
+            "."
+        } else {
+            ""
+        };
+        let word = calls
+            .angle
+            .map(|word| format!("{word}{}{point}", decimal(angle, 3)));
         w.parts(&["M19", &word.unwrap_or_default()]);
     }
 }
@@ -229,8 +278,13 @@ fn approach(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>)
         orient(request, calls, w);
     }
     let (first, rate) = (own.first, request.feeds.approach.unwrap_or(STATED_RAPID));
-    let [x, y, z, feed] = [first.x, first.y, first.z - request.setup.radius, rate].map(|value| w.number(value).to_string());
-    w.line(&call(calls, PROTECTED, &[('X', x), ('Y', y), ('F', feed.clone())]));
+    let [x, y, z, feed] = [first.x, first.y, first.z - request.setup.radius, rate]
+        .map(|value| w.number(value).to_string());
+    w.line(&call(
+        calls,
+        PROTECTED,
+        &[('X', x), ('Y', y), ('F', feed.clone())],
+    ));
     w.makes_move();
     w.line(&call(calls, PROTECTED, &[('Z', z), ('F', feed)]));
 }
@@ -240,7 +294,11 @@ fn word(w: &Writer<'_>, quantity: Quantity) -> String {
         Quantity::Length(mm) | Quantity::Feed(mm) => w.number(mm).to_string(),
         Quantity::Angle(x) | Quantity::Plain(x) => {
             let text = decimal(x, 4);
-            if text.contains('.') { text } else { format!("{text}.") }
+            if text.contains('.') {
+                text
+            } else {
+                format!("{text}.")
+            }
         }
     }
 }
@@ -278,7 +336,10 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
     });
     if called(own).any(|number| BY_DIRECTIONS.contains(&number)) {
         let [one, two, three] = BY_DIRECTIONS.map(|number| calls.name(number));
-        w.comment(&format!("{one}, {two} and {three} ask for a calibration by directions: {}", calls.name(CALIBRATION)));
+        w.comment(&format!(
+            "{one}, {two} and {three} ask for a calibration by directions: {}",
+            calls.name(CALIBRATION)
+        ));
     }
     if !calls.switches {
         w.comment("The control switches the probe by itself at the tool change");

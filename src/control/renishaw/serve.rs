@@ -8,8 +8,8 @@ use crate::control::own::{Meets, Outcome, OwnRequest, Refused, Several, degrees_
 use crate::formula::{Datum, Draft, Formula, Role};
 use crate::geom::{Plane, Vec3};
 use crate::path::{
-    Bore, Corner, Entry, Feature, Feed, Feeds, Guard, Off, Own, OwnBlock, Pairs, ParameterValue, Path, Point, Quantity, Reach,
-    STATED_RAPID, Stored, Surface, Touch, TwoCircles,
+    Bore, Corner, Entry, Feature, Feed, Feeds, Guard, Off, Own, OwnBlock, Pairs, ParameterValue,
+    Path, Point, Quantity, Reach, STATED_RAPID, Stored, Surface, Touch, TwoCircles,
 };
 use crate::text::{Text, text, words};
 
@@ -46,18 +46,29 @@ pub fn rerun(own: &Own, radius: f64, meets: Meets<'_>) -> Outcome {
 
 /// Runs a block; `None` if the block does not move.
 fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
-    let OwnBlock::Call(number, letters) = block else { return None };
-    let letters: Vec<(char, f64)> = letters.iter().map(|(letter, quantity)| (*letter, quantity.value())).collect();
+    let OwnBlock::Call(number, letters) = block else {
+        return None;
+    };
+    let letters: Vec<(char, f64)> = letters
+        .iter()
+        .map(|(letter, quantity)| (*letter, quantity.value()))
+        .collect();
     macros::run(*number, &letters, machine)
 }
 
 /// Between two cycles by protected moves; what the next macro empties is kept.
-pub const SEVERAL: Several = Several { way: protected, comes_itself: false, kept: (FIRST_KEPT, LAST_KEPT) };
+pub const SEVERAL: Several = Several {
+    way: protected,
+    comes_itself: false,
+    kept: (FIRST_KEPT, LAST_KEPT),
+};
 
 /// A protected move to a place along these axes. A height is of the stylus tip.
 fn protected(to: Vec3, axes: [bool; 3], radius: f64, (_, rate): (Feed, f64)) -> OwnBlock {
     let place = [to.x, to.y, to.z - radius];
-    let letters = (0..3).filter(|axis| axes[*axis]).map(|axis| (['X', 'Y', 'Z'][axis], Quantity::Length(place[axis])));
+    let letters = (0..3)
+        .filter(|axis| axes[*axis])
+        .map(|axis| (['X', 'Y', 'Z'][axis], Quantity::Length(place[axis])));
     OwnBlock::Call(9810, letters.chain([('F', Quantity::Feed(rate))]).collect())
 }
 
@@ -83,11 +94,16 @@ impl<'a> Program<'a> {
             return Err(refused(
                 "plane-unsupported",
                 "plane",
-                text!("The macros probe in the plane XY along Z: there are no programs for planes other than G17"),
+                text!(
+                    "The macros probe in the plane XY along Z: there are no programs for planes other than G17"
+                ),
             ));
         }
         if path.picked {
-            let message = text!("The macros choose their own touch points{advice}", request.advice());
+            let message = text!(
+                "The macros choose their own touch points{advice}",
+                request.advice()
+            );
             return Err(refused("cycle-chooses-points", "cycle.touches", message));
         }
         let first = path.moves.first().map_or(Vec3::ZERO, |step| step.to);
@@ -116,7 +132,11 @@ impl<'a> Program<'a> {
 
     /// A protected move along these axes.
     fn goes(&mut self, to: Vec3, axes: &[usize], feed: Feed) {
-        let moved: Vec<usize> = axes.iter().copied().filter(|axis| (to[*axis] - self.at[*axis]).abs() > NEAR).collect();
+        let moved: Vec<usize> = axes
+            .iter()
+            .copied()
+            .filter(|axis| (to[*axis] - self.at[*axis]).abs() > NEAR)
+            .collect();
         if moved.is_empty() {
             return;
         }
@@ -124,7 +144,12 @@ impl<'a> Program<'a> {
         for axis in axes {
             self.at[*axis] = to[*axis];
         }
-        self.blocks.push(protected(to, [0, 1, 2].map(|axis| axes.contains(&axis)), self.radius, (feed, rate)));
+        self.blocks.push(protected(
+            to,
+            [0, 1, 2].map(|axis| axes.contains(&axis)),
+            self.radius,
+            (feed, rate),
+        ));
         self.feeds.push(feed);
     }
 
@@ -142,7 +167,10 @@ impl<'a> Program<'a> {
 
     /// How far a touch searches behind the surface by the ball's centre, for the job's overtravel behind its contact.
     fn q(&self) -> Result<Quantity, Refused> {
-        self.q_of(Entry { field: "overtravel", value: self.request.setup.overtravel })
+        self.q_of(Entry {
+            field: "overtravel",
+            value: self.request.setup.overtravel,
+        })
     }
 
     /// Q of a search that goes so far behind the contact.
@@ -179,15 +207,25 @@ impl<'a> Program<'a> {
     }
 
     /// The same of a size, which may correct a tool; its results.
-    fn measures_size(&mut self, number: u32, mut letters: Vec<(char, Quantity)>, results: &[(&'static str, usize)]) {
-        let wear = results.iter().find_map(|(code, _)| self.request.wear.iter().find(|(known, _)| known == code));
+    fn measures_size(
+        &mut self,
+        number: u32,
+        mut letters: Vec<(char, Quantity)>,
+        results: &[(&'static str, usize)],
+    ) {
+        let wear = results
+            .iter()
+            .find_map(|(code, _)| self.request.wear.iter().find(|(known, _)| known == code));
         let Some((_, wear)) = wear else {
             self.measures(number, letters);
             return self.stores(results);
         };
         let mut correction = vec![('T', Quantity::Plain(f64::from(wear.tool)))];
         if let Some((parts, store)) = wear.mean {
-            correction.extend([('M', store), ('C', parts)].map(|(letter, x)| (letter, Quantity::Plain(f64::from(x)))));
+            correction.extend(
+                [('M', store), ('C', parts)]
+                    .map(|(letter, x)| (letter, Quantity::Plain(f64::from(x)))),
+            );
         }
         if wear.share < 1.0 {
             correction.push(('F', Quantity::Plain(wear.share)));
@@ -213,7 +251,9 @@ impl<'a> Program<'a> {
     fn calls(&mut self, number: u32, mut letters: Vec<(char, Quantity)>, work_offset: Option<i32>) {
         let limits = &self.request.limits;
         // One touch a wall gives no angle.
-        let angle = limits.angle.filter(|_| letters.iter().any(|(letter, _)| *letter == 'J'));
+        let angle = limits
+            .angle
+            .filter(|_| letters.iter().any(|(letter, _)| *letter == 'J'));
         let mut tolerance = |letter, value: Option<f64>, quantity: fn(f64) -> Quantity| {
             if let Some(value) = value {
                 letters.push((letter, quantity(value)));
@@ -239,20 +279,53 @@ impl<'a> Program<'a> {
 
     /// Where these results are: in the output of this call, which stops for them by its letters.
     fn stores(&mut self, results: &[(&'static str, usize)]) {
-        self.stored.extend(results.iter().map(|(code, output)| (*code, Stored::Output(*output))));
-        let Some(OwnBlock::Call(number, letters)) = self.blocks.last() else { return };
-        let letter = |wanted: char| letters.iter().find(|(letter, _)| *letter == wanted).map(|(_, value)| value.value());
+        self.stored.extend(
+            results
+                .iter()
+                .map(|(code, output)| (*code, Stored::Output(*output))),
+        );
+        let Some(OwnBlock::Call(number, letters)) = self.blocks.last() else {
+            return;
+        };
+        let letter = |wanted: char| {
+            letters
+                .iter()
+                .find(|(letter, _)| *letter == wanted)
+                .map(|(_, value)| value.value())
+        };
         let of = |outputs: &[usize]| -> Vec<&'static str> {
-            results.iter().filter(|(_, output)| outputs.contains(output)).map(|(code, _)| *code).collect()
+            results
+                .iter()
+                .filter(|(_, output)| outputs.contains(output))
+                .map(|(code, _)| *code)
+                .collect()
         };
         // H is compared with the size, M with twice how far the place is off, B with both walls.
         let guards = [
             (of(&[3]), Off::Each, letter('H')),
-            (of(&[0, 1, 2]), Off::Place, letter('M').map(|zone| zone / 2.0)),
-            (of(&[8, 9]), if *number == 9834 { Off::Each } else { Off::BothWalls }, letter('B')),
+            (
+                of(&[0, 1, 2]),
+                Off::Place,
+                letter('M').map(|zone| zone / 2.0),
+            ),
+            (
+                of(&[8, 9]),
+                if *number == 9834 {
+                    Off::Each
+                } else {
+                    Off::BothWalls
+                },
+                letter('B'),
+            ),
         ];
         let stops = guards.into_iter().filter(|(codes, ..)| !codes.is_empty());
-        self.guards.extend(stops.filter_map(|(codes, off, limit)| Some(Guard { codes, off, limit: limit? })));
+        self.guards.extend(stops.filter_map(|(codes, off, limit)| {
+            Some(Guard {
+                codes,
+                off,
+                limit: limit?,
+            })
+        }));
     }
 
     /// Keeps what the last call gave, before the next one empties it.
@@ -280,18 +353,34 @@ impl<'a> Program<'a> {
             let q = self.q()?;
             match axis_of(vector) {
                 Some(axis) => {
-                    self.measures(9811, vec![(['X', 'Y'][axis], Quantity::Length(touch.point[axis])), ('Q', q)]);
+                    self.measures(
+                        9811,
+                        vec![
+                            (['X', 'Y'][axis], Quantity::Length(touch.point[axis])),
+                            ('Q', q),
+                        ],
+                    );
                     self.stores(&[("point.x", 0), ("point.y", 1)]);
                 }
                 None => {
                     let a = degrees_of(-vector);
                     let d = (start - touch.point).dot(vector);
-                    self.measures(9821, vec![('A', Quantity::Angle(a)), ('D', Quantity::Length(d)), ('Q', q)]);
+                    self.measures(
+                        9821,
+                        vec![
+                            ('A', Quantity::Angle(a)),
+                            ('D', Quantity::Length(d)),
+                            ('Q', q),
+                        ],
+                    );
                     self.stores(&[("point.x", 0), ("point.y", 1)]);
                 }
             }
         } else {
-            let message = text!("No macro touches a sloped surface{advice}", self.request.advice());
+            let message = text!(
+                "No macro touches a sloped surface{advice}",
+                self.request.advice()
+            );
             return Err(refused("cycle-not-parallel", point.elevation, message));
         }
         self.up();
@@ -300,12 +389,21 @@ impl<'a> Program<'a> {
 
     fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
         let path = self.request.path;
-        let inside = path.touches.first().is_some_and(|touch| (touch.point - path.frame.origin).dot(touch.vector) < 0.0);
-        let angles: Vec<f64> =
-            path.touches.iter().map(|touch| degrees_of(if inside { -touch.vector } else { touch.vector })).collect();
+        let inside = path
+            .touches
+            .first()
+            .is_some_and(|touch| (touch.point - path.frame.origin).dot(touch.vector) < 0.0);
+        let angles: Vec<f64> = path
+            .touches
+            .iter()
+            .map(|touch| degrees_of(if inside { -touch.vector } else { touch.vector }))
+            .collect();
         let square = made::are_quarters;
         if square(&angles) && (angles[0] / 90.0 - (angles[0] / 90.0).round()).abs() > NEAR {
-            let message = text!("P9814 touches along X and Y: these four touches are turned{advice}", self.request.advice());
+            let message = text!(
+                "P9814 touches along X and Y: these four touches are turned{advice}",
+                self.request.advice()
+            );
             return Err(refused("cycle-not-parallel", "cycle.rotation", message));
         }
         let mut letters = vec![('D', Quantity::Length(bore.diameter.value))];
@@ -314,9 +412,20 @@ impl<'a> Program<'a> {
         match (square(&angles), angles.as_slice()) {
             (true, _) => letters.push(('Q', self.q()?)),
             (false, [a, b, c]) => {
-                letters.splice(0..0, [('A', *a), ('B', *b), ('C', *c)].map(|(letter, angle)| (letter, Quantity::Angle(angle))));
+                letters.splice(
+                    0..0,
+                    [('A', *a), ('B', *b), ('C', *c)]
+                        .map(|(letter, angle)| (letter, Quantity::Angle(angle))),
+                );
                 // Beside a feature this macro counts Q from the contact.
-                letters.push(('Q', if beside { Quantity::Length(self.request.setup.overtravel) } else { self.q()? }));
+                letters.push((
+                    'Q',
+                    if beside {
+                        Quantity::Length(self.request.setup.overtravel)
+                    } else {
+                        self.q()?
+                    },
+                ));
             }
             _ => {
                 let message = text!(
@@ -329,7 +438,10 @@ impl<'a> Program<'a> {
         }
         if let Some(clearance) = bore.clearance {
             let r = self.r(clearance, inside)?;
-            letters.extend([('Z', Quantity::Length(path.touches[0].point.z - self.radius)), ('R', r)]);
+            letters.extend([
+                ('Z', Quantity::Length(path.touches[0].point.z - self.radius)),
+                ('R', r),
+            ]);
         }
         self.down(self.start(), start);
         let results = [("center.x", 0), ("center.y", 1), ("diameter", 3)];
@@ -348,11 +460,18 @@ impl<'a> Program<'a> {
                 "Both macros of a turned rectangle write X and Y, and the second would measure in the system that the first has moved: write no work offset{advice}",
                 self.request.advice()
             );
-            return Err(refused("offset-measured-again", "control.workOffset", message));
+            return Err(refused(
+                "offset-measured-again",
+                "control.workOffset",
+                message,
+            ));
         }
         let start = if beside { self.start() } else { self.begins() };
         self.down(self.start(), start);
-        let measured = [[("center.x", 0), ("width1", 3)], [("center.y", 1), ("width2", 3)]];
+        let measured = [
+            [("center.x", 0), ("width1", 3)],
+            [("center.y", 1), ("width2", 3)],
+        ];
         let single = pairs.sides.len() == 1;
         for (i, side) in pairs.sides.iter().enumerate() {
             if i > 0 {
@@ -364,14 +483,27 @@ impl<'a> Program<'a> {
                 None => {
                     // The angle of the wall, not of the touch.
                     let wall = (degrees_of(touch.vector) + 90.0).rem_euclid(180.0);
-                    vec![('A', Quantity::Angle(wall)), ('D', Quantity::Length(side.width.value))]
+                    vec![
+                        ('A', Quantity::Angle(wall)),
+                        ('D', Quantity::Length(side.width.value)),
+                    ]
                 }
             };
             // Beside a feature the macro of turned walls counts Q from the contact.
             let from_contact = turned && side.clearance.is_some();
-            letters.push(('Q', if from_contact { Quantity::Length(self.request.setup.overtravel) } else { self.q()? }));
+            letters.push((
+                'Q',
+                if from_contact {
+                    Quantity::Length(self.request.setup.overtravel)
+                } else {
+                    self.q()?
+                },
+            ));
             if let Some(clearance) = side.clearance {
-                letters.extend([('Z', Quantity::Length(touch.point.z - self.radius)), ('R', self.r(clearance, inside)?)]);
+                letters.extend([
+                    ('Z', Quantity::Length(touch.point.z - self.radius)),
+                    ('R', self.r(clearance, inside)?),
+                ]);
             }
             let results: &[(&'static str, usize)] = match (single, turned, axis_of(touch.vector)) {
                 (true, true, _) => &[("center.x", 0), ("center.y", 1), ("width", 3)],
@@ -396,7 +528,12 @@ impl<'a> Program<'a> {
 
     fn corner(&mut self, corner: &Corner) -> Result<(), Refused> {
         let path = self.request.path;
-        let of = |group: usize| path.touches.iter().filter(|touch| touch.group == group).collect::<Vec<&Touch>>();
+        let of = |group: usize| {
+            path.touches
+                .iter()
+                .filter(|touch| touch.group == group)
+                .collect::<Vec<&Touch>>()
+        };
         let [one, two] = [of(0), of(1)];
         let (Some(a), Some(b)) = (axis_of(one[0].vector), axis_of(two[0].vector)) else {
             let message = text!(
@@ -406,7 +543,10 @@ impl<'a> Program<'a> {
             return Err(refused("cycle-not-parallel", "cycle.rotation", message));
         };
         if a == b || (corner.angle.value - 90.0).abs() > NEAR {
-            let message = text!("The corner macros take walls that are square to each other{advice}", self.request.advice());
+            let message = text!(
+                "The corner macros take walls that are square to each other{advice}",
+                self.request.advice()
+            );
             return Err(refused("cycle-not-square", corner.angle.field, message));
         }
         if one.len() > 2 || two.len() > 2 || one.len() != two.len() {
@@ -423,15 +563,25 @@ impl<'a> Program<'a> {
         let level = x_wall[0].point.z;
         // Inside, the first touches are beside the start; outside as far behind the corner as the start is in front of it.
         let foot = Vec3::new(y_wall[0].point.x, x_wall[0].point.y, level);
-        let start = if corner.outside { Vec3::new(2.0 * x - foot.x, 2.0 * y - foot.y, level) } else { foot };
+        let start = if corner.outside {
+            Vec3::new(2.0 * x - foot.x, 2.0 * y - foot.y, level)
+        } else {
+            foot
+        };
         self.first = start.with_z(self.first.z);
         self.at = self.first;
         let over = start.with_z(self.start().z.max(level));
         self.down(over, start);
         let mut letters = vec![('X', Quantity::Length(x)), ('Y', Quantity::Length(y))];
         if let ([first, second], [third, fourth]) = (y_wall.as_slice(), x_wall.as_slice()) {
-            letters.push(('I', Quantity::Length((second.point.x - first.point.x).abs())));
-            letters.push(('J', Quantity::Length((fourth.point.y - third.point.y).abs())));
+            letters.push((
+                'I',
+                Quantity::Length((second.point.x - first.point.x).abs()),
+            ));
+            letters.push((
+                'J',
+                Quantity::Length((fourth.point.y - third.point.y).abs()),
+            ));
         }
         letters.push(('Q', self.q()?));
         self.measures(if corner.outside { 9816 } else { 9815 }, letters);
@@ -446,12 +596,26 @@ impl<'a> Program<'a> {
             if touch.group < 2 {
                 continue;
             }
-            let Some(from) = from.filter(|_| touch.vector.z > 0.0 && made::is_along(touch.vector, 2)) else {
-                let message = text!("The third surface must lie across Z{advice}", self.request.advice());
+            let Some(from) =
+                from.filter(|_| touch.vector.z > 0.0 && made::is_along(touch.vector, 2))
+            else {
+                let message = text!(
+                    "The third surface must lie across Z{advice}",
+                    self.request.advice()
+                );
                 return Err(refused("cycle-not-parallel", "cycle", message));
             };
-            if path.touches.iter().filter(|other| other.group == touch.group).count() > 1 {
-                let message = text!("A surface is touched once by a macro{advice}", self.request.advice());
+            if path
+                .touches
+                .iter()
+                .filter(|other| other.group == touch.group)
+                .count()
+                > 1
+            {
+                let message = text!(
+                    "A surface is touched once by a macro{advice}",
+                    self.request.advice()
+                );
                 return Err(refused("cycle-chooses-points", "cycle", message));
             }
             self.keeps();
@@ -471,13 +635,28 @@ impl<'a> Program<'a> {
     /// Hole or stud, from feature to feature, the other one, and what lies between them.
     fn two_circles(&mut self, circles: &TwoCircles) -> Result<(), Refused> {
         let path = self.request.path;
-        let setting = |number: i32| match circles.settings.iter().find(|setting| setting.number == number).map(|s| &s.value) {
+        let setting = |number: i32| match circles
+            .settings
+            .iter()
+            .find(|setting| setting.number == number)
+            .map(|s| &s.value)
+        {
             Some(ParameterValue::Whole(n)) => *n,
             _ => 0,
         };
-        let of = |group: usize| path.touches.iter().filter(|touch| touch.group == group).collect::<Vec<&Touch>>();
-        let full = circles.spread.is_some_and(|spread| (spread.sweep.abs().to_degrees() - 360.0).abs() < NEAR);
-        if [0, 1].iter().any(|group| of(*group).len() != 4) || !full || !circles.extrusion.is_empty() {
+        let of = |group: usize| {
+            path.touches
+                .iter()
+                .filter(|touch| touch.group == group)
+                .collect::<Vec<&Touch>>()
+        };
+        let full = circles
+            .spread
+            .is_some_and(|spread| (spread.sweep.abs().to_degrees() - 360.0).abs() < NEAR);
+        if [0, 1].iter().any(|group| of(*group).len() != 4)
+            || !full
+            || !circles.extrusion.is_empty()
+        {
             return Err(four_points(self.request));
         }
         let (transfer, line) = (setting(1120), circles.line.unwrap_or([Vec3::ZERO; 2]));
@@ -486,35 +665,70 @@ impl<'a> Program<'a> {
                 "The work offset can be written by the second circle alone (Q1120 = 2): after the first the second would be measured in the system that it has moved{advice}",
                 self.request.advice()
             );
-            return Err(refused("offset-measured-again", "cycle.transferPosition", message));
+            return Err(refused(
+                "offset-measured-again",
+                "cycle.transferPosition",
+                message,
+            ));
         }
-        if self.request.work_offset.is_some() && transfer == 2 && self.request.limits.angle.is_some() {
+        if self.request.work_offset.is_some()
+            && transfer == 2
+            && self.request.limits.angle.is_some()
+        {
             let message = text!(
                 "P9834 asks the angle after the second circle has written the work offset: let limits.angle be null, or write no work offset"
             );
             return Err(refused("limits-not-asked", "limits.angle", message));
         }
-        let up = path.moves.iter().map(|step| step.to.z).fold(f64::NEG_INFINITY, f64::max);
+        let up = path
+            .moves
+            .iter()
+            .map(|step| step.to.z)
+            .fold(f64::NEG_INFINITY, f64::max);
         self.first = line[0].with_z(up);
         self.at = self.first;
         for (i, center) in line.into_iter().enumerate() {
-            let (touches, codes) = (of(i), [["Q950", "Q951", "Q966"], ["Q953", "Q954", "Q967"]][i]);
-            let k = path.touches.iter().position(|touch| touch.group == i).unwrap_or(0);
-            let from = path.searches().find(|(touch, ..)| *touch == k).and_then(|(_, from, _)| from).unwrap_or(center);
+            let (touches, codes) = (
+                of(i),
+                [["Q950", "Q951", "Q966"], ["Q953", "Q954", "Q967"]][i],
+            );
+            let k = path
+                .touches
+                .iter()
+                .position(|touch| touch.group == i)
+                .unwrap_or(0);
+            let from = path
+                .searches()
+                .find(|(touch, ..)| *touch == k)
+                .and_then(|(_, from, _)| from)
+                .unwrap_or(center);
             let round = match &path.surfaces[i] {
                 Surface::Round(round) => *round,
                 _ => return Err(four_points(self.request)),
             };
             self.goes(center.with_z(up), &[0, 1], Feed::LongLink);
-            let q = self.q_of(Entry { field: "cycle.probe.dist", value: touches[0].search })?;
+            let q = self.q_of(Entry {
+                field: "cycle.probe.dist",
+                value: touches[0].search,
+            })?;
             let mut letters = vec![('D', Quantity::Length(2.0 * round.radius)), ('Q', q)];
             if round.hole {
                 self.goes(center.with_z(touches[0].point.z), &[2], Feed::LongLink);
             } else {
-                let clearance = Entry { field: "cycle.setUpClearance", value: from.distance(touches[0].point) };
-                letters.extend([('Z', Quantity::Length(touches[0].point.z - self.radius)), ('R', self.r(clearance, false)?)]);
+                let clearance = Entry {
+                    field: "cycle.setUpClearance",
+                    value: from.distance(touches[0].point),
+                };
+                letters.extend([
+                    ('Z', Quantity::Length(touches[0].point.z - self.radius)),
+                    ('R', self.r(clearance, false)?),
+                ]);
             }
-            self.calls(9814, letters, self.request.work_offset.filter(|_| i == 1 && transfer == 2));
+            self.calls(
+                9814,
+                letters,
+                self.request.work_offset.filter(|_| i == 1 && transfer == 2),
+            );
             self.stores(&[(codes[0], 0), (codes[1], 1), (codes[2], 3)]);
             self.keeps();
             if i == 0 {
@@ -524,7 +738,12 @@ impl<'a> Program<'a> {
         }
         let [dx, dy] = [line[1].x - line[0].x, line[1].y - line[0].y];
         let mut letters = vec![('X', Quantity::Length(dx)), ('Y', Quantity::Length(dy))];
-        letters.extend(self.request.limits.angle.map(|angle| ('B', Quantity::Angle(angle))));
+        letters.extend(
+            self.request
+                .limits
+                .angle
+                .map(|angle| ('B', Quantity::Angle(angle))),
+        );
         self.blocks.push(OwnBlock::Call(9834, letters));
         self.stores(&[("Q964", 9)]);
         self.up();
@@ -549,7 +768,16 @@ impl<'a> Program<'a> {
 
     /// Runs the calls on the nominal part: the path, its touches in the order of the documented ones.
     fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
-        let Program { request, radius, first, blocks, stored, guards, feeds, .. } = self;
+        let Program {
+            request,
+            radius,
+            first,
+            blocks,
+            stored,
+            guards,
+            feeds,
+            ..
+        } = self;
         let mut path = request.path.clone();
         let mut answer = |from, to, _: Option<Vec3>| meets(from, to);
         let mut machine = Machine::new(first, radius, radius, &mut answer);
@@ -568,8 +796,15 @@ impl<'a> Program<'a> {
                     );
                     return Err(refused("cycle-stops", "cycle", message));
                 }
-                let feed = if *number == 9810 { protected.next().copied() } else { None };
-                own_feeds.resize(machine.made.len(), (feed, u8::try_from(step + 2).unwrap_or(u8::MAX)));
+                let feed = if *number == 9810 {
+                    protected.next().copied()
+                } else {
+                    None
+                };
+                own_feeds.resize(
+                    machine.made.len(),
+                    (feed, u8::try_from(step + 2).unwrap_or(u8::MAX)),
+                );
             }
             counted.push(machine.made.len() - before);
         }
@@ -580,8 +815,18 @@ impl<'a> Program<'a> {
             Feature::TwoCircles(_) => true,
             _ => false,
         };
-        let Some((moves, touches)) = moves_of(&path, own_order, &made, &own_feeds, first, (radius, Some(SEARCH))) else {
-            let message = text!("The macros would touch other surfaces than the cycle does{advice}", self.request.advice());
+        let Some((moves, touches)) = moves_of(
+            &path,
+            own_order,
+            &made,
+            &own_feeds,
+            first,
+            (radius, Some(SEARCH)),
+        ) else {
+            let message = text!(
+                "The macros would touch other surfaces than the cycle does{advice}",
+                self.request.advice()
+            );
             return Err(refused("cycle-stops", "cycle", message));
         };
         (path.moves, path.touches) = (moves, touches);
@@ -592,8 +837,12 @@ impl<'a> Program<'a> {
         }
         // The macros fit nothing, and of two circles they say what is asked for.
         let two = matches!(path.feature, Feature::TwoCircles(_));
-        let said = |code: &str| stored.iter().any(|(known, _)| *known == code) || code.starts_with("preset");
-        path.formula.results.retain(|result| result.role != Role::Residual && (!two || said(result.code)));
+        let said = |code: &str| {
+            stored.iter().any(|(known, _)| *known == code) || code.starts_with("preset")
+        };
+        path.formula
+            .results
+            .retain(|result| result.role != Role::Residual && (!two || said(result.code)));
         let job = request.feeds;
         path.feeds = Some(Feeds {
             approach: Some(job.approach.unwrap_or(STATED_RAPID)),
@@ -624,8 +873,10 @@ fn axis_of(vector: Vec3) -> Option<usize> {
 
 /// What the macros ask of two circles.
 fn four_points(request: &OwnRequest<'_>) -> Refused {
-    let message =
-        text!("The macros touch each circle at four points a quarter turn apart, at one height{advice}", request.advice());
+    let message = text!(
+        "The macros touch each circle at four points a quarter turn apart, at one height{advice}",
+        request.advice()
+    );
     refused("cycle-chooses-points", "cycle.probePoints", message)
 }
 
@@ -642,14 +893,40 @@ fn words_of(alarm: Alarm) -> Text {
 /// The middle of each pair of touches, and the diameter from the second: Y minus, Y plus, X minus, X plus.
 fn round_formula(path: &Path, radius: f64, diameter: f64) -> Formula {
     let (origin, f) = (path.frame.origin, Draft::with_room_for(4));
-    let inside = path.touches.iter().all(|touch| (touch.point - origin).dot(touch.vector) < 0.0);
-    let middle = |first: usize, axis: usize| (f.trigger(first, axis) + f.trigger(first + 1, axis)) / f.number(2.0);
-    let (x, y) = (f.set("center_x", middle(2, 0)), f.set("center_y", middle(0, 1)));
+    let inside = path
+        .touches
+        .iter()
+        .all(|touch| (touch.point - origin).dot(touch.vector) < 0.0);
+    let middle = |first: usize, axis: usize| {
+        (f.trigger(first, axis) + f.trigger(first + 1, axis)) / f.number(2.0)
+    };
+    let (x, y) = (
+        f.set("center_x", middle(2, 0)),
+        f.set("center_y", middle(0, 1)),
+    );
     let balls = f.length(if inside { 2.0 * radius } else { -2.0 * radius });
     let size = f.set("diameter", f.trigger(3, 0) - f.trigger(2, 0) + balls);
-    f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin.x, Some(x));
-    f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin.y, Some(y));
-    f.result("diameter", Role::Size, words!("Diameter"), diameter, Some(size));
+    f.result(
+        "center.x",
+        Role::Abscissa,
+        words!("Centre, abscissa"),
+        origin.x,
+        Some(x),
+    );
+    f.result(
+        "center.y",
+        Role::Ordinate,
+        words!("Centre, ordinate"),
+        origin.y,
+        Some(y),
+    );
+    f.result(
+        "diameter",
+        Role::Size,
+        words!("Diameter"),
+        diameter,
+        Some(size),
+    );
     let datum = Datum::point((x, origin.x), (y, origin.y));
     f.finish(Some(datum))
 }

@@ -9,7 +9,11 @@ use crate::control::own::{direction_at, value};
 use crate::geom::Vec3;
 
 /// Runs a cycle by the places of its arguments, lengths in mm and angles in degrees: `None` if the cycle or one of its arguments is not known here.
-pub fn run(number: u16, arguments: &[(u16, f64)], machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
+pub fn run(
+    number: u16,
+    arguments: &[(u16, f64)],
+    machine: &mut Machine<'_>,
+) -> Option<Result<(), Alarm>> {
     match number {
         977 => Feature::of(arguments).map(|feature| feature.run(machine)),
         978 => surface(arguments, machine),
@@ -36,13 +40,35 @@ impl Feature {
         let angle = value(arguments, 10).unwrap_or(0.0);
         let along = |degrees: f64| direction_at(degrees + angle);
         let sides = match kind {
-            1 | 2 => vec![(along(0.0), value(arguments, 5)?), (along(90.0), value(arguments, 5)?)],
-            3 | 4 => vec![(along(if value(arguments, 14)? == 2.0 { 90.0 } else { 0.0 }), value(arguments, 5)?)],
-            5 | 6 => vec![(along(0.0), value(arguments, 6)?), (along(90.0), value(arguments, 7)?)],
+            1 | 2 => vec![
+                (along(0.0), value(arguments, 5)?),
+                (along(90.0), value(arguments, 5)?),
+            ],
+            3 | 4 => vec![(
+                along(if value(arguments, 14)? == 2.0 {
+                    90.0
+                } else {
+                    0.0
+                }),
+                value(arguments, 5)?,
+            )],
+            5 | 6 => vec![
+                (along(0.0), value(arguments, 6)?),
+                (along(90.0), value(arguments, 7)?),
+            ],
             _ => return None,
         };
-        let down = if zone || !inside { Some(value(arguments, 11)?) } else { None };
-        Some(Feature { inside, sides, path: value(arguments, 8)?, down })
+        let down = if zone || !inside {
+            Some(value(arguments, 11)?)
+        } else {
+            None
+        };
+        Some(Feature {
+            inside,
+            sides,
+            path: value(arguments, 8)?,
+            down,
+        })
     }
 
     fn run(&self, m: &mut Machine<'_>) -> Result<(), Alarm> {
@@ -78,9 +104,17 @@ fn surface(arguments: &[(u16, f64)], m: &mut Machine<'_>) -> Option<Result<(), A
     let axis = value(arguments, 8).filter(|axis| [1.0, 2.0, 3.0].contains(axis))? as usize - 1;
     let (place, path) = (value(arguments, 5)?, value(arguments, 6)?);
     let mut towards = Vec3::ZERO;
-    towards[axis] = if value(arguments, 9)? == 1.0 { 1.0 } else { -1.0 };
+    towards[axis] = if value(arguments, 9)? == 1.0 {
+        1.0
+    } else {
+        -1.0
+    };
     let start = m.at;
     let mut contact = start;
     contact[axis] = place - towards[axis] * m.radius;
-    Some(m.goes(contact - towards * path).and_then(|()| m.touches_once(contact, towards, path)).and_then(|_| m.goes(start)))
+    Some(
+        m.goes(contact - towards * path)
+            .and_then(|()| m.touches_once(contact, towards, path))
+            .and_then(|_| m.goes(start)),
+    )
 }

@@ -24,11 +24,13 @@ use std::ops::Range;
 
 use crate::control::iso::print::{self, Notation};
 use crate::control::iso::registers::Registers;
-use crate::control::iso::writer::{Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards};
+use crate::control::iso::writer::{
+    Dialect, PLAIN, Writer, across_from_stated, lower_than, start_unknown, upwards,
+};
 use crate::control::moves::{self, Moves, Step, StoredCoordinate, each_piece};
 use crate::control::{
-    BASE, FROM_THE_TOP, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary, check_watched, check_write,
-    does, feed_rate, orientation_line,
+    BASE, FROM_THE_TOP, Form, PostDef, Program, Report, Request, check_plain_moves, check_rotary,
+    check_watched, check_write, does, feed_rate, orientation_line,
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Formula, Question, Variable};
@@ -43,7 +45,13 @@ pub static DEF: PostDef = PostDef {
     about: "watched moves with MEAS, each with its check and one exit that names the move; results in R parameters, the frame written at the end. The tool section of the job says on which axis the probe's length acts. Not verified on a control.",
     extension: "mpf",
     work_offsets: 99,
-    work_offset_word: |n| if n <= 4 { format!("G{}", 53 + n) } else { format!("G{}", 500 + n) },
+    work_offset_word: |n| {
+        if n <= 4 {
+            format!("G{}", 53 + n)
+        } else {
+            format!("G{}", 500 + n)
+        }
+    },
     first_length: true,
     dialect: &DIALECT,
     unused: &["tool", "number", "setUp"],
@@ -81,10 +89,18 @@ const CHANGES: [usize; 4] = [8, 9, 10, 11];
 fn serves(subject: Subject, form: Form) -> Result<(), &'static str> {
     match (subject, form) {
         (_, Form::Moves) => Ok(()),
-        (Subject::CornerInside | Subject::CornerOutside | Subject::TripleInside | Subject::TripleOutside, _) => Err(
+        (
+            Subject::CornerInside
+            | Subject::CornerOutside
+            | Subject::TripleInside
+            | Subject::TripleOutside,
+            _,
+        ) => Err(
             "its corner cycle is CYCLE961, and no source we have proves the order of its arguments: a wrong one would move the probe elsewhere",
         ),
-        (Subject::Wall, _) => Err("its cycle for the angle of a wall, CYCLE998, is read and not written"),
+        (Subject::Wall, _) => {
+            Err("its cycle for the angle of a wall, CYCLE998, is read and not written")
+        }
         (Subject::TwoCircles, _) => Err("it has no cycle of its own for two circles"),
         (Subject::Switch | Subject::Action, _) => Err("it has no measuring cycle for it"),
         _ => Ok(()),
@@ -96,7 +112,12 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         "That MEAS ends a move at the contact, and what $A_PROBE and $AA_IW hold, is recalled and not verified; $AC_MEA and $AA_MW follow the description of a converter, CYCLE977 working programs. None of it was run on a control: keep a hand on the feed override. Without a part a program ends at the first touch, but for the dry run of moves"
     );
     checker.info("not-verified", "control.post", unverified);
-    if request.path.own.as_ref().is_some_and(|own| !own.guards.is_empty()) {
+    if request
+        .path
+        .own
+        .as_ref()
+        .is_some_and(|own| !own.guards.is_empty())
+    {
         let message = text!(
             "A place that is off by more than the safe range (TSA) of its call is an alarm of the cycle; what the alarm leaves undone is recalled and not read"
         );
@@ -117,7 +138,11 @@ fn check(request: &Request<'_>, checker: &mut Checker) {
         return serve::check(request, checker);
     }
     check_plain_moves(request, checker);
-    check_rotary(request, checker, text!("The program does not know the rotary axis of the machine"));
+    check_rotary(
+        request,
+        checker,
+        text!("The program does not know the rotary axis of the machine"),
+    );
     check_write(request, checker);
     let registers = request.registers();
     let last = registers.last + frame_registers(request);
@@ -140,7 +165,12 @@ fn frame_registers(request: &Request<'_>) -> usize {
 /// By how much a part of the frame changes: abscissa, ordinate, tool axis, turn.
 fn changes(datum: &Datum) -> [bool; 4] {
     let plane = datum.place[0].is_some() && datum.place[1].is_some();
-    [plane, plane, datum.place[2].is_some(), datum.rotation.is_some()]
+    [
+        plane,
+        plane,
+        datum.place[2].is_some(),
+        datum.rotation.is_some(),
+    ]
 }
 
 /// The feed of a move: a rapid without a number runs at the stated rate.
@@ -149,7 +179,15 @@ fn rate_of(request: &Request<'_>, step: &Move) -> f64 {
 }
 
 fn emit(request: &Request<'_>) -> Program {
-    moves::write(request, &mut Sinumerik { request, registers: request.registers(), unwatched: false, asked: 0 })
+    moves::write(
+        request,
+        &mut Sinumerik {
+            request,
+            registers: request.registers(),
+            unwatched: false,
+            asked: 0,
+        },
+    )
 }
 
 /// The program of one request.
@@ -170,14 +208,19 @@ impl Sinumerik<'_> {
     }
 
     fn notation(&self) -> RParameters<'_> {
-        RParameters { registers: self.registers }
+        RParameters {
+            registers: self.registers,
+        }
     }
 
     /// Asks before a MEAS block whether the probe is free, where nothing watched the move before it.
     fn ask_probe(&mut self, w: &mut Writer<'_>) {
         if std::mem::take(&mut self.unwatched) {
             w.line("STOPRE");
-            w.line(&format!("IF $A_PROBE[{}]<>0 GOTOF TP_STUCK", self.request.probe_input));
+            w.line(&format!(
+                "IF $A_PROBE[{}]<>0 GOTOF TP_STUCK",
+                self.request.probe_input
+            ));
         }
     }
 }
@@ -195,11 +238,21 @@ impl Moves for Sinumerik<'_> {
         if self.request.form == Form::Cycle {
             let notes = serve::notes(self.request);
             let notes: Vec<&str> = notes.iter().map(String::as_str).collect();
-            return begin(w, self.request, ": selected first, corrected by the cycle", &notes);
+            return begin(
+                w,
+                self.request,
+                ": selected first, corrected by the cycle",
+                &notes,
+            );
         }
         let formula = &self.request.path.formula;
         let more = frame_registers(self.request);
-        let lines = self.registers.lines(formula, more, self.request.post.dialect.comment_width - 2, |n| format!("R{n}"));
+        let lines = self.registers.lines(
+            formula,
+            more,
+            self.request.post.dialect.comment_width - 2,
+            |n| format!("R{n}"),
+        );
         let notes: Vec<&str> = lines.iter().map(String::as_str).collect();
         begin(w, self.request, does::ONCE, &notes);
         if let Some(count) = self.count() {
@@ -208,7 +261,12 @@ impl Moves for Sinumerik<'_> {
         if let Some((start, first)) = across_from_stated(self.request) {
             w.comment("Lower than stated the stylus goes straight up first");
             names_move(w, 0);
-            rise(w, self.request, [lower_than(self.request, start), start], first);
+            rise(
+                w,
+                self.request,
+                [lower_than(self.request, start), start],
+                first,
+            );
             self.unwatched = !self.request.protected;
         }
     }
@@ -239,14 +297,20 @@ impl Moves for Sinumerik<'_> {
         // MEAS takes the positions of the axes that its block names.
         let input = self.request.probe_input;
         let word = format!("MEAS={input} G1");
-        w.straight_in_full(&word, step.step.to - touch.vector * touch.search, self.request.feeds.work);
+        w.straight_in_full(
+            &word,
+            step.step.to - touch.vector * touch.search,
+            self.request.feeds.work,
+        );
         w.line("STOPRE");
         w.line(&format!("IF $AC_MEA[{input}]==0 GOTOF TP_MISSED"));
     }
 
     fn stores(&self, sample: usize, axis: usize, stored: &mut StoredCoordinate) -> bool {
         self.notation().trigger(sample, axis, &mut stored.variable);
-        stored.source.push_str(["$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"][axis]);
+        stored
+            .source
+            .push_str(["$AA_MW[X]", "$AA_MW[Y]", "$AA_MW[Z]"][axis]);
         stored.comment.push_str(" ; ");
         print::trigger_name(sample, axis).push_to(&mut stored.comment);
         (stored.group, stored.whole) = (("(", ")"), ("", ""));
@@ -259,7 +323,12 @@ impl Moves for Sinumerik<'_> {
 
     fn back(&mut self, w: &mut Writer<'_>, step: Step<'_>) {
         w.makes_move();
-        w.straight("G1", step.step.to, false, Some(rate_of(self.request, step.step)));
+        w.straight(
+            "G1",
+            step.step.to,
+            false,
+            Some(rate_of(self.request, step.step)),
+        );
         self.unwatched = true;
     }
 
@@ -268,7 +337,13 @@ impl Moves for Sinumerik<'_> {
         w.build(|text| {
             self.notation().variable(formula, index, text);
             text.push('=');
-            print::print_to(text, &self.notation(), formula, assignment.node, self.request.scale);
+            print::print_to(
+                text,
+                &self.notation(),
+                formula,
+                assignment.node,
+                self.request.scale,
+            );
             text.push_str(" ; ");
             formula.push_name(index, text);
         });
@@ -282,9 +357,16 @@ impl Moves for Sinumerik<'_> {
 
     fn ask(&mut self, w: &mut Writer<'_>, formula: &Formula, question: &Question) {
         self.asked += 1;
-        let unit = if question.angle { 1.0 } else { self.request.scale };
+        let unit = if question.angle {
+            1.0
+        } else {
+            self.request.scale
+        };
         let value = print::variable(&self.notation(), formula, question.variable);
-        let (limit, wanted) = (decimal(question.limit / unit, 12), decimal(question.wanted / unit, 12));
+        let (limit, wanted) = (
+            decimal(question.limit / unit, 12),
+            decimal(question.wanted / unit, 12),
+        );
         let off = match wanted.strip_prefix('-') {
             _ if wanted == "0" => value.clone(),
             Some(positive) => format!("{value}+{positive}"),
@@ -296,7 +378,10 @@ impl Moves for Sinumerik<'_> {
         let says = format!("{code} is \"<<{value}<<\"{}", question.complaint(unit));
         let writes = self.request.corrects();
         if question.stops(writes) {
-            w.line(&format!("MSG(\"{says}{}\")", if writes { ". Nothing is written" } else { "" }));
+            w.line(&format!(
+                "MSG(\"{says}{}\")",
+                if writes { ". Nothing is written" } else { "" }
+            ));
             w.line("GOTOF TP_STOP");
         } else {
             w.line(&format!("MSG(\"{says}\")"));
@@ -312,15 +397,27 @@ impl Moves for Sinumerik<'_> {
     }
 
     fn report(&mut self, w: &mut Writer<'_>, formula: &Formula) {
-        let shown = formula.results.iter().filter(|result| result.variable.is_some()).enumerate();
+        let shown = formula
+            .results
+            .iter()
+            .filter(|result| result.variable.is_some())
+            .enumerate();
         // The results have the first registers, in their order.
-        report(w, self.request, shown.map(|(i, result)| (formula.code(result), format!("R{}", i + 1))));
+        report(
+            w,
+            self.request,
+            shown.map(|(i, result)| (formula.code(result), format!("R{}", i + 1))),
+        );
     }
 
     fn end(&mut self, w: &mut Writer<'_>) {
         if self.request.form == Form::Cycle {
             let stored = self.request.path.stored().into_iter();
-            report(w, self.request, stored.map(|(code, stored)| (code.into(), (serve::CYCLES.name)(stored))));
+            report(
+                w,
+                self.request,
+                stored.map(|(code, stored)| (code.into(), (serve::CYCLES.name)(stored))),
+            );
         }
         end(w, self.request, self.count());
     }
@@ -333,12 +430,18 @@ const LONGEST_MESSAGE: usize = 100;
 const VALUE: usize = 12;
 
 /// Shows every result: on the screen, as much as goes into a message, and waits; or writes it into a file in the control.
-fn report<'f>(w: &mut Writer<'_>, request: &Request<'_>, each: impl Iterator<Item = (Cow<'f, str>, String)>) {
+fn report<'f>(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    each: impl Iterator<Item = (Cow<'f, str>, String)>,
+) {
     match request.report {
         Report::None => {}
         Report::Log => {
             for (code, variable) in each {
-                w.line(&format!("WRITE(TP_ERROR,\"_N_TOUCHPATH_MPF\",\"; {code}=\"<<{variable})"));
+                w.line(&format!(
+                    "WRITE(TP_ERROR,\"_N_TOUCHPATH_MPF\",\"; {code}=\"<<{variable})"
+                ));
             }
         }
         Report::Screen => {
@@ -373,10 +476,18 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     w.comment("Not verified on a control: run it with a hand on the feed override");
     let input = request.probe_input;
     w.comment(&match (request.protected, request.form) {
-        (true, Form::Moves) => format!("Watched moves are MEAS={input} G1 with a check; touches the same, the other way round"),
-        (true, Form::Cycle) => format!("Watched moves are MEAS={input} G1 with a check; the cycle touches by itself"),
-        (false, Form::Moves) => format!("Touches are MEAS={input} G1 with a check. Positioning is NOT watched"),
-        (false, Form::Cycle) => "The cycle touches by itself. Positioning is NOT watched".to_owned(),
+        (true, Form::Moves) => format!(
+            "Watched moves are MEAS={input} G1 with a check; touches the same, the other way round"
+        ),
+        (true, Form::Cycle) => {
+            format!("Watched moves are MEAS={input} G1 with a check; the cycle touches by itself")
+        }
+        (false, Form::Moves) => {
+            format!("Touches are MEAS={input} G1 with a check. Positioning is NOT watched")
+        }
+        (false, Form::Cycle) => {
+            "The cycle touches by itself. Positioning is NOT watched".to_owned()
+        }
     });
     for note in notes {
         w.comment(note);
@@ -391,8 +502,14 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
         w.line("DEF INT TP_ERROR");
     }
     w.comment("Feeds and measured positions are in the basic system of the control: it must be this program's");
-    w.line(&format!("IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS", if request.scale == 1.0 { 0 } else { 1 }));
-    w.line(&format!("IF $A_PROBE[{}]<>0 GOTOF TP_DEFLECTED", request.probe_input));
+    w.line(&format!(
+        "IF $MN_SCALING_SYSTEM_IS_METRIC=={} GOTOF TP_UNITS",
+        if request.scale == 1.0 { 0 } else { 1 }
+    ));
+    w.line(&format!(
+        "IF $A_PROBE[{}]<>0 GOTOF TP_DEFLECTED",
+        request.probe_input
+    ));
     w.line("IF $P_TOOL==0 GOTOF TP_TOOL");
     w.modes();
     if request.plane == Plane::G18 {
@@ -407,7 +524,10 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     let any = |frame: &str, axes: &[&str], parts: &[(&str, u8)]| {
         let terms: Vec<String> = parts
             .iter()
-            .flat_map(|(part, none)| axes.iter().map(move |axis| format!("({frame}{axis},{part}]<>{none})")))
+            .flat_map(|(part, none)| {
+                axes.iter()
+                    .map(move |axis| format!("({frame}{axis},{part}]<>{none})"))
+            })
             .collect();
         format!("IF {} GOTOF TP_FRAME", terms.join(" OR "))
     };
@@ -422,9 +542,17 @@ fn begin(w: &mut Writer<'_>, request: &Request<'_>, written: &str, notes: &[&str
     w.line(&(DEF.work_offset_word)(n));
     let offset = format!("$P_UIFR[{n},");
     if request.form == Form::Cycle {
-        w.comment("The cycle corrects the coarse part of the work offset: it must have no fine part");
+        w.comment(
+            "The cycle corrects the coarse part of the work offset: it must have no fine part",
+        );
         let written = request.writes();
-        return w.line(&any(&offset, &all.into_iter().filter(|axis| written.contains(axis)).collect::<Vec<_>>(), &[("FI", 0)]));
+        return w.line(&any(
+            &offset,
+            &all.into_iter()
+                .filter(|axis| written.contains(axis))
+                .collect::<Vec<_>>(),
+            &[("FI", 0)],
+        ));
     }
     w.comment("The correction knows a turn about the tool axis only, and no frame behind the work offset: TOROT, CYCLE800");
     w.line(&any(&offset, &[a, o], &[("RT", 0)]));
@@ -446,7 +574,9 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     if start_unknown(request, place.index, place.step) {
         return approach(w, request, place.step);
     }
-    if upwards(request, place.from, place.step.to) > 0 && serve::starts_off_centre(request, place.index) {
+    if upwards(request, place.from, place.step.to) > 0
+        && serve::starts_off_centre(request, place.index)
+    {
         // Out of a bore the way is straight up.
         let up = w.goes_along_tool(place.step.to);
         approach_block(w, request, place.step, &up, "TP_BLOCKED");
@@ -455,8 +585,17 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
     each_piece(request, place, |from, to| {
         if request.protected {
             // On the way up an exit that lifts would push on against what was met.
-            let exit = if upwards(request, from, to) > 0 { "TP_BLOCKED" } else { "TP_CONTACT" };
-            w.straight(&format!("MEAS={} G1", request.probe_input), to, false, Some(rate_of(request, place.step)));
+            let exit = if upwards(request, from, to) > 0 {
+                "TP_BLOCKED"
+            } else {
+                "TP_CONTACT"
+            };
+            w.straight(
+                &format!("MEAS={} G1", request.probe_input),
+                to,
+                false,
+                Some(rate_of(request, place.step)),
+            );
             must_be_free(w, request, exit);
         } else {
             let rate = feed_rate(request, from, place.step);
@@ -466,10 +605,23 @@ fn position(w: &mut Writer<'_>, request: &Request<'_>, place: Step<'_>) {
 }
 
 /// One block of the way to the first place.
-fn approach_block(w: &mut Writer<'_>, request: &Request<'_>, first: &Move, words: &str, exit: &str) {
+fn approach_block(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    first: &Move,
+    words: &str,
+    exit: &str,
+) {
     if request.protected {
         let feed = w.number(rate_of(request, first));
-        w.parts(&["MEAS=", &format_count(request.probe_input), " G1", words, " F", &feed]);
+        w.parts(&[
+            "MEAS=",
+            &format_count(request.probe_input),
+            " G1",
+            words,
+            " F",
+            &feed,
+        ]);
         must_be_free(w, request, exit);
     } else if let Some(rate) = feed_rate(request, None, first) {
         let feed = w.number(rate);
@@ -502,13 +654,25 @@ fn approach(w: &mut Writer<'_>, request: &Request<'_>, step: &Move) {
 /// The check after a move in which nothing may be touched, and where a contact jumps to.
 fn must_be_free(w: &mut Writer<'_>, request: &Request<'_>, exit: &str) {
     w.line("STOPRE");
-    w.parts(&["IF $AC_MEA[", &format_count(request.probe_input), "]<>0 GOTOF ", exit]);
+    w.parts(&[
+        "IF $AC_MEA[",
+        &format_count(request.probe_input),
+        "]<>0 GOTOF ",
+        exit,
+    ]);
 }
 
 /// The write at the end: the frame's shift so that what was measured comes to its nominal place, and its turn. With the turn a
 /// of the frame (about the tool axis) before and b after, a point p of the work system lies at T + R(a)·p, so the new shift is
 /// T + R(a)·measured − R(b)·nominal.
-fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, registers: &Registers, n: i32, datum: &Datum) {
+fn write_datum(
+    w: &mut Writer<'_>,
+    request: &Request<'_>,
+    formula: &Formula,
+    registers: &Registers,
+    n: i32,
+    datum: &Datum,
+) {
     let notation = RParameters { registers };
     let name = |variable: Variable| print::variable(&notation, formula, variable);
     let constant = |mm: f64| decimal(mm / request.scale, 12);
@@ -526,7 +690,10 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
             Some(turn) => format!("R{after}=R{before}+{}", name(turn)),
             None => format!("R{after}=R{before}"),
         });
-        let nominal = [(nominal_x, constant(x.nominal)), (nominal_y, constant(y.nominal))];
+        let nominal = [
+            (nominal_x, constant(x.nominal)),
+            (nominal_y, constant(y.nominal)),
+        ];
         for (register, text) in [(mx, value(x)), (my, value(y))].into_iter().chain(nominal) {
             w.line(&format!("R{register}={text}"));
         }
@@ -545,9 +712,21 @@ fn write_datum(w: &mut Writer<'_>, request: &Request<'_>, formula: &Formula, reg
     }
     // A program that is started in its middle finds no count and no changes, and writes nothing.
     let touches = register(TOUCHES);
-    w.line(&format!("IF R{touches}<>{} GOTOF TP_INCOMPLETE", request.path.touches.len()));
-    let parts = [(ca, a, "TR"), (co, o, "TR"), (ct, tool, "TR"), (turns, tool, "RT")];
-    let changed = parts.iter().zip(changes(datum)).filter(|(_, changes)| *changes).map(|(part, _)| *part);
+    w.line(&format!(
+        "IF R{touches}<>{} GOTOF TP_INCOMPLETE",
+        request.path.touches.len()
+    ));
+    let parts = [
+        (ca, a, "TR"),
+        (co, o, "TR"),
+        (ct, tool, "TR"),
+        (turns, tool, "RT"),
+    ];
+    let changed = parts
+        .iter()
+        .zip(changes(datum))
+        .filter(|(_, changes)| *changes)
+        .map(|(part, _)| *part);
     w.line(&format!("R{touches}=0"));
     for (register, axis, part) in changed {
         w.line(&format!("{0}={0}+R{register}", frame(axis, part)));
@@ -574,10 +753,17 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     };
     // Where something jumps to an exit that lifts: a watched move, or a touch.
     let touches = request.form == Form::Moves;
-    if let Some(first) = request.path.moves.first().filter(|_| request.protected || touches) {
+    if let Some(first) = request
+        .path
+        .moves
+        .first()
+        .filter(|_| request.protected || touches)
+    {
         let contact = match request.dry {
             Some(_) => "MSG(\"Dry run: something is in the way of move \"<<TP_MOVE)".to_owned(),
-            None => format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")"),
+            None => {
+                format!("MSG(\"Contact in move \"<<TP_MOVE<<\", which must be free. {written}\")")
+            }
         };
         // As high as the path ever is; from above that, and from a contact on the way up, nothing moves any more.
         let (axis, height) = (AXIS_NAMES[tool], w.number(request.highest()[tool]));
@@ -591,10 +777,14 @@ fn exits(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
         }
         if touches {
             w.line("TP_STUCK:");
-            w.line(&format!("MSG(\"The probe is deflected before move \"<<TP_MOVE<<\". {written}\")"));
+            w.line(&format!(
+                "MSG(\"The probe is deflected before move \"<<TP_MOVE<<\". {written}\")"
+            ));
             w.line("GOTOF TP_EXIT");
             w.line("TP_MISSED:");
-            w.line(&format!("MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"));
+            w.line(&format!(
+                "MSG(\"No contact in move \"<<TP_MOVE<<\", a touch. {written}\")"
+            ));
         }
         if count.is_some() {
             w.line("GOTOF TP_EXIT");
@@ -618,9 +808,18 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
     w.line("M30");
     exits(w, request, count);
     for (label, message) in [
-        ("TP_UNITS", "The basic system of the control has other units than this program. Nothing has moved"),
-        ("TP_DEFLECTED", "The probe is deflected before the start. Nothing has moved"),
-        ("TP_TOOL", "No tool offset is active (D0): the length of the probe is unknown. Nothing has moved"),
+        (
+            "TP_UNITS",
+            "The basic system of the control has other units than this program. Nothing has moved",
+        ),
+        (
+            "TP_DEFLECTED",
+            "The probe is deflected before the start. Nothing has moved",
+        ),
+        (
+            "TP_TOOL",
+            "No tool offset is active (D0): the length of the probe is unknown. Nothing has moved",
+        ),
     ] {
         w.line(&format!("{label}:"));
         w.line(&format!("MSG(\"{message}\")"));
@@ -631,7 +830,9 @@ fn end(w: &mut Writer<'_>, request: &Request<'_>, count: Option<usize>) {
         (Some(_), Form::Moves) => {
             "The work offset is turned about another axis, mirrored or scaled, or a frame is active behind it. Nothing has moved"
         }
-        (Some(_), Form::Cycle) => "The work offset has a fine part, which the cycle does not correct. Nothing has moved",
+        (Some(_), Form::Cycle) => {
+            "The work offset has a fine part, which the cycle does not correct. Nothing has moved"
+        }
     };
     w.line("TP_FRAME:");
     w.line(&format!("MSG(\"{frame}\")"));

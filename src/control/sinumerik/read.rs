@@ -57,7 +57,9 @@ fn system(name: &[u8]) -> Option<System> {
                 part => none_of(part)?,
             }
         }
-        ("$P_PFRAME" | "$P_TOOLFRAME" | "$P_WPFRAME", inner) => none_of(trimmed(inner.split(',').nth(1)?))?,
+        ("$P_PFRAME" | "$P_TOOLFRAME" | "$P_WPFRAME", inner) => {
+            none_of(trimmed(inner.split(',').nth(1)?))?
+        }
         _ => return None,
     })
 }
@@ -92,7 +94,10 @@ const INPUTS: [&str; 3] = ["MEAS=", "$AC_MEA[", "$A_PROBE["];
 
 /// Whether a text names a probe input.
 fn names_input(text: &str, number: char) -> bool {
-    INPUTS.iter().any(|word| text.match_indices(word).any(|(at, _)| text[at + word.len()..].starts_with(number)))
+    INPUTS.iter().any(|word| {
+        text.match_indices(word)
+            .any(|(at, _)| text[at + word.len()..].starts_with(number))
+    })
 }
 
 impl<'t> Blocks<'t> for Program {
@@ -140,9 +145,19 @@ pub fn read(text: &str) -> Result<Script<'_>, Vec<Trouble>> {
     script.ahead = Ahead::Reads;
     let mut targets = Targets::default();
     let mut program = Program::default();
-    lines::lines(text, (Hand::Sinumerik, b';'), &mut script, &mut targets, &mut program)?;
+    lines::lines(
+        text,
+        (Hand::Sinumerik, b';'),
+        &mut script,
+        &mut targets,
+        &mut program,
+    )?;
     if let (Some(line), true) = (program.second_input, names_input(text, '1')) {
-        return Err(vec![Trouble { line, message: text!("the program asks both probe inputs"), understood: true }]);
+        return Err(vec![Trouble {
+            line,
+            message: text!("the program asks both probe inputs"),
+            understood: true,
+        }]);
     }
     targets.resolve(&mut script, true)?;
     script.give_results();
@@ -159,7 +174,8 @@ fn results<'t>(script: &mut Script<'t>, list: &'t str) {
 
 /// `R1` and its like.
 fn is_register(name: &[u8]) -> bool {
-    name.strip_prefix(b"R").is_some_and(|number| !number.is_empty() && number.iter().all(u8::is_ascii_digit))
+    name.strip_prefix(b"R")
+        .is_some_and(|number| !number.is_empty() && number.iter().all(u8::is_ascii_digit))
 }
 
 /// `declared` says of each variable whether it is the program's own.
@@ -185,7 +201,9 @@ fn block<'t>(
     } else if cursor.eat_name("TRANS") || cursor.eat_name("DIAMOF") {
         BlockKind::Nothing
     } else if cursor.eat("DEF INT ") {
-        let name = cursor.name().ok_or_else(|| text!("a declaration without a name"))?;
+        let name = cursor
+            .name()
+            .ok_or_else(|| text!("a declaration without a name"))?;
         let slot = script.slot(name) as usize;
         targets.depends = true;
         declared.resize(declared.len().max(slot + 1), false);
@@ -195,24 +213,37 @@ fn block<'t>(
         cursor.number()?;
         BlockKind::Nothing
     } else if cursor.eat("GOTOF ") {
-        targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
+        targets.wanted.push((
+            here,
+            cursor
+                .name()
+                .ok_or_else(|| text!("a jump without a label"))?,
+        ));
         BlockKind::Jump(0)
     } else if cursor.eat("IF ") {
         let condition = cursor.value(&GRAMMAR, script)?;
         cursor.expect("GOTOF ")?;
-        targets.wanted.push((here, cursor.name().ok_or_else(|| text!("a jump without a label"))?));
+        targets.wanted.push((
+            here,
+            cursor
+                .name()
+                .ok_or_else(|| text!("a jump without a label"))?,
+        ));
         BlockKind::JumpIf(condition, 0)
     } else if cursor.eat("MEAS=1 ") || cursor.eat("MEAS=2 ") {
         measured(script, &mut cursor)?
-    } else if let Some((name, arguments)) =
-        code.split_once('(').filter(|(name, _)| Cursor::new(name).name() == Some(name.as_bytes()))
+    } else if let Some((name, arguments)) = code
+        .split_once('(')
+        .filter(|(name, _)| Cursor::new(name).name() == Some(name.as_bytes()))
     {
         return call(script, line, name, arguments);
     } else if !begins_with_code(code) && (code.starts_with(['R', '$', 'T']) || code.contains('=')) {
         assignment(script, code, &mut cursor)?
     } else {
         match words::words(&mut cursor, &GRAMMAR, script)? {
-            BlockKind::Words(words) if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) => {
+            BlockKind::Words(words)
+                if matches!(words.motion, Some(Motion::Clockwise | Motion::Counter)) =>
+            {
                 return fault(text!("arcs are not understood"));
             }
             what => what,
@@ -220,7 +251,10 @@ fn block<'t>(
     };
     cursor.end()?;
     if matches!(what, BlockKind::SetOther(..)) {
-        targets.later = Some(Later { what: 0, label: b"" });
+        targets.later = Some(Later {
+            what: 0,
+            label: b"",
+        });
     }
     script.push(line, what);
     Ok(())
@@ -228,7 +262,8 @@ fn block<'t>(
 
 /// Whether a block begins with a G code: what stands there with an equals sign is the place of an axis.
 fn begins_with_code(code: &str) -> bool {
-    code.strip_prefix('G').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+    code.strip_prefix('G')
+        .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
 }
 
 /// The words after `MEAS=1`.
@@ -243,10 +278,19 @@ fn measured<'t>(script: &mut Script<'t>, cursor: &mut Cursor<'t>) -> Parsed<Bloc
 }
 
 /// `R1=5`, `TP_MOVE=3`, `$P_UIFR[1,X,TR]=…`.
-fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t>) -> Parsed<BlockKind> {
-    let name = cursor.variable(Names::Words).ok_or_else(|| text!("nothing can be assigned to this"))?;
+fn assignment<'t>(
+    script: &mut Script<'t>,
+    code: &'t str,
+    cursor: &mut Cursor<'t>,
+) -> Parsed<BlockKind> {
+    let name = cursor
+        .variable(Names::Words)
+        .ok_or_else(|| text!("nothing can be assigned to this"))?;
     if !cursor.eat("=") {
-        return fault(text!("\"{left}\" is not understood", Cursor::new(code).left()));
+        return fault(text!(
+            "\"{left}\" is not understood",
+            Cursor::new(code).left()
+        ));
     }
     let value = cursor.value(&GRAMMAR, script)?;
     match system(name) {
@@ -254,7 +298,11 @@ fn assignment<'t>(script: &mut Script<'t>, code: &'t str, cursor: &mut Cursor<'t
         None if name.len() == 1 => fault(text!("this is not understood")),
         None => {
             let slot = script.slot(name);
-            Ok(if is_register(name) { BlockKind::Set(slot, value) } else { BlockKind::SetOther(slot, value) })
+            Ok(if is_register(name) {
+                BlockKind::Set(slot, value)
+            } else {
+                BlockKind::SetOther(slot, value)
+            })
         }
         Some(System::Offset(part)) => Ok(BlockKind::SetOffset(part, value)),
         Some(_) => fault(text!("the control's own values must not be written")),
@@ -271,10 +319,14 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
         }
         // Into a file of the control: what went wrong with it, the file, a text.
         "WRITE" => {
-            cursor.name().ok_or_else(|| text!("nothing can be assigned to this"))?;
+            cursor
+                .name()
+                .ok_or_else(|| text!("nothing can be assigned to this"))?;
             cursor.expect(",")?;
             if !cursor.text() {
-                return fault(text!("this call is not known, or not with so many arguments"));
+                return fault(text!(
+                    "this call is not known, or not with so many arguments"
+                ));
             }
             cursor.expect(",")?;
             message(&mut cursor, script)?;
@@ -286,15 +338,23 @@ fn call<'t>(script: &mut Script<'t>, line: usize, name: &str, arguments: &'t str
             BlockKind::Warned
         }
         "CYCLE977" | "CYCLE978" => {
-            let inner = arguments.strip_suffix(')').ok_or_else(|| text!("a bracket is not closed"))?;
+            let inner = arguments
+                .strip_suffix(')')
+                .ok_or_else(|| text!("a bracket is not closed"))?;
             let counts = if name == "CYCLE977" { 28..=29 } else { 22..=22 };
             if !counts.contains(&inner.split(',').count()) || inner.contains(['(', ')']) {
-                return fault(text!("this call is not known, or not with so many arguments"));
+                return fault(text!(
+                    "this call is not known, or not with so many arguments"
+                ));
             }
             script.push(line, BlockKind::Native);
             return Ok(());
         }
-        _ => return fault(text!("this call is not known, or not with so many arguments")),
+        _ => {
+            return fault(text!(
+                "this call is not known, or not with so many arguments"
+            ));
+        }
     };
     cursor.expect(")")?;
     cursor.end()?;

@@ -16,7 +16,9 @@ use crate::control::{Request, check_write};
 use crate::form::Checker;
 use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
-use crate::path::{Bore, Entry, Feature, Feed, Guard, Off, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored};
+use crate::path::{
+    Bore, Entry, Feature, Feed, Guard, Off, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored,
+};
 use crate::text::text;
 
 use Quantity::{Angle, Length, Plain};
@@ -38,14 +40,21 @@ pub static CYCLES: OwnCycles = OwnCycles {
         Stored::Kept(register) => format!("R{register}"),
     },
     corrects_tools: false,
-    several: Several { way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed), comes_itself: false, kept: (1, LAST_REGISTER) },
+    several: Several {
+        way: |to, _, _, (feed, _)| OwnBlock::Goes(to, feed),
+        comes_itself: false,
+        kept: (1, LAST_REGISTER),
+    },
 };
 
 /// The path that the cycles make of a job's feature, with the calls.
 fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
     let path = request.path;
     if path.picked {
-        let message = text!("The measuring cycles choose their own touch points{advice}", request.advice());
+        let message = text!(
+            "The measuring cycles choose their own touch points{advice}",
+            request.advice()
+        );
         return Err(refused("cycle-chooses-points", "cycle.touches", message));
     }
     if request.setup.plane != Plane::G17 {
@@ -70,7 +79,11 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
         Feature::Surface(point) => program.surface(point)?,
         Feature::Bore(bore) => program.bore(bore)?,
         Feature::Pairs(pairs) => program.pairs(pairs)?,
-        Feature::Corner(_) | Feature::TwoCircles(_) | Feature::Unmoving | Feature::Wall(_) | Feature::Several => {
+        Feature::Corner(_)
+        | Feature::TwoCircles(_)
+        | Feature::Unmoving
+        | Feature::Wall(_)
+        | Feature::Several => {
             return Ok(path.clone());
         }
     }
@@ -81,7 +94,10 @@ fn serve(request: &OwnRequest<'_>, meets: Meets<'_>) -> Result<Path, Refused> {
 fn run(block: &OwnBlock, _: Reach, machine: &mut Machine<'_>) -> Option<Result<(), Alarm>> {
     match block {
         OwnBlock::Cycle(number, arguments) => {
-            let values: Vec<(u16, f64)> = arguments.iter().map(|(place, quantity)| (*place, quantity.value())).collect();
+            let values: Vec<(u16, f64)> = arguments
+                .iter()
+                .map(|(place, quantity)| (*place, quantity.value()))
+                .collect();
             cycles::run(*number, &values, machine)
         }
         OwnBlock::Goes(to, _) => Some(machine.watched(*to, None, Alarm::Obstructed)),
@@ -104,7 +120,12 @@ struct Plan<'a> {
 impl Plan<'_> {
     /// A watched move of the program: behind a cycle in any case, which ends where it found the feature.
     fn goes(&mut self, to: Vec3, feed: Feed) {
-        if to.distance(self.at) > NEAR || matches!(self.blocks.last(), Some(OwnBlock::Cycle(..) | OwnBlock::Keep(..))) {
+        if to.distance(self.at) > NEAR
+            || matches!(
+                self.blocks.last(),
+                Some(OwnBlock::Cycle(..) | OwnBlock::Keep(..))
+            )
+        {
             self.blocks.push(OwnBlock::Goes(to, feed));
             self.at = to;
         }
@@ -135,7 +156,12 @@ impl Plan<'_> {
     fn path(&self, clearance: Option<Entry>, width: Entry) -> Result<f64, Refused> {
         let room = Entry {
             field: width.field,
-            value: self.radius + self.request.setup.overtravel.min(width.value / 2.0 - self.radius),
+            value: self.radius
+                + self
+                    .request
+                    .setup
+                    .overtravel
+                    .min(width.value / 2.0 - self.radius),
         };
         let clearance = clearance.unwrap_or(room);
         let path = clearance.value - self.radius;
@@ -161,9 +187,17 @@ impl Plan<'_> {
     fn tolerances(&self, from: u16, arguments: &mut Vec<(u16, Quantity)>) {
         let tolerance = |sign: f64| Length(sign * 1.01);
         arguments.push((from, Plain(0.0)));
-        arguments.extend([(from + 1, tolerance(1.0)), (from + 2, tolerance(1.0)), (from + 3, tolerance(-1.0))]);
+        arguments.extend([
+            (from + 1, tolerance(1.0)),
+            (from + 2, tolerance(1.0)),
+            (from + 3, tolerance(-1.0)),
+        ]);
         if self.request.work_offset.is_some() {
-            arguments.extend([(from + 4, Length(0.34)), (from + 5, Plain(1.0)), (from + 6, Plain(0.0))]);
+            arguments.extend([
+                (from + 4, Length(0.34)),
+                (from + 5, Plain(1.0)),
+                (from + 6, Plain(0.0)),
+            ]);
         }
     }
 
@@ -172,14 +206,28 @@ impl Plan<'_> {
         let corrects = self.request.work_offset;
         let variant = kind + if zone { 1000 } else { 0 } + if corrects.is_some() { 100 } else { 0 };
         let offset = corrects.map(|n| (2, Plain((self.request.offset)(n))));
-        [(1, Plain(f64::from(variant)))].into_iter().chain(offset).chain([(4, Plain(1.0))]).collect()
+        [(1, Plain(f64::from(variant)))]
+            .into_iter()
+            .chain(offset)
+            .chain([(4, Plain(1.0))])
+            .collect()
     }
 
     /// CYCLE977 with what all its variants have. `zones` stand at 12 and 13, the centre at 28 and 29.
-    fn feature(&mut self, kind: u16, zones: Option<[Option<f64>; 2]>, sizes: &[(u16, f64)], rest: Rest<'_>) {
+    fn feature(
+        &mut self,
+        kind: u16,
+        zones: Option<[Option<f64>; 2]>,
+        sizes: &[(u16, f64)],
+        rest: Rest<'_>,
+    ) {
         let mut arguments = self.variant(kind, zones.is_some());
         arguments.extend(sizes.iter().map(|(place, size)| (*place, Length(*size))));
-        arguments.extend([(8, Length(rest.path)), (9, self.safe(rest.path)), (10, Angle(rest.angle))]);
+        arguments.extend([
+            (8, Length(rest.path)),
+            (9, self.safe(rest.path)),
+            (10, Angle(rest.angle)),
+        ]);
         // Where nothing goes down, and where there is no zone, the control's editor leaves a 1.
         arguments.push((11, rest.down.map_or(Plain(1.0), Length)));
         let [one, two] = zones.unwrap_or([None; 2]);
@@ -193,13 +241,26 @@ impl Plan<'_> {
         arguments.push((15, Plain(1.0)));
         self.tolerances(18, &mut arguments);
         arguments.extend([(26, Plain(1.0)), (27, Plain(11.0))]);
-        arguments.extend(rest.center.iter().zip([28, 29]).map(|(place, number)| (number, Length(*place))));
+        arguments.extend(
+            rest.center
+                .iter()
+                .zip([28, 29])
+                .map(|(place, number)| (number, Length(*place))),
+        );
         self.blocks.push(OwnBlock::Cycle(977, arguments));
     }
 
     fn stores(&mut self, results: &[(&'static str, usize)]) {
-        self.stored.extend(results.iter().map(|(code, entry)| (*code, Stored::Output(*entry))));
-        let places: Vec<&'static str> = results.iter().map(|(code, _)| *code).filter(|code| code.contains('.')).collect();
+        self.stored.extend(
+            results
+                .iter()
+                .map(|(code, entry)| (*code, Stored::Output(*entry))),
+        );
+        let places: Vec<&'static str> = results
+            .iter()
+            .map(|(code, _)| *code)
+            .filter(|code| code.contains('.'))
+            .collect();
         self.stops_for(&places);
     }
 
@@ -211,7 +272,11 @@ impl Plan<'_> {
             _ => None,
         });
         let safe = safe.filter(|_| !codes.is_empty());
-        self.guards.extend(safe.map(|(_, safe)| Guard { codes: codes.to_vec(), off: Off::Each, limit: safe.value() }));
+        self.guards.extend(safe.map(|(_, safe)| Guard {
+            codes: codes.to_vec(),
+            off: Off::Each,
+            limit: safe.value(),
+        }));
     }
 
     /// Keeps what the last call gave, before the next one writes there.
@@ -228,7 +293,10 @@ impl Plan<'_> {
     fn surface(&mut self, point: &Point) -> Result<(), Refused> {
         let touch = &self.request.path.touches[0];
         let start = self.begins();
-        let clearance = Entry { field: point.clearance, value: (start - touch.point).dot(touch.vector) };
+        let clearance = Entry {
+            field: point.clearance,
+            value: (start - touch.point).dot(touch.vector),
+        };
         self.down(start);
         self.touches_surface(touch.point, touch.vector, clearance, point.elevation)?;
         self.up();
@@ -236,8 +304,16 @@ impl Plan<'_> {
     }
 
     /// CYCLE978 from where the stylus stands.
-    fn touches_surface(&mut self, point: Vec3, vector: Vec3, clearance: Entry, field: &'static str) -> Result<(), Refused> {
-        let axis = (0..3).find(|axis| made::is_along(vector, *axis)).filter(|axis| *axis < 2 || vector.z > 0.0);
+    fn touches_surface(
+        &mut self,
+        point: Vec3,
+        vector: Vec3,
+        clearance: Entry,
+        field: &'static str,
+    ) -> Result<(), Refused> {
+        let axis = (0..3)
+            .find(|axis| made::is_along(vector, *axis))
+            .filter(|axis| *axis < 2 || vector.z > 0.0);
         let Some(axis) = axis else {
             let message = text!(
                 "CYCLE978 touches along X and Y and downwards: this surface is turned or sloped{advice}",
@@ -247,7 +323,11 @@ impl Plan<'_> {
         };
         let path = self.path(Some(clearance), clearance)?;
         let mut arguments = self.variant(0, false);
-        arguments.extend([(5, Length(point[axis])), (6, Length(path)), (7, self.safe(path))]);
+        arguments.extend([
+            (5, Length(point[axis])),
+            (6, Length(path)),
+            (7, self.safe(path)),
+        ]);
         // A touch runs against the vector: 1 towards plus, 2 towards minus.
         arguments.extend([
             (8, Plain(axis as f64 + 1.0)),
@@ -264,8 +344,13 @@ impl Plan<'_> {
     fn bore(&mut self, bore: &Bore) -> Result<(), Refused> {
         let path = self.request.path;
         let (center, touches) = (path.frame.origin, &path.touches);
-        let inside = touches.first().is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
-        let angles: Vec<f64> = touches.iter().map(|touch| degrees_of(touch.point - center)).collect();
+        let inside = touches
+            .first()
+            .is_some_and(|touch| (touch.point - center).dot(touch.vector) < 0.0);
+        let angles: Vec<f64> = touches
+            .iter()
+            .map(|touch| degrees_of(touch.point - center))
+            .collect();
         if !made::are_quarters(&angles) {
             let message = text!(
                 "CYCLE977 touches a circle at four points a quarter turn apart: not at {count} like these{advice}",
@@ -275,8 +360,16 @@ impl Plan<'_> {
             return Err(refused("cycle-chooses-points", "cycle.stepCount", message));
         }
         let measuring = self.path(bore.clearance, bore.diameter)?;
-        let start = if bore.clearance.is_some() { self.start() } else { self.begins() };
-        let zone = bore.clearance.filter(|_| inside).map(|clearance| self.zone(bore.diameter, clearance)).transpose()?;
+        let start = if bore.clearance.is_some() {
+            self.start()
+        } else {
+            self.begins()
+        };
+        let zone = bore
+            .clearance
+            .filter(|_| inside)
+            .map(|clearance| self.zone(bore.diameter, clearance))
+            .transpose()?;
         self.down(start);
         let rest = Rest {
             path: measuring,
@@ -285,7 +378,12 @@ impl Plan<'_> {
             axis: None,
             center: &[center.x, center.y],
         };
-        self.feature(if inside { 1 } else { 2 }, zone.map(|zone| [Some(zone), None]), &[(5, bore.diameter.value)], rest);
+        self.feature(
+            if inside { 1 } else { 2 },
+            zone.map(|zone| [Some(zone), None]),
+            &[(5, bore.diameter.value)],
+            rest,
+        );
         self.stores(&[("center.x", 5), ("center.y", 6), ("diameter", 4)]);
         self.up();
         Ok(())
@@ -295,8 +393,10 @@ impl Plan<'_> {
     fn zone(&self, width: Entry, clearance: Entry) -> Result<f64, Refused> {
         let zone = width.value - 2.0 * (clearance.value + self.radius);
         if zone <= 0.0 {
-            let message =
-                text!("The points where the ball goes down leave no room for a protection zone{advice}", self.request.advice());
+            let message = text!(
+                "The points where the ball goes down leave no room for a protection zone{advice}",
+                self.request.advice()
+            );
             return Err(refused("cycle-no-zone", clearance.field, message));
         }
         Ok(zone)
@@ -305,7 +405,11 @@ impl Plan<'_> {
     fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
         let path = self.request.path;
         let (center, touches) = (path.frame.origin, &path.touches);
-        let clearances: Vec<Entry> = pairs.sides.iter().filter_map(|side| side.clearance).collect();
+        let clearances: Vec<Entry> = pairs
+            .sides
+            .iter()
+            .filter_map(|side| side.clearance)
+            .collect();
         if let [one, two] = clearances.as_slice()
             && (one.value - two.value).abs() > NEAR
         {
@@ -315,8 +419,14 @@ impl Plan<'_> {
             );
             return Err(refused("cycle-one-path", two.field, message));
         }
-        let narrowest = pairs.sides.iter().map(|side| side.width).min_by(|a, b| a.value.total_cmp(&b.value));
-        let Some(narrowest) = narrowest else { return Ok(()) };
+        let narrowest = pairs
+            .sides
+            .iter()
+            .map(|side| side.width)
+            .min_by(|a, b| a.value.total_cmp(&b.value));
+        let Some(narrowest) = narrowest else {
+            return Ok(());
+        };
         let measuring = self.path(clearances.first().copied(), narrowest)?;
         let beside = !clearances.is_empty();
         // The direction of the first pair, from −90 to 90.
@@ -328,9 +438,15 @@ impl Plan<'_> {
         let turned = !along_y && angle.abs() > NEAR;
         let zones = match (pairs.internal, beside) {
             (true, true) => {
-                let zone =
-                    |side: &crate::path::Side| side.clearance.map(|clearance| self.zone(side.width, clearance)).transpose();
-                let mut zones = [zone(&pairs.sides[0])?, pairs.sides.get(1).map_or(Ok(None), zone)?];
+                let zone = |side: &crate::path::Side| {
+                    side.clearance
+                        .map(|clearance| self.zone(side.width, clearance))
+                        .transpose()
+                };
+                let mut zones = [
+                    zone(&pairs.sides[0])?,
+                    pairs.sides.get(1).map_or(Ok(None), zone)?,
+                ];
                 if along_y && pairs.sides.len() == 2 {
                     zones.swap(0, 1);
                 }
@@ -378,13 +494,19 @@ impl Plan<'_> {
                 false => self.stores(&[(["center.x", "center.y"][axis], 5 + axis), ("width", 4)]),
             }
         }
-        if let Some((k, Some(from), _)) = path.searches().find(|(k, ..)| *k == 2 && pairs.sides.len() == 1) {
+        if let Some((k, Some(from), _)) = path
+            .searches()
+            .find(|(k, ..)| *k == 2 && pairs.sides.len() == 1)
+        {
             let touch = &touches[k];
             self.keeps();
             self.goes(self.at.with_z(self.at.z.max(from.z)), Feed::LongLink);
             self.goes(from.with_z(self.at.z), Feed::LongLink);
             self.goes(from, Feed::LongLink);
-            let clearance = Entry { field: "cycle.middleClearance", value: (from - touch.point).dot(touch.vector) };
+            let clearance = Entry {
+                field: "cycle.middleClearance",
+                value: (from - touch.point).dot(touch.vector),
+            };
             self.touches_surface(touch.point, touch.vector, clearance, "cycle")?;
         }
         self.up();
@@ -393,23 +515,43 @@ impl Plan<'_> {
 
     /// The path that the program makes on the nominal part.
     fn finish(self, meets: Meets<'_>) -> Result<Path, Refused> {
-        let Plan { request, first, blocks, stored, guards, .. } = self;
-        made::planned(request, Drafted { blocks, stored, guards, first, reach: Reach::default() }, run, meets).map_err(
-            |alarm| {
-                let message = match alarm {
-                    Some(_) => {
-                        text!("On the nominal part the cycle would touch something on its way{advice}", self.request.advice())
-                    }
-                    None => {
-                        text!(
-                            "The cycle would touch other surfaces than the documented one does{advice}",
-                            self.request.advice()
-                        )
-                    }
-                };
-                refused("cycle-stops", "cycle", message)
+        let Plan {
+            request,
+            first,
+            blocks,
+            stored,
+            guards,
+            ..
+        } = self;
+        made::planned(
+            request,
+            Drafted {
+                blocks,
+                stored,
+                guards,
+                first,
+                reach: Reach::default(),
             },
+            run,
+            meets,
         )
+        .map_err(|alarm| {
+            let message = match alarm {
+                Some(_) => {
+                    text!(
+                        "On the nominal part the cycle would touch something on its way{advice}",
+                        self.request.advice()
+                    )
+                }
+                None => {
+                    text!(
+                        "The cycle would touch other surfaces than the documented one does{advice}",
+                        self.request.advice()
+                    )
+                }
+            };
+            refused("cycle-stops", "cycle", message)
+        })
     }
 }
 
@@ -426,7 +568,10 @@ struct Rest<'a> {
 fn argument(request: &Request<'_>, place: u16) -> Option<f64> {
     let own = request.path.own.as_ref()?;
     own.blocks.iter().find_map(|(block, _)| match block {
-        OwnBlock::Cycle(977, arguments) => arguments.iter().find(|(known, _)| *known == place).map(|(_, x)| x.value()),
+        OwnBlock::Cycle(977, arguments) => arguments
+            .iter()
+            .find(|(known, _)| *known == place)
+            .map(|(_, x)| x.value()),
         _ => None,
     })
 }
@@ -438,12 +583,17 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
     let paths = own.blocks.iter().filter_map(|(block, _)| match block {
         OwnBlock::Cycle(number, arguments) => {
             let place = if *number == 977 { 8 } else { 6 };
-            arguments.iter().find(|(known, _)| *known == place).map(|(_, path)| path.value())
+            arguments
+                .iter()
+                .find(|(known, _)| *known == place)
+                .map(|(_, path)| path.value())
         }
         _ => None,
     });
-    let mut others: Vec<String> =
-        paths.filter(|path| (path - request.setup.overtravel).abs() > NEAR).map(|path| checker.length(path)).collect();
+    let mut others: Vec<String> = paths
+        .filter(|path| (path - request.setup.overtravel).abs() > NEAR)
+        .map(|path| checker.length(path))
+        .collect();
     others.dedup();
     if !others.is_empty() {
         let message = text!(
@@ -457,13 +607,29 @@ pub fn check(request: &Request<'_>, checker: &mut Checker) {
 /// What the header says of it.
 pub fn notes(request: &Request<'_>) -> Vec<String> {
     let mut notes = Vec::new();
-    let Some(own) = &request.path.own else { return notes };
+    let Some(own) = &request.path.own else {
+        return notes;
+    };
     let stored = request.path.stored();
-    let names: Vec<String> = stored.iter().map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored))).collect();
-    let results = if names.is_empty() { "_OVR of the measuring cycle".to_owned() } else { names.join(", ") };
-    notes.push(format!("Results: {results}; probe data set 1, the control's own measuring feed"));
-    if stored.iter().any(|(_, stored)| matches!(stored, Stored::Output(4)))
-        || own.blocks.iter().any(|(block, _)| matches!(block, OwnBlock::Keep(_, 4)))
+    let names: Vec<String> = stored
+        .iter()
+        .map(|(code, stored)| format!("{} {code}", (CYCLES.name)(*stored)))
+        .collect();
+    let results = if names.is_empty() {
+        "_OVR of the measuring cycle".to_owned()
+    } else {
+        names.join(", ")
+    };
+    notes.push(format!(
+        "Results: {results}; probe data set 1, the control's own measuring feed"
+    ));
+    if stored
+        .iter()
+        .any(|(_, stored)| matches!(stored, Stored::Output(4)))
+        || own
+            .blocks
+            .iter()
+            .any(|(block, _)| matches!(block, OwnBlock::Keep(_, 4)))
     {
         notes.push("NOT VERIFIED: that _OVR[4] is the size".to_owned());
     }
@@ -485,11 +651,18 @@ pub fn notes(request: &Request<'_>) -> Vec<String> {
 fn calls<'a>(request: &Request<'a>) -> Vec<(&'a OwnBlock, Range<usize>)> {
     // The first move comes to where they count from.
     let mut at = 1;
-    let blocks = request.path.own.iter().flat_map(|own| &own.blocks).map(|(block, moves)| {
-        at += moves;
-        (block, at - moves..at)
-    });
-    blocks.filter(|(block, _)| matches!(block, OwnBlock::Cycle(..))).collect()
+    let blocks = request
+        .path
+        .own
+        .iter()
+        .flat_map(|own| &own.blocks)
+        .map(|(block, moves)| {
+            at += moves;
+            (block, at - moves..at)
+        });
+    blocks
+        .filter(|(block, _)| matches!(block, OwnBlock::Cycle(..)))
+        .collect()
 }
 
 /// The moves that each cycle makes, in the order of the calls.
@@ -499,15 +672,26 @@ pub fn ranges(request: &Request<'_>) -> Vec<Range<usize>> {
 
 /// Whether a move starts where a cycle ends that corrects nothing: in the middle that it found, and not in the nominal one.
 pub fn starts_off_centre(request: &Request<'_>, index: usize) -> bool {
-    calls(request).iter().any(|(block, moves)| moves.end == index && !block.writes())
+    calls(request)
+        .iter()
+        .any(|(block, moves)| moves.end == index && !block.writes())
 }
 
 /// Writes the call that makes these moves, and what keeps the results of the one before it.
 pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
     let Some(own) = &request.path.own else { return };
-    let calls = own.blocks.iter().enumerate().filter(|(_, (block, _))| matches!(block, OwnBlock::Cycle(..)));
-    let Some((index, (OwnBlock::Cycle(number, arguments), _))) = calls.clone().nth(which) else { return };
-    let before = which.checked_sub(1).and_then(|before| calls.clone().nth(before)).map_or(0, |(index, _)| index);
+    let calls = own
+        .blocks
+        .iter()
+        .enumerate()
+        .filter(|(_, (block, _))| matches!(block, OwnBlock::Cycle(..)));
+    let Some((index, (OwnBlock::Cycle(number, arguments), _))) = calls.clone().nth(which) else {
+        return;
+    };
+    let before = which
+        .checked_sub(1)
+        .and_then(|before| calls.clone().nth(before))
+        .map_or(0, |(index, _)| index);
     for (block, _) in &own.blocks[before..index] {
         if let OwnBlock::Keep(register, entry) = block {
             w.line(&format!("R{register}=_OVR[{entry}]"));
@@ -523,6 +707,9 @@ pub fn call(request: &Request<'_>, which: usize, w: &mut Writer<'_>) {
         Some((_, Plain(x))) => decimal(*x, 0),
         None => String::new(),
     };
-    let block = format!("CYCLE{number}({})", (1..=last).map(text).collect::<Vec<_>>().join(","));
+    let block = format!(
+        "CYCLE{number}({})",
+        (1..=last).map(text).collect::<Vec<_>>().join(",")
+    );
     w.line(&block);
 }

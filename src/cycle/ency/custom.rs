@@ -43,7 +43,10 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
         None | Some(Value::Null) => return Vec::new(),
         Some(Value::List(items)) if items.len() <= MOST => items,
         Some(_) => {
-            let message = text!("custom must be a list of at most {most} codes { code, type, value }", MOST);
+            let message = text!(
+                "custom must be a list of at most {most} codes { code, type, value }",
+                MOST
+            );
             section.checker.error("wrong-type", place, message);
             return Vec::new();
         }
@@ -52,16 +55,30 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
     for (i, item) in items.iter().enumerate() {
         let path = format!("{place}[{i}]");
         if let Value::Map(entries) = item {
-            for (key, _) in entries.iter().filter(|(key, _)| !matches!(key.as_str(), "code" | "type" | "value")) {
-                let message = text!("A custom code has only code, type and value, no \"{key}\"", crate::form::printable(key));
-                section.checker.error("unknown-key", format!("{path}.{}", crate::form::printable(key)), message);
+            for (key, _) in entries
+                .iter()
+                .filter(|(key, _)| !matches!(key.as_str(), "code" | "type" | "value"))
+            {
+                let message = text!(
+                    "A custom code has only code, type and value, no \"{key}\"",
+                    crate::form::printable(key)
+                );
+                section.checker.error(
+                    "unknown-key",
+                    format!("{path}.{}", crate::form::printable(key)),
+                    message,
+                );
             }
         }
         let code = match item.get("code") {
             Some(Value::Number(n)) if n.fract() == 0.0 && (1.0..=HIGHEST).contains(n) => *n as i32,
             _ => {
-                let message = text!("A custom code is a whole number from 1 to 1000000: negative ones are the system's");
-                section.checker.error("wrong-code", format!("{path}.code"), message);
+                let message = text!(
+                    "A custom code is a whole number from 1 to 1000000: negative ones are the system's"
+                );
+                section
+                    .checker
+                    .error("wrong-code", format!("{path}.code"), message);
                 continue;
             }
         };
@@ -70,10 +87,14 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
             _ => None,
         };
         let value = match (accessor, item.get("value")) {
-            (Some(Accessor::Int), Some(Value::Number(n))) if n.fract() == 0.0 && n.abs() <= f64::from(i32::MAX) => {
+            (Some(Accessor::Int), Some(Value::Number(n)))
+                if n.fract() == 0.0 && n.abs() <= f64::from(i32::MAX) =>
+            {
                 ParameterValue::Whole(*n as i32)
             }
-            (Some(Accessor::Flt), Some(Value::Number(x))) if x.is_finite() => ParameterValue::Number(*x),
+            (Some(Accessor::Flt), Some(Value::Number(x))) if x.is_finite() => {
+                ParameterValue::Number(*x)
+            }
             (Some(Accessor::Bol), Some(Value::Flag(on))) => ParameterValue::Flag(*on),
             _ => {
                 let message = text!(
@@ -84,10 +105,18 @@ pub fn read(section: &mut Section<'_, '_>) -> Vec<Custom> {
             }
         };
         if codes.iter().any(|c| c.code == code) {
-            section.checker.error("code-twice", format!("{path}.code"), text!("Code {code} is there twice", code));
+            section.checker.error(
+                "code-twice",
+                format!("{path}.code"),
+                text!("Code {code} is there twice", code),
+            );
             continue;
         }
-        codes.push(Custom { code, accessor: accessor.unwrap_or(Accessor::Flt), value });
+        codes.push(Custom {
+            code,
+            accessor: accessor.unwrap_or(Accessor::Flt),
+            value,
+        });
     }
     codes
 }

@@ -8,7 +8,9 @@ const SMALLEST: f64 = 0.001;
 
 /// Where a feature is.
 pub const fn origin(label: &'static str) -> Field {
-    Field::point("origin", label).group("Place").seen(Seen::Placed)
+    Field::point("origin", label)
+        .group("Place")
+        .seen(Seen::Placed)
 }
 
 /// Where a feature with a top side is.
@@ -25,8 +27,18 @@ pub const fn rotation() -> Field {
 }
 
 /// A width between two touch points.
-pub const fn width(key: &'static str, label: &'static str, default: f64, code: &'static str) -> Field {
-    Field::length(key, label, default).range(SMALLEST, 10_000.0).usual(5.0, 2000.0).code(code).group("Size").size()
+pub const fn width(
+    key: &'static str,
+    label: &'static str,
+    default: f64,
+    code: &'static str,
+) -> Field {
+    Field::length(key, label, default)
+        .range(SMALLEST, 10_000.0)
+        .usual(5.0, 2000.0)
+        .code(code)
+        .group("Size")
+        .size()
 }
 
 pub const fn diameter() -> Field {
@@ -74,8 +86,17 @@ pub const fn entry_clearance() -> Field {
 }
 
 /// A clearance from a wall to the ball centre where a touch begins.
-pub const fn clearance(key: &'static str, label: &'static str, default: f64, code: &'static str) -> Field {
-    Field::length(key, label, default).range(SMALLEST, 1000.0).usual(1.0, 200.0).code(code).group("Clearances")
+pub const fn clearance(
+    key: &'static str,
+    label: &'static str,
+    default: f64,
+    code: &'static str,
+) -> Field {
+    Field::length(key, label, default)
+        .range(SMALLEST, 1000.0)
+        .usual(1.0, 200.0)
+        .code(code)
+        .group("Clearances")
 }
 
 /// How far above the start a cycle begins and ends.
@@ -106,7 +127,12 @@ pub const fn sub_code() -> Field {
 }
 
 /// How a wall's touches are counted, where both walls share the table's 16.
-pub const fn count(key: &'static str, label: &'static str, default: i32, code: &'static str) -> Field {
+pub const fn count(
+    key: &'static str,
+    label: &'static str,
+    default: i32,
+    code: &'static str,
+) -> Field {
     Field::count(key, label, default, 1, 15)
         .because(words!(
             "the parameter table holds 16 touch points (the 17th would run into the -200 block), and the other wall needs one"
@@ -117,17 +143,32 @@ pub const fn count(key: &'static str, label: &'static str, default: i32, code: &
 
 /// A distance between touches, or from a corner to one.
 pub const fn distance(key: &'static str, label: &'static str, default: f64) -> Field {
-    Field::length(key, label, default).range(SMALLEST, 1000.0).usual(2.0, 500.0).group("Touches")
+    Field::length(key, label, default)
+        .range(SMALLEST, 1000.0)
+        .usual(2.0, 500.0)
+        .group("Touches")
 }
 
 /// The angle between two walls.
 pub const fn angle() -> Field {
-    Field::angle("angle", "Corner angle", 90.0).range(20.0, 160.0).group("Size").size()
+    Field::angle("angle", "Corner angle", 90.0)
+        .range(20.0, 160.0)
+        .group("Size")
+        .size()
 }
 
 /// The code of the angular variant in the source's table.
 const ANGULAR: i32 = 1;
-const VARIANTS: &[Code] = &[Code { value: 0, label: "rectangular" }, Code { value: ANGULAR, label: "angular" }];
+const VARIANTS: &[Code] = &[
+    Code {
+        value: 0,
+        label: "rectangular",
+    },
+    Code {
+        value: ANGULAR,
+        label: "angular",
+    },
+];
 
 /// Rectangular or angular.
 pub const fn variant() -> Field {

@@ -1,7 +1,8 @@
 //! The forms of the family and what they say of the feature. Two cycles share one where the same is probed from inside and from outside.
 
 use crate::cycle::ency::{
-    Circle, Corner, CornerAngle, Dimensions, Outside, Pairs, Point, Shape, Side, Triple, TwoTouches, Variant, field,
+    Circle, Corner, CornerAngle, Dimensions, Outside, Pairs, Point, Shape, Side, Triple,
+    TwoTouches, Variant, field,
 };
 use crate::form::{Field, Seen, form};
 use crate::geom::Vec3;
@@ -32,12 +33,22 @@ impl RoundProtected {
         let shape = Shape::Circle(Circle {
             internal,
             diameter: self.diameter,
-            variant: Variant::of(self.variant, self.start_angle, self.angular_step, self.step_count),
+            variant: Variant::of(
+                self.variant,
+                self.start_angle,
+                self.angular_step,
+                self.step_count,
+            ),
             depth: self.depth,
             top: Some(self.top_clearance),
             clearance: Some(self.side_clearance),
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -68,14 +79,25 @@ impl RectangleProtected {
         let shape = Shape::Pairs(Pairs {
             internal,
             sides: vec![
-                Side { width: self.width1, clearance: Some(self.side_clearance1) },
-                Side { width: self.width2, clearance: Some(self.side_clearance2) },
+                Side {
+                    width: self.width1,
+                    clearance: Some(self.side_clearance1),
+                },
+                Side {
+                    width: self.width2,
+                    clearance: Some(self.side_clearance2),
+                },
             ],
             depth: self.depth,
             top: Some(self.top_clearance),
             middle: None,
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -101,12 +123,20 @@ impl PairProtected {
     pub fn dimensions(&self, internal: bool) -> Dimensions {
         let shape = Shape::Pairs(Pairs {
             internal,
-            sides: vec![Side { width: self.width, clearance: Some(self.side_clearance) }],
+            sides: vec![Side {
+                width: self.width,
+                clearance: Some(self.side_clearance),
+            }],
             depth: self.depth,
             top: Some(self.top_clearance),
             middle: None,
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -144,8 +174,16 @@ form! {
 
 impl Surface {
     pub fn dimensions(&self) -> Dimensions {
-        let shape = Shape::Point(Point { clearance: self.clearance, elevation: self.elevation });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        let shape = Shape::Point(Point {
+            clearance: self.clearance,
+            elevation: self.elevation,
+        });
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -171,12 +209,22 @@ impl Hole {
         let shape = Shape::Circle(Circle {
             internal: true,
             diameter: self.diameter,
-            variant: Variant::of(self.variant, self.start_angle, self.angular_step, self.step_count),
+            variant: Variant::of(
+                self.variant,
+                self.start_angle,
+                self.angular_step,
+                self.step_count,
+            ),
             depth: self.depth,
             top: self.top_clearance,
             clearance: None,
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -200,12 +248,22 @@ impl InternalRectangle {
     pub fn dimensions(&self) -> Dimensions {
         let shape = Shape::Pairs(Pairs {
             internal: true,
-            sides: [self.width1, self.width2].map(|width| Side { width, clearance: None }).into(),
+            sides: [self.width1, self.width2]
+                .map(|width| Side {
+                    width,
+                    clearance: None,
+                })
+                .into(),
             depth: self.depth,
             top: self.top_clearance,
             middle: None,
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -232,12 +290,20 @@ impl WebThreePoints {
     pub fn dimensions(&self) -> Dimensions {
         let shape = Shape::Pairs(Pairs {
             internal: false,
-            sides: vec![Side { width: self.width, clearance: Some(self.side_clearance) }],
+            sides: vec![Side {
+                width: self.width,
+                clearance: Some(self.side_clearance),
+            }],
             depth: self.depth,
             top: Some(self.middle_clearance),
             middle: Some(self.middle_clearance),
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -259,12 +325,20 @@ impl Groove {
     pub fn dimensions(&self) -> Dimensions {
         let shape = Shape::Pairs(Pairs {
             internal: true,
-            sides: vec![Side { width: self.width, clearance: None }],
+            sides: vec![Side {
+                width: self.width,
+                clearance: None,
+            }],
             depth: self.depth,
             top: self.top_clearance,
             middle: None,
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -304,7 +378,12 @@ impl DoubleWallInternalCorner {
             steps: [self.step1, self.step2],
             distances: None,
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -349,7 +428,12 @@ impl DoubleWallExternalCorner {
             steps: [self.step1, self.step2],
             distances: Some([self.distance1, self.distance2]),
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -380,7 +464,12 @@ impl TripleWallInternalCorner {
             clearances: [self.clearance1, self.clearance2, self.clearance3],
             outside: None,
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -426,7 +515,12 @@ impl TripleWallExternalCorner {
             clearances: [self.clearance1, self.clearance2, self.top_clearance],
             outside: Some(outside),
         });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }
 
@@ -448,7 +542,15 @@ form! {
 
 impl WallAngle {
     pub fn dimensions(&self) -> Dimensions {
-        let shape = Shape::Wall(TwoTouches { distance: self.distance, clearance: self.clearance });
-        Dimensions::of(self, (self.origin, self.rotation), self.feed_distance, shape)
+        let shape = Shape::Wall(TwoTouches {
+            distance: self.distance,
+            clearance: self.clearance,
+        });
+        Dimensions::of(
+            self,
+            (self.origin, self.rotation),
+            self.feed_distance,
+            shape,
+        )
     }
 }

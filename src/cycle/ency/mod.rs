@@ -16,7 +16,10 @@ pub mod words;
 pub use custom::{HIGHEST as HIGHEST_CODE, MOST as MOST_CODES};
 pub use field::Properties;
 pub use picked_touches::{LONGEST_VECTOR, POINT, Pick, Placement};
-pub use shape::{Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, TwoTouches, Variant};
+pub use shape::{
+    Circle, Corner, CornerAngle, Outside, Pairs, Placed, Point, Shape, Side, Triple, TwoTouches,
+    Variant,
+};
 use table::table;
 pub use table::{CODE_GROUPS, code_of, only_angular};
 
@@ -27,11 +30,17 @@ use crate::cycle::{Cycle, CycleDef, REPEAT};
 use crate::form::{Checker, Field, Kind, Section, Shown, SubForm, Values};
 use crate::formula::Formula;
 use crate::geom::{Plane, Vec3};
-use crate::path::{DatumSource, ONE_LEVEL, Parameter, Path, Setup, Subject, Surface, Touch, Tracer};
+use crate::path::{
+    DatumSource, ONE_LEVEL, Parameter, Path, Setup, Subject, Surface, Touch, Tracer,
+};
 use crate::text::text;
 
 /// The form that every cycle of the family may have besides its own.
-pub const PROPERTIES: SubForm = SubForm { key: "properties", fields: Properties::FIELDS, optional: true };
+pub const PROPERTIES: SubForm = SubForm {
+    key: "properties",
+    fields: Properties::FIELDS,
+    optional: true,
+};
 
 /// The field that says how far above its start a path begins and ends.
 const FEED_DISTANCE: &str = "cycle.feedDistance";
@@ -69,18 +78,37 @@ pub struct Dimensions {
 
 impl Dimensions {
     /// Those of a form: origin (mm), rotation (degrees) and feed distance (mm) of every cycle that moves, and the shape of its own.
-    pub fn of(form: &dyn Values, (origin, rotation): (Vec3, f64), feed_distance: f64, shape: Shape) -> Self {
-        Dimensions { values: form.values(), placed: Placed { origin, rotation, shape }, feed_distance }
+    pub fn of(
+        form: &dyn Values,
+        (origin, rotation): (Vec3, f64),
+        feed_distance: f64,
+        shape: Shape,
+    ) -> Self {
+        Dimensions {
+            values: form.values(),
+            placed: Placed {
+                origin,
+                rotation,
+                shape,
+            },
+            feed_distance,
+        }
     }
 
     /// Those of a form that says of no place.
     pub fn unmoving(form: &dyn Values) -> Self {
-        Dimensions { values: form.values(), ..Dimensions::default() }
+        Dimensions {
+            values: form.values(),
+            ..Dimensions::default()
+        }
     }
 
     fn field(&self, path: &str) -> Option<&'static Field> {
         let key = key_of(path);
-        self.values.iter().map(|(field, _)| *field).find(|field| field.key == key)
+        self.values
+            .iter()
+            .map(|(field, _)| *field)
+            .find(|field| field.key == key)
     }
 }
 
@@ -112,9 +140,21 @@ pub fn read(
 ) -> Box<dyn Cycle> {
     let form = dimensions(section);
     let properties = section.sub(&PROPERTIES, Properties::read);
-    let picks = if def.place.is_some() { picked_touches::read(section) } else { None };
+    let picks = if def.place.is_some() {
+        picked_touches::read(section)
+    } else {
+        None
+    };
     let custom = custom::read(section);
-    Box::new(Ency { def, name, form, properties, picks, custom, actual: None })
+    Box::new(Ency {
+        def,
+        name,
+        form,
+        properties,
+        picks,
+        custom,
+        actual: None,
+    })
 }
 
 /// Where picked touches put a cycle, and the touches that its dimensions give there: those with a code of the source as they are, the others
@@ -142,22 +182,37 @@ pub fn place(
     }
     placed.shape = own;
     let touches = placed.shape.touches(&placed.frame(plane));
-    let touches = touches.into_iter().map(|(point, vector, _)| Pick { point, vector }).collect();
-    Some((Placement { origin: placed.origin, rotation: placed.rotation, sizes }, touches))
+    let touches = touches
+        .into_iter()
+        .map(|(point, vector, _)| Pick { point, vector })
+        .collect();
+    Some((
+        Placement {
+            origin: placed.origin,
+            rotation: placed.rotation,
+            sizes,
+        },
+        touches,
+    ))
 }
 
 impl Ency {
     /// The shape in its place, as the picks have both.
     fn placed(&self, plane: Plane) -> Placed {
         let placed = &self.form.placed;
-        self.picks.as_ref().map_or_else(|| placed.clone(), |picks| placed.shape.place(picks, plane))
+        self.picks
+            .as_ref()
+            .map_or_else(|| placed.clone(), |picks| placed.shape.place(picks, plane))
     }
 
     /// The shape with its touches: nominal, or with the actual part's sizes.
     fn seat<'s>(&self, setup: &'s Setup) -> (Shape, Seated<'s>) {
         let nominal = self.placed(setup.plane);
         let frame = nominal.frame(setup.plane);
-        let before = self.picks.as_ref().map(|picks| (picks, nominal.shape.touches(&frame)));
+        let before = self
+            .picks
+            .as_ref()
+            .map(|picks| (picks, nominal.shape.touches(&frame)));
         let shape = self.actual.clone().unwrap_or(nominal.shape);
         let mut touches = shape.touches(&frame);
         if let Some((picks, before)) = before {
@@ -171,18 +226,37 @@ impl Ency {
         let touches = touches
             .into_iter()
             .enumerate()
-            .map(|(sample, (point, vector, group))| Touch { point, vector, group, search, sample })
+            .map(|(sample, (point, vector, group))| Touch {
+                point,
+                vector,
+                group,
+                search,
+                sample,
+            })
             .collect();
-        (shape, Seated { frame, touches, setup, feed_distance: self.form.feed_distance })
+        (
+            shape,
+            Seated {
+                frame,
+                touches,
+                setup,
+                feed_distance: self.form.feed_distance,
+            },
+        )
     }
 
     /// Reports sizes of the picks that no form may have, or that the form says otherwise.
     fn compare(&self, placed: &mut Shape, checker: &mut Checker) {
         let mut given = self.form.placed.shape.clone();
         for ((path, size), (_, given)) in placed.sizes().into_iter().zip(given.sizes()) {
-            let Some(field) = self.form.field(path) else { continue };
+            let Some(field) = self.form.field(path) else {
+                continue;
+            };
             if !field.hard.nearly_holds(*size) {
-                let message = text!("The picked touches give {label} a value that it must not have", field.label);
+                let message = text!(
+                    "The picked touches give {label} a value that it must not have",
+                    field.label
+                );
                 checker.error("picks-out-of-range", "cycle.touches", message);
             } else if (*size - *given).abs() > 1e-3 && !field.code.is_empty() {
                 let shown = |x: f64| match field.kind {
@@ -204,7 +278,9 @@ impl Ency {
 impl Cycle for Ency {
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
         let shape = &self.form.placed.shape;
-        let Some(picks) = &self.picks else { return shape.rules(setup, checker) };
+        let Some(picks) = &self.picks else {
+            return shape.rules(setup, checker);
+        };
         if !checker.is_clean(&["cycle"]) {
             return;
         }
@@ -256,7 +332,14 @@ impl Cycle for Ency {
         }
         let (shape, _) = self.seat(setup);
         let kind = (self.def, self.name);
-        let mut rows = table(kind, &self.form.values, self.properties.as_ref(), touches, setup, |k| shape.name(k));
+        let mut rows = table(
+            kind,
+            &self.form.values,
+            self.properties.as_ref(),
+            touches,
+            setup,
+            |k| shape.name(k),
+        );
         rows.extend(self.custom.iter().map(Custom::row));
         rows
     }
@@ -271,14 +354,33 @@ impl Cycle for Ency {
     }
 
     fn resized(&self, setup: &Setup, key: &str, delta: f64) -> Option<Box<dyn Cycle>> {
-        let field = self.def.fields.iter().find(|field| field.size && field.key == key)?;
-        let mut actual = self.actual.clone().unwrap_or_else(|| self.placed(setup.plane).shape);
-        let (_, size) = actual.sizes().into_iter().find(|(path, _)| key_of(path) == key)?;
+        let field = self
+            .def
+            .fields
+            .iter()
+            .find(|field| field.size && field.key == key)?;
+        let mut actual = self
+            .actual
+            .clone()
+            .unwrap_or_else(|| self.placed(setup.plane).shape);
+        let (_, size) = actual
+            .sizes()
+            .into_iter()
+            .find(|(path, _)| key_of(path) == key)?;
         *size += delta;
         // Walls that meet at no angle, or at a straight one, make no corner.
-        let most = if field.kind == Kind::Angle { 180.0 } else { f64::INFINITY };
+        let most = if field.kind == Kind::Angle {
+            180.0
+        } else {
+            f64::INFINITY
+        };
         let left = *size > 0.0 && *size < most;
-        left.then(|| Box::new(Ency { actual: Some(actual), ..self.clone() }) as Box<dyn Cycle>)
+        left.then(|| {
+            Box::new(Ency {
+                actual: Some(actual),
+                ..self.clone()
+            }) as Box<dyn Cycle>
+        })
     }
 
     fn turned_error(&self, code: &str) -> Option<&'static str> {
@@ -291,7 +393,9 @@ impl Cycle for Ency {
 fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker) {
     const ROUNDING: f64 = 1e-6;
     let heights: Vec<f64> = path.moves.iter().map(|m| m.to.dot(path.frame.w)).collect();
-    let [begin, .., end] = heights.as_slice() else { return };
+    let [begin, .., end] = heights.as_slice() else {
+        return;
+    };
     let highest = heights.iter().copied().fold(*end, f64::max);
     // Picks that are level within the rounding of a dump are level.
     if highest > end + ONE_LEVEL + ROUNDING {
@@ -299,7 +403,15 @@ fn review(feed_distance: f64, setup: &Setup, path: &Path, checker: &mut Checker)
             "The path rises {height} above its end: one touch is too high compared with the others",
             checker.rounded_up(highest - end)
         );
-        checker.error("path-not-above", if path.picked { "cycle.touches" } else { "cycle" }, message);
+        checker.error(
+            "path-not-above",
+            if path.picked {
+                "cycle.touches"
+            } else {
+                "cycle"
+            },
+            message,
+        );
     }
     match path.top {
         Some(top) => {

@@ -43,13 +43,18 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
         Value::Null => return None,
         Value::List(items) => items,
         other => {
-            let message = text!("touches must be a list of { point, vector } or null, not {given}", other.noun());
+            let message = text!(
+                "touches must be a list of { point, vector } or null, not {given}",
+                other.noun()
+            );
             section.checker.error("wrong-type", place, message);
             return None;
         }
     };
     if items.is_empty() {
-        let message = text!("touches is empty: give every touch of the path, or null to take them from the dimensions");
+        let message = text!(
+            "touches is empty: give every touch of the path, or null to take them from the dimensions"
+        );
         section.checker.error("wrong-count", place, message);
         return None;
     }
@@ -94,9 +99,19 @@ pub fn read(section: &mut Section<'_, '_>) -> Option<Vec<Pick>> {
 
 /// Whether the ball can come to each surface from above, and be lifted away from it.
 pub fn none_overhangs(picks: &[Pick], plane: Plane, checker: &mut Checker) {
-    for (k, _) in picks.iter().enumerate().filter(|(_, pick)| pick.vector.dot(plane.basis()[2]) < -NEAR) {
-        let message = text!("The target vector must not point down: the ball cannot come from below and be lifted afterwards");
-        checker.error("vector-wrong-way", format!("cycle.touches[{k}].vector"), message);
+    for (k, _) in picks
+        .iter()
+        .enumerate()
+        .filter(|(_, pick)| pick.vector.dot(plane.basis()[2]) < -NEAR)
+    {
+        let message = text!(
+            "The target vector must not point down: the ball cannot come from below and be lifted afterwards"
+        );
+        checker.error(
+            "vector-wrong-way",
+            format!("cycle.touches[{k}].vector"),
+            message,
+        );
     }
 }
 
@@ -105,11 +120,17 @@ fn component(section: &mut Section<'_, '_>, value: &Value, path: &str) -> Option
     match *value {
         Value::Number(x) if x.abs() <= f64::from(LONGEST_VECTOR) => return Some(x),
         Value::Number(_) => {
-            let message = text!("A number of a target vector must be from -{most} to {most}", LONGEST_VECTOR);
+            let message = text!(
+                "A number of a target vector must be from -{most} to {most}",
+                LONGEST_VECTOR
+            );
             section.checker.error("out-of-range", path, message);
         }
         _ => {
-            let message = text!("A target vector must be three numbers, not {given}", value.noun());
+            let message = text!(
+                "A target vector must be three numbers, not {given}",
+                value.noun()
+            );
             section.checker.error("wrong-type", path, message);
         }
     }
@@ -132,7 +153,11 @@ fn triple(
             v
         }
         _ => {
-            section.checker.error("wrong-type", path, text!("{label} must be a list of three numbers", label));
+            section.checker.error(
+                "wrong-type",
+                path,
+                text!("{label} must be a list of three numbers", label),
+            );
             Vec3::ZERO
         }
     }
@@ -141,7 +166,11 @@ fn triple(
 /// Whether there are as many touches as the cycle has.
 pub fn counted(picks: &[Pick], count: usize, checker: &mut Checker) -> bool {
     if picks.len() != count {
-        let message = text!("By its form this cycle has {count} touches, but {given} are given", count, picks.len());
+        let message = text!(
+            "By its form this cycle has {count} touches, but {given} are given",
+            count,
+            picks.len()
+        );
         checker.error("wrong-count", "cycle.touches", message);
     }
     picks.len() == count
@@ -152,8 +181,16 @@ pub fn levelled(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut C
     let up = plane.basis()[2];
     for &k in touches {
         if picks[k].vector.dot(up).abs() > NEAR {
-            let message = text!("The target vector of touch {touch} must lie in the plane {plane}", k + 1, plane.word());
-            checker.error("vector-not-in-plane", format!("cycle.touches[{k}].vector"), message);
+            let message = text!(
+                "The target vector of touch {touch} must lie in the plane {plane}",
+                k + 1,
+                plane.word()
+            );
+            checker.error(
+                "vector-not-in-plane",
+                format!("cycle.touches[{k}].vector"),
+                message,
+            );
         }
     }
 }
@@ -171,21 +208,43 @@ pub fn one_level(picks: &[Pick], touches: &[usize], plane: Plane, checker: &mut 
                 "Touch {touch} is {way} {below} touch {first}: the touches of one feature must be at one level",
                 k + 1,
                 checker.length(off.abs()),
-                if off > 0.0 { words!("above") } else { words!("below") },
+                if off > 0.0 {
+                    words!("above")
+                } else {
+                    words!("below")
+                },
                 first + 1
             );
-            checker.error("touches-not-level", format!("cycle.touches[{k}].point"), message);
+            checker.error(
+                "touches-not-level",
+                format!("cycle.touches[{k}].point"),
+                message,
+            );
         }
     }
 }
 
 /// Reports touches that do not lie below the touch on the top side.
-pub fn below_top(picks: &[Pick], touches: &[usize], top: usize, plane: Plane, checker: &mut Checker) {
+pub fn below_top(
+    picks: &[Pick],
+    touches: &[usize],
+    top: usize,
+    plane: Plane,
+    checker: &mut Checker,
+) {
     let up = plane.basis()[2];
     for &k in touches {
         if (picks[top].point - picks[k].point).dot(up) < SMALLEST / 2.0 {
-            let message = text!("Touch {touch} must lie below touch {top}, which is on the top side", k + 1, top + 1);
-            checker.error("touch-above-top", format!("cycle.touches[{k}].point"), message);
+            let message = text!(
+                "Touch {touch} must lie below touch {top}, which is on the top side",
+                k + 1,
+                top + 1
+            );
+            checker.error(
+                "touch-above-top",
+                format!("cycle.touches[{k}].point"),
+                message,
+            );
         }
     }
 }
@@ -208,8 +267,11 @@ pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
 
 /// Reports a vector that points into the material: the sign check.
 pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
-    let (kind, where_to) =
-        if internal { (words!("internal"), words!("into the feature")) } else { (words!("external"), words!("away from it")) };
+    let (kind, where_to) = if internal {
+        (words!("internal"), words!("into the feature"))
+    } else {
+        (words!("external"), words!("away from it"))
+    };
     let message = text!(
         "The target vector of touch {touch} points the wrong way: it is the outward normal of the surface, and of an {kind} feature it \
          points {where_to}",
@@ -217,16 +279,25 @@ pub fn turned_inwards(k: usize, internal: bool, checker: &mut Checker) {
         kind,
         where_to
     );
-    checker.error("vector-wrong-way", format!("cycle.touches[{k}].vector"), message);
+    checker.error(
+        "vector-wrong-way",
+        format!("cycle.touches[{k}].vector"),
+        message,
+    );
 }
 
 /// The start of a corner as each first touch and its clearance have it: reported where the readings are not one point. `farthest` is the
 /// largest of the clearances, mm.
 pub fn one_start(readings: &[(usize, Vec3)], farthest: f64, checker: &mut Checker) {
-    let place = |p: Vec3, checker: &Checker| format!("[{}]", p.to_array().map(|x| checker.number(x)).join(", "));
+    let place = |p: Vec3, checker: &Checker| {
+        format!("[{}]", p.to_array().map(|x| checker.number(x)).join(", "))
+    };
     // Vectors may be off by a thousandth: over the clearances that is so much.
     let near = NEAR * (1.0 + 2.0 * farthest);
-    if let Some((k, other)) = readings.iter().find(|(_, p)| p.distance(readings[0].1) > near) {
+    if let Some((k, other)) = readings
+        .iter()
+        .find(|(_, p)| p.distance(readings[0].1) > near)
+    {
         let message = text!(
             "The start is not one point: touch {first} and its clearance put it at {place}, touch {other} and its clearance at {place2}",
             readings[0].0 + 1,

@@ -45,26 +45,47 @@ pub(super) fn table(
         touch: None,
     };
     let kind = def.number.map(|number| {
-        let meaning = text!("Probing cycle type: {number} = {name}", number, kind_name.to_owned());
+        let meaning = text!(
+            "Probing cycle type: {number} = {name}",
+            number,
+            kind_name.to_owned()
+        );
         whole(-1, number, meaning, Some("cycle.type".to_owned()))
     });
-    let mut own: Vec<Parameter> = values.iter().filter_map(|(field, value)| row(field, *value, "cycle")).collect();
+    let mut own: Vec<Parameter> = values
+        .iter()
+        .filter_map(|(field, value)| row(field, *value, "cycle"))
+        .collect();
     // In the rectangular variant the touches follow from the variant alone.
-    let rectangular = own.iter().any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
+    let rectangular = own
+        .iter()
+        .any(|p| p.code == VARIANT && p.value == ParameterValue::Whole(0));
     own.retain(|p| !(rectangular && ANGULAR.contains(&p.code)));
     falling(&mut own);
     let late = |p: &Parameter| p.code == -66 || (def.probes == Subject::Surface && p.code == -56);
     let (last, first): (Vec<Parameter>, Vec<Parameter>) = own.into_iter().partition(late);
-    let compensated = last.iter().any(|p| p.code == -66 && p.value == ParameterValue::Whole(1));
+    let compensated = last
+        .iter()
+        .any(|p| p.code == -66 && p.value == ParameterValue::Whole(1));
     let mut rows: Vec<Parameter> = kind.into_iter().collect();
     if def.probes == Subject::Switch {
         rows.push(whole(-2, -500, text!("SubCode of probe on/off"), None));
     }
     rows.extend(first);
-    push_touches(&mut rows, touches, if compensated { setup.radius } else { 0.0 }, name);
+    push_touches(
+        &mut rows,
+        touches,
+        if compensated { setup.radius } else { 0.0 },
+        name,
+    );
     rows.extend(last);
     if let Some(properties) = properties {
-        rows.extend(properties.values().into_iter().filter_map(|(field, value)| row(field, value, "cycle.properties")));
+        rows.extend(
+            properties
+                .values()
+                .into_iter()
+                .filter_map(|(field, value)| row(field, value, "cycle.properties")),
+        );
     }
     rows
 }
@@ -83,7 +104,9 @@ fn falling(rows: &mut [Parameter]) {
 /// The accessor and the number of a code such as `CmdPrm.Flt[-50]`.
 pub fn code_of(field: &Field) -> Option<(Accessor, i32)> {
     let (accessor, rest) = field.code.strip_prefix("CmdPrm.")?.split_once('[')?;
-    let accessor = Accessor::CMD_PRM.into_iter().find(|a| a.word() == accessor)?;
+    let accessor = Accessor::CMD_PRM
+        .into_iter()
+        .find(|a| a.word() == accessor)?;
     Some((accessor, rest.strip_suffix(']')?.parse().ok()?))
 }
 
@@ -99,19 +122,36 @@ fn row(field: &'static Field, value: Shown, section: &str) -> Option<Parameter> 
         Shown::Flag(on) => (ParameterValue::Whole(i32::from(on)), "Integer"),
         Shown::Nothing => return None,
     };
-    let first = field.help.split_once(". ").map_or(field.help, |(first, _)| first).trim_end_matches('.');
+    let first = field
+        .help
+        .split_once(". ")
+        .map_or(field.help, |(first, _)| first)
+        .trim_end_matches('.');
     let meaning = if code == -66 {
         text!("Compensate dimensions: 0 off, 1 on")
     } else {
         text!("{label}, {help}", field.label, crate::num::lowered(first))
     };
-    Some(Parameter { code, accessor, type_name, value, meaning, field: Some(format!("{section}.{}", field.key)), touch: None })
+    Some(Parameter {
+        code,
+        accessor,
+        type_name,
+        value,
+        meaning,
+        field: Some(format!("{section}.{}", field.key)),
+        touch: None,
+    })
 }
 
 /// The blocks from −100 (used by the cycle) and from −200 (as given in the Job Assignment), six codes a touch. `shift` moves the
 /// used points along their vectors: the ball radius where dimensions are compensated. Our reading: the source only says
 /// "toolpath shift with tool compensation".
-fn push_touches(rows: &mut Vec<Parameter>, touches: &[Touch], shift: f64, name: impl Fn(usize) -> Text) {
+fn push_touches(
+    rows: &mut Vec<Parameter>,
+    touches: &[Touch],
+    shift: f64,
+    name: impl Fn(usize) -> Text,
+) {
     for (base, used, shift) in [(-100, true, shift), (-200, false, 0.0)] {
         for (k, touch) in touches.iter().enumerate() {
             let point = touch.point + touch.vector * shift;
@@ -134,15 +174,27 @@ fn push_touches(rows: &mut Vec<Parameter>, touches: &[Touch], shift: f64, name: 
                 } else {
                     text!("{name}: original touch point, {axis}", name.clone(), letter)
                 };
-                push(first - axis as i32, ParameterValue::Length(point[axis]), meaning);
+                push(
+                    first - axis as i32,
+                    ParameterValue::Length(point[axis]),
+                    meaning,
+                );
             }
             for (axis, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
                 let meaning = if used {
                     text!("{name}: target vector, {axis}", name.clone(), letter)
                 } else {
-                    text!("{name}: original target vector, {axis}", name.clone(), letter)
+                    text!(
+                        "{name}: original target vector, {axis}",
+                        name.clone(),
+                        letter
+                    )
                 };
-                push(first - 3 - axis as i32, ParameterValue::Number(touch.vector[axis]), meaning);
+                push(
+                    first - 3 - axis as i32,
+                    ParameterValue::Number(touch.vector[axis]),
+                    meaning,
+                );
             }
         }
     }

@@ -28,9 +28,13 @@ pub static NC_ACTION: CycleDef = CycleDef {
     most_touches: 0,
     fields: forms::NcAction::FIELDS,
     sections: &[ency::PROPERTIES],
-    readings: &["Nothing moves. What the action does is the postprocessor's, by SubCode and properties."],
+    readings: &[
+        "Nothing moves. What the action does is the postprocessor's, by SubCode and properties.",
+    ],
     place: None,
-    ..row!(1, "NC action", |section| Dimensions::unmoving(&forms::NcAction::read(section)))
+    ..row!(1, "NC action", |section| Dimensions::unmoving(
+        &forms::NcAction::read(section)
+    ))
 };
 
 /// Probe on/off: ENCY / SprutCAM type 0. Rows of the table, no motion.
@@ -49,7 +53,9 @@ pub static PROBE_ON_OFF: CycleDef = CycleDef {
                  to its builder, and is not guessed.",
     ],
     place: None,
-    ..row!(0, "probe on/off", |section| Dimensions::unmoving(&forms::ProbeOnOff::read(section)))
+    ..row!(0, "probe on/off", |section| Dimensions::unmoving(
+        &forms::ProbeOnOff::read(section)
+    ))
 };
 
 /// One touch along the target vector, on a wall, a top side or anything between.
@@ -75,7 +81,10 @@ pub static SURFACE: CycleDef = CycleDef {
         "The measured point is the nominal one, moved along the target vector: across it nothing is measured.",
         "Rotation and elevation are ours: the source has the target vector only.",
     ],
-    ..row!(2, "surface probing", |section| forms::Surface::read(section).dimensions())
+    ..row!(2, "surface probing", |section| forms::Surface::read(
+        section
+    )
+    .dimensions())
 };
 
 /// All touches from the centre, which the ball enters from above or goes to straight away.
@@ -100,7 +109,8 @@ pub static HOLE: CycleDef = CycleDef {
         words::CIRCLE,
         words::UNCHECKED,
     ],
-    ..row!(3, "hole probing", |section| forms::Hole::read(section).dimensions())
+    ..row!(3, "hole probing", |section| forms::Hole::read(section)
+        .dimensions())
 };
 
 /// Each touch is entered from above, so that an island in the middle is not met.
@@ -118,7 +128,9 @@ pub static HOLE_PROTECTED: CycleDef = CycleDef {
         "Steps 2 to 6 once more for each touch point that is left",
     ),
     readings: words::ROUND_PROTECTED,
-    ..row!(4, "hole probing protected", |section| forms::RoundProtected::read(section).dimensions(true))
+    ..row!(4, "hole probing protected", |section| {
+        forms::RoundProtected::read(section).dimensions(true)
+    })
 };
 
 /// A stud, touched from outside.
@@ -136,7 +148,10 @@ pub static BOSS: CycleDef = CycleDef {
         "Steps 2 to 6 once more for each touch point that is left",
     ),
     readings: words::ROUND_PROTECTED,
-    ..row!(5, "boss probing", |section| forms::RoundProtected::read(section).dimensions(false))
+    ..row!(5, "boss probing", |section| forms::RoundProtected::read(
+        section
+    )
+    .dimensions(false))
 };
 
 /// Four touches from the centre, one a wall.
@@ -159,7 +174,9 @@ pub static INTERNAL_RECTANGLE: CycleDef = CycleDef {
         words::COSINE_INSIDE,
         words::UNCHECKED,
     ],
-    ..row!(6, "internal rectangle probing", |section| forms::InternalRectangle::read(section).dimensions())
+    ..row!(6, "internal rectangle probing", |section| {
+        forms::InternalRectangle::read(section).dimensions()
+    })
 };
 
 /// Four touches from inside, one a wall, each entered from above, so that an island in the middle is not met.
@@ -185,7 +202,9 @@ pub static INTERNAL_RECTANGLE_PROTECTED: CycleDef = CycleDef {
         words::RECTANGLE,
         words::COSINE_INSIDE,
     ],
-    ..row!(7, "internal rectangle probing protected", |section| forms::RectangleProtected::read(section).dimensions(true))
+    ..row!(7, "internal rectangle probing protected", |section| {
+        forms::RectangleProtected::read(section).dimensions(true)
+    })
 };
 
 /// A block, touched from outside, one touch a wall.
@@ -202,8 +221,17 @@ pub static EXTERNAL_RECTANGLE: CycleDef = CycleDef {
         "To the feed distance above the start, then down to the start: over the centre, top clearance above the top side",
         "Steps 2 to 6 three times more, once for each touch point that is left",
     ),
-    readings: &[words::HEIGHTS, words::NORMAL, words::FEEDS, words::COMPENSATION, words::RECTANGLE, words::COSINE_OUTSIDE],
-    ..row!(8, "external rectangle probing", |section| forms::RectangleProtected::read(section).dimensions(false))
+    readings: &[
+        words::HEIGHTS,
+        words::NORMAL,
+        words::FEEDS,
+        words::COMPENSATION,
+        words::RECTANGLE,
+        words::COSINE_OUTSIDE,
+    ],
+    ..row!(8, "external rectangle probing", |section| {
+        forms::RectangleProtected::read(section).dimensions(false)
+    })
 };
 
 /// A rib, touched on both sides.
@@ -229,7 +257,10 @@ pub static WEB: CycleDef = CycleDef {
         words::COSINE_OUTSIDE,
         words::SINGLE,
     ],
-    ..row!(9, "web probing", |section| forms::PairProtected::read(section).dimensions(false))
+    ..row!(9, "web probing", |section| forms::PairProtected::read(
+        section
+    )
+    .dimensions(false))
 };
 
 /// A rib, touched on both sides and on top.
@@ -264,7 +295,9 @@ pub static WEB_THREE_POINTS: CycleDef = CycleDef {
         words::COSINE_OUTSIDE,
         words::SINGLE,
     ],
-    ..row!(10, "web probing (three points)", |section| forms::WebThreePoints::read(section).dimensions())
+    ..row!(10, "web probing (three points)", |section| {
+        forms::WebThreePoints::read(section).dimensions()
+    })
 };
 
 /// Both walls of a groove, from its middle.
@@ -293,7 +326,8 @@ pub static GROOVE: CycleDef = CycleDef {
         words::SINGLE,
         words::UNCHECKED,
     ],
-    ..row!(11, "groove probing", |section| forms::Groove::read(section).dimensions())
+    ..row!(11, "groove probing", |section| forms::Groove::read(section)
+        .dimensions())
 };
 
 /// Both walls of a groove, each touch entered from above.
@@ -319,7 +353,9 @@ pub static GROOVE_PROTECTED: CycleDef = CycleDef {
         words::COSINE_INSIDE,
         words::SINGLE,
     ],
-    ..row!(12, "groove probing protected", |section| forms::PairProtected::read(section).dimensions(true))
+    ..row!(12, "groove probing protected", |section| {
+        forms::PairProtected::read(section).dimensions(true)
+    })
 };
 
 /// Both walls of an inside corner, each touched once or more, from one start point inside. Between the first and the last move everything stays at the
@@ -355,7 +391,9 @@ pub static DOUBLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
         words::LINES,
         words::TURN,
     ],
-    ..row!(13, "double wall internal corner probing", |section| forms::DoubleWallInternalCorner::read(section).dimensions())
+    ..row!(13, "double wall internal corner probing", |section| {
+        forms::DoubleWallInternalCorner::read(section).dimensions()
+    })
 };
 
 /// Both walls of an outside corner, each touched once or more, from one start point outside.
@@ -392,7 +430,9 @@ pub static DOUBLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
         words::LINES,
         words::TURN,
     ],
-    ..row!(14, "double wall external corner probing", |section| forms::DoubleWallExternalCorner::read(section).dimensions())
+    ..row!(14, "double wall external corner probing", |section| {
+        forms::DoubleWallExternalCorner::read(section).dimensions()
+    })
 };
 
 /// Two walls and the floor of a pocket, each touched once from one start point inside.
@@ -421,7 +461,9 @@ pub static TRIPLE_WALL_INTERNAL_CORNER: CycleDef = CycleDef {
         "By its dimensions the third wall is the floor, square to the tool axis; picked touches may have any direction.",
         words::PLANES,
     ],
-    ..row!(15, "triple wall internal corner probing", |section| forms::TripleWallInternalCorner::read(section).dimensions())
+    ..row!(15, "triple wall internal corner probing", |section| {
+        forms::TripleWallInternalCorner::read(section).dimensions()
+    })
 };
 
 /// Two walls and the top side of a block, each touched once.
@@ -453,7 +495,9 @@ pub static TRIPLE_WALL_EXTERNAL_CORNER: CycleDef = CycleDef {
         "The distances to the touches are ours: the source has the touch points only.",
         words::PLANES,
     ],
-    ..row!(16, "triple wall external corner probing", |section| forms::TripleWallExternalCorner::read(section).dimensions())
+    ..row!(16, "triple wall external corner probing", |section| {
+        forms::TripleWallExternalCorner::read(section).dimensions()
+    })
 };
 
 /// Two touches of one wall, which ENCY's family has as a part of its corners only.
@@ -480,6 +524,10 @@ pub static WALL_ANGLE: CycleDef = CycleDef {
         words::NORMAL_OF_SURFACE,
     ],
     source: "Touchpath",
-    read: |def, section| ency::read(def, section, "", |section| forms::WallAngle::read(section).dimensions()),
+    read: |def, section| {
+        ency::read(def, section, "", |section| {
+            forms::WallAngle::read(section).dimensions()
+        })
+    },
     ..ency::BASE
 };

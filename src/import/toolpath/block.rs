@@ -43,7 +43,11 @@ pub(super) enum Word {
 impl Word {
     /// NaN where the control would compute it.
     pub fn number(self) -> f64 {
-        if let Word::Number(x) = self { x } else { f64::NAN }
+        if let Word::Number(x) = self {
+            x
+        } else {
+            f64::NAN
+        }
     }
 }
 
@@ -178,15 +182,29 @@ impl Block {
     /// Takes all words out. Places and centres stay: nothing says that they are given.
     pub fn empty(&mut self) {
         (self.given, self.computed, self.centered) = (0, 0, 0);
-        (self.radius, self.once, self.feed, self.offset, self.l, self.p) = (None, None, None, None, None, None);
+        (
+            self.radius,
+            self.once,
+            self.feed,
+            self.offset,
+            self.l,
+            self.p,
+        ) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
         (self.lengthens, self.feedless, self.keeps) = (false, false, None);
-        (self.curve, self.counts, self.changes, self.spindle, self.contact) = (false, false, false, None, None);
+        (
+            self.curve,
+            self.counts,
+            self.changes,
+            self.spindle,
+            self.contact,
+        ) = (false, false, false, None, None);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
         (self.returns, self.renames, self.twice) = (false, false, false);
         if self.special {
-            (self.foreign, self.led, self.calls, self.special) = (Foreign::No, Foreign::No, None, false);
+            (self.foreign, self.led, self.calls, self.special) =
+                (Foreign::No, Foreign::No, None, false);
             self.macros = false;
             (self.placed, self.moved) = (0, 0);
         }

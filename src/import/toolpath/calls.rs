@@ -41,7 +41,13 @@ pub(super) struct Calls<'t> {
 
 impl<'t> Calls<'t> {
     pub fn new(text: &'t str) -> Self {
-        Calls { text, places: Vec::new(), stack: Vec::new(), lines: 0, ran: Vec::new() }
+        Calls {
+            text,
+            places: Vec::new(),
+            stack: Vec::new(),
+            lines: 0,
+            ran: Vec::new(),
+        }
     }
 
     /// How many subprograms are under way.
@@ -56,7 +62,9 @@ impl<'t> Calls<'t> {
 
     /// Whether a line ran where it was called.
     pub fn has_run(&self, line: usize) -> bool {
-        self.ran.iter().any(|(from, to)| (*from..*to).contains(&line))
+        self.ran
+            .iter()
+            .any(|(from, to)| (*from..*to).contains(&line))
     }
 
     /// After a line was read: which one is read next.
@@ -90,7 +98,11 @@ impl<'t> Calls<'t> {
             }
             return back;
         }
-        if program_number(line).is_some() { self.fall_out(reader, next) } else { next }
+        if program_number(line).is_some() {
+            self.fall_out(reader, next)
+        } else {
+            next
+        }
     }
 
     /// The lines of a subprogram come to an end without M99.
@@ -102,9 +114,16 @@ impl<'t> Calls<'t> {
     }
 
     fn enter(&mut self, reader: &mut Reader, call: Call, next: Place) -> Place {
-        match self.find(call).filter(|_| self.stack.len() < DEEPEST && self.lines < MOST_LINES) {
+        match self
+            .find(call)
+            .filter(|_| self.stack.len() < DEEPEST && self.lines < MOST_LINES)
+        {
             Some(begin) => {
-                self.stack.push(Frame { back: next, begin, left: call.times - 1 });
+                self.stack.push(Frame {
+                    back: next,
+                    begin,
+                    left: call.times - 1,
+                });
                 begin
             }
             None => {
@@ -116,7 +135,9 @@ impl<'t> Calls<'t> {
     }
 
     fn leave(&mut self, next: Place) -> Place {
-        let Some(frame) = self.stack.last_mut() else { return next };
+        let Some(frame) = self.stack.last_mut() else {
+            return next;
+        };
         if frame.left > 0 {
             frame.left -= 1;
             return frame.begin;
@@ -133,7 +154,10 @@ impl<'t> Calls<'t> {
 
     /// Where the lines begin; none where the number is not there once. Each is looked for once, and not very many are.
     fn find(&mut self, call: Call) -> Option<Place> {
-        let known = self.places.iter().find(|(local, number, _)| (*local, *number) == (call.local, call.number));
+        let known = self
+            .places
+            .iter()
+            .find(|(local, number, _)| (*local, *number) == (call.local, call.number));
         if let Some((.., place)) = known {
             return *place;
         }
@@ -151,15 +175,27 @@ impl Reader {
     #[cold]
     #[inline(never)]
     pub(super) fn call(&mut self, code: u8, block: &Block) {
-        let whole = |x: f64, most: f64| (x.fract() == 0.0 && (1.0..=most).contains(&x)).then_some(x as u32);
-        let number = block.p.and_then(|p| whole(p, 99_999_999.0)).filter(|_| code != 198 && !self.sinumerik);
+        let whole =
+            |x: f64, most: f64| (x.fract() == 0.0 && (1.0..=most).contains(&x)).then_some(x as u32);
+        let number = block
+            .p
+            .and_then(|p| whole(p, 99_999_999.0))
+            .filter(|_| code != 198 && !self.sinumerik);
         let times = block.l.map_or(Some(1), |l| whole(l, 9999.0));
         match (number, times) {
             // P30100 is O100 three times.
             (Some(number), Some(1)) if number > 9999 && block.l.is_none() => {
-                self.take_up(Call { local: code == 97, number: number % 10_000, times: number / 10_000 });
+                self.take_up(Call {
+                    local: code == 97,
+                    number: number % 10_000,
+                    times: number / 10_000,
+                });
             }
-            (Some(number), Some(times)) => self.take_up(Call { local: code == 97, number, times }),
+            (Some(number), Some(times)) => self.take_up(Call {
+                local: code == 97,
+                number,
+                times,
+            }),
             _ => {
                 self.called_out = true;
                 self.lose(self.line);
@@ -187,10 +223,21 @@ fn place_of(text: &[u8], call: Call) -> Option<Place> {
     while at < text.len() {
         let (end, next) = line_end(text, at);
         let code = text[at..end].trim_ascii();
-        let number = if call.local { head(code).number } else { program_number(code) };
+        let number = if call.local {
+            head(code).number
+        } else {
+            program_number(code)
+        };
         if number == Some(call.number) {
             // A block runs from its own number on, a program below the line of its number.
-            let place = if call.local { Place { at, line } } else { Place { at: next, line: line + 1 } };
+            let place = if call.local {
+                Place { at, line }
+            } else {
+                Place {
+                    at: next,
+                    line: line + 1,
+                }
+            };
             if found.replace(place).is_some() {
                 return None;
             }

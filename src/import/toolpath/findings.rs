@@ -13,11 +13,18 @@ impl Reader {
         let mut checker = Checker::default();
         let mut lines = Vec::new();
         for (count, code, what) in self.counted() {
-            let Some(first) = count.lines.first().map(|line| numbered(&self.files, *line)) else { continue };
+            let Some(first) = count.lines.first().map(|line| numbered(&self.files, *line)) else {
+                continue;
+            };
             let message = if count.times == 1 {
                 text!("{what}: once, in line {line}", what, first)
             } else {
-                text!("{what}: {times} times, the first in line {line}", what, count.times, first)
+                text!(
+                    "{what}: {times} times, the first in line {line}",
+                    what,
+                    count.times,
+                    first
+                )
             };
             checker.warning(code, "", message);
             lines.push(count.sorted());
@@ -83,7 +90,10 @@ fn numbered(files: &[(u32, String)], line: u32) -> String {
 
 fn say_units(late: Option<usize>, path: &Toolpath, checker: &mut Checker) {
     if let Some(line) = late {
-        let message = text!("Moves above line {line} are taken to be in its units: none are stated before", line + 1);
+        let message = text!(
+            "Moves above line {line} are taken to be in its units: none are stated before",
+            line + 1
+        );
         checker.warning("no-units", "", message);
     }
     if path.metric.is_none() && !path.is_empty() {

@@ -20,9 +20,17 @@ impl Reader {
         let names_axes = block.given | block.centered != 0 || block.others;
         let moves = block.motion || block.once.is_some();
         // Axis words behind a motion are the motion's, and an M code without axis words moves none.
-        let led = if names_axes && !moves { block.led } else { Foreign::No };
+        let led = if names_axes && !moves {
+            block.led
+        } else {
+            Foreign::No
+        };
         let here = self.here();
-        match if block.foreign == Foreign::No { led } else { block.foreign } {
+        match if block.foreign == Foreign::No {
+            led
+        } else {
+            block.foreign
+        } {
             Foreign::No => return false,
             Foreign::Sets if !names_axes => return false,
             Foreign::Sets => self.forget(block.given),
@@ -33,7 +41,11 @@ impl Reader {
             self.feed = f64::NAN;
         }
         let [begin, end] = block.name;
-        let foreign = if block.foreign == Foreign::No { led } else { block.foreign };
+        let foreign = if block.foreign == Foreign::No {
+            led
+        } else {
+            block.foreign
+        };
         let name = String::from_utf8_lossy(&line[begin..end]).to_ascii_uppercase();
         if foreign == Foreign::Unknown && native::find(&name).is_some() {
             self.native(&name, letters(&line[end..]), here);
@@ -47,7 +59,11 @@ impl Reader {
     pub(super) fn native(&mut self, name: &str, arguments: Vec<(String, f64)>, place: [f64; 3]) {
         let call = native_call(&mut self.path, self.line, name, arguments, place);
         let named = call.map_or(name, |call| call.name);
-        self.count_named(named.to_owned(), Foreign::Unknown, call.map(|call| call.title));
+        self.count_named(
+            named.to_owned(),
+            Foreign::Unknown,
+            call.map(|call| call.title),
+        );
     }
 
     /// One of the control's own cycles whose moves were made: it is listed.
@@ -64,7 +80,9 @@ impl Reader {
         let name = |p: f64| call.to_owned() + &crate::num::decimal(p, 0);
         let arguments = || -> Vec<(String, f64)> {
             let all = letters(&line[block.begin..]);
-            all.into_iter().filter(|(name, _)| name != "G" && name != "P").collect()
+            all.into_iter()
+                .filter(|(name, _)| name != "G" && name != "P")
+                .collect()
         };
         match block.p {
             // A number that the control computes.
@@ -98,8 +116,13 @@ impl Reader {
     /// Counts a block that is not followed, by the name of its code.
     pub(super) fn named(&mut self, name: &[u8], foreign: Foreign) {
         const LONGEST: usize = 12;
-        let letters = name.iter().filter(|b| !b.is_ascii_whitespace()).take(LONGEST);
-        let name: String = letters.map(|b| char::from(b.to_ascii_uppercase())).collect();
+        let letters = name
+            .iter()
+            .filter(|b| !b.is_ascii_whitespace())
+            .take(LONGEST);
+        let name: String = letters
+            .map(|b| char::from(b.to_ascii_uppercase()))
+            .collect();
         self.count_named(name, foreign, None);
     }
 
@@ -112,7 +135,12 @@ impl Reader {
         }
         let mut times = Count::default();
         count(&mut times, self.line);
-        self.foreign.push(Named { name, foreign, title, count: times });
+        self.foreign.push(Named {
+            name,
+            foreign,
+            title,
+            count: times,
+        });
     }
 }
 
@@ -127,7 +155,10 @@ pub(super) fn by_name(named: &Named) -> Text {
         );
     }
     if foreign == Foreign::Sets {
-        text!("{code} moves nothing here, and the axis words beside it are not a position: its block is not followed", name)
+        text!(
+            "{code} moves nothing here, and the axis words beside it are not a position: its block is not followed",
+            name
+        )
     } else {
         text!(
             "{code} is not known here: its block is not followed, and positions after it are not known until a number is given",

@@ -8,7 +8,13 @@ const MOST_FORKS: usize = 200;
 
 /// What two ways agree on; NaN is not known.
 fn agreed(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|axis| if one[axis] == other[axis] { one[axis] } else { f64::NAN })
+    [0, 1, 2].map(|axis| {
+        if one[axis] == other[axis] {
+            one[axis]
+        } else {
+            f64::NAN
+        }
+    })
 }
 
 impl Reader {
@@ -16,14 +22,29 @@ impl Reader {
     pub(super) fn parts(&mut self, until: Option<usize>) {
         let known = until.is_some() && self.forks.iter().any(|fork| fork.until == until);
         if self.run.is_some() && !known && self.forks.len() < MOST_FORKS {
-            self.forks.push(Fork { place: self.place, ends: None, until, otherwise: false });
+            self.forks.push(Fork {
+                place: self.place,
+                ends: None,
+                until,
+                otherwise: false,
+            });
         }
     }
 
     /// The next way of the same condition, in any case if none before it was run.
     pub(super) fn other_way(&mut self, otherwise: bool) {
-        let Some(fork) = self.forks.iter_mut().rev().find(|fork| fork.until.is_none()) else { return };
-        fork.ends = Some(fork.ends.map_or(self.place, |ends| agreed(ends, self.place)));
+        let Some(fork) = self
+            .forks
+            .iter_mut()
+            .rev()
+            .find(|fork| fork.until.is_none())
+        else {
+            return;
+        };
+        fork.ends = Some(
+            fork.ends
+                .map_or(self.place, |ends| agreed(ends, self.place)),
+        );
         fork.otherwise |= otherwise;
         let place = fork.place;
         self.stands(place);
@@ -33,7 +54,9 @@ impl Reader {
     pub(super) fn meet(&mut self, line: Option<usize>) {
         while let Some(at) = self.forks.iter().rposition(|fork| fork.until == line) {
             let fork = self.forks.swap_remove(at);
-            let mut place = fork.ends.map_or(self.place, |ends| agreed(ends, self.place));
+            let mut place = fork
+                .ends
+                .map_or(self.place, |ends| agreed(ends, self.place));
             if !fork.otherwise {
                 place = agreed(place, fork.place);
             }
@@ -46,7 +69,9 @@ impl Reader {
 
     /// The next move begins here, and not where the one before ended.
     fn stands(&mut self, place: [f64; 3]) {
-        let same = |axis: usize| place[axis] == self.place[axis] || place[axis].is_nan() && self.place[axis].is_nan();
+        let same = |axis: usize| {
+            place[axis] == self.place[axis] || place[axis].is_nan() && self.place[axis].is_nan()
+        };
         self.resumes |= !(0..3).all(same);
         self.place = place;
     }

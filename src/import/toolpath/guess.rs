@@ -1,11 +1,16 @@
 //! Which of the dialects a text is written in.
 
-use crate::control::iso::lex::{after, comment_at, head, lines_of, trimmed, without_count, without_number};
+use crate::control::iso::lex::{
+    after, comment_at, head, lines_of, trimmed, without_count, without_number,
+};
 use crate::import::signs;
 use crate::import::toolpath::DIALECTS;
 
 /// What stands in programs of a SINUMERIK alone.
-const ALONE: [&str; 12] = ["MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "=IC(", "=AC(", "=DC("];
+const ALONE: [&str; 12] = [
+    "MEAS=", "MEAW=", "GOTOF", "STOPRE", "$A_", "$AA_", "$AC_", "$P_", "$TC_", "=IC(", "=AC(",
+    "=DC(",
+];
 
 /// What others have, too: an Okuma assigns, a macro has texts.
 const LIKELY: [&str; 4] = ["DEF ", "CR=", "T=\"", "SPOS="];
@@ -24,7 +29,10 @@ const MOST_LINES: usize = 2000;
 /// is in the text.
 pub(in crate::import) fn guessed(text: &str) -> &'static str {
     // Its first block.
-    if lines_of(text).take(50).any(|line| after(without_count(without_number(trimmed(line))), "BEGIN PGM").is_some()) {
+    if lines_of(text)
+        .take(50)
+        .any(|line| after(without_count(without_number(trimmed(line))), "BEGIN PGM").is_some())
+    {
         return DIALECTS[2];
     }
     let [mut likely, mut assigns, mut units] = [false; 3];
@@ -35,13 +43,21 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
             return DIALECTS[1];
         }
         let line = &line[head(line).end..];
-        if matches!(line.first(), Some(b'E' | b'e')) && ENDS.iter().any(|word| line.trim_ascii().eq_ignore_ascii_case(word)) {
+        if matches!(line.first(), Some(b'E' | b'e'))
+            && ENDS
+                .iter()
+                .any(|word| line.trim_ascii().eq_ignore_ascii_case(word))
+        {
             return DIALECTS[1];
         }
         units |= matches!(line, [b'G' | b'g', b'7', b'0' | b'1', ..]);
         // Most lines begin with a G or an axis, and assign nothing.
-        let begins =
-            line.first().is_some_and(|b| matches!(b.to_ascii_uppercase(), b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'));
+        let begins = line.first().is_some_and(|b| {
+            matches!(
+                b.to_ascii_uppercase(),
+                b'C' | b'D' | b'I' | b'M' | b'S' | b'T' | b'R'
+            )
+        });
         if matches!(line.first(), Some(b'(' | b'%' | b';' | b'O' | b'o' | b'#'))
             || !(begins || memchr::memchr2(b'=', b'$', line).is_some())
         {
@@ -58,7 +74,13 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
         let whole = String::from_utf8_lossy(before_text(line)).to_ascii_uppercase();
         let called = line.get(code.len()) == Some(&b'(');
         if called && (plain == "MSG" || plain.starts_with("CYCLE"))
-            || ALONE.iter().any(|word| if word.ends_with('(') { whole.contains(word) } else { plain.contains(word) })
+            || ALONE.iter().any(|word| {
+                if word.ends_with('(') {
+                    whole.contains(word)
+                } else {
+                    plain.contains(word)
+                }
+            })
         {
             return DIALECTS[1];
         }
@@ -77,9 +99,17 @@ pub(super) fn is_centroid(text: &str) -> bool {
         if !code.contains(['M', 'm', '#', 'P', 'p']) {
             return false;
         }
-        let code: String = code.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
-        ["M115/", "M116/", "M125/", "M126/", "#9011", "P9813A"].iter().any(|word| code.contains(word))
-            || ["P9810A1X", "P9811A", "P9812A"].iter().any(|word| code.contains(word))
+        let code: String = code
+            .chars()
+            .filter(|c| !c.is_whitespace())
+            .map(|c| c.to_ascii_uppercase())
+            .collect();
+        ["M115/", "M116/", "M125/", "M126/", "#9011", "P9813A"]
+            .iter()
+            .any(|word| code.contains(word))
+            || ["P9810A1X", "P9811A", "P9812A"]
+                .iter()
+                .any(|word| code.contains(word))
             || code.contains("P9817D")
     })
 }
@@ -91,6 +121,8 @@ fn before_text(line: &[u8]) -> &[u8] {
 
 /// Whether a line gives an R parameter a value: `R1=5`.
 fn parameter(code: &str) -> bool {
-    let value = code.strip_prefix('R').map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
+    let value = code
+        .strip_prefix('R')
+        .map(|rest| rest.trim_start_matches(|c: char| c.is_ascii_digit()));
     value.is_some_and(|value| value.len() + 1 < code.len() && value.starts_with('='))
 }

@@ -7,8 +7,10 @@ impl Reader {
     #[cold]
     #[inline(never)]
     pub(super) fn heidenhain_head(&mut self, line: &[u8]) {
-        let says =
-            |code: &[u8]| line.split(|b| b.is_ascii_whitespace() || *b == b'*').any(|word| word.eq_ignore_ascii_case(code));
+        let says = |code: &[u8]| {
+            line.split(|b| b.is_ascii_whitespace() || *b == b'*')
+                .any(|word| word.eq_ignore_ascii_case(code))
+        };
         self.begun = true;
         if says(b"G70") || says(b"G71") {
             self.heidenhain = true;

@@ -39,7 +39,12 @@ fn code_of(line: &[u8]) -> String {
 
 /// The number of `G98 L5`.
 fn label(code: &str) -> Option<u32> {
-    code.strip_prefix("G98")?.trim_start().strip_prefix('L')?.trim().parse().ok()
+    code.strip_prefix("G98")?
+        .trim_start()
+        .strip_prefix('L')?
+        .trim()
+        .parse()
+        .ok()
 }
 
 impl HeidenhainIso {
@@ -52,17 +57,32 @@ impl HeidenhainIso {
         while at < bytes.len() {
             let (end, below) = line_end(bytes, at);
             line += 1;
-            if let Some(number) = label(&code_of(text[at..end].trim().as_bytes())).filter(|number| *number != 0) {
-                labels.entry(number).and_modify(|place| *place = None).or_insert(Some(Place { at: below, line }));
+            if let Some(number) =
+                label(&code_of(text[at..end].trim().as_bytes())).filter(|number| *number != 0)
+            {
+                labels
+                    .entry(number)
+                    .and_modify(|place| *place = None)
+                    .or_insert(Some(Place { at: below, line }));
             }
             at = below;
         }
-        Some(HeidenhainIso { q: Parameters::new(set), labels, frames: Vec::new(), repeats: BTreeMap::new(), blocks: 0 })
+        Some(HeidenhainIso {
+            q: Parameters::new(set),
+            labels,
+            frames: Vec::new(),
+            repeats: BTreeMap::new(),
+            blocks: 0,
+        })
     }
 
     fn block(&mut self, code: &str, here: Place, next: Place) -> Step {
         if let Some(number) = label(code) {
-            return if number == 0 { self.frames.pop().map_or(Step::Done, Step::Go) } else { Step::Done };
+            return if number == 0 {
+                self.frames.pop().map_or(Step::Done, Step::Go)
+            } else {
+                Step::Done
+            };
         }
         let mut letters = code.chars();
         match (letters.next(), letters.next()) {
@@ -75,11 +95,18 @@ impl HeidenhainIso {
 
     /// `D01 Q1 P01 +Q2 P02 +5`, `D09 P01 +Q1 P02 +Q3 P03 5`.
     fn function(&mut self, code: &str, next: Place) -> Step {
-        let Some(number) = code.get(1..3).and_then(|digits| digits.parse::<u32>().ok()) else { return Step::AsWritten };
-        let part = |name: &str| code.split_once(name).map(|(_, rest)| rest.split(" P").next().unwrap_or_default().trim());
+        let Some(number) = code.get(1..3).and_then(|digits| digits.parse::<u32>().ok()) else {
+            return Step::AsWritten;
+        };
+        let part = |name: &str| {
+            code.split_once(name)
+                .map(|(_, rest)| rest.split(" P").next().unwrap_or_default().trim())
+        };
         let mut value = |name: &str| {
             let mut cursor = Cursor::new(part(name)?);
-            cursor.sum(&mut self.q).filter(|_| cursor.rest.trim().is_empty())
+            cursor
+                .sum(&mut self.q)
+                .filter(|_| cursor.rest.trim().is_empty())
         };
         let (a, b) = (value("P01"), value("P02"));
         let known = a.zip(b).filter(|(a, b)| !a.is_nan() && !b.is_nan());
@@ -108,13 +135,19 @@ impl HeidenhainIso {
             (13, Some(a), Some(b)) => a.atan2(b).to_degrees().rem_euclid(360.0),
             _ => f64::NAN,
         };
-        let Some(name) = Cursor::new(code[3..].trim_start()).parameter() else { return Step::AsWritten };
+        let Some(name) = Cursor::new(code[3..].trim_start()).parameter() else {
+            return Step::AsWritten;
+        };
         if number == 18 {
             self.q.set_by_control(&name);
         } else {
             self.q.set(&name, result);
         }
-        if result.is_nan() { Step::AsWritten } else { Step::Done }
+        if result.is_nan() {
+            Step::AsWritten
+        } else {
+            Step::Done
+        }
     }
 
     /// Where the condition is not known the blocks are read in their order, and nothing is known of any parameter.
@@ -134,18 +167,38 @@ impl HeidenhainIso {
     /// `Q5 = +Q1 * 2`.
     fn formula(&mut self, code: &str) -> Step {
         let mut cursor = Cursor::new(code);
-        let Some(name) = cursor.parameter() else { return Step::AsWritten };
-        let value = if cursor.eat("=") { cursor.sum(&mut self.q) } else { None };
-        let value = value.filter(|_| cursor.rest.trim().is_empty()).unwrap_or(f64::NAN);
+        let Some(name) = cursor.parameter() else {
+            return Step::AsWritten;
+        };
+        let value = if cursor.eat("=") {
+            cursor.sum(&mut self.q)
+        } else {
+            None
+        };
+        let value = value
+            .filter(|_| cursor.rest.trim().is_empty())
+            .unwrap_or(f64::NAN);
         self.q.set(&name, value);
-        if value.is_nan() { Step::AsWritten } else { Step::Done }
+        if value.is_nan() {
+            Step::AsWritten
+        } else {
+            Step::Done
+        }
     }
 
     /// `L5,0` calls; `L5,3` runs the section from the label on three times more.
     fn call(&mut self, code: &str, here: Place, next: Place) -> Step {
-        let (number, times) = code[1..].split_once([',', '.']).unwrap_or((&code[1..], "0"));
-        let place = number.trim().parse().ok().and_then(|label: u32| self.labels.get(&label).copied().flatten());
-        let (Some(place), Ok(times)) = (place, times.trim().parse::<usize>()) else { return Step::AsWritten };
+        let (number, times) = code[1..]
+            .split_once([',', '.'])
+            .unwrap_or((&code[1..], "0"));
+        let place = number
+            .trim()
+            .parse()
+            .ok()
+            .and_then(|label: u32| self.labels.get(&label).copied().flatten());
+        let (Some(place), Ok(times)) = (place, times.trim().parse::<usize>()) else {
+            return Step::AsWritten;
+        };
         if times == 0 {
             if self.frames.len() == DEEPEST {
                 return Step::Stop;
@@ -185,7 +238,11 @@ impl HeidenhainIso {
             };
             out.push_str(before);
             // What is not known stands there as a value of another dialect, which the reader knows for one.
-            out.push_str(&if value.is_nan() { "[#0]".to_owned() } else { decimal(sign * value, 9) });
+            out.push_str(&if value.is_nan() {
+                "[#0]".to_owned()
+            } else {
+                decimal(sign * value, 9)
+            });
             rest = cursor.rest;
         }
         out.push_str(rest);

@@ -14,9 +14,16 @@ impl Key {
     /// A variable by its name in a text: `#5`, `#<name>`.
     pub fn named(name: &str) -> Option<Key> {
         let name = name.trim().strip_prefix('#')?;
-        match name.strip_prefix('<').and_then(|name| name.strip_suffix('>')) {
+        match name
+            .strip_prefix('<')
+            .and_then(|name| name.strip_suffix('>'))
+        {
             Some(name) => Some(Key::Name(plain(name.as_bytes()))),
-            None => name.parse().ok().filter(|number| *number >= 0).map(Key::Number),
+            None => name
+                .parse()
+                .ok()
+                .filter(|number| *number >= 0)
+                .map(Key::Number),
         }
     }
 
@@ -32,5 +39,8 @@ impl Key {
 
 /// A name in small letters, without blanks.
 pub fn plain(name: &[u8]) -> String {
-    name.iter().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_lowercase())).collect()
+    name.iter()
+        .filter(|b| !b.is_ascii_whitespace())
+        .map(|b| char::from(b.to_ascii_lowercase()))
+        .collect()
 }

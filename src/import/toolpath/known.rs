@@ -51,7 +51,12 @@ impl Feature {
 
     /// At which fraction of a straight way, in mm, the job's ball makes contact with it.
     pub(super) fn contact(&self, from: Vec3, to: Vec3) -> Option<f64> {
-        let Planned { job, path, surfaces, .. } = &*self.0;
+        let Planned {
+            job,
+            path,
+            surfaces,
+            ..
+        } = &*self.0;
         crate::part::first_contact(surfaces, path.frame.w, job.setup.radius, from, to)
     }
 }
@@ -97,7 +102,10 @@ impl<'t> Known<'t> {
                 checker.error(
                     "wrong-type",
                     "",
-                    text!("What is known of a program must be an object, not {given}", other.noun()),
+                    text!(
+                        "What is known of a program must be an object, not {given}",
+                        other.noun()
+                    ),
                 );
                 &[]
             }
@@ -110,18 +118,33 @@ impl<'t> Known<'t> {
                 }
                 ("dialect", _) => {
                     let list = DIALECTS.join(", ");
-                    checker.error("unknown-value", "dialect", text!("The dialect must be one of {list}", list));
+                    checker.error(
+                        "unknown-value",
+                        "dialect",
+                        text!("The dialect must be one of {list}", list),
+                    );
                 }
                 ("set", Value::Map(set)) => known.set = numbers(set, &mut checker),
                 ("start", place) => known.start = start(place, &mut checker),
-                ("part", job) if job.get("cycle").is_some() => known.feature = feature(job, &mut checker),
+                ("part", job) if job.get("cycle").is_some() => {
+                    known.feature = feature(job, &mut checker)
+                }
                 ("part", Value::Map(_)) => {
                     known.touch = trip(value.get("at"), "part.at", &mut checker);
-                    known.positioning = trip(value.get("positioning"), "part.positioning", &mut checker);
+                    known.positioning =
+                        trip(value.get("positioning"), "part.positioning", &mut checker);
                 }
                 ("files", Value::Map(files)) => known.files = texts(files, &mut checker),
                 ("set" | "part" | "files", other) => {
-                    checker.error("wrong-type", key, text!("{path} must be an object, not {given}", key.clone(), other.noun()));
+                    checker.error(
+                        "wrong-type",
+                        key,
+                        text!(
+                            "{path} must be an object, not {given}",
+                            key.clone(),
+                            other.noun()
+                        ),
+                    );
                 }
                 _ => {
                     let message = text!("{path} is not known here", printable(key));
@@ -129,7 +152,13 @@ impl<'t> Known<'t> {
                 }
             }
         }
-        if checker.failed() { Err(JobError { findings: checker.findings() }) } else { Ok(known) }
+        if checker.failed() {
+            Err(JobError {
+                findings: checker.findings(),
+            })
+        } else {
+            Ok(known)
+        }
     }
 }
 
@@ -143,8 +172,16 @@ fn feature(job: &Value, checker: &mut Checker) -> Option<Feature> {
     }
     let feature = Feature::of(&job);
     if feature.is_none() {
-        let errors = crate::job::check(&job).into_iter().filter(|finding| finding.level == Level::Error);
-        errors.for_each(|finding| checker.error(&finding.code, format!("part.{}", finding.path), finding.said));
+        let errors = crate::job::check(&job)
+            .into_iter()
+            .filter(|finding| finding.level == Level::Error);
+        errors.for_each(|finding| {
+            checker.error(
+                &finding.code,
+                format!("part.{}", finding.path),
+                finding.said,
+            )
+        });
     }
     feature
 }
@@ -162,7 +199,11 @@ fn start(value: &Value, checker: &mut Checker) -> Option<[f64; 3]> {
     };
     let place = place.and_then(|place| <[f64; 3]>::try_from(place).ok());
     if place.is_none() {
-        checker.error("wrong-type", "start", text!("start must be three numbers, or null for what is not known"));
+        checker.error(
+            "wrong-type",
+            "start",
+            text!("start must be three numbers, or null for what is not known"),
+        );
     }
     place
 }
@@ -175,14 +216,20 @@ fn numbers<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'
         match value {
             Value::Number(x) if x.is_finite() && is_variable(name) => set.push((name.trim(), *x)),
             Value::Number(x) if x.is_finite() => {
-                let message =
-                    text!("{name} is no variable: write #5, R1, Q1, or its name as the program has it", printable(name));
+                let message = text!(
+                    "{name} is no variable: write #5, R1, Q1, or its name as the program has it",
+                    printable(name)
+                );
                 checker.error("unknown-value", path, message);
             }
             other => checker.error(
                 "not-a-number",
                 path,
-                text!("{path} must be a number, not {given}", printable(name), other.noun()),
+                text!(
+                    "{path} must be a number, not {given}",
+                    printable(name),
+                    other.noun()
+                ),
             ),
         }
     }
@@ -194,7 +241,8 @@ fn is_variable(name: &str) -> bool {
     let name = name.trim();
     match name.strip_prefix('#') {
         Some(rest) => {
-            rest.starts_with('<') && rest.ends_with('>') || !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit())
+            rest.starts_with('<') && rest.ends_with('>')
+                || !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit())
         }
         None => name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_' || c == '$'),
     }
@@ -206,7 +254,11 @@ fn texts<'t>(entries: &'t [(String, Value)], checker: &mut Checker) -> Vec<(&'t 
         match value {
             Value::Text(text) => files.push((name.as_str(), text.as_str())),
             other => {
-                let message = text!("{path} must be a text, not {given}", printable(name), other.noun());
+                let message = text!(
+                    "{path} must be a text, not {given}",
+                    printable(name),
+                    other.noun()
+                );
                 checker.error("wrong-type", format!("files.{}", printable(name)), message);
             }
         }
@@ -224,7 +276,10 @@ fn trip(value: Option<&Value>, path: &str, checker: &mut Checker) -> Trip {
             checker.error(
                 "out-of-range",
                 path,
-                text!("{path} must be from 0 to 1, the fraction of the way, or null for no contact", path.to_owned()),
+                text!(
+                    "{path} must be from 0 to 1, the fraction of the way, or null for no contact",
+                    path.to_owned()
+                ),
             );
             Trip::Unknown
         }

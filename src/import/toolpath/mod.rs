@@ -133,12 +133,19 @@ impl Toolpath {
 
     /// Where a move begins: where the one before ended, or met something.
     fn begin(&self, index: usize) -> Vec3 {
-        let Some(before) = index.checked_sub(1) else { return self.start.into() };
+        let Some(before) = index.checked_sub(1) else {
+            return self.start.into();
+        };
         let found = |places: &[[f64; 4]], index: usize| {
             let at = places.partition_point(|place| place[0] < index as f64);
-            places.get(at).filter(|place| place[0] == index as f64).map(|[_, x, y, z]| Vec3::new(*x, *y, *z))
+            places
+                .get(at)
+                .filter(|place| place[0] == index as f64)
+                .map(|[_, x, y, z]| Vec3::new(*x, *y, *z))
         };
-        found(&self.resumes, index).or_else(|| found(&self.contacts, before)).unwrap_or_else(|| self.end(before))
+        found(&self.resumes, index)
+            .or_else(|| found(&self.contacts, before))
+            .unwrap_or_else(|| self.end(before))
     }
 }
 
@@ -160,7 +167,10 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         if !whole.ends_with(['\n', '\r']) {
             whole.push('\n');
         }
-        files.push((lines_of(&whole).count() as u32, crate::form::printable(name)));
+        files.push((
+            lines_of(&whole).count() as u32,
+            crate::form::printable(name),
+        ));
         whole.push_str(file);
     }
     let mut reader = Reader::new(text, dialect);
@@ -185,24 +195,48 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     let mut path = run(&whole, text.len(), dialect, &known.set, reader);
     // From the lines of the whole to those of each file.
     if !files.is_empty() {
-        path.file = path.line.iter().map(|line| files.partition_point(|(first, _)| first <= line) as u32).collect();
-        for (line, file) in path.line.iter_mut().zip(&path.file).filter(|(_, file)| **file > 0) {
+        path.file = path
+            .line
+            .iter()
+            .map(|line| files.partition_point(|(first, _)| first <= line) as u32)
+            .collect();
+        for (line, file) in path
+            .line
+            .iter_mut()
+            .zip(&path.file)
+            .filter(|(_, file)| **file > 0)
+        {
             *line -= files[*file as usize - 1].0;
         }
         let own = files[0].0;
-        path.finding_lines.iter_mut().for_each(|lines| lines.retain(|line| *line < own));
-        path.asks.iter_mut().for_each(|ask| ask.lines.retain(|line| *line < own));
-        path.rules.iter_mut().for_each(|rule| rule.lines.retain(|line| *line < own));
+        path.finding_lines
+            .iter_mut()
+            .for_each(|lines| lines.retain(|line| *line < own));
+        path.asks
+            .iter_mut()
+            .for_each(|ask| ask.lines.retain(|line| *line < own));
+        path.rules
+            .iter_mut()
+            .for_each(|rule| rule.lines.retain(|line| *line < own));
         for call in &mut path.calls {
             call.file = files.partition_point(|(first, _)| *first <= call.line) as u32;
-            call.line -= call.file.checked_sub(1).map_or(0, |file| files[file as usize].0);
+            call.line -= call
+                .file
+                .checked_sub(1)
+                .map_or(0, |file| files[file as usize].0);
         }
     }
     path
 }
 
 /// Reads the first bytes of a text; what is below may be called.
-fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], mut reader: Reader) -> Toolpath {
+fn run(
+    text: &str,
+    end: usize,
+    dialect: &'static str,
+    set: &[(&str, f64)],
+    mut reader: Reader,
+) -> Toolpath {
     if dialect == DIALECTS[2] {
         let mut klartext = Klartext::new(&text[..end], set);
         klartext.run(&mut reader);
@@ -210,7 +244,10 @@ fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], mut r
     }
     let macros: Option<Box<dyn Flow>> = match dialect == DIALECTS[1] {
         // A text that is only read is read as it was: the run is what knows more.
-        true => reader.run.is_some().then(|| Box::new(Sinumerik::new(text, set)) as Box<dyn Flow>),
+        true => reader
+            .run
+            .is_some()
+            .then(|| Box::new(Sinumerik::new(text, set)) as Box<dyn Flow>),
         false => match HeidenhainIso::of(text, set).filter(|_| reader.run.is_some()) {
             Some(flow) => Some(Box::new(flow) as Box<dyn Flow>),
             None => Macros::of(text, end, set).map(|macros| Box::new(macros) as Box<dyn Flow>),
@@ -220,15 +257,32 @@ fn run(text: &str, end: usize, dialect: &'static str, set: &[(&str, f64)], mut r
     if let Some(macros) = macros.as_mut().filter(|_| reader.run.is_some()) {
         macros.sees(reader.system());
     }
-    let mut run = Run { text, end, start: reader.place, reader, calls: Calls::new(text), macros };
+    let mut run = Run {
+        text,
+        end,
+        start: reader.place,
+        reader,
+        calls: Calls::new(text),
+        macros,
+    };
     run.lines(Place { at: 0, line: 0 });
-    let offsets = run.macros.as_ref().map_or_else(Vec::new, |macros| macros.writes());
+    let offsets = run
+        .macros
+        .as_ref()
+        .map_or_else(Vec::new, |macros| macros.writes());
     if let Some(log) = &mut run.reader.log {
         log.writes.extend(offsets);
         log.writes.sort_unstable();
     }
-    let shown = if run.reader.path.is_empty() { run.subroutines() } else { Vec::new() };
-    let asks = run.macros.as_ref().map_or_else(Vec::new, |macros| macros.asks());
+    let shown = if run.reader.path.is_empty() {
+        run.subroutines()
+    } else {
+        Vec::new()
+    };
+    let asks = run
+        .macros
+        .as_ref()
+        .map_or_else(Vec::new, |macros| macros.asks());
     finished(text, run.reader, asks, &shown)
 }
 
@@ -271,10 +325,15 @@ impl Run<'_> {
         while at < bytes.len() && (at < self.end || self.is_called()) {
             let (end, below) = line_end(bytes, at);
             let line = match &bytes[at..end] {
-                line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => line,
+                line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => {
+                    line
+                }
                 _ => self.text[at..end].trim().as_bytes(),
             };
-            let here = Place { at, line: self.reader.line };
+            let here = Place {
+                at,
+                line: self.reader.line,
+            };
             if !self.reader.forks.is_empty() {
                 self.reader.meet(Some(here.line));
             }
@@ -306,7 +365,14 @@ impl Run<'_> {
             self.reader.line += 1;
             at = below;
             if self.reader.turns_off {
-                let next = self.calls.step(&mut self.reader, line, Place { at, line: here.line + 1 });
+                let next = self.calls.step(
+                    &mut self.reader,
+                    line,
+                    Place {
+                        at,
+                        line: here.line + 1,
+                    },
+                );
                 (at, self.reader.line) = (next.at, next.line);
             }
             if std::mem::take(&mut self.reader.called_out)
@@ -320,12 +386,18 @@ impl Run<'_> {
                 macros.forget_shared();
             }
             while at >= bytes.len() && self.calls.is_inside() {
-                let next = Place { at, line: self.reader.line };
+                let next = Place {
+                    at,
+                    line: self.reader.line,
+                };
                 let next = self.calls.fall_out(&mut self.reader, next);
                 (at, self.reader.line) = (next.at, next.line);
             }
             while at >= bytes.len()
-                && let Some(back) = self.macros.as_mut().and_then(|macros| macros.fall_out(true))
+                && let Some(back) = self
+                    .macros
+                    .as_mut()
+                    .and_then(|macros| macros.fall_out(true))
             {
                 (at, self.reader.line) = (back.at, back.line);
             }
@@ -334,22 +406,33 @@ impl Run<'_> {
 
     /// Whether lines run because something called them.
     fn is_called(&self) -> bool {
-        self.calls.is_inside() || self.macros.as_ref().is_some_and(|macros| macros.is_inside())
+        self.calls.is_inside()
+            || self
+                .macros
+                .as_ref()
+                .is_some_and(|macros| macros.is_inside())
     }
 
     /// A run tells the macros what the control knows, and whether the probing move that comes is a positioning move that is watched.
     #[inline]
     fn looks_ahead(&mut self, line: &[u8], below: usize) {
-        let Some(touching) = &mut self.reader.run else { return };
+        let Some(touching) = &mut self.reader.run else {
+            return;
+        };
         if probes(line) || self.reader.modes.motion.probes() {
             let behind = watch::behind(line, &self.text[below..]);
-            (touching.watched, touching.asked, touching.reads) = (behind.watched, behind.asked, behind.reads);
+            (touching.watched, touching.asked, touching.reads) =
+                (behind.watched, behind.asked, behind.reads);
             touching.chained = behind.chained;
         }
         if watch::judges(line) {
             self.reader.asks();
         }
-        if let Some(macros) = self.macros.as_mut().filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some()) {
+        if let Some(macros) = self
+            .macros
+            .as_mut()
+            .filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some())
+        {
             macros.sees(self.reader.system());
         }
     }
@@ -357,8 +440,12 @@ impl Run<'_> {
     /// In a text of subroutines alone these are shown, though nothing says what they are called with: their names.
     fn subroutines(&mut self) -> Vec<String> {
         let mut shown = Vec::new();
-        let end = Place { at: self.text.len(), line: self.reader.line };
-        while let Some((name, begin)) = self.macros.as_mut().and_then(|macros| macros.uncalled(end)) {
+        let end = Place {
+            at: self.text.len(),
+            line: self.reader.line,
+        };
+        while let Some((name, begin)) = self.macros.as_mut().and_then(|macros| macros.uncalled(end))
+        {
             self.reader.ended = false;
             self.reader.place = self.start;
             let before = self.reader.path.len();
@@ -376,7 +463,15 @@ impl Run<'_> {
             _ if ended && self.calls.has_run(here.line) => Step::Done,
             Some(macros) if ended && macros.has_run(here.line) => Step::Done,
             Some(macros) if !ended && (!self.reader.heidenhain || self.reader.run.is_some()) => {
-                macros.step(line, here, Place { at: below, line: here.line + 1 }, self.calls.depth())
+                macros.step(
+                    line,
+                    here,
+                    Place {
+                        at: below,
+                        line: here.line + 1,
+                    },
+                    self.calls.depth(),
+                )
             }
             _ => Step::AsWritten,
         }
@@ -398,15 +493,26 @@ fn not_called(name: &str) -> Finding {
 #[inline(never)]
 fn no_moves(text: &str) -> Finding {
     let is_code = |code: &str| {
-        matches!(code.as_bytes(), [b'G' | b'g' | b'M' | b'm' | b'X'..=b'Z' | b'x'..=b'z', b'0'..=b'9' | b'-' | b'.', ..])
+        matches!(
+            code.as_bytes(),
+            [
+                b'G' | b'g' | b'M' | b'm' | b'X'..=b'Z' | b'x'..=b'z',
+                b'0'..=b'9' | b'-' | b'.',
+                ..,
+            ]
+        )
     };
     let hidden = lines_of(text).position(|line| {
         let code = lex::code(line, false);
-        line.get(code.len() + 1..).is_some_and(|behind| is_code(trimmed(code)) && is_code(trimmed(behind)))
+        line.get(code.len() + 1..)
+            .is_some_and(|behind| is_code(trimmed(code)) && is_code(trimmed(behind)))
     });
     let message = match hidden {
         Some(line) => {
-            text!("No move was found in this text: the code after a semicolon is a comment, as in line {line}", line + 1)
+            text!(
+                "No move was found in this text: the code after a semicolon is a comment, as in line {line}",
+                line + 1
+            )
         }
         None => text!("No move was found in this text"),
     };

@@ -20,7 +20,9 @@ impl Reader {
         let stale = self.stale;
         if std::mem::take(&mut self.resumes) {
             let [x, y, z] = from;
-            self.path.resumes.push([self.path.kind.len() as f64, x, y, z]);
+            self.path
+                .resumes
+                .push([self.path.kind.len() as f64, x, y, z]);
         }
         self.goes(block, from);
         if matches!(motion, Motion::Clockwise | Motion::Counter) {
@@ -31,7 +33,9 @@ impl Reader {
                         Plane::G18 => 18.0,
                         Plane::G19 => 19.0,
                     };
-                    self.path.arcs.push([self.path.kind.len() as f64, a, b, c, sweep, plane]);
+                    self.path
+                        .arcs
+                        .push([self.path.kind.len() as f64, a, b, c, sweep, plane]);
                 }
                 None => count(&mut self.arcs_unsolved, self.line),
             }
@@ -41,7 +45,13 @@ impl Reader {
         }
         let kind = self.arrives(motion);
         if kind == PROBE && self.run.is_some() {
-            let known = |axis: usize| if stale & (1 << axis) == 0 { from[axis] } else { f64::NAN };
+            let known = |axis: usize| {
+                if stale & (1 << axis) == 0 {
+                    from[axis]
+                } else {
+                    f64::NAN
+                }
+            };
             self.touched([known(0), known(1), known(2)], motion, block);
         }
     }
@@ -56,7 +66,13 @@ impl Reader {
         };
         self.path.to.extend_from_slice(&self.place);
         self.path.kind.push(kind);
-        self.path.feed.push(if kind == RAPID || self.modes.by_other { f64::NAN } else { self.feed });
+        self.path
+            .feed
+            .push(if kind == RAPID || self.modes.by_other {
+                f64::NAN
+            } else {
+                self.feed
+            });
         self.path.line.push(self.line as u32);
         kind
     }
@@ -64,8 +80,17 @@ impl Reader {
     /// Where a block goes.
     fn goes(&mut self, block: &Block, from: [f64; 3]) {
         // Which axes are given as places, and not as distances.
-        let places = if self.modes.absolute { !block.moved } else { block.placed };
-        for (axis, place) in self.place.iter_mut().enumerate().filter(|(axis, _)| block.given & (1 << axis) != 0) {
+        let places = if self.modes.absolute {
+            !block.moved
+        } else {
+            block.placed
+        };
+        for (axis, place) in self
+            .place
+            .iter_mut()
+            .enumerate()
+            .filter(|(axis, _)| block.given & (1 << axis) != 0)
+        {
             let x = block.places[axis] * self.modes.scale;
             *place = if block.computed & (1 << axis) != 0 {
                 count(&mut self.computed, self.line);
@@ -117,8 +142,16 @@ impl Reader {
                 own_feed: block.feed.is_some(),
             });
         }
-        let stated = if std::mem::take(&mut run.watched) { run.positioning } else { run.touch };
-        let scale = if self.path.metric == Some(false) { 25.4 } else { 1.0 };
+        let stated = if std::mem::take(&mut run.watched) {
+            run.positioning
+        } else {
+            run.touch
+        };
+        let scale = if self.path.metric == Some(false) {
+            25.4
+        } else {
+            1.0
+        };
         let (begin, end) = (Vec3::from_array(from) * scale, Vec3::from_array(to) * scale);
         let trip = match &run.feature {
             None => stated,
@@ -142,7 +175,9 @@ impl Reader {
         };
         if let Trip::At(_) = trip {
             let [x, y, z] = self.place;
-            self.path.contacts.push([(self.path.kind.len() - 1) as f64, x, y, z]);
+            self.path
+                .contacts
+                .push([(self.path.kind.len() - 1) as f64, x, y, z]);
         }
         // LinuxCNC's G38.2 and G38.4 stop the program without a contact.
         let missed = trip == Trip::Never && matches!(motion, Motion::MustTouch);
@@ -160,8 +195,18 @@ impl Reader {
             Some(radius) => by_radius(begin, end, radius * self.modes.scale, counter)?,
             None => {
                 let given = |axis: usize| block.centered & (1 << axis) != 0;
-                let offset = |axis: usize| if given(axis) { block.center[axis] * self.modes.scale } else { 0.0 };
-                if self.modes.centers_absolute { [offset(a), offset(o)] } else { [begin[0] + offset(a), begin[1] + offset(o)] }
+                let offset = |axis: usize| {
+                    if given(axis) {
+                        block.center[axis] * self.modes.scale
+                    } else {
+                        0.0
+                    }
+                };
+                if self.modes.centers_absolute {
+                    [offset(a), offset(o)]
+                } else {
+                    [begin[0] + offset(a), begin[1] + offset(o)]
+                }
             }
         };
         let angle = |at: [f64; 2]| (at[1] - middle[1]).atan2(at[0] - middle[0]).to_degrees();
@@ -175,7 +220,10 @@ impl Reader {
             sweep = if counter { 360.0 } else { -360.0 };
         }
         // P says how many turns, the last of which ends there.
-        if let Some(turns) = block.p.filter(|_| !self.sinumerik && block.offset.is_none()) {
+        if let Some(turns) = block
+            .p
+            .filter(|_| !self.sinumerik && block.offset.is_none())
+        {
             let more = (turns - 1.0).trunc();
             if more >= 1.0 {
                 self.turns += more;
@@ -207,5 +255,8 @@ fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Opti
     }
     let side = if counter == (radius > 0.0) { 1.0 } else { -1.0 };
     let off = side * square.max(0.0).sqrt() / chord;
-    Some([(begin[0] + end[0]) / 2.0 - dy * off, (begin[1] + end[1]) / 2.0 + dx * off])
+    Some([
+        (begin[0] + end[0]) / 2.0 - dy * off,
+        (begin[1] + end[1]) / 2.0 + dx * off,
+    ])
 }

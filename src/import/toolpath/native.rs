@@ -61,16 +61,27 @@ pub(super) fn listed(
     arguments: Vec<(String, f64)>,
     place: [f64; 3],
 ) -> Option<&'static Call> {
-    let call = if path.centroid { native::find_centroid(name) } else { native::find(name) };
+    let call = if path.centroid {
+        native::find_centroid(name)
+    } else {
+        native::find(name)
+    };
     let metric = path.metric.unwrap_or(true);
     let post = match name {
         _ if name.starts_with("G65 P88") => Some("brother"),
         _ if name.starts_with("CALL O") => Some("okuma"),
         _ => None,
     };
-    let job = call
-        .filter(|_| !path.centroid)
-        .and_then(|call| Called { name: call.name, post, arguments: &arguments, place, metric }.job());
+    let job = call.filter(|_| !path.centroid).and_then(|call| {
+        Called {
+            name: call.name,
+            post,
+            arguments: &arguments,
+            place,
+            metric,
+        }
+        .job()
+    });
     if path.calls.len() == MOST_CALLS {
         return call;
     }
@@ -90,7 +101,13 @@ pub(super) fn listed(
         file: 0,
         // A Brother and an Okuma write the same calls otherwise.
         name: match call {
-            Some(call) if !["G65 P88", "CALL O"].iter().any(|other| name.starts_with(other)) => call.name.to_owned(),
+            Some(call)
+                if !["G65 P88", "CALL O"]
+                    .iter()
+                    .any(|other| name.starts_with(other)) =>
+            {
+                call.name.to_owned()
+            }
             _ => printable(name),
         },
         title: call.map(|call| call.title),
@@ -106,14 +123,23 @@ pub(super) fn listed(
 fn contradictions(call: &Call, arguments: &[NativeArgument]) -> Vec<String> {
     let given = |name: &str| arguments.iter().any(|argument| argument.name == name);
     let both = call.excludes.iter().filter(|(a, b)| given(a) && given(b));
-    let missing = call.needs.iter().filter(|names| !names.split(' ').any(given));
+    let missing = call
+        .needs
+        .iter()
+        .filter(|names| !names.split(' ').any(given));
     let both = both.map(|(a, b)| format!("{a} and {b} exclude each other"));
     let outside = arguments.iter().filter_map(|given| {
         let (known, value) = (call.argument(&given.name)?, given.value?);
         let range = known.range_words().filter(|_| !known.takes(value))?;
-        Some(format!("{} is {}: {range} is possible", given.name, decimal(value, 4)))
+        Some(format!(
+            "{} is {}: {range} is possible",
+            given.name,
+            decimal(value, 4)
+        ))
     });
-    both.chain(missing.map(|names| format!("{} is missing", names.replace(' ', " or ")))).chain(outside).collect()
+    both.chain(missing.map(|names| format!("{} is missing", names.replace(' ', " or "))))
+        .chain(outside)
+        .collect()
 }
 
 /// The letters and values of a block behind its first word: `G65 P9814 D25. Z-5.`
@@ -132,7 +158,12 @@ pub(super) fn letters(code: &[u8]) -> Vec<(String, f64)> {
                 }
                 at = end;
             }
-            b'"' => at += 1 + code[at + 1..].iter().position(|b| *b == b'"').map_or(code.len() - at, |end| end + 1),
+            b'"' => {
+                at += 1 + code[at + 1..]
+                    .iter()
+                    .position(|b| *b == b'"')
+                    .map_or(code.len() - at, |end| end + 1)
+            }
             _ => at += 1,
         }
     }
@@ -145,19 +176,29 @@ pub(super) fn q_parameters(text: &str) -> Vec<(String, f64)> {
         Given::Value(Value::Number(x)) => x,
         _ => f64::NAN,
     };
-    assignments(text).into_iter().map(|(number, given)| (format!("Q{number}"), value(given))).collect()
+    assignments(text)
+        .into_iter()
+        .map(|(number, given)| (format!("Q{number}"), value(given)))
+        .collect()
 }
 
 /// What stands between the commas of `CYCLE977(1101,,,1,…)`, by its place from 1; what is left out is not there.
 pub(super) fn places(code: &[u8]) -> Vec<(String, f64)> {
-    let Some(open) = code.iter().position(|b| *b == b'(') else { return Vec::new() };
+    let Some(open) = code.iter().position(|b| *b == b'(') else {
+        return Vec::new();
+    };
     let inner = &code[open + 1..];
-    let inner = &inner[..inner.iter().rposition(|b| *b == b')').unwrap_or(inner.len())];
+    let inner = &inner[..inner
+        .iter()
+        .rposition(|b| *b == b')')
+        .unwrap_or(inner.len())];
     let mut found = Vec::new();
     for (i, part) in inner.split(|b| *b == b',').enumerate().take(60) {
         let part = part.trim_ascii();
         if !part.is_empty() && part != b"\"\"" {
-            let value = number(part, 0).filter(|(_, end)| *end == part.len()).map_or(f64::NAN, |(x, _)| x);
+            let value = number(part, 0)
+                .filter(|(_, end)| *end == part.len())
+                .map_or(f64::NAN, |(x, _)| x);
             found.push(((i + 1).to_string(), value));
         }
     }

@@ -18,22 +18,36 @@ impl Reader {
     /// Makes the moves of a macro by its number and letters, in the program's units; false where they are not known.
     #[cold]
     pub(super) fn makes_macro(&mut self, number: u32, arguments: &[(String, f64)]) -> bool {
-        let number = if (8800..8900).contains(&number) { number + 1000 } else { number };
+        let number = if (8800..8900).contains(&number) {
+            number + 1000
+        } else {
+            number
+        };
         // A protected move goes to a place that may be known along some axes alone.
         let goes = number == 9810;
         let unknown = arguments.iter().any(|(_, x)| x.is_nan());
-        if !macros::KNOWN.contains(&number) || self.path.centroid || unknown || !goes && !self.knows_place() {
+        if !macros::KNOWN.contains(&number)
+            || self.path.centroid
+            || unknown
+            || !goes && !self.knows_place()
+        {
             return false;
         }
         let scale = self.inch() * self.modes.scale;
         let lengths = "CDFHIJKMQRUVXYZ";
         // Of 9823 and 9819 C is an angle.
-        let is_length = |letter: char| lengths.contains(letter) && !(letter == 'C' && number == 9823);
-        let letters = arguments.iter().filter_map(|(name, x)| Some((name.chars().next()?, *x)));
-        let letters: Vec<(char, f64)> =
-            letters.map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x })).collect();
+        let is_length =
+            |letter: char| lengths.contains(letter) && !(letter == 'C' && number == 9823);
+        let letters = arguments
+            .iter()
+            .filter_map(|(name, x)| Some((name.chars().next()?, *x)));
+        let letters: Vec<(char, f64)> = letters
+            .map(|(letter, x)| (letter, if is_length(letter) { x * scale } else { x }))
+            .collect();
         let counted: fn(&mut Self) -> &mut Count = |reader| &mut reader.own_moves;
-        let made = self.makes_own((!goes).then_some(counted), |machine| macros::run(number, &letters, machine));
+        let made = self.makes_own((!goes).then_some(counted), |machine| {
+            macros::run(number, &letters, machine)
+        });
         if made {
             self.feed = FAST / self.inch();
         }
@@ -42,8 +56,16 @@ impl Reader {
 
     /// Makes the moves of a measuring cycle of a SINUMERIK by its number and arguments; false where they are not known.
     #[cold]
-    pub(super) fn makes_measuring_cycle(&mut self, name: &str, arguments: &[(String, f64)]) -> bool {
-        let Some(number) = name.to_ascii_uppercase().strip_prefix("CYCLE").and_then(|number| number.parse().ok()) else {
+    pub(super) fn makes_measuring_cycle(
+        &mut self,
+        name: &str,
+        arguments: &[(String, f64)],
+    ) -> bool {
+        let Some(number) = name
+            .to_ascii_uppercase()
+            .strip_prefix("CYCLE")
+            .and_then(|number| number.parse().ok())
+        else {
             return false;
         };
         if !self.knows_place() {
@@ -51,14 +73,18 @@ impl Reader {
         }
         let scale = self.inch() * self.modes.scale;
         let call = native::find(name);
-        let is_length =
-            |place: &str| call.and_then(|call| call.argument(place)).is_some_and(|known| known.unit == Unit::Length);
+        let is_length = |place: &str| {
+            call.and_then(|call| call.argument(place))
+                .is_some_and(|known| known.unit == Unit::Length)
+        };
         let value = |(place, x): &(String, f64)| {
             let number = place.parse().ok().filter(|_| x.is_finite())?;
             Some((number, if is_length(place) { x * scale } else { *x }))
         };
         let places: Vec<(u16, f64)> = arguments.iter().filter_map(value).collect();
-        self.makes_own(Some(|reader| &mut reader.measuring_cycles), |machine| cycles::run(number, &places, machine))
+        self.makes_own(Some(|reader| &mut reader.measuring_cycles), |machine| {
+            cycles::run(number, &places, machine)
+        })
     }
 
     /// Whether it is known where the stylus stands.
@@ -68,7 +94,11 @@ impl Reader {
 
     /// Millimetres in a unit that places are kept in.
     fn inch(&self) -> f64 {
-        if self.path.metric == Some(false) { 25.4 } else { 1.0 }
+        if self.path.metric == Some(false) {
+            25.4
+        } else {
+            1.0
+        }
     }
 
     /// Runs a call on what the run knows, and takes its moves over; false where the call is not known. What is said of its kind is counted.
@@ -78,11 +108,27 @@ impl Reader {
         run: impl FnOnce(&mut Machine<'_>) -> Option<Result<(), Alarm>>,
     ) -> bool {
         let in_plane = self.modes.plane.or(self.plane).unwrap_or_default() == Plane::G17;
-        let Some(touching) = self.run.as_ref().filter(|_| in_plane && !self.modes.diameter) else { return false };
-        let radius = touching.feature.as_ref().map_or(RADIUS, |feature| feature.radius());
+        let Some(touching) = self
+            .run
+            .as_ref()
+            .filter(|_| in_plane && !self.modes.diameter)
+        else {
+            return false;
+        };
+        let radius = touching
+            .feature
+            .as_ref()
+            .map_or(RADIUS, |feature| feature.radius());
         let (inch, mut answers) = (self.inch(), self.answers());
-        let mut machine = Machine::new(Vec3::from_array(self.place) * inch, radius, 0.0, &mut answers);
-        let Some(end) = run(&mut machine) else { return false };
+        let mut machine = Machine::new(
+            Vec3::from_array(self.place) * inch,
+            radius,
+            0.0,
+            &mut answers,
+        );
+        let Some(end) = run(&mut machine) else {
+            return false;
+        };
         // What contradicts in the call is said of it.
         if end == Err(Alarm::Arguments) {
             return false;
@@ -115,9 +161,19 @@ impl Reader {
         };
         if let Some(arc) = made.arc {
             let [x, y, z] = (arc.center / inch).to_array();
-            self.path.arcs.push([self.path.len() as f64, x, y, z, arc.sweep.to_degrees(), 17.0]);
+            self.path.arcs.push([
+                self.path.len() as f64,
+                x,
+                y,
+                z,
+                arc.sweep.to_degrees(),
+                17.0,
+            ]);
         }
-        let met = made.met.map(|met| met.center).filter(|center| center.distance(made.to) >= IN_POSITION);
+        let met = made
+            .met
+            .map(|met| met.center)
+            .filter(|center| center.distance(made.to) >= IN_POSITION);
         self.makes((kind, made.to, met, made.rate), inch);
     }
 
@@ -134,12 +190,20 @@ impl Reader {
             };
             let center = match &known {
                 _ if from.is_nan() || to.is_nan() => None,
-                Some((Some(feature), ..)) => feature.contact(from, to).map(|part| from + (to - from) * part),
+                Some((Some(feature), ..)) => feature
+                    .contact(from, to)
+                    .map(|part| from + (to - from) * part),
                 Some((None, touch, _)) if expected.is_some() => part(*touch),
-                Some((None, _, positioning)) => part(*positioning).filter(|_| *positioning != Trip::Unknown),
+                Some((None, _, positioning)) => {
+                    part(*positioning).filter(|_| *positioning != Trip::Unknown)
+                }
                 None => expected,
             };
-            center.filter(|center| !center.is_nan()).map(|center| Met { center, surface: 0, edge: false })
+            center.filter(|center| !center.is_nan()).map(|center| Met {
+                center,
+                surface: 0,
+                edge: false,
+            })
         }
     }
 
@@ -148,14 +212,23 @@ impl Reader {
         let index = self.path.len();
         self.path.to.extend((to / inch).to_array());
         self.path.kind.push(kind);
-        self.path.feed.push(rate.map_or(f64::NAN, |rate| rate / inch));
+        self.path
+            .feed
+            .push(rate.map_or(f64::NAN, |rate| rate / inch));
         self.path.line.push(self.line as u32);
         if let Some(met) = met {
             let [x, y, z] = (met / inch).to_array();
             self.path.contacts.push([index as f64, x, y, z]);
         }
         if let Some(log) = self.log.as_mut().filter(|_| kind == PROBE) {
-            log.touches.push(Touch { index, line: self.line, stops: true, asked: true, positions: false, own_feed: true });
+            log.touches.push(Touch {
+                index,
+                line: self.line,
+                stops: true,
+                asked: true,
+                positions: false,
+                own_feed: true,
+            });
         }
     }
 }

@@ -39,7 +39,9 @@ impl Reader {
                 [b'+', digits @ ..] => (false, digits),
                 digits => (false, digits),
             };
-            let Some((size, length)) = read_digits(digits) else { return false };
+            let Some((size, length)) = read_digits(digits) else {
+                return false;
+            };
             let value = if negative { -size } else { size };
             rest = &digits[length..];
             match letter {
@@ -76,8 +78,20 @@ impl Reader {
     /// Whether a place is just where the axes go, and nothing is kept for the next block or asked of it.
     #[inline]
     fn takes_plain(&self) -> bool {
-        let Modes { curve, given, absolute, diameter, .. } = self.modes;
+        let Modes {
+            curve,
+            given,
+            absolute,
+            diameter,
+            ..
+        } = self.modes;
         let modes = absolute && !curve && !diameter && given == Given::Place;
-        modes && !self.ended && !self.inside && !self.turned && self.lost == 0 && self.run.is_none() && self.log.is_none()
+        modes
+            && !self.ended
+            && !self.inside
+            && !self.turned
+            && self.lost == 0
+            && self.run.is_none()
+            && self.log.is_none()
     }
 }

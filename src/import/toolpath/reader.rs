@@ -196,16 +196,24 @@ impl Reader {
     /// What the control itself knows now, in the units of the program.
     pub fn system(&self) -> System {
         let scale = self.modes.scale;
-        let now = |axis: usize| if self.stale & (1 << axis) == 0 { self.place[axis] / scale } else { f64::NAN };
-        let (contact, met) = self.run.as_ref().map_or(([f64::NAN; 3], None), |run| (run.contact, run.met));
+        let now = |axis: usize| {
+            if self.stale & (1 << axis) == 0 {
+                self.place[axis] / scale
+            } else {
+                f64::NAN
+            }
+        };
+        let (contact, met) = self
+            .run
+            .as_ref()
+            .map_or(([f64::NAN; 3], None), |run| (run.contact, run.met));
         System {
             place: [now(0), now(1), now(2)],
             contact: contact.map(|x| x / scale),
             met,
-            rests: self
-                .run
-                .as_ref()
-                .is_some_and(|run| run.met.is_none() && (run.touch != Trip::Unknown || run.feature.is_some())),
+            rests: self.run.as_ref().is_some_and(|run| {
+                run.met.is_none() && (run.touch != Trip::Unknown || run.feature.is_some())
+            }),
             metric: self.path.metric.map(|first| (scale == 1.0) == first),
             absolute: self.modes.stated.then_some(self.modes.absolute),
             plane: self.modes.plane,
@@ -271,7 +279,10 @@ impl Reader {
             },
             _ => {}
         }
-        if matches!(line.get(begin), Some(b'C' | b'V' | b'c' | b'v')) && !self.sinumerik && !self.okuma {
+        if matches!(line.get(begin), Some(b'C' | b'V' | b'c' | b'v'))
+            && !self.sinumerik
+            && !self.okuma
+        {
             let code = &line[begin..];
             if gives_variable(code) {
                 return;
@@ -331,7 +342,9 @@ impl Reader {
         let here = self.here();
         let cycle = self.sinumerik && runs_cycle(line);
         if cycle && !block.jumps {
-            let name = String::from_utf8_lossy(&line[block.begin..][..name_length(&line[block.begin..])]).into_owned();
+            let name =
+                String::from_utf8_lossy(&line[block.begin..][..name_length(&line[block.begin..])])
+                    .into_owned();
             if self.makes_measuring_cycle(&name, &places(line)) {
                 return self.listed(&name, places(line), here);
             }
@@ -341,9 +354,14 @@ impl Reader {
         self.forget(gone);
         // It is said of the line already.
         self.lost &= !gone;
-        self.leaps |= block.jumps && line[block.begin..].get(..2).is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
+        self.leaps |= block.jumps
+            && line[block.begin..]
+                .get(..2)
+                .is_some_and(|word| word.eq_ignore_ascii_case(b"IF"));
         if !block.jumps {
-            let named = |b: &&u8| b.is_ascii_alphabetic() || self.sinumerik && (b.is_ascii_digit() || **b == b'_');
+            let named = |b: &&u8| {
+                b.is_ascii_alphabetic() || self.sinumerik && (b.is_ascii_digit() || **b == b'_')
+            };
             let word = &line[block.begin..][..line[block.begin..].iter().take_while(named).count()];
             self.branch(word, self.sinumerik);
             if cycle {
@@ -382,7 +400,10 @@ impl Reader {
             && (block.given != 0 || block.radius.is_some() || block.offset.is_some())
         {
             // Without a turn these are shifted alone.
-            let shifts = (block.writes || block.renames) && block.radius.is_none() && block.offset.is_none() && !self.turned;
+            let shifts = (block.writes || block.renames)
+                && block.radius.is_none()
+                && block.offset.is_none()
+                && !self.turned;
             self.moved_system(if shifts { block.given } else { 7 });
         }
         self.turned = false;
@@ -406,17 +427,27 @@ impl Reader {
     fn moved_system(&mut self, axes: Axes) {
         (self.stale, self.shifted) = (self.stale | axes, true);
         if let Some(run) = &mut self.run {
-            (0..3).filter(|axis| axes & (1 << axis) != 0).for_each(|axis| run.contact[axis] = f64::NAN);
+            (0..3)
+                .filter(|axis| axes & (1 << axis) != 0)
+                .for_each(|axis| run.contact[axis] = f64::NAN);
         }
     }
 
     /// What the rules ask for beside moves.
     #[cold]
     fn logs(&mut self, line: &[u8], block: &Block) {
-        let timed = || line[block.begin..].iter().any(|b| matches!(b.to_ascii_uppercase(), b'P' | b'X' | b'U' | b'S' | b'F'));
+        let timed = || {
+            line[block.begin..]
+                .iter()
+                .any(|b| matches!(b.to_ascii_uppercase(), b'P' | b'X' | b'U' | b'S' | b'F'))
+        };
         let waits = block.dwells && !timed();
         let (moves, line) = (self.path.len(), self.line);
-        let [units, plane, distance] = [self.path.metric.is_some(), self.modes.plane.is_some(), self.modes.stated];
+        let [units, plane, distance] = [
+            self.path.metric.is_some(),
+            self.modes.plane.is_some(),
+            self.modes.stated,
+        ];
         let incremental = !self.modes.absolute;
         let Some(log) = &mut self.log else { return };
         if let Some(on) = block.spindle {
@@ -475,14 +506,22 @@ impl Reader {
             (block.strange, block.jumps) = (true, jumps(line));
         }
         match line[at].to_ascii_uppercase() {
-            axis @ b'X'..=b'Z' if !self.sinumerik || valued(line, at) => block.given |= 1 << (axis - b'X'),
+            axis @ b'X'..=b'Z' if !self.sinumerik || valued(line, at) => {
+                block.given |= 1 << (axis - b'X')
+            }
             b'F' if !self.sinumerik => block.feed = Some(f64::NAN),
-            b'A'..=b'P' if self.sinumerik && !block.jumps && begins_curve(&line[at..]) => self.modes.given = Given::Control,
+            b'A'..=b'P' if self.sinumerik && !block.jumps && begins_curve(&line[at..]) => {
+                self.modes.given = Given::Control
+            }
             b',' | b'#' | b'A'..=b'Z' => {}
             // The number before may go on: F1 00.
             _ => block.feed = block.feed.map(|_| f64::NAN),
         }
-        if block.jumps { line.len() } else { next_word(line, at) }
+        if block.jumps {
+            line.len()
+        } else {
+            next_word(line, at)
+        }
     }
 
     /// A place by a distance and a direction, `@5 ^30`: the control computes it.
@@ -511,7 +550,11 @@ impl Reader {
         if block.lengthens {
             // G43.1 names its axes. Others change the length along Z or across the plane, and what G43.1 gave.
             let across = 1 << self.modes.plane.unwrap_or_default().axes()[2];
-            let axes = if block.elsewhere && block.given != 0 { block.given } else { 4 | across | self.long };
+            let axes = if block.elsewhere && block.given != 0 {
+                block.given
+            } else {
+                4 | across | self.long
+            };
             self.long |= axes;
             self.lengthen(axes);
         }
@@ -519,7 +562,9 @@ impl Reader {
 
     /// The tool is longer or shorter: these axes stay where they are, and are somewhere else in the work system.
     pub fn lengthen(&mut self, axes: Axes) {
-        let known = (0..3).filter(|axis| !self.place[*axis].is_nan()).fold(0, |known, axis| known | 1 << axis);
+        let known = (0..3)
+            .filter(|axis| !self.place[*axis].is_nan())
+            .fold(0, |known, axis| known | 1 << axis);
         self.lost |= axes & known;
         self.lengthened |= axes;
         self.forget(axes);
@@ -528,8 +573,15 @@ impl Reader {
     /// M72: the modes and the feed that M70 kept, whatever its block says beside it. Not the motion, nor the place along a tool whose length
     /// is another one now.
     fn give_back(&mut self) {
-        let Some((kept, feed)) = self.kept else { return };
-        self.modes = Modes { motion: self.modes.motion, curve: self.modes.curve, given: self.modes.given, ..kept };
+        let Some((kept, feed)) = self.kept else {
+            return;
+        };
+        self.modes = Modes {
+            motion: self.modes.motion,
+            curve: self.modes.curve,
+            given: self.modes.given,
+            ..kept
+        };
         self.feed = feed;
         self.lengthen(self.lengthened);
     }
@@ -538,7 +590,9 @@ impl Reader {
     fn shift(&mut self, block: &Block) {
         if let Some(first) = block.offset {
             // G54.1 P2, G154 P2: one of many; without a number it is none that has another name.
-            let counted = block.p.map_or(i32::MAX, |p| first.saturating_add((1000.0 * p) as i32));
+            let counted = block
+                .p
+                .map_or(i32::MAX, |p| first.saturating_add((1000.0 * p) as i32));
             let offset = if block.counts { counted } else { first };
             if self.path.is_empty() {
                 self.offset = Some(offset);
@@ -561,7 +615,10 @@ impl Reader {
         let label = match code.first() {
             Some(b'<') => end_of(code, 0, b'>'),
             Some(b'#' | b'[') => end_of_value(code, 0),
-            _ => code.iter().take_while(|b| b.is_ascii_digit() || b.is_ascii_whitespace()).count(),
+            _ => code
+                .iter()
+                .take_while(|b| b.is_ascii_digit() || b.is_ascii_whitespace())
+                .count(),
         };
         let rest = code[label..].trim_ascii_start();
         let word = &rest[..rest.iter().take_while(|b| b.is_ascii_alphabetic()).count()];
@@ -603,7 +660,14 @@ impl Reader {
             }
             self.loops += 1;
             self.parts(None);
-        } else if is(&[b"END", b"ENDWHILE", b"ENDREPEAT", b"ENDFOR", b"ENDLOOP", b"UNTIL"]) {
+        } else if is(&[
+            b"END",
+            b"ENDWHILE",
+            b"ENDREPEAT",
+            b"ENDFOR",
+            b"ENDLOOP",
+            b"UNTIL",
+        ]) {
             self.loops = self.loops.saturating_sub(1);
             self.forget(self.relative);
             self.meet(None);
@@ -659,7 +723,11 @@ impl Reader {
 
 /// `G65 "PROBEX" A54. B1.`: a macro that an LNC calls by its name.
 fn lnc_macro(code: &[u8]) -> Option<String> {
-    let name = code.strip_prefix(b"G65").or_else(|| code.strip_prefix(b"g65"))?.trim_ascii_start().strip_prefix(b"\"")?;
+    let name = code
+        .strip_prefix(b"G65")
+        .or_else(|| code.strip_prefix(b"g65"))?
+        .trim_ascii_start()
+        .strip_prefix(b"\"")?;
     let end = name.iter().position(|b| *b == b'"')?;
     let length = code.len() - name.len() + end + 1;
     Some(String::from_utf8_lossy(&code[..length]).into_owned())
@@ -667,23 +735,32 @@ fn lnc_macro(code: &[u8]) -> Option<String> {
 
 /// How long the name is that a call of a SINUMERIK begins with.
 fn name_length(code: &[u8]) -> usize {
-    code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()
+    code.iter()
+        .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
+        .count()
 }
 
 fn jumps(line: &[u8]) -> bool {
-    line.windows(4).any(|word| word.eq_ignore_ascii_case(b"GOTO"))
+    line.windows(4)
+        .any(|word| word.eq_ignore_ascii_case(b"GOTO"))
 }
 
 /// A call of one of Renishaw's macros on an Okuma as the others write it: `CALL O9814 PD=25.` is `G65 P9814 D25.`.
 fn as_g65(code: &[u8]) -> Option<Vec<u8>> {
-    let mut words =
-        code[..comment_at(code, true).unwrap_or(code.len())].split(|b| b.is_ascii_whitespace()).filter(|word| !word.is_empty());
-    words.next().filter(|word| word.eq_ignore_ascii_case(b"CALL"))?;
+    let mut words = code[..comment_at(code, true).unwrap_or(code.len())]
+        .split(|b| b.is_ascii_whitespace())
+        .filter(|word| !word.is_empty());
+    words
+        .next()
+        .filter(|word| word.eq_ignore_ascii_case(b"CALL"))?;
     let number = words.next()?.strip_prefix(b"O")?;
-    (number.len() == 4 && number.starts_with(b"98") && number.iter().all(u8::is_ascii_digit)).then_some(())?;
+    (number.len() == 4 && number.starts_with(b"98") && number.iter().all(u8::is_ascii_digit))
+        .then_some(())?;
     let mut call = [b"G65 P", number].concat();
     for word in words {
-        let [b'P' | b'p', letter, b'=', value @ ..] = word else { return None };
+        let [b'P' | b'p', letter, b'=', value @ ..] = word else {
+            return None;
+        };
         call.extend([b' ', *letter]);
         call.extend(value);
     }
@@ -700,9 +777,14 @@ fn gives_variable(code: &[u8]) -> bool {
 
 /// Whether a block of a SINUMERIK shifts, turns, mirrors or scales: none where it does nothing of that, false where it ends it.
 fn frame(code: &[u8]) -> Option<bool> {
-    const WORDS: [&[u8]; 10] =
-        [b"TRANS", b"ATRANS", b"ROT", b"AROT", b"ROTS", b"AROTS", b"SCALE", b"ASCALE", b"MIRROR", b"AMIRROR"];
-    let word = &code[..code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()];
+    const WORDS: [&[u8]; 10] = [
+        b"TRANS", b"ATRANS", b"ROT", b"AROT", b"ROTS", b"AROTS", b"SCALE", b"ASCALE", b"MIRROR",
+        b"AMIRROR",
+    ];
+    let word = &code[..code
+        .iter()
+        .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
+        .count()];
     let known = WORDS.iter().any(|known| word.eq_ignore_ascii_case(known));
     let rest = code[word.len()..].trim_ascii_start();
     let assigned = matches!(rest.first(), Some(b'=' | b':' | b'('));
@@ -718,7 +800,12 @@ fn runs_cycle(line: &[u8]) -> bool {
 
 /// Whether a word of a SINUMERIK begins splines, polynomials, involutes, or arcs that are not by centre or radius.
 fn begins_curve(code: &[u8]) -> bool {
-    const WORDS: [&[u8]; 8] = [b"ASPLINE", b"BSPLINE", b"CSPLINE", b"POLY", b"INVCW", b"INVCCW", b"CIP", b"CT"];
-    let word = &code[..code.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count()];
+    const WORDS: [&[u8]; 8] = [
+        b"ASPLINE", b"BSPLINE", b"CSPLINE", b"POLY", b"INVCW", b"INVCCW", b"CIP", b"CT",
+    ];
+    let word = &code[..code
+        .iter()
+        .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
+        .count()];
     WORDS.iter().any(|known| word.eq_ignore_ascii_case(known))
 }

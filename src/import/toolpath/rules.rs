@@ -87,8 +87,14 @@ pub const RUN_RULES: [&str; 11] = [
 pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
     // A program that takes no notice of any has touches all the same.
     let all = log.touches.iter().all(|touch| touch.positions);
-    let touches: Vec<&Touch> = log.touches.iter().filter(|touch| all || !touch.positions).collect();
-    let (Some(first), Some(last)) = (touches.first(), touches.last()) else { return Vec::new() };
+    let touches: Vec<&Touch> = log
+        .touches
+        .iter()
+        .filter(|touch| all || !touch.positions)
+        .collect();
+    let (Some(first), Some(last)) = (touches.first(), touches.last()) else {
+        return Vec::new();
+    };
     let (first, last) = (first.index, last.index);
     let rows = [
         modes(path, log),
@@ -103,7 +109,10 @@ pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
         waits(log),
         left(log),
     ];
-    debug_assert!(rows.iter().map(|row| row.rule).eq(RUN_RULES), "in their order");
+    debug_assert!(
+        rows.iter().map(|row| row.rule).eq(RUN_RULES),
+        "in their order"
+    );
     rows.into()
 }
 
@@ -111,7 +120,13 @@ fn row(rule: &'static str, holds: Option<bool>, message: Text, mut lines: Vec<us
     lines.sort_unstable();
     lines.dedup();
     let lines = lines.into_iter().map(|line| line as u32).collect();
-    RunRule { rule, holds, message: message.english(), said: message, lines }
+    RunRule {
+        rule,
+        holds,
+        message: message.english(),
+        said: message,
+        lines,
+    }
 }
 
 fn modes(path: &Toolpath, log: &Log) -> RunRule {
@@ -119,11 +134,15 @@ fn modes(path: &Toolpath, log: &Log) -> RunRule {
         return row("modes-stated", None, text!("Nothing moves"), Vec::new());
     };
     let is_sinumerik = path.dialect == DIALECTS[1];
-    let missing: Vec<&str> = [(units, if is_sinumerik { "G71" } else { "G21" }), (plane, "G17"), (distance, "G90")]
-        .into_iter()
-        .filter(|(stated, _)| !stated)
-        .map(|(_, word)| word)
-        .collect();
+    let missing: Vec<&str> = [
+        (units, if is_sinumerik { "G71" } else { "G21" }),
+        (plane, "G17"),
+        (distance, "G90"),
+    ]
+    .into_iter()
+    .filter(|(stated, _)| !stated)
+    .map(|(_, word)| word)
+    .collect();
     match missing.as_slice() {
         [] => row(
             "modes-stated",
@@ -145,9 +164,16 @@ fn modes(path: &Toolpath, log: &Log) -> RunRule {
 fn spindle(log: &Log, last: usize) -> RunRule {
     const RULE: &str = "spindle-off";
     let before = log.spindle.iter().filter(|(moves, ..)| *moves <= last);
-    let on: Vec<usize> = before.clone().filter(|(.., on)| *on).map(|(_, line, _)| *line).collect();
+    let on: Vec<usize> = before
+        .clone()
+        .filter(|(.., on)| *on)
+        .map(|(_, line, _)| *line)
+        .collect();
     // Stopped before the first motion, and not started again.
-    let off_first = log.spindle.first().is_some_and(|(moves, _, on)| *moves == 0 && !on);
+    let off_first = log
+        .spindle
+        .first()
+        .is_some_and(|(moves, _, on)| *moves == 0 && !on);
     match (on.is_empty(), off_first) {
         (false, _) => row(
             RULE,
@@ -157,11 +183,18 @@ fn spindle(log: &Log, last: usize) -> RunRule {
             ),
             on,
         ),
-        (true, true) => row(RULE, Some(true), text!("The spindle is stopped before the first motion"), Vec::new()),
+        (true, true) => row(
+            RULE,
+            Some(true),
+            text!("The spindle is stopped before the first motion"),
+            Vec::new(),
+        ),
         (true, false) => row(
             RULE,
             None,
-            text!("The program neither starts nor stops the spindle before it moves: write M5 before the first motion"),
+            text!(
+                "The program neither starts nor stops the spindle before it moves: write M5 before the first motion"
+            ),
             Vec::new(),
         ),
     }
@@ -184,14 +217,20 @@ fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
         return Some(false);
     }
     let touch = path.end(index - 1) - path.begin(index - 1);
-    let back = || way.dot(touch) < 0.0 && way.cross(touch).length() <= 1e-3 * way.length() * touch.length();
+    let back = || {
+        way.dot(touch) < 0.0 && way.cross(touch).length() <= 1e-3 * way.length() * touch.length()
+    };
     (!touch.is_nan()).then(back)
 }
 
 fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     // A contact stops such a move, and the program continues from there.
-    let unnoticed = log.touches.iter().filter(|touch| touch.index < last && touch.positions && !touch.asked);
-    let (mut bad, mut unknown): (Vec<usize>, Vec<usize>) = (unnoticed.map(|touch| touch.line).collect(), Vec::new());
+    let unnoticed = log
+        .touches
+        .iter()
+        .filter(|touch| touch.index < last && touch.positions && !touch.asked);
+    let (mut bad, mut unknown): (Vec<usize>, Vec<usize>) =
+        (unnoticed.map(|touch| touch.line).collect(), Vec::new());
     for index in (0..last).filter(|index| path.kind[*index] != PROBE && !log.is_own(*index)) {
         match is_free(path, index) {
             Some(true) => {}
@@ -215,7 +254,9 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
         (true, false) => row(
             WATCHED,
             None,
-            text!("Whether these moves only go up or back from a touch is not known: their places are not"),
+            text!(
+                "Whether these moves only go up or back from a touch is not known: their places are not"
+            ),
             unknown,
         ),
         (true, true) => row(
@@ -229,9 +270,18 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
 
 fn missed(path: &Toolpath, touches: &[&Touch]) -> RunRule {
     const RULE: &str = "missed-touch-stops";
-    let bad: Vec<usize> = touches.iter().filter(|touch| !touch.stops && !touch.asked).map(|touch| touch.line).collect();
+    let bad: Vec<usize> = touches
+        .iter()
+        .filter(|touch| !touch.stops && !touch.asked)
+        .map(|touch| touch.line)
+        .collect();
     if bad.is_empty() {
-        return row(RULE, Some(true), text!("Every touch is asked for its contact, or stops the program without one"), bad);
+        return row(
+            RULE,
+            Some(true),
+            text!("Every touch is asked for its contact, or stops the program without one"),
+            bad,
+        );
     }
     let instead = match path.dialect {
         dialect if dialect == DIALECTS[1] => "STOPRE / IF $AC_MEA[1]==0 GOTOF …",
@@ -246,9 +296,18 @@ fn missed(path: &Toolpath, touches: &[&Touch]) -> RunRule {
 }
 
 fn feeds(touches: &[&Touch]) -> RunRule {
-    let bad: Vec<usize> = touches.iter().filter(|touch| !touch.own_feed).map(|touch| touch.line).collect();
+    let bad: Vec<usize> = touches
+        .iter()
+        .filter(|touch| !touch.own_feed)
+        .map(|touch| touch.line)
+        .collect();
     match bad.is_empty() {
-        true => row("feeds-stated", Some(true), text!("Every probing block states its own feed"), bad),
+        true => row(
+            "feeds-stated",
+            Some(true),
+            text!("Every probing block states its own feed"),
+            bad,
+        ),
         false => row(
             "feeds-stated",
             Some(false),
@@ -261,7 +320,10 @@ fn feeds(touches: &[&Touch]) -> RunRule {
 fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
     let tool = path.plane.axes()[2];
     // What is as high as the way to the first touch is above the part.
-    let height = (0..=first).map(|index| path.begin(index)[tool]).chain([path.end(first)[tool]]).fold(f64::NAN, f64::max);
+    let height = (0..=first)
+        .map(|index| path.begin(index)[tool])
+        .chain([path.end(first)[tool]])
+        .fold(f64::NAN, f64::max);
     let (mut bad, mut unknown) = (Vec::new(), Vec::new());
     for index in (first..last).filter(|index| path.kind[*index] == RAPID && !log.is_own(*index)) {
         let line = path.line[index] as usize;
@@ -279,25 +341,49 @@ fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
             );
             row(NO_LOW_RAPID, Some(false), message, bad)
         }
-        (true, false) => row(NO_LOW_RAPID, None, text!("How low these rapids go is not known"), unknown),
+        (true, false) => row(
+            NO_LOW_RAPID,
+            None,
+            text!("How low these rapids go is not known"),
+            unknown,
+        ),
         (true, true) => row(
             NO_LOW_RAPID,
             Some(true),
-            text!("No rapid goes down or across between the touches, but at the height where the program began"),
+            text!(
+                "No rapid goes down or across between the touches, but at the height where the program began"
+            ),
             Vec::new(),
         ),
     }
 }
 
 fn writes(log: &Log, last: usize) -> RunRule {
-    let early: Vec<usize> = log.writes.iter().filter(|(moves, _)| *moves <= last).map(|(_, line)| *line).collect();
+    let early: Vec<usize> = log
+        .writes
+        .iter()
+        .filter(|(moves, _)| *moves <= last)
+        .map(|(_, line)| *line)
+        .collect();
     match (log.writes.is_empty(), early.is_empty()) {
-        (true, _) => row(WRITE_LAST, Some(true), text!("The program writes no work offset"), early),
-        (false, true) => row(WRITE_LAST, Some(true), text!("The work offset is written after the last touch"), early),
+        (true, _) => row(
+            WRITE_LAST,
+            Some(true),
+            text!("The program writes no work offset"),
+            early,
+        ),
+        (false, true) => row(
+            WRITE_LAST,
+            Some(true),
+            text!("The work offset is written after the last touch"),
+            early,
+        ),
         (false, false) => row(
             WRITE_LAST,
             Some(false),
-            text!("A work offset is written before the last touch has succeeded: keep the values, and write once at the end"),
+            text!(
+                "A work offset is written before the last touch has succeeded: keep the values, and write once at the end"
+            ),
             early,
         ),
     }
@@ -309,11 +395,18 @@ fn one_write(log: &Log) -> RunRule {
     lines.sort_unstable();
     lines.dedup();
     match lines.len() == all {
-        true => row(ONE_WRITE, Some(true), text!("No block writes a work offset twice"), Vec::new()),
+        true => row(
+            ONE_WRITE,
+            Some(true),
+            text!("No block writes a work offset twice"),
+            Vec::new(),
+        ),
         false => row(
             ONE_WRITE,
             Some(false),
-            text!("A block writes a work offset more than once: a value written twice is corrected twice"),
+            text!(
+                "A block writes a work offset more than once: a value written twice is corrected twice"
+            ),
             lines,
         ),
     }
@@ -321,10 +414,24 @@ fn one_write(log: &Log) -> RunRule {
 
 /// Whether something is asked between the last touch and the write: what, a run does not know.
 fn plausible(log: &Log, last: usize) -> RunRule {
-    let asked = |moves: usize| log.conditions.iter().any(|(before, _)| (last + 1..=moves).contains(before));
-    let unasked: Vec<usize> = log.writes.iter().filter(|(moves, _)| !asked(*moves)).map(|(_, line)| *line).collect();
+    let asked = |moves: usize| {
+        log.conditions
+            .iter()
+            .any(|(before, _)| (last + 1..=moves).contains(before))
+    };
+    let unasked: Vec<usize> = log
+        .writes
+        .iter()
+        .filter(|(moves, _)| !asked(*moves))
+        .map(|(_, line)| *line)
+        .collect();
     match (log.writes.is_empty(), unasked.is_empty()) {
-        (true, _) => row(PLAUSIBLE, Some(true), text!("The program writes no work offset"), unasked),
+        (true, _) => row(
+            PLAUSIBLE,
+            Some(true),
+            text!("The program writes no work offset"),
+            unasked,
+        ),
         (false, false) => row(
             PLAUSIBLE,
             Some(false),
@@ -336,8 +443,14 @@ fn plausible(log: &Log, last: usize) -> RunRule {
         (false, true) => row(
             PLAUSIBLE,
             None,
-            text!("Conditions stand between the last touch and the write: whether they compare the results is not known"),
-            log.conditions.iter().filter(|(moves, _)| *moves > last).map(|(_, line)| *line).collect(),
+            text!(
+                "Conditions stand between the last touch and the write: whether they compare the results is not known"
+            ),
+            log.conditions
+                .iter()
+                .filter(|(moves, _)| *moves > last)
+                .map(|(_, line)| *line)
+                .collect(),
         ),
     }
 }
@@ -345,7 +458,12 @@ fn plausible(log: &Log, last: usize) -> RunRule {
 fn waits(log: &Log) -> RunRule {
     let lines = log.endless_waits.clone();
     match lines.is_empty() {
-        true => row("waits-stated", Some(true), text!("Every wait says how long"), lines),
+        true => row(
+            "waits-stated",
+            Some(true),
+            text!("Every wait says how long"),
+            lines,
+        ),
         false => row(
             "waits-stated",
             Some(false),
@@ -362,10 +480,22 @@ fn left(log: &Log) -> RunRule {
         (true, _) => row(
             "modes-left",
             Some(false),
-            text!("G91 is still active at the end: the next program moves by distances. Write G90 before the end"),
+            text!(
+                "G91 is still active at the end: the next program moves by distances. Write G90 before the end"
+            ),
             Vec::new(),
         ),
-        (false, true) => row("modes-left", Some(true), text!("Absolute mode is active at the end"), Vec::new()),
-        (false, false) => row("modes-left", None, text!("The run came to no end of the program"), Vec::new()),
+        (false, true) => row(
+            "modes-left",
+            Some(true),
+            text!("Absolute mode is active at the end"),
+            Vec::new(),
+        ),
+        (false, false) => row(
+            "modes-left",
+            None,
+            text!("The run came to no end of the program"),
+            Vec::new(),
+        ),
     }
 }

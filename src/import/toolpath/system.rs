@@ -64,7 +64,10 @@ impl System {
             ("$AA_MW[Y]", cy),
             ("$AA_MW[Z]", cz),
             ("$AC_MEA[1]", truth(self.met)),
-            ("$A_PROBE[1]", truth(deflected.or(self.rests.then_some(false)))),
+            (
+                "$A_PROBE[1]",
+                truth(deflected.or(self.rests.then_some(false))),
+            ),
         ]
     }
 
@@ -95,8 +98,12 @@ impl System {
                 Plane::G18 => 18.0,
                 Plane::G19 => 19.0,
             }),
-            Key::Number(4003) if !linuxcnc => self.absolute.map(|absolute| if absolute { 90.0 } else { 91.0 }),
-            Key::Number(4006) if !linuxcnc => self.metric.map(|metric| if metric { 21.0 } else { 20.0 }),
+            Key::Number(4003) if !linuxcnc => self
+                .absolute
+                .map(|absolute| if absolute { 90.0 } else { 91.0 }),
+            Key::Number(4006) if !linuxcnc => {
+                self.metric.map(|metric| if metric { 21.0 } else { 20.0 })
+            }
             Key::Name(name) if linuxcnc => match name.as_str() {
                 "_x" => known(self.place[0]),
                 "_y" => known(self.place[1]),

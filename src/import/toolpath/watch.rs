@@ -11,11 +11,12 @@ use crate::control::iso::lex::{code, head, lines_of, trimmed};
 /// Whether a block has a code of a probing move in it.
 pub(super) fn probes(line: &[u8]) -> bool {
     let measures = |at: usize| {
-        line[at..]
-            .get(..5)
-            .is_some_and(|word| word[..4].eq_ignore_ascii_case(b"MEAS") || word[..4].eq_ignore_ascii_case(b"MEAW"))
+        line[at..].get(..5).is_some_and(|word| {
+            word[..4].eq_ignore_ascii_case(b"MEAS") || word[..4].eq_ignore_ascii_case(b"MEAW")
+        })
     };
-    memchr::memchr2_iter(b'G', b'g', line).any(|at| matches!(line[at + 1..], [b'3', b'8', b'.', ..] | [b'3', b'1', ..]))
+    memchr::memchr2_iter(b'G', b'g', line)
+        .any(|at| matches!(line[at + 1..], [b'3', b'8', b'.', ..] | [b'3', b'1', ..]))
         || memchr::memchr2_iter(b'M', b'm', line).any(measures)
 }
 
@@ -35,12 +36,29 @@ pub(super) struct Behind {
 /// What follows a probing move, by the lines below its block.
 pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     const MOST_LINES: usize = 8;
-    let lines: Vec<String> = lines_of(below).map(code_of).filter(|line| !line.is_empty()).take(MOST_LINES).collect();
-    let before = &lines[..lines.iter().position(|line| moves(line)).unwrap_or(lines.len())];
+    let lines: Vec<String> = lines_of(below)
+        .map(code_of)
+        .filter(|line| !line.is_empty())
+        .take(MOST_LINES)
+        .collect();
+    let before = &lines[..lines
+        .iter()
+        .position(|line| moves(line))
+        .unwrap_or(lines.len())];
     let reads = before.iter().any(|line| reads_place(line));
-    let Some(at) = before.iter().position(|line| asks(line)).or_else(|| asks_by_name(before)) else {
-        let chained = !reads && is_free_to_miss(line) && begins_free(lines.get(before.len()), before);
-        return Behind { reads, chained, asked: chained, watched: chained };
+    let Some(at) = before
+        .iter()
+        .position(|line| asks(line))
+        .or_else(|| asks_by_name(before))
+    else {
+        let chained =
+            !reads && is_free_to_miss(line) && begins_free(lines.get(before.len()), before);
+        return Behind {
+            reads,
+            chained,
+            asked: chained,
+            watched: chained,
+        };
     };
     let condition = &before[at];
     // A miss of G38.2 and G38.4 is an alarm: they do not position.
@@ -50,7 +68,12 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         Some(_) => true,
         None => lines.get(at + 1).is_some_and(|line| leaves(line)),
     };
-    Behind { asked: true, watched: !touches && leaves_then, reads, chained: false }
+    Behind {
+        asked: true,
+        watched: !touches && leaves_then,
+        reads,
+        chained: false,
+    }
 }
 
 /// Whether a block has `G38.3`.
@@ -62,7 +85,9 @@ fn is_free_to_miss(line: &[u8]) -> bool {
 fn begins_free(next: Option<&String>, before: &[String]) -> bool {
     match next {
         Some(next) => next.starts_with("G38.2") || next.starts_with("G38.3"),
-        None => before.iter().any(|line| ["M2", "M02", "M30"].contains(&line.as_str())),
+        None => before
+            .iter()
+            .any(|line| ["M2", "M02", "M30"].contains(&line.as_str())),
     }
 }
 
@@ -71,41 +96,59 @@ fn begins_free(next: Option<&String>, before: &[String]) -> bool {
 fn asks_by_name(lines: &[String]) -> Option<usize> {
     let place = |line: &String| {
         let (name, value) = line.split_once('=')?;
-        let is_name = name.strip_prefix('#').is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+        let is_name = name
+            .strip_prefix('#')
+            .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
         (is_name && (value.contains("#506") || value.contains("#504"))).then(|| name.to_owned())
     };
     let names: Vec<String> = lines.iter().filter_map(place).collect();
     let reads = |line: &str, name: &str| {
-        let ends = |at: usize| !line.as_bytes().get(at + name.len()).is_some_and(u8::is_ascii_digit);
+        let ends = |at: usize| {
+            !line
+                .as_bytes()
+                .get(at + name.len())
+                .is_some_and(u8::is_ascii_digit)
+        };
         line.match_indices(name).any(|(at, _)| ends(at))
     };
-    lines.iter().rposition(|line| line.contains("IF[") && names.iter().any(|name| reads(line, name)))
+    lines
+        .iter()
+        .rposition(|line| line.contains("IF[") && names.iter().any(|name| reads(line, name)))
 }
 
 /// The code of a line without blanks, in capitals.
 fn code_of(line: &str) -> String {
     let line = trimmed(line);
     // A comment that stops LinuxCNC is an end.
-    if line
-        .strip_prefix('(')
-        .is_some_and(|text| text.trim_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("abort")))
-    {
+    if line.strip_prefix('(').is_some_and(|text| {
+        text.trim_start()
+            .get(..5)
+            .is_some_and(|word| word.eq_ignore_ascii_case("abort"))
+    }) {
         return "M2".to_owned();
     }
     let plain = code(&line[head(line.as_bytes()).end..], true);
-    plain.bytes().filter(|b| !b.is_ascii_whitespace()).map(|b| char::from(b.to_ascii_uppercase())).collect()
+    plain
+        .bytes()
+        .filter(|b| !b.is_ascii_whitespace())
+        .map(|b| char::from(b.to_ascii_uppercase()))
+        .collect()
 }
 
 fn moves(line: &str) -> bool {
     line.starts_with("MEAS")
         || line.starts_with(['G', 'X', 'Y', 'Z'])
             && line.contains(['X', 'Y', 'Z'])
-            && !["G53", "G10", "G92"].iter().any(|code| line.starts_with(code))
+            && !["G53", "G10", "G92"]
+                .iter()
+                .any(|code| line.starts_with(code))
 }
 
 /// Whether it reads where the axes are or where the contact was, or sets that place.
 fn reads_place(line: &str) -> bool {
-    const WORDS: [&str; 9] = ["#506", "#504", "#500", "#542", "#<_X", "#<_Y", "#<_Z", "$AA_", "G10L20"];
+    const WORDS: [&str; 9] = [
+        "#506", "#504", "#500", "#542", "#<_X", "#<_Y", "#<_Z", "$AA_", "G10L20",
+    ];
     line.starts_with("G92") || WORDS.iter().any(|word| line.contains(word))
 }
 
@@ -118,7 +161,8 @@ fn asks(line: &str) -> bool {
 
 /// Whether a line is a condition that asks for something else.
 pub(super) fn judges(line: &[u8]) -> bool {
-    let begins = memchr::memchr2_iter(b'F', b'f', line).any(|at| at > 0 && line[at - 1].eq_ignore_ascii_case(&b'I'));
+    let begins = memchr::memchr2_iter(b'F', b'f', line)
+        .any(|at| at > 0 && line[at - 1].eq_ignore_ascii_case(&b'I'));
     begins && {
         let code = code_of(&String::from_utf8_lossy(line));
         (code.starts_with("IF") || code.starts_with('O') && code.contains("IF[")) && !asks(&code)
@@ -127,9 +171,16 @@ pub(super) fn judges(line: &[u8]) -> bool {
 
 /// Whether the condition holds after a contact: by #5070 and `$AC_MEA[1]`, on a Fanuc by a place that is not the target.
 fn asks_for_contact(condition: &str) -> bool {
-    match condition.split_once("#5070").or_else(|| condition.split_once("$AC_MEA[1]")) {
-        Some((_, rest)) => ["EQ1", "NE0", "GT0", "EQ[1", "==1", "<>0", ">0"].iter().any(|word| rest.starts_with(word)),
-        None => ["GT", "NE", "GE"].iter().any(|word| condition.contains(word)),
+    match condition
+        .split_once("#5070")
+        .or_else(|| condition.split_once("$AC_MEA[1]"))
+    {
+        Some((_, rest)) => ["EQ1", "NE0", "GT0", "EQ[1", "==1", "<>0", ">0"]
+            .iter()
+            .any(|word| rest.starts_with(word)),
+        None => ["GT", "NE", "GE"]
+            .iter()
+            .any(|word| condition.contains(word)),
     }
 }
 
@@ -138,5 +189,6 @@ fn leaves(line: &str) -> bool {
     const ENDS: [&str; 4] = ["M2", "M02", "M30", "#3000="];
     const EXITS: [&str; 6] = ["EXIT", "ABORT", "ALARM", "ERROR", "FAIL", "COLLI"];
     ENDS.iter().any(|word| line.starts_with(word))
-        || line.starts_with('O') && (line.contains("RETURN") || EXITS.iter().any(|word| line.contains(word)))
+        || line.starts_with('O')
+            && (line.contains("RETURN") || EXITS.iter().any(|word| line.contains(word)))
 }

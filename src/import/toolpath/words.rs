@@ -36,7 +36,11 @@ impl Reader {
                     Word::Number(x) => block.places[usize::from(axis)] = x,
                     Word::Placed(x, place) => {
                         block.places[usize::from(axis)] = x;
-                        *if place { &mut block.placed } else { &mut block.moved } |= 1 << axis;
+                        *if place {
+                            &mut block.placed
+                        } else {
+                            &mut block.moved
+                        } |= 1 << axis;
                         block.special = true;
                     }
                     Word::Computed => block.computed |= 1 << axis,
@@ -95,7 +99,10 @@ impl Reader {
             }
             b'0'..=b'9' | b'.' | b'-' | b'+' => {
                 let (size, length) = read_digits(line.get(next + signed..)?)?;
-                let (number, end) = (if first == b'-' { -size } else { size }, next + signed + length);
+                let (number, end) = (
+                    if first == b'-' { -size } else { size },
+                    next + signed + length,
+                );
                 match line.get(end) {
                     // `R1=5` gives a variable a value.
                     Some(b'=') => return None,
@@ -107,12 +114,17 @@ impl Reader {
             }
             b'#' | b'[' => Value::Is(Word::Computed, end_of_value(line, next)),
             b'=' if self.sinumerik => {
-                let (word, end) = by_its_own(line, next + 1).unwrap_or_else(|| assigned(line, next + 1));
+                let (word, end) =
+                    by_its_own(line, next + 1).unwrap_or_else(|| assigned(line, next + 1));
                 Value::Is(word, end)
             }
             // What a function gives: XSIN[30].
             _ if !self.sinumerik && matches!(letter, b'X'..=b'Z' | b'F') => {
-                let name = line[next..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
+                let name = line[next..]
+                    .iter()
+                    .take(7)
+                    .take_while(|b| b.is_ascii_alphabetic())
+                    .count();
                 if line.get(next + name) != Some(&b'[') {
                     return None;
                 }
@@ -127,9 +139,19 @@ impl Reader {
         if !self.sinumerik {
             return None;
         }
-        let past_blanks = |at: usize| at + line[at..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+        let past_blanks = |at: usize| {
+            at + line[at..]
+                .iter()
+                .take_while(|b| matches!(b, b' ' | b'\t'))
+                .count()
+        };
         // No name is longer.
-        let end = at + line[at..].iter().take(32).take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+        let end = at
+            + line[at..]
+                .iter()
+                .take(32)
+                .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
+                .count();
         let name = &line[at..end];
         match line.get(past_blanks(end)) {
             Some(b':') if line.get(end) == Some(&b':') => return Some(end + 1),
@@ -164,9 +186,13 @@ impl Reader {
                 self.go(Motion::Straight, block);
                 self.modes.curve = true;
             }
-            Effect::Curve { stays: false } => (block.once, block.curve) = (Some(Motion::Straight), true),
+            Effect::Curve { stays: false } => {
+                (block.once, block.curve) = (Some(Motion::Straight), true)
+            }
             Effect::Once(motion) => block.once = Some(motion),
-            Effect::ControlPoints(on) => self.modes.given = if on { Given::Control } else { Given::Place },
+            Effect::ControlPoints(on) => {
+                self.modes.given = if on { Given::Control } else { Given::Place }
+            }
             Effect::Cycle => self.modes.given = Given::Cycle,
             Effect::CycleEnds => self.modes.given = Given::Place,
             Effect::Plane(plane) => {
@@ -174,17 +200,24 @@ impl Reader {
                 self.modes.plane = Some(plane);
             }
             Effect::Metric(metric) => self.units(metric),
-            Effect::Absolute(absolute) => (self.modes.absolute, self.modes.stated) = (absolute, true),
+            Effect::Absolute(absolute) => {
+                (self.modes.absolute, self.modes.stated) = (absolute, true)
+            }
             Effect::CentersAbsolute(absolute) => self.modes.centers_absolute = absolute,
             // A feed stays in the mode that it was stated in.
             Effect::PerMinute(on) if on != self.modes.by_other => {}
             Effect::PerMinute(on) => (self.modes.by_other, self.feed) = (!on, f64::NAN),
             Effect::Diameter(on) => self.modes.diameter = on,
-            Effect::Dwell => (block.dwells, block.feedless) = (true, block.feedless || self.sinumerik || self.heidenhain),
+            Effect::Dwell => {
+                (block.dwells, block.feedless) =
+                    (true, block.feedless || self.sinumerik || self.heidenhain)
+            }
             Effect::Setting => (block.elsewhere, block.writes) = (true, true),
             Effect::Length(_) => block.lengthens = true,
             Effect::LengthGiven => (block.elsewhere, block.lengthens) = (true, true),
-            Effect::Tool => (block.lengthens, block.changes) = (block.lengthens | self.sinumerik, true),
+            Effect::Tool => {
+                (block.lengthens, block.changes) = (block.lengthens | self.sinumerik, true)
+            }
             Effect::Elsewhere => block.elsewhere = true,
             Effect::Rename => (block.elsewhere, block.renames) = (true, true),
             Effect::Transform { own_axes } => {
@@ -197,7 +230,8 @@ impl Reader {
                 count(&mut self.skipped, self.line);
             }
             Effect::Macro { takes_feed: true } => {
-                (block.elsewhere, block.feedless, block.macros, block.special) = (true, true, true, true);
+                (block.elsewhere, block.feedless, block.macros, block.special) =
+                    (true, true, true, true);
             }
             Effect::Macro { takes_feed: false } => {
                 block.elsewhere = true;
@@ -232,7 +266,12 @@ impl Reader {
 
     fn go(&mut self, motion: Motion, block: &mut Block) {
         block.twice |= block.motion;
-        (self.modes.motion, self.modes.curve, self.modes.given, block.motion) = (motion, false, Given::Place, true);
+        (
+            self.modes.motion,
+            self.modes.curve,
+            self.modes.given,
+            block.motion,
+        ) = (motion, false, Given::Place, true);
     }
 
     pub(super) fn units(&mut self, metric: bool) {
@@ -251,7 +290,11 @@ impl Reader {
 /// Ten times the number of a code; of one with more decimals, or too large for any control, a number that is no code's.
 pub(super) fn tenths(code: f64) -> i32 {
     let tenths = (code * 10.0 + 0.5) as i32;
-    if (f64::from(tenths) - code * 10.0).abs() < 1e-6 { tenths } else { -1 }
+    if (f64::from(tenths) - code * 10.0).abs() < 1e-6 {
+        tenths
+    } else {
+        -1
+    }
 }
 
 /// What is assigned, `X=5`, and where that ends.
@@ -267,7 +310,12 @@ fn assigned(line: &[u8], at: usize) -> (Word, usize) {
 
 /// The number in `AC(5)` or `IC(5)`, a place (true) or a distance, and where that ends.
 fn by_its_own(line: &[u8], at: usize) -> Option<(Word, usize)> {
-    let past_blanks = |at: usize| at + line[at..].iter().take_while(|b| matches!(b, b' ' | b'\t')).count();
+    let past_blanks = |at: usize| {
+        at + line[at..]
+            .iter()
+            .take_while(|b| matches!(b, b' ' | b'\t'))
+            .count()
+    };
     let begin = past_blanks(at);
     let word = line.get(begin..begin + 2)?;
     let place = word.eq_ignore_ascii_case(b"AC");

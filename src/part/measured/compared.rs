@@ -35,7 +35,10 @@ impl Kind {
                 Role::Abscissa => axis == 'X',
                 Role::Ordinate => axis == 'Y',
                 Role::Level => axis == 'Z',
-                Role::Reading => def.code.rsplit_once('.').is_some_and(|(_, of)| of.eq_ignore_ascii_case(&axis.to_string())),
+                Role::Reading => def
+                    .code
+                    .rsplit_once('.')
+                    .is_some_and(|(_, of)| of.eq_ignore_ascii_case(&axis.to_string())),
                 _ => false,
             },
             Kind::Angle => def.role.is_angle(),
@@ -81,19 +84,35 @@ fn renishaw(text: &str, scale: f64) -> impl Iterator<Item = Print<'_>> {
     };
     text.lines().enumerate().filter_map(move |numbered| {
         let (line, kind, nominal, actual) = compared(numbered)?;
-        Some(Print { found: vec![Compared { line, text: numbered.1, kind, nominal, actual }], lines: vec![line], scale })
+        Some(Print {
+            found: vec![Compared {
+                line,
+                text: numbered.1,
+                kind,
+                nominal,
+                actual,
+            }],
+            lines: vec![line],
+            scale,
+        })
     })
 }
 
 /// Logs of HEIDENHAIN's cycles (`TCHPR421.TXT`).
 fn heidenhain<'t>(text: &'t str, scale: f64, expected: &Expected<'_>) -> Vec<Print<'t>> {
     let lines: Vec<&str> = text.lines().collect();
-    let begins: Vec<usize> = (0..lines.len()).filter(|i| lines[*i].trim_start().starts_with("Measuring log")).collect();
+    let begins: Vec<usize> = (0..lines.len())
+        .filter(|i| lines[*i].trim_start().starts_with("Measuring log"))
+        .collect();
     let ends = begins.iter().skip(1).copied().chain([lines.len()]);
     let plain = |line: &usize| Form::of(lines[*line], expected).is_none();
     let log = |(begin, end): (&usize, usize)| {
         let (found, unit) = log(&lines, *begin..end);
-        Print { found, lines: (*begin..end).filter(plain).collect(), scale: unit.unwrap_or(scale) }
+        Print {
+            found,
+            lines: (*begin..end).filter(plain).collect(),
+            scale: unit.unwrap_or(scale),
+        }
     };
     begins.iter().zip(ends).map(log).collect()
 }
@@ -103,12 +122,16 @@ fn log<'t>(lines: &[&'t str], range: Range<usize>) -> (Vec<Compared<'t>>, Option
     let (mut section, mut label) = ("", "");
     let (mut nominals, mut found, mut unit) = (Vec::new(), Vec::new(), None);
     for line in range {
-        let (name, value) = lines[line].rsplit_once(':').map_or(("", lines[line]), |(name, value)| (name.trim(), value));
+        let (name, value) = lines[line]
+            .rsplit_once(':')
+            .map_or(("", lines[line]), |(name, value)| (name.trim(), value));
         if !name.is_empty() {
             label = name;
         }
         let Some(value) = number(value) else {
-            if name.ends_with("values") || ["Deviations", "Further measuring results"].contains(&name) {
+            if name.ends_with("values")
+                || ["Deviations", "Further measuring results"].contains(&name)
+            {
                 section = name;
             }
             continue;
@@ -121,7 +144,13 @@ fn log<'t>(lines: &[&'t str], range: Range<usize>) -> (Vec<Compared<'t>>, Option
             let at = nominals.iter().position(|(of, _)| *of == label);
             // Without a nominal value it is no result's, and reported.
             let nominal = at.map_or(f64::NAN, |at| nominals.remove(at).1);
-            found.push(Compared { line, text: label, kind: labelled(label), nominal, actual: value });
+            found.push(Compared {
+                line,
+                text: label,
+                kind: labelled(label),
+                nominal,
+                actual: value,
+            });
         }
     }
     (found, unit)
@@ -149,7 +178,11 @@ fn number(text: &str) -> Option<f64> {
 }
 
 /// The text with such values as results of the job: `diameter=40.0132`. A value that no result of the job has is an error: it is of another part.
-pub fn as_results<'t>(checker: &mut Checker, text: &'t str, expected: &Expected<'_>) -> Cow<'t, str> {
+pub fn as_results<'t>(
+    checker: &mut Checker,
+    text: &'t str,
+    expected: &Expected<'_>,
+) -> Cow<'t, str> {
     let mut prints: Vec<Print<'_>> = Vec::new();
     if text.contains("ACTUAL") {
         prints.extend(renishaw(text, checker.scale));
@@ -164,10 +197,26 @@ pub fn as_results<'t>(checker: &mut Checker, text: &'t str, expected: &Expected<
     let mut taken = vec![false; formula.results.len()];
     let mut lines: Vec<Cow<'_, str>> = text.lines().map(Cow::Borrowed).collect();
     for print in prints {
-        print.lines.iter().for_each(|line| lines[*line] = Cow::Borrowed(""));
-        for Compared { line, text, kind, nominal, actual } in print.found {
-            let unit = if kind == Kind::Angle { 1.0 } else { print.scale };
-            let is = |def: &ResultDef| kind.fits(def) && (def.nominal / unit - nominal).abs() < LAST_DIGIT;
+        print
+            .lines
+            .iter()
+            .for_each(|line| lines[*line] = Cow::Borrowed(""));
+        for Compared {
+            line,
+            text,
+            kind,
+            nominal,
+            actual,
+        } in print.found
+        {
+            let unit = if kind == Kind::Angle {
+                1.0
+            } else {
+                print.scale
+            };
+            let is = |def: &ResultDef| {
+                kind.fits(def) && (def.nominal / unit - nominal).abs() < LAST_DIGIT
+            };
             let found = (0..taken.len()).find(|i| !taken[*i] && is(&formula.results[*i]));
             // One that comes again is another run, of which the results say it.
             let Some(i) = found.or_else(|| formula.results.iter().position(is)) else {
@@ -180,8 +229,16 @@ pub fn as_results<'t>(checker: &mut Checker, text: &'t str, expected: &Expected<
                 continue;
             };
             taken[i] = true;
-            let actual = if kind == Kind::Angle { actual } else { actual * print.scale / checker.scale };
-            lines[line] = Cow::Owned(format!("{}={}", formula.code(&formula.results[i]), decimal(actual, 6)));
+            let actual = if kind == Kind::Angle {
+                actual
+            } else {
+                actual * print.scale / checker.scale
+            };
+            lines[line] = Cow::Owned(format!(
+                "{}={}",
+                formula.code(&formula.results[i]),
+                decimal(actual, 6)
+            ));
         }
     }
     Cow::Owned(lines.join("\n"))

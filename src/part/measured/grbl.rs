@@ -30,12 +30,23 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     }
     let inches = inches(checker, &log);
     let shift = offset::find(checker, &log, inches);
-    let Some(shift) = shift.filter(|_| checker.count() == before) else { return Measured::default() };
-    let Some((points, scale)) = placed(checker, &log, &shift, inches, expected) else { return Measured::default() };
+    let Some(shift) = shift.filter(|_| checker.count() == before) else {
+        return Measured::default();
+    };
+    let Some((points, scale)) = placed(checker, &log, &shift, inches, expected) else {
+        return Measured::default();
+    };
     say_shift(checker, &shift, scale);
     say_missed(checker, &log, expected);
     let away = stand::away(&log, &shift, scale, expected);
-    Measured { points, results: None, stand: Some(Stand { offset: shift.offset, away }) }
+    Measured {
+        points,
+        results: None,
+        stand: Some(Stand {
+            offset: shift.offset,
+            away,
+        }),
+    }
 }
 
 /// The reports of positioning moves before a touch, or after the last one.
@@ -56,14 +67,20 @@ impl Before {
 /// For each touch what is reported before it, in the order of the moves, and what is after the last one.
 fn positioning(expected: &Expected<'_>) -> Vec<Before> {
     let path = expected.path;
-    let (mut all, mut next) = (Vec::with_capacity(path.touches.len() + 1), Before::default());
+    let (mut all, mut next) = (
+        Vec::with_capacity(path.touches.len() + 1),
+        Before::default(),
+    );
     let mut from = path.start;
     for step in &path.moves {
         match step.purpose {
             Purpose::Touch(_) => all.push(std::mem::take(&mut next)),
             Purpose::Position if step.arc.is_some() => next.arcs = true,
             // The way to the first place is not watched.
-            Purpose::Position => next.straight += usize::from(from.is_some_and(|from| from.distance(step.to) >= ONE_PLACE)),
+            Purpose::Position => {
+                next.straight +=
+                    usize::from(from.is_some_and(|from| from.distance(step.to) >= ONE_PLACE))
+            }
             Purpose::Back(_) | Purpose::Search(_) => {}
         }
         from = Some(step.to);
@@ -75,11 +92,19 @@ fn positioning(expected: &Expected<'_>) -> Vec<Before> {
 /// Leaves out the reports of positioning moves, where the log has them. They say which touch comes next: a contact that comes too early is one of a
 /// positioning move, and no touch.
 fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Expected<'_>) {
-    let reports: Vec<(usize, bool)> = log.touched().map(|(line, place, _)| (line, place.is_some())).collect();
-    let Some(((_, last), sooner)) = reports.split_last() else { return };
+    let reports: Vec<(usize, bool)> = log
+        .touched()
+        .map(|(line, place, _)| (line, place.is_some()))
+        .collect();
+    let Some(((_, last), sooner)) = reports.split_last() else {
+        return;
+    };
     let touches = expected.path.touches.len();
     if sooner.iter().all(|(_, contact)| *contact) {
-        let stopped = log.items.iter().find(|(_, item)| *item == Item::Trouble { in_contact: true });
+        let stopped = log
+            .items
+            .iter()
+            .find(|(_, item)| *item == Item::Trouble { in_contact: true });
         if let Some((line, _)) = stopped {
             let message = text!(
                 "The control stopped in line {line}, since a probing move began in contact: the last report may be of a positioning move. Give the log with every report, also those that end with :0",
@@ -135,7 +160,10 @@ fn drop_positioning(checker: &mut Checker, log: &mut Log, expected: &Expected<'_
 fn check_count(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
     let (given, touches) = (log.touches.len(), expected.path.touches.len());
     let miss = log.touched().position(|(_, place, _)| place.is_none());
-    if let Some((number, ..)) = miss.filter(|at| at + 1 < given).and_then(|at| log.touched().nth(at)) {
+    if let Some((number, ..)) = miss
+        .filter(|at| at + 1 < given)
+        .and_then(|at| log.touched().nth(at))
+    {
         let message = text!(
             "The touch in line {line} missed, which ends a program, and further touches follow: give the log of one run only",
             number
@@ -147,16 +175,29 @@ fn check_count(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
         return;
     }
     let message = if given > touches {
-        text!("PRB reports: {count}, touches: {touches}. Give the log of one run only", given, touches)
+        text!(
+            "PRB reports: {count}, touches: {touches}. Give the log of one run only",
+            given,
+            touches
+        )
     } else {
-        text!("PRB reports: {count}, touches: {touches}. The log must reach from the first touch to the last", given, touches)
+        text!(
+            "PRB reports: {count}, touches: {touches}. The log must reach from the first touch to the last",
+            given,
+            touches
+        )
     };
     let message = match log.repeated.as_slice() {
         [] => message,
         repeated => text!(
             "{message}. Not counted, since in the answer to $# the last touch is repeated: line {lines}",
             message,
-            repeated.iter().take(5).map(usize::to_string).collect::<Vec<_>>().join(", ")
+            repeated
+                .iter()
+                .take(5)
+                .map(usize::to_string)
+                .collect::<Vec<_>>()
+                .join(", ")
         ),
     };
     checker.error("wrong-count", "measured", message);
@@ -195,7 +236,11 @@ fn placed(
         }
         points
     };
-    let fits = |scale: f64| reach::out_of_reach(&points(scale), expected).next().is_none();
+    let fits = |scale: f64| {
+        reach::out_of_reach(&points(scale), expected)
+            .next()
+            .is_none()
+    };
     let inch_job = checker.scale != 1.0;
     let scale = match inches {
         Some(true) => INCH,
@@ -239,12 +284,19 @@ fn placed(
 
 /// By what the reports were converted.
 fn say_shift(checker: &mut Checker, shift: &Shift, scale: f64) {
-    let by = ["X", "Y", "Z"].iter().zip(shift.by.to_array()).map(|(axis, by)| format!("{axis}{}", crate::num::decimal(by, 4)));
+    let by = ["X", "Y", "Z"]
+        .iter()
+        .zip(shift.by.to_array())
+        .map(|(axis, by)| format!("{axis}{}", crate::num::decimal(by, 4)));
     let message = text!(
         "Converted from machine coordinates by {source}: {offset} ({unit})",
         shift.source.clone(),
         by.collect::<Vec<_>>().join(" "),
-        if scale == 1.0 { "mm".to_owned() } else { "inch".to_owned() }
+        if scale == 1.0 {
+            "mm".to_owned()
+        } else {
+            "inch".to_owned()
+        }
     );
     checker.info("converted", "measured", message);
 }
@@ -253,14 +305,21 @@ fn say_shift(checker: &mut Checker, shift: &Shift, scale: f64) {
 fn say_missed(checker: &mut Checker, log: &Log, expected: &Expected<'_>) {
     for ((touch, ..), (number, place, _)) in expected.path.searches().zip(log.touched()) {
         if place.is_none() {
-            let message =
-                text!("Touch {touch} made no contact (line {line}): results that need it are unknown", touch + 1, number);
+            let message = text!(
+                "Touch {touch} made no contact (line {line}): results that need it are unknown",
+                touch + 1,
+                number
+            );
             checker.warning("touch-missed", format!("measured[{touch}]"), message);
         }
     }
     let (made, touches) = (log.touches.len(), expected.path.touches.len());
     if made < touches {
-        let message = text!("The program stopped at the miss: {made} of its {touches} touches were made", made, touches);
+        let message = text!(
+            "The program stopped at the miss: {made} of its {touches} touches were made",
+            made,
+            touches
+        );
         checker.warning("touch-missed", "measured", message);
     }
 }

@@ -10,7 +10,11 @@ use crate::num::read_digits;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Item {
     /// `[PRB:x,y,z:1]`, in machine coordinates; what the line says in front of it, without digits.
-    Touch { place: Vec3, contact: bool, prefix: String },
+    Touch {
+        place: Vec3,
+        contact: bool,
+        prefix: String,
+    },
     /// `WCO:`: machine less work coordinates.
     Shift(Vec3),
     /// Where the machine stands idle, in machine or in work coordinates.
@@ -46,8 +50,10 @@ pub enum Item {
 /// Everything that a line says, in its order but for the reports, which come first.
 pub fn items(line: &str) -> Vec<Item> {
     let line = &*without_comments(line);
-    let mut found: Vec<Item> =
-        line.match_indices("PRB:").map(|(at, key)| touch(&line[..at], &line[at + key.len()..])).collect();
+    let mut found: Vec<Item> = line
+        .match_indices("PRB:")
+        .map(|(at, key)| touch(&line[..at], &line[at + key.len()..]))
+        .collect();
     settings(line, &mut found);
     status(line, &mut found);
     let plain = without_reports(line);
@@ -57,10 +63,11 @@ pub fn items(line: &str) -> Vec<Item> {
         found.push(Item::Answered);
     }
     if says("ALARM:") || says("error:") || line.contains("[MSG:ERR") {
-        let in_contact = plain
-            .split("ALARM:")
-            .skip(1)
-            .any(|number| number.strip_prefix('4').is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit())));
+        let in_contact = plain.split("ALARM:").skip(1).any(|number| {
+            number
+                .strip_prefix('4')
+                .is_some_and(|rest| !rest.starts_with(|c: char| c.is_ascii_digit()))
+        });
         found.push(Item::Trouble { in_contact });
     }
     if line.contains("Pgm End") || line.contains("Program End") {
@@ -83,7 +90,9 @@ pub fn without_comments(line: &str) -> String {
     let mut out = String::with_capacity(line.len());
     let mut rest = line;
     while let Some((before, after)) = rest.split_once('(') {
-        let Some((_, after)) = after.split_once(')') else { break };
+        let Some((_, after)) = after.split_once(')') else {
+            break;
+        };
         out.push_str(before);
         out.push(' ');
         rest = after;
@@ -106,21 +115,33 @@ pub fn offset_alone(line: &str) -> Option<u8> {
 pub fn letters(line: &str) -> Option<[f64; 3]> {
     let begin = line.char_indices().find(|(at, c)| {
         let before = line[..*at].chars().next_back();
-        matches!(c.to_ascii_uppercase(), 'X' | 'Y' | 'Z') && !before.is_some_and(|c| c.is_alphanumeric() || c == '.')
+        matches!(c.to_ascii_uppercase(), 'X' | 'Y' | 'Z')
+            && !before.is_some_and(|c| c.is_alphanumeric() || c == '.')
     })?;
     let (name, mut rest) = line.split_at(begin.0);
-    let plain = |word: &str| word.chars().all(char::is_alphabetic) || word.chars().all(|c| c.is_ascii_digit());
+    let plain = |word: &str| {
+        word.chars().all(char::is_alphabetic) || word.chars().all(|c| c.is_ascii_digit())
+    };
     if !name.split([' ', '\t', ':', ',', ';']).all(plain) {
         return None;
     }
     let mut found = [None; 3];
     loop {
         rest = rest.trim_start_matches([' ', '\t', ',', ';']);
-        let Some(letter) = rest.chars().next() else { break };
-        let axis = ['X', 'Y', 'Z'].iter().position(|axis| *axis == letter.to_ascii_uppercase())?;
-        rest = rest[1..].trim_start().strip_prefix('=').unwrap_or(&rest[1..]);
+        let Some(letter) = rest.chars().next() else {
+            break;
+        };
+        let axis = ['X', 'Y', 'Z']
+            .iter()
+            .position(|axis| *axis == letter.to_ascii_uppercase())?;
+        rest = rest[1..]
+            .trim_start()
+            .strip_prefix('=')
+            .unwrap_or(&rest[1..]);
         let (value, after) = number(rest)?;
-        if found[axis].replace(value).is_some() || after.starts_with(|c: char| c.is_alphanumeric() && !"XYZxyz".contains(c)) {
+        if found[axis].replace(value).is_some()
+            || after.starts_with(|c: char| c.is_alphanumeric() && !"XYZxyz".contains(c))
+        {
             return None;
         }
         rest = after;
@@ -156,7 +177,9 @@ fn axes(mut text: &str) -> Option<(Vec<f64>, &str)> {
 /// The first three of at least as many numbers, up to what must follow.
 fn place<'a>(text: &'a str, ends: &[char]) -> Option<(Vec3, &'a str)> {
     let (found, rest) = axes(text)?;
-    let [x, y, z, ..] = found[..] else { return None };
+    let [x, y, z, ..] = found[..] else {
+        return None;
+    };
     (rest.is_empty() || rest.starts_with(ends)).then_some((Vec3::new(x, y, z), rest))
 }
 
@@ -173,10 +196,25 @@ fn touch(before: &str, after: &str) -> Item {
             _ => return None,
         };
         let prefix = before.strip_suffix('[').unwrap_or(before);
-        let whole = (end.starts_with(']') || !before.ends_with('[')) && !end.starts_with(|c: char| c.is_alphanumeric());
-        let near = prefix.char_indices().rev().take(LONGEST_PREFIX).last().map_or(0, |(at, _)| at);
-        let prefix = prefix[near..].chars().filter(|c| !c.is_ascii_digit()).collect::<String>().trim().to_owned();
-        whole.then_some(Item::Touch { place, contact, prefix })
+        let whole = (end.starts_with(']') || !before.ends_with('['))
+            && !end.starts_with(|c: char| c.is_alphanumeric());
+        let near = prefix
+            .char_indices()
+            .rev()
+            .take(LONGEST_PREFIX)
+            .last()
+            .map_or(0, |(at, _)| at);
+        let prefix = prefix[near..]
+            .chars()
+            .filter(|c| !c.is_ascii_digit())
+            .collect::<String>()
+            .trim()
+            .to_owned();
+        whole.then_some(Item::Touch {
+            place,
+            contact,
+            prefix,
+        })
     };
     read().unwrap_or(Item::Unreadable)
 }
@@ -184,18 +222,32 @@ fn touch(before: &str, after: &str) -> Item {
 /// The answers to `$#`, `$G` and `$$`.
 fn settings(line: &str, found: &mut Vec<Item>) {
     for (at, _) in line.match_indices('[') {
-        let Some(body) = report(&line[at..], *b"[]").map(|end| &line[at + 1..at + end]) else { continue };
-        let Some((key, rest)) = body.split_once(':') else { continue };
+        let Some(body) = report(&line[at..], *b"[]").map(|end| &line[at + 1..at + end]) else {
+            continue;
+        };
+        let Some((key, rest)) = body.split_once(':') else {
+            continue;
+        };
         let whole = || place(rest, &[]).map(|(place, _)| place);
         match key {
             "GC" => {
-                let active = rest.split_whitespace().find_map(|word| word.strip_prefix('G').and_then(offset_number));
-                found.extend(active.map(|offset| Item::Active { offset, sent: false }));
+                let active = rest
+                    .split_whitespace()
+                    .find_map(|word| word.strip_prefix('G').and_then(offset_number));
+                found.extend(active.map(|offset| Item::Active {
+                    offset,
+                    sent: false,
+                }));
             }
             "G92" => found.extend(whole().map(Item::Added)),
             "TLO" => {
-                let along_z = || axes(rest).filter(|(found, rest)| found.len() == 1 && rest.is_empty());
-                found.extend(whole().or_else(|| Some(Vec3::new(0.0, 0.0, along_z()?.0[0]))).map(Item::Length));
+                let along_z =
+                    || axes(rest).filter(|(found, rest)| found.len() == 1 && rest.is_empty());
+                found.extend(
+                    whole()
+                        .or_else(|| Some(Vec3::new(0.0, 0.0, along_z()?.0[0])))
+                        .map(Item::Length),
+                );
             }
             _ => {
                 let number = key.strip_prefix('G').and_then(offset_number);
@@ -205,8 +257,12 @@ fn settings(line: &str, found: &mut Vec<Item>) {
     }
     if let Some((_, rest)) = line.split_once("$13=") {
         match rest.as_bytes() {
-            [b'0', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => found.push(Item::Inches(false)),
-            [b'1', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => found.push(Item::Inches(true)),
+            [b'0', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => {
+                found.push(Item::Inches(false))
+            }
+            [b'1', rest @ ..] if !rest.first().is_some_and(u8::is_ascii_digit) => {
+                found.push(Item::Inches(true))
+            }
             _ => {}
         }
     }
@@ -214,11 +270,18 @@ fn settings(line: &str, found: &mut Vec<Item>) {
 
 /// What a status report says, and a `WCO:` that stands alone.
 fn status(line: &str, found: &mut Vec<Item>) {
-    let of = |key: &str| line.split_once(key).and_then(|(_, rest)| place(rest, &['|', '>', ' ', ']'])).map(|(place, _)| place);
+    let of = |key: &str| {
+        line.split_once(key)
+            .and_then(|(_, rest)| place(rest, &['|', '>', ' ', ']']))
+            .map(|(place, _)| place)
+    };
     found.extend(of("WCO:").map(Item::Shift));
     if let Some((_, rest)) = line.split_once("WCS:G") {
         let end = rest.find(['|', '>']).unwrap_or(rest.len());
-        found.extend(offset_number(&rest[..end]).map(|offset| Item::Active { offset, sent: false }));
+        found.extend(offset_number(&rest[..end]).map(|offset| Item::Active {
+            offset,
+            sent: false,
+        }));
     }
     if line.contains("<Idle|") {
         found.extend(of("MPos:").map(|place| Item::Stands { place, work: false }));
@@ -228,12 +291,18 @@ fn status(line: &str, found: &mut Vec<Item>) {
 
 /// The number of a work offset, 1 = G54, from the digits of its word.
 fn offset_number(digits: &str) -> Option<u8> {
-    ["54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3"].iter().position(|known| *known == digits).map(|i| i as u8 + 1)
+    ["54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3"]
+        .iter()
+        .position(|known| *known == digits)
+        .map(|i| i as u8 + 1)
 }
 
 /// Where the report ends that a text begins with; none where another one begins before.
 fn report(text: &str, [open, close]: [u8; 2]) -> Option<usize> {
-    let end = 1 + text.bytes().skip(1).position(|byte| byte == open || byte == close)?;
+    let end = 1 + text
+        .bytes()
+        .skip(1)
+        .position(|byte| byte == open || byte == close)?;
     (text.as_bytes()[end] == close).then_some(end)
 }
 
@@ -245,7 +314,8 @@ fn without_reports(line: &str) -> String {
         let (before, from) = rest.split_at(at);
         out.push_str(before);
         let bracket = from.starts_with('[');
-        let end = report(from, if bracket { *b"[]" } else { *b"<>" }).filter(|end| bracket || from[..*end].contains('|'));
+        let end = report(from, if bracket { *b"[]" } else { *b"<>" })
+            .filter(|end| bracket || from[..*end].contains('|'));
         if end.is_none() {
             out.push(' ');
         }
@@ -257,12 +327,24 @@ fn without_reports(line: &str) -> String {
 /// The words of a block that a line ends with, whatever stands in front of it; none where it holds no block. What follows a semicolon, and an `ok`,
 /// are not of it; `$N0=G54` keeps a block for later.
 fn block(line: &str) -> Option<Vec<(char, f64)>> {
-    let line = line.split(';').next().filter(|line| !line.contains('$'))?.trim_end();
-    let line = line.strip_suffix("ok").map_or(line, |line| line.trim_end_matches([' ', '\t', ':']));
+    let line = line
+        .split(';')
+        .next()
+        .filter(|line| !line.contains('$'))?
+        .trim_end();
+    let line = line
+        .strip_suffix("ok")
+        .map_or(line, |line| line.trim_end_matches([' ', '\t', ':']));
     let starts = line.char_indices().filter(|(at, c)| {
-        c.is_ascii_alphabetic() && !line[..*at].chars().next_back().is_some_and(|c| c.is_alphanumeric() || c == '.' || c == '$')
+        c.is_ascii_alphabetic()
+            && !line[..*at]
+                .chars()
+                .next_back()
+                .is_some_and(|c| c.is_alphanumeric() || c == '.' || c == '$')
     });
-    starts.take(MOST_STARTS).find_map(|(at, _)| words(&line[at..]))
+    starts
+        .take(MOST_STARTS)
+        .find_map(|(at, _)| words(&line[at..]))
 }
 
 /// Beyond so many words of prose no block is looked for.
@@ -283,15 +365,29 @@ fn words(mut text: &str) -> Option<Vec<(char, f64)>> {
 
 /// What a block that was sent does to offsets and places.
 fn sent(words: &[(char, f64)], found: &mut Vec<Item>) {
-    let is = |letter: char, value: f64| words.iter().any(|(l, x)| *l == letter && (x - value).abs() < 1e-6);
+    let is = |letter: char, value: f64| {
+        words
+            .iter()
+            .any(|(l, x)| *l == letter && (x - value).abs() < 1e-6)
+    };
     for (_, value) in words.iter().filter(|(letter, _)| *letter == 'G') {
-        found.extend(offset_number(&crate::num::decimal(*value, 1)).map(|offset| Item::Active { offset, sent: true }));
+        found.extend(
+            offset_number(&crate::num::decimal(*value, 1))
+                .map(|offset| Item::Active { offset, sent: true }),
+        );
     }
-    if [10.0, 92.0, 92.1, 92.2, 92.3, 43.0, 43.1, 43.2, 49.0].iter().any(|g| is('G', *g)) {
+    if [10.0, 92.0, 92.1, 92.2, 92.3, 43.0, 43.1, 43.2, 49.0]
+        .iter()
+        .any(|g| is('G', *g))
+    {
         found.push(Item::Changes);
     } else if [38.2, 38.3, 38.4, 38.5].iter().any(|g| is('G', *g)) {
         found.push(Item::Probes);
-    } else if [28.0, 30.0].iter().any(|g| is('G', *g)) || words.iter().any(|(letter, _)| matches!(letter, 'X' | 'Y' | 'Z')) {
+    } else if [28.0, 30.0].iter().any(|g| is('G', *g))
+        || words
+            .iter()
+            .any(|(letter, _)| matches!(letter, 'X' | 'Y' | 'Z'))
+    {
         found.push(Item::Travels);
     }
     if is('M', 2.0) || is('M', 30.0) {
@@ -308,9 +404,30 @@ mod tests {
     fn reports_say_what_they_say() {
         let at = Vec3::new;
         let status = "<Idle|MPos:5.000,2.000,0.000|Bf:15,128|FS:0,0|WCO:1.000,-2.500,0.000>";
-        assert_eq!(items(status), [Item::Shift(at(1.0, -2.5, 0.0)), Item::Stands { place: at(5.0, 2.0, 0.0), work: false }]);
-        assert_eq!(items("<Run|WPos:5.000,2.000,0.000|WCS:G59.1>"), [Item::Active { offset: 7, sent: false }]);
-        assert_eq!(items("[GC:G0 G55 G17 G21 G90 G94 M5 M9 T0 F0 S0]"), [Item::Active { offset: 2, sent: false }]);
+        assert_eq!(
+            items(status),
+            [
+                Item::Shift(at(1.0, -2.5, 0.0)),
+                Item::Stands {
+                    place: at(5.0, 2.0, 0.0),
+                    work: false
+                }
+            ]
+        );
+        assert_eq!(
+            items("<Run|WPos:5.000,2.000,0.000|WCS:G59.1>"),
+            [Item::Active {
+                offset: 7,
+                sent: false
+            }]
+        );
+        assert_eq!(
+            items("[GC:G0 G55 G17 G21 G90 G94 M5 M9 T0 F0 S0]"),
+            [Item::Active {
+                offset: 2,
+                sent: false
+            }]
+        );
         assert_eq!(
             items("[G54:1.000,2.000,-3.000] / [G92:0.000,0.000,0.500] / [TLO:-4.000] / ok"),
             [
@@ -323,24 +440,58 @@ mod tests {
         assert_eq!(items("[G28:1.000,2.000,0.000]"), []);
         assert_eq!(items("$13=1 (report inches, bool)"), [Item::Inches(true)]);
         assert_eq!(items("$130=200.000"), []);
-        let touch = Item::Touch { place: at(0.0, 0.0, 1.492), contact: true, prefix: "<<<".to_owned() };
+        let touch = Item::Touch {
+            place: at(0.0, 0.0, 1.492),
+            contact: true,
+            prefix: "<<<".to_owned(),
+        };
         assert_eq!(items("<<< [PRB:0.000,0.000,1.492:1]"), [touch]);
     }
 
     /// A block counts wherever a sender puts it, prose does not.
     #[test]
     fn blocks_are_found_behind_any_prompt() {
-        for line in ["G55", ">>> G55", "[12:31:02] > n10 g55", "SEND: G55 ; second vise", "G55 < ok", "G21G55", ">G21G55:ok"] {
-            assert!(items(line).contains(&Item::Active { offset: 2, sent: true }), "{line}");
+        for line in [
+            "G55",
+            ">>> G55",
+            "[12:31:02] > n10 g55",
+            "SEND: G55 ; second vise",
+            "G55 < ok",
+            "G21G55",
+            ">G21G55:ok",
+        ] {
+            assert!(
+                items(line).contains(&Item::Active {
+                    offset: 2,
+                    sent: true
+                }),
+                "{line}"
+            );
         }
-        for line in ["$N0=G55", "Job in G55 done", "(G55)", "[echo: G55]", "G5.5", "G550"] {
-            assert!(!items(line).iter().any(|item| matches!(item, Item::Active { .. })), "{line}");
+        for line in [
+            "$N0=G55",
+            "Job in G55 done",
+            "(G55)",
+            "[echo: G55]",
+            "G5.5",
+            "G550",
+        ] {
+            assert!(
+                !items(line)
+                    .iter()
+                    .any(|item| matches!(item, Item::Active { .. })),
+                "{line}"
+            );
         }
         assert_eq!(items(">>> G38.2 Z-5 F100"), [Item::Probes]);
         assert_eq!(items(">>> G10 L20 P1 X0"), [Item::Changes]);
         assert_eq!(items(">>> $J=G91 X10 F500"), [Item::Moves]);
-        for (line, in_contact) in [("ALARM:5", false), ("ALARM:4", true), ("< ALARM:4 (Probe fail)", true), ("ALARM:45", false)]
-        {
+        for (line, in_contact) in [
+            ("ALARM:5", false),
+            ("ALARM:4", true),
+            ("< ALARM:4 (Probe fail)", true),
+            ("ALARM:45", false),
+        ] {
             assert_eq!(items(line), [Item::Trouble { in_contact }], "{line}");
         }
     }

@@ -25,9 +25,17 @@ pub struct Log {
 impl Log {
     /// Everything that the lines say. A line that could be a measurement, and is no report, is an error.
     pub fn of(checker: &mut Checker, lines: &[Numbered<'_>]) -> Log {
-        let answered = lines.get(1).is_some_and(|(_, line)| line::items(line) == [Item::Answered]);
-        let stated = lines.first().and_then(|(_, line)| line::offset_alone(line)).filter(|_| !answered);
-        let mut log = Log { stated, ..Log::default() };
+        let answered = lines
+            .get(1)
+            .is_some_and(|(_, line)| line::items(line) == [Item::Answered]);
+        let stated = lines
+            .first()
+            .and_then(|(_, line)| line::offset_alone(line))
+            .filter(|_| !answered);
+        let mut log = Log {
+            stated,
+            ..Log::default()
+        };
         let mut in_answer = false;
         for &(number, line) in lines {
             let items = line::items(line);
@@ -62,7 +70,14 @@ impl Log {
     /// The touches that count: line, place, none where it missed, and what stands in front.
     pub fn touched(&self) -> impl Iterator<Item = (usize, Option<Vec3>, &str)> {
         self.touches.iter().filter_map(|at| match &self.items[*at] {
-            (number, Item::Touch { place, contact, prefix }) => Some((*number, contact.then_some(*place), prefix.as_str())),
+            (
+                number,
+                Item::Touch {
+                    place,
+                    contact,
+                    prefix,
+                },
+            ) => Some((*number, contact.then_some(*place), prefix.as_str())),
             _ => None,
         })
     }
@@ -70,9 +85,16 @@ impl Log {
     /// Leaves out what a log says twice: the same touches in lines of another kind. Where only some are there twice, that is an error.
     pub fn drop_echoes(&mut self, checker: &mut Checker) {
         let touched: Vec<(usize, Option<Vec3>, &str)> = self.touched().collect();
-        let Some(first) = touched.first().map(|(.., prefix)| *prefix) else { return };
-        let of =
-            |kind: &str| touched.iter().filter(|(.., prefix)| *prefix == kind).map(|(_, place, _)| *place).collect::<Vec<_>>();
+        let Some(first) = touched.first().map(|(.., prefix)| *prefix) else {
+            return;
+        };
+        let of = |kind: &str| {
+            touched
+                .iter()
+                .filter(|(.., prefix)| *prefix == kind)
+                .map(|(_, place, _)| *place)
+                .collect::<Vec<_>>()
+        };
         let own = of(first);
         let mut kinds: Vec<&str> = Vec::new();
         for (.., prefix) in &touched {
@@ -80,9 +102,12 @@ impl Log {
                 kinds.push(prefix);
             }
         }
-        let echoed = (2..=MOST_ECHOES).contains(&kinds.len()) && kinds.iter().all(|kind| of(kind) == own);
+        let echoed =
+            (2..=MOST_ECHOES).contains(&kinds.len()) && kinds.iter().all(|kind| of(kind) == own);
         if !echoed {
-            let twice = touched.windows(2).find(|pair| pair[0].2 != pair[1].2 && pair[0].1 == pair[1].1);
+            let twice = touched
+                .windows(2)
+                .find(|pair| pair[0].2 != pair[1].2 && pair[0].1 == pair[1].1);
             if let Some([(one, ..), (other, ..)]) = twice {
                 let message = text!(
                     "Lines {one} and {other} report the same place in two ways: whether these are two touches is not clear. Keep one report a touch",
@@ -93,7 +118,10 @@ impl Log {
             }
             return;
         }
-        let keep: Vec<bool> = touched.iter().map(|(.., prefix)| *prefix == first).collect();
+        let keep: Vec<bool> = touched
+            .iter()
+            .map(|(.., prefix)| *prefix == first)
+            .collect();
         let mut keep = keep.into_iter();
         self.touches.retain(|_| keep.next().unwrap_or(true));
     }

@@ -58,11 +58,16 @@ type Numbered<'a> = (usize, &'a str);
 /// Every problem is reported at `measured` or `measured[i]`; a text of two forms is refused, since what counts would be a guess.
 pub fn read(checker: &mut Checker, value: &Value, expected: &Expected<'_>) -> Measured {
     match value {
-        Value::List(items) => Measured { points: points::list(checker, items), ..Measured::default() },
+        Value::List(items) => Measured {
+            points: points::list(checker, items),
+            ..Measured::default()
+        },
         Value::Text(text) => read_text(checker, text, expected),
         other => {
-            let message =
-                text!("Measured points must be a list of [X, Y, Z] or text with one point a line, not {given}", other.noun());
+            let message = text!(
+                "Measured points must be a list of [X, Y, Z] or text with one point a line, not {given}",
+                other.noun()
+            );
             checker.error("wrong-type", "measured", message);
             Measured::default()
         }
@@ -88,7 +93,10 @@ fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Meas
     let text = &*compared::as_results(checker, text, expected);
     // A line with # in front is a comment, unless that is a variable: `#138 = 25.013`.
     let is_variable = |line: &str| {
-        let mut kept = expected.kept.iter().filter_map(|(variable, _)| line.strip_prefix(variable.as_str()));
+        let mut kept = expected
+            .kept
+            .iter()
+            .filter_map(|(variable, _)| line.strip_prefix(variable.as_str()));
         kept.any(|rest| !rest.starts_with(|c: char| c.is_ascii_alphanumeric()))
     };
     let is_comment = |line: &str| line.starts_with('#') && !is_variable(line);
@@ -98,12 +106,19 @@ fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Meas
         .map(|(i, line)| (i + 1, line.trim()))
         .filter(|(_, line)| !line.is_empty() && !is_comment(line))
         .collect();
-    let of = |form: Form| lines.iter().find(|(_, line)| Form::of(line, expected) == Some(form)).map(|(number, _)| *number);
+    let of = |form: Form| {
+        lines
+            .iter()
+            .find(|(_, line)| Form::of(line, expected) == Some(form))
+            .map(|(number, _)| *number)
+    };
     let [log, mut results, letters] = [Form::Log, Form::Result, Form::Letters].map(of);
     if log.is_some() {
         // A sender names other values, too.
-        results =
-            lines.iter().find(|(_, line)| results::known(&line::without_comments(line), expected)).map(|(number, _)| *number);
+        results = lines
+            .iter()
+            .find(|(_, line)| results::known(&line::without_comments(line), expected))
+            .map(|(number, _)| *number);
     }
     let mut forms = [log, results, letters].into_iter().flatten();
     if let (Some(one), Some(other)) = (forms.next(), forms.next()) {
@@ -121,8 +136,15 @@ fn read_text(checker: &mut Checker, text: &str, expected: &Expected<'_>) -> Meas
     if results.is_some() {
         return results::read(checker, &lines, expected);
     }
-    let points = if letters.is_some() { points::letters(checker, &lines) } else { points::lines(checker, text) };
-    Measured { points, ..Measured::default() }
+    let points = if letters.is_some() {
+        points::letters(checker, &lines)
+    } else {
+        points::lines(checker, text)
+    };
+    Measured {
+        points,
+        ..Measured::default()
+    }
 }
 
 /// What a line is that holds something measured.
@@ -155,7 +177,9 @@ impl Form {
 /// Whether a line is numbers and nothing else: it could be a point.
 fn is_numbers(line: &str) -> bool {
     line.contains(|c: char| c.is_ascii_digit())
-        && line.chars().all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,;".contains(c))
+        && line
+            .chars()
+            .all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,;".contains(c))
 }
 
 /// A line that could be a measurement, and is of none of the forms around it.

@@ -36,7 +36,14 @@ impl Answer {
 
     /// What a work offset makes of it.
     fn sum(&self, offset: u8) -> Option<Vec3> {
-        Some(self.offsets.get(usize::from(offset) - 1).copied().flatten()? + self.added? + self.length?)
+        Some(
+            self.offsets
+                .get(usize::from(offset) - 1)
+                .copied()
+                .flatten()?
+                + self.added?
+                + self.length?,
+        )
     }
 
     /// Takes up one entry; the one that was there, where it says something else.
@@ -85,10 +92,13 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Sh
     let answer = &gathered.answer;
     let active = gathered.active.or_else(|| {
         let (by, _) = gathered.shift?;
-        let mut fitting = (1..=9).filter(|offset| answer.sum(*offset).is_some_and(|sum| same(sum, by)));
+        let mut fitting =
+            (1..=9).filter(|offset| answer.sum(*offset).is_some_and(|sum| same(sum, by)));
         fitting.next().filter(|_| fitting.next().is_none())
     });
-    let reported = gathered.shift.or(gathered.late.filter(|_| active == Some(1)));
+    let reported = gathered
+        .shift
+        .or(gathered.late.filter(|_| active == Some(1)));
     let summed = active.and_then(|offset| answer.sum(offset));
     match (reported, summed) {
         (Some((by, line)), Some(sum)) if !same(sum, by) => {
@@ -100,10 +110,21 @@ pub fn find(checker: &mut Checker, log: &Log, inches: Option<bool>) -> Option<Sh
             checker.error("work-offset-unclear", "measured", message);
             None
         }
-        (Some((by, line)), _) => Some(Shift { by, source: text!("WCO in line {line}", line), offset: active }),
+        (Some((by, line)), _) => Some(Shift {
+            by,
+            source: text!("WCO in line {line}", line),
+            offset: active,
+        }),
         (None, Some(by)) => {
-            let source = text!("{offset}, G92 and TLO in the answer to $#", word(active.unwrap_or(1)));
-            Some(Shift { by, source, offset: active })
+            let source = text!(
+                "{offset}, G92 and TLO in the answer to $#",
+                word(active.unwrap_or(1))
+            );
+            Some(Shift {
+                by,
+                source,
+                offset: active,
+            })
         }
         (None, None) => {
             checker.error("work-offset-needed", "measured", needed(&gathered, active));
@@ -155,7 +176,10 @@ impl Gathered {
                 let known = self.active.replace(*offset);
                 known != Some(*offset) && (*sent || known.is_some())
             }
-            Item::Shift(by) => self.shift.replace((*by, number)).is_some_and(|(known, _)| known != *by),
+            Item::Shift(by) => self
+                .shift
+                .replace((*by, number))
+                .is_some_and(|(known, _)| known != *by),
             Item::Changes => true,
             _ => self.answer.take(item).is_some(),
         };

@@ -7,7 +7,11 @@ use crate::text::text;
 
 /// Reads a list of `[X, Y, Z]` or `{x, y, z}`, mm. Reports every problem at `measured[i]`; `None` stands where no point could be read.
 pub fn list(checker: &mut Checker, items: &[Value]) -> Vec<Option<Vec3>> {
-    items.iter().enumerate().map(|(i, item)| point(checker, item, &format!("measured[{i}]"))).collect()
+    items
+        .iter()
+        .enumerate()
+        .map(|(i, item)| point(checker, item, &format!("measured[{i}]")))
+        .collect()
 }
 
 /// Reads lines `X1.2 Y3.4 Z5.6`. A line without a place is ignored; one that could be a point, and is none of these, is an error.
@@ -26,16 +30,29 @@ pub fn letters(checker: &mut Checker, lines: &[Numbered<'_>]) -> Vec<Option<Vec3
 
 /// Whether a line begins with a word, as a name or a message does: it is no place and no number.
 fn is_sentence(line: &str) -> bool {
-    let word = line.trim_start().chars().take_while(|c| c.is_alphabetic()).count();
+    let word = line
+        .trim_start()
+        .chars()
+        .take_while(|c| c.is_alphabetic())
+        .count();
     word > 1
 }
 
 fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
     let parts: Vec<Option<&Value>> = match value {
-        Value::List(items) if items.len() == 3 || items.len() == 9 => items[..3].iter().map(Some).collect(),
-        Value::Map(_) => ["x", "y", "z"].iter().map(|k| value.get(k).or_else(|| value.get(&k.to_ascii_uppercase()))).collect(),
+        Value::List(items) if items.len() == 3 || items.len() == 9 => {
+            items[..3].iter().map(Some).collect()
+        }
+        Value::Map(_) => ["x", "y", "z"]
+            .iter()
+            .map(|k| value.get(k).or_else(|| value.get(&k.to_ascii_uppercase())))
+            .collect(),
         _ => {
-            checker.error("wrong-type", path, text!("A measured point is [X, Y, Z]: three numbers"));
+            checker.error(
+                "wrong-type",
+                path,
+                text!("A measured point is [X, Y, Z]: three numbers"),
+            );
             return None;
         }
     };
@@ -44,7 +61,11 @@ fn point(checker: &mut Checker, value: &Value, path: &str) -> Option<Vec3> {
         match part {
             Some(Value::Number(x)) if x.is_finite() && x.abs() <= 1e6 => *number = *x,
             _ => {
-                checker.error("not-a-number", path, text!("A measured point is [X, Y, Z]: three finite numbers"));
+                checker.error(
+                    "not-a-number",
+                    path,
+                    text!("A measured point is [X, Y, Z]: three finite numbers"),
+                );
                 return None;
             }
         }
@@ -69,7 +90,9 @@ pub fn lines(checker: &mut Checker, text: &str) -> Vec<Option<Vec3>> {
         let parts = numbers(line);
         let path = format!("measured[{}]", points.len());
         let parsed = match parts.as_deref() {
-            Some(p @ ([_, _, _] | [_, _, _, _, _, _, _, _, _])) => Some(Vec3::new(p[0], p[1], p[2]) * checker.scale),
+            Some(p @ ([_, _, _] | [_, _, _, _, _, _, _, _, _])) => {
+                Some(Vec3::new(p[0], p[1], p[2]) * checker.scale)
+            }
             Some(p) => {
                 let message = text!(
                     "Line {line} holds {count} numbers; a point is 3 of them, a line of LinuxCNC's log 9",
@@ -80,7 +103,11 @@ pub fn lines(checker: &mut Checker, text: &str) -> Vec<Option<Vec3>> {
                 None
             }
             None => {
-                checker.error("not-a-number", path, text!("Line {line} is not made of finite numbers", index + 1));
+                checker.error(
+                    "not-a-number",
+                    path,
+                    text!("Line {line} is not made of finite numbers", index + 1),
+                );
                 None
             }
         };
@@ -94,13 +121,17 @@ fn numbers(line: &str) -> Option<Vec<f64>> {
     let separator = |c: char| c == ';' || c.is_whitespace() || (c == ',' && !decimal_comma);
     line.split(separator)
         .filter(|part| !part.is_empty())
-        .map(|part| crate::num::read(&part.replace(',', ".")).filter(|x| x.is_finite() && x.abs() <= 1e6))
+        .map(|part| {
+            crate::num::read(&part.replace(',', ".")).filter(|x| x.is_finite() && x.abs() <= 1e6)
+        })
         .collect()
 }
 
 /// Whether spaces alone part the numbers of a point, or of a line of the log: `37,5 -0,5 -10`.
 fn parted_by_spaces(line: &str) -> bool {
-    let inner = |part: &str| part.matches(',').count() <= 1 && !part.starts_with(',') && !part.ends_with(',');
+    let inner = |part: &str| {
+        part.matches(',').count() <= 1 && !part.starts_with(',') && !part.ends_with(',')
+    };
     matches!(line.split_whitespace().count(), 3 | 9) && line.split_whitespace().all(inner)
 }
 
@@ -111,7 +142,14 @@ mod tests {
     fn text(text: &str) -> (Vec<Option<Vec3>>, Vec<String>) {
         let mut checker = Checker::default();
         let points = lines(&mut checker, text.trim_start_matches('\u{feff}'));
-        (points, checker.findings().into_iter().map(|f| format!("{} {}", f.code, f.path)).collect())
+        (
+            points,
+            checker
+                .findings()
+                .into_iter()
+                .map(|f| format!("{} {}", f.code, f.path))
+                .collect(),
+        )
     }
 
     #[test]
@@ -131,14 +169,23 @@ mod tests {
         ] {
             assert_eq!(text(form), (vec![point], vec![]), "{form:?}");
         }
-        assert_eq!(text("37.000000 -0.500000 -10.000000 0.0 0 0 0 0 0"), (vec![point], vec![]));
+        assert_eq!(
+            text("37.000000 -0.500000 -10.000000 0.0 0 0 0 0 0"),
+            (vec![point], vec![])
+        );
     }
 
     /// Numbers that could be meant in two ways are not guessed: three with a comma each are three, nine in three groups are nine.
     #[test]
     fn commas_between_spaces_part_numbers_only_where_each_group_has_more() {
-        assert_eq!(text("1,2,3 4,5,6 7,8,9"), (vec![Some(Vec3::new(1.0, 2.0, 3.0))], vec![]));
-        assert_eq!(text("1,5 2,5 3,5 4 5 6 7 8 9,5"), (vec![Some(Vec3::new(1.5, 2.5, 3.5))], vec![]));
+        assert_eq!(
+            text("1,2,3 4,5,6 7,8,9"),
+            (vec![Some(Vec3::new(1.0, 2.0, 3.0))], vec![])
+        );
+        assert_eq!(
+            text("1,5 2,5 3,5 4 5 6 7 8 9,5"),
+            (vec![Some(Vec3::new(1.5, 2.5, 3.5))], vec![])
+        );
         assert_eq!(text("1,5 2,5").1, ["wrong-count measured[0]"]);
     }
 
@@ -146,6 +193,13 @@ mod tests {
     fn what_is_no_point_is_said_line_by_line() {
         let (points, findings) = text("1,2\n1,2,x\n1,2,inf\n4,5,6\n");
         assert_eq!(points, [None, None, None, Some(Vec3::new(4.0, 5.0, 6.0))]);
-        assert_eq!(findings, ["wrong-count measured[0]", "not-a-number measured[1]", "not-a-number measured[2]"]);
+        assert_eq!(
+            findings,
+            [
+                "wrong-count measured[0]",
+                "not-a-number measured[1]",
+                "not-a-number measured[2]"
+            ]
+        );
     }
 }

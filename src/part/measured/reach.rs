@@ -25,28 +25,53 @@ pub fn out_of_reach<'a>(
     expected: &'a Expected<'_>,
 ) -> impl Iterator<Item = (usize, Vec3)> + use<'a> {
     let path = expected.path;
-    points.iter().zip(&path.touches).enumerate().filter_map(move |(k, (point, touch))| {
-        let away = (*point)? - touch.contact(expected.radius);
-        // A part that lies nearer triggers anywhere on the way to the contact, from where the touch begins.
-        let in_front = away.dot(touch.vector);
-        let aside = (away - touch.vector * in_front).length();
-        // A cycle that follows a result is shifted by up to its limit.
-        let shift = path.moves.iter().position(|m| m.purpose == Purpose::Touch(k)).map_or(0.0, |i| path.farthest_shift(i));
-        let reach = touch.search + shift + 1e-6;
-        let out = aside > reach || in_front < -reach || in_front > reach.max(way_to(path, k) + shift + 1e-6);
-        out.then_some((k, away))
-    })
+    points
+        .iter()
+        .zip(&path.touches)
+        .enumerate()
+        .filter_map(move |(k, (point, touch))| {
+            let away = (*point)? - touch.contact(expected.radius);
+            // A part that lies nearer triggers anywhere on the way to the contact, from where the touch begins.
+            let in_front = away.dot(touch.vector);
+            let aside = (away - touch.vector * in_front).length();
+            // A cycle that follows a result is shifted by up to its limit.
+            let shift = path
+                .moves
+                .iter()
+                .position(|m| m.purpose == Purpose::Touch(k))
+                .map_or(0.0, |i| path.farthest_shift(i));
+            let reach = touch.search + shift + 1e-6;
+            let out = aside > reach
+                || in_front < -reach
+                || in_front > reach.max(way_to(path, k) + shift + 1e-6);
+            out.then_some((k, away))
+        })
 }
 
 /// How far a touch goes to its nominal contact, mm.
 fn way_to(path: &Path, touch: usize) -> f64 {
-    let Some(i) = path.moves.iter().position(|m| m.purpose == Purpose::Touch(touch)) else { return 0.0 };
-    let from = if i > 0 { Some(path.moves[i - 1].to) } else { path.start };
+    let Some(i) = path
+        .moves
+        .iter()
+        .position(|m| m.purpose == Purpose::Touch(touch))
+    else {
+        return 0.0;
+    };
+    let from = if i > 0 {
+        Some(path.moves[i - 1].to)
+    } else {
+        path.start
+    };
     from.map_or(0.0, |from| from.distance(path.moves[i].to))
 }
 
 /// As far from its nominal contact as any touch of a path can trigger, mm.
 pub fn farthest(path: &Path) -> f64 {
-    let shift = (0..path.moves.len()).map(|i| path.farthest_shift(i)).fold(0.0, f64::max);
-    shift + (0..path.touches.len()).map(|k| way_to(path, k).max(path.touches[k].search)).fold(0.0, f64::max)
+    let shift = (0..path.moves.len())
+        .map(|i| path.farthest_shift(i))
+        .fold(0.0, f64::max);
+    shift
+        + (0..path.touches.len())
+            .map(|k| way_to(path, k).max(path.touches[k].search))
+            .fold(0.0, f64::max)
 }

@@ -15,8 +15,16 @@ type Code = Cow<'static, str>;
 /// Those of a formula, in the order of its results, and behind them those of the variables in which the control's own cycles keep some.
 fn codes(expected: &Expected<'_>) -> Vec<Code> {
     let formula = &expected.path.formula;
-    let variables = expected.kept.iter().map(|(variable, _)| Cow::Owned(variable.clone()));
-    formula.results.iter().map(|result| formula.code(result)).chain(variables).collect()
+    let variables = expected
+        .kept
+        .iter()
+        .map(|(variable, _)| Cow::Owned(variable.clone()));
+    formula
+        .results
+        .iter()
+        .map(|result| formula.code(result))
+        .chain(variables)
+        .collect()
 }
 
 /// The result that one of these names is of.
@@ -43,7 +51,10 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
         let value = after.trim_start();
         rest = after;
         // `$13=1` is a setting.
-        let named = name.trim_end().ends_with(|c: char| c.is_alphanumeric() || c == ']') && !name.contains('$');
+        let named = name
+            .trim_end()
+            .ends_with(|c: char| c.is_alphanumeric() || c == ']')
+            && !name.contains('$');
         if !named || value.is_empty() || value.starts_with(['#', '[', '=', '<', '"']) {
             continue;
         }
@@ -55,7 +66,10 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
                 number
             })
         });
-        found.push(Pair { name: name.trim(), value: read });
+        found.push(Pair {
+            name: name.trim(),
+            value: read,
+        });
     }
     found
 }
@@ -65,7 +79,12 @@ pub fn pairs(line: &str) -> Vec<Pair<'_>> {
 fn number(text: &str) -> Option<(f64, &str)> {
     let (whole, rest) = line::number(text)?;
     let read = &text[..text.len() - rest.len()];
-    let Some(decimals) = rest.strip_prefix(',').filter(|_| !read.contains(['.', 'e', 'E'])) else { return Some((whole, rest)) };
+    let Some(decimals) = rest
+        .strip_prefix(',')
+        .filter(|_| !read.contains(['.', 'e', 'E']))
+    else {
+        return Some((whole, rest));
+    };
     let length = decimals.bytes().take_while(u8::is_ascii_digit).count();
     let after = &decimals[length..];
     if length == 0 || !(after.is_empty() || after.starts_with(char::is_whitespace)) {
@@ -80,24 +99,38 @@ fn spaced<'a>(line: &'a str, codes: &[Code]) -> Option<Pair<'a>> {
     let line = line.trim();
     let begins = |code: &str| {
         let same = |(a, b): (u8, u8)| a.eq_ignore_ascii_case(&b) || (a == b' ' && b == b'.');
-        line.len() > code.len() && line.bytes().zip(code.bytes()).all(same) && line.as_bytes()[code.len()].is_ascii_whitespace()
+        line.len() > code.len()
+            && line.bytes().zip(code.bytes()).all(same)
+            && line.as_bytes()[code.len()].is_ascii_whitespace()
     };
-    let code = codes.iter().filter(|code| begins(code)).max_by_key(|code| code.len())?;
+    let code = codes
+        .iter()
+        .filter(|code| begins(code))
+        .max_by_key(|code| code.len())?;
     let (name, rest) = line.split_at(code.len());
     let (value, after) = number(rest.trim_start())?;
-    after.trim().is_empty().then_some(Pair { name, value: Some(value) })
+    after.trim().is_empty().then_some(Pair {
+        name,
+        value: Some(value),
+    })
 }
 
 /// The results that a line says.
 fn stated<'a>(line: &'a str, codes: &[Code]) -> Vec<Pair<'a>> {
     let pairs = pairs(line);
-    if pairs.is_empty() { spaced(line, codes).into_iter().collect() } else { pairs }
+    if pairs.is_empty() {
+        spaced(line, codes).into_iter().collect()
+    } else {
+        pairs
+    }
 }
 
 /// Whether a line has a result of this job.
 pub fn known(line: &str, expected: &Expected<'_>) -> bool {
     let codes = codes(expected);
-    stated(line, &codes).iter().any(|pair| codes.iter().any(|code| ends_with(pair.name, code)))
+    stated(line, &codes)
+        .iter()
+        .any(|pair| codes.iter().any(|code| ends_with(pair.name, code)))
 }
 
 /// Reads the results of the formula. Rows that follow from them, as the shift of an offset, may stand in the text and are not read.
@@ -105,7 +138,12 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     let (defs, codes) = (&expected.path.formula.results, codes(expected));
     let mut values: Vec<Option<(f64, usize)>> = vec![None; defs.len()];
     for (i, &(number, line)) in lines.iter().enumerate() {
-        if i == 0 && expected.names.iter().any(|name| line.eq_ignore_ascii_case(name)) {
+        if i == 0
+            && expected
+                .names
+                .iter()
+                .any(|name| line.eq_ignore_ascii_case(name))
+        {
             continue;
         }
         let bare = line::without_comments(line);
@@ -121,24 +159,46 @@ pub fn read(checker: &mut Checker, lines: &[Numbered<'_>], expected: &Expected<'
     }
     let scaled = defs.iter().zip(&values).map(|(def, value)| {
         let (value, _) = (*value)?;
-        Some(if def.role.is_angle() { value } else { value * checker.scale })
+        Some(if def.role.is_angle() {
+            value
+        } else {
+            value * checker.scale
+        })
     });
     let mut results: Vec<Option<f64>> = scaled.collect();
     let added = expected.path.complete(&mut results);
     // What a control's own cycle keeps nowhere is not missed.
     let kept = |i: usize| {
-        let of_relation = expected.path.relations.iter().any(|relation| relation.results.contains(&i));
-        expected.kept.is_empty() || of_relation || expected.kept.iter().any(|(_, result)| *result == i)
+        let of_relation = expected
+            .path
+            .relations
+            .iter()
+            .any(|relation| relation.results.contains(&i));
+        expected.kept.is_empty()
+            || of_relation
+            || expected.kept.iter().any(|(_, result)| *result == i)
     };
-    let lacks =
-        |(i, def): &(usize, &ResultDef)| def.variable.is_some() && values[*i].is_none() && !added.contains(i) && kept(*i);
-    let missing: Vec<&str> = defs.iter().enumerate().filter(lacks).map(|(i, _)| &*codes[i]).collect();
+    let lacks = |(i, def): &(usize, &ResultDef)| {
+        def.variable.is_some() && values[*i].is_none() && !added.contains(i) && kept(*i)
+    };
+    let missing: Vec<&str> = defs
+        .iter()
+        .enumerate()
+        .filter(lacks)
+        .map(|(i, _)| &*codes[i])
+        .collect();
     if !missing.is_empty() {
-        let message = text!("The text does not have {codes}: these results are unknown", missing.join(", "));
+        let message = text!(
+            "The text does not have {codes}: these results are unknown",
+            missing.join(", ")
+        );
         checker.warning("result-missing", "measured", message);
     }
     check_reach(checker, expected, &results, &values);
-    Measured { results: Some(results), ..Measured::default() }
+    Measured {
+        results: Some(results),
+        ..Measured::default()
+    }
 }
 
 /// Takes up one pair.
@@ -148,7 +208,10 @@ fn take(
     (codes, expected): (&[Code], &Expected<'_>),
     values: &mut [Option<(f64, usize)>],
 ) {
-    let fitting = codes.iter().enumerate().filter(|(_, code)| ends_with(pair.name, code));
+    let fitting = codes
+        .iter()
+        .enumerate()
+        .filter(|(_, code)| ends_with(pair.name, code));
     let found = fitting.max_by_key(|(_, code)| code.len());
     let found = found.and_then(|(name, code)| Some((result_of(name, expected)?, code)));
     let Some((at, code)) = found else {
@@ -167,7 +230,11 @@ fn take(
         checker.error(
             "not-a-number",
             "measured",
-            text!("Line {line}: {code} is not followed by a finite number", number, code.clone().into_owned()),
+            text!(
+                "Line {line}: {code} is not followed by a finite number",
+                number,
+                code.clone().into_owned()
+            ),
         );
         return;
     };
@@ -186,15 +253,28 @@ fn take(
 }
 
 /// Rows that follow from the others or from single touches.
-const DERIVED: &[&str] =
-    &["offset.x", "offset.y", "offset.z", "offset.rotation", "Q183", "Q970", "Q971", "Q973", "Q974", "form1", "form2"];
+const DERIVED: &[&str] = &[
+    "offset.x",
+    "offset.y",
+    "offset.z",
+    "offset.rotation",
+    "Q183",
+    "Q970",
+    "Q971",
+    "Q973",
+    "Q974",
+    "form1",
+    "form2",
+];
 
 /// Whether a name ends with a code: in any case, with a blank or nothing in place of a point, and with nothing of a word in front of it.
 fn ends_with(name: &str, code: &str) -> bool {
     let (mut name, mut code) = (name.chars().rev().peekable(), code.chars().rev());
     loop {
         let Some(wanted) = code.next() else {
-            return !name.peek().is_some_and(|c| c.is_alphanumeric() || matches!(c, '.' | '_'));
+            return !name
+                .peek()
+                .is_some_and(|c| c.is_alphanumeric() || matches!(c, '.' | '_'));
         };
         if wanted == '.' {
             name.next_if(|c| matches!(c, '.' | ' ' | '_'));
@@ -206,12 +286,28 @@ fn ends_with(name: &str, code: &str) -> bool {
 
 /// A length so far from its nominal value that no touch can have made it so: of another job, or in other units. Twice as much as the touches can move
 /// it is allowed, since that is only counted at the nominal place.
-fn check_reach(checker: &mut Checker, expected: &Expected<'_>, results: &[Option<f64>], lines: &[Option<(f64, usize)>]) {
+fn check_reach(
+    checker: &mut Checker,
+    expected: &Expected<'_>,
+    results: &[Option<f64>],
+    lines: &[Option<(f64, usize)>],
+) {
     let path = expected.path;
     let room = reach::farthest(path) * (path.touches.len() as f64).sqrt() * 2.0;
-    let rows = crate::part::evaluate::stated(path, expected.radius, Scatter { repeatability: 1.0, runout: None }, results);
+    let rows = crate::part::evaluate::stated(
+        path,
+        expected.radius,
+        Scatter {
+            repeatability: 1.0,
+            runout: None,
+        },
+        results,
+    );
     for ((row, def), line) in rows.iter().zip(&path.formula.results).zip(lines) {
-        let (Some(value), Some(spread), Some((_, line))) = (row.value, row.uncertainty, line) else { continue };
+        let (Some(value), Some(spread), Some((_, line))) = (row.value, row.uncertainty, line)
+        else {
+            continue;
+        };
         let away = (value - def.nominal).abs();
         if row.unit == Unit::Length && away > 0.01 + room * spread {
             let message = text!(

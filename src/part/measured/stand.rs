@@ -16,13 +16,21 @@ pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Op
     let mut stands = None;
     for (i, (number, item)) in log.items.iter().enumerate().skip(first) {
         match item {
-            Item::Trouble { .. } => return Some(text!("line {line} is an alarm or an error", *number)),
+            Item::Trouble { .. } => {
+                return Some(text!("line {line} is an alarm or an error", *number));
+            }
             Item::Ended => ended = true,
             Item::Changes | Item::Moves if i > last => {
-                return Some(text!("line {line} moves the machine or changes an offset after the touches", *number));
+                return Some(text!(
+                    "line {line} moves the machine or changes an offset after the touches",
+                    *number
+                ));
             }
             Item::Travels if ended && i > last => {
-                return Some(text!("line {line} moves the machine after the end of the program", *number));
+                return Some(text!(
+                    "line {line} moves the machine after the end of the program",
+                    *number
+                ));
             }
             Item::Stands { place, work } if i > last => stands = Some((*number, *place, *work)),
             _ => {}
@@ -33,6 +41,10 @@ pub fn away(log: &Log, shift: &Shift, scale: f64, expected: &Expected<'_>) -> Op
     let at = if work { place } else { place - shift.by };
     // After its end a program's work coordinates are those of G54.
     let comparable = !work || shift.offset == Some(1);
-    (comparable && (at * scale).distance(end) > ROUNDED)
-        .then(|| text!("line {line} shows it at another place than the end of the program", number))
+    (comparable && (at * scale).distance(end) > ROUNDED).then(|| {
+        text!(
+            "line {line} shows it at another place than the end of the program",
+            number
+        )
+    })
 }

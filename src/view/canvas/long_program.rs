@@ -52,12 +52,18 @@ impl Pen<'_> {
 
     /// Ends the stroke. Feeds have no dashes here: most of their lines are shorter than one.
     fn finish(&mut self) {
-        let Some((stroke, rapid)) = self.style.take() else { return };
+        let Some((stroke, rapid)) = self.style.take() else {
+            return;
+        };
         if self.points == 0 || self.ends[0] != self.ends[1] {
             self.point(self.ends[1]);
         }
         let pen = style::of(stroke, rapid);
-        if rapid { self.painter.dashed(pen) } else { self.painter.stroke(pen.colour, pen.widths[0]) }
+        if rapid {
+            self.painter.dashed(pen)
+        } else {
+            self.painter.stroke(pen.colour, pen.widths[0])
+        }
     }
 }
 
@@ -71,7 +77,10 @@ fn clipped([from, to]: [Vec2; 2], size: Vec2) -> Option<[Vec2; 2]> {
     let [first, last] = within_box([from, to], [low, high])?;
     let at = |part: f64| from.lerp_monotonic(to, part);
     // Ends that lie inside stay as they are: lines go on from there.
-    Some([if first > 0.0 { at(first) } else { from }, if last < 1.0 { at(last) } else { to }])
+    Some([
+        if first > 0.0 { at(first) } else { from },
+        if last < 1.0 { at(last) } else { to },
+    ])
 }
 
 /// The pixel of a spot, counted from a place outside every window.
@@ -94,7 +103,9 @@ impl Recent {
     /// Whether a line between these pixels is new. One of long ago may be.
     fn is_new(&mut self, line: &Line, [[a, b], [c, d]]: [[u64; 2]; 2]) -> bool {
         // No window has as many pixels as fifteen bits count.
-        let line = [b, c, d, line.stroke as u64, u64::from(line.rapid)].into_iter().zip([15, 15, 15, 2, 1]);
+        let line = [b, c, d, line.stroke as u64, u64::from(line.rapid)]
+            .into_iter()
+            .zip([15, 15, 15, 2, 1]);
         let key = 1 + line.fold(a, |key, (more, bits)| key << bits | more);
         let place = key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> (u64::BITS - Self::PLACES);
         std::mem::replace(&mut self.0[place as usize], key) != key
@@ -105,10 +116,17 @@ impl Painter {
     /// The touches that are looked at along their way, over everything else: no browser strokes a line without a length.
     pub(super) fn dots(&self, scene: &Scene, camera: &Camera) {
         let mut recent = Recent::default();
-        for line in scene.lines.iter().filter(|line| line.stroke == Stroke::Touch) {
+        for line in scene
+            .lines
+            .iter()
+            .filter(|line| line.stroke == Stroke::Touch)
+        {
             let [from, to] = [line.from, line.to].map(|spot| camera.pixel(spot));
             let along = from.distance(to) < 1.0;
-            if along && clipped([to; 2], camera.size).is_some() && recent.is_new(line, [pixel(to); 2]) {
+            if along
+                && clipped([to; 2], camera.size).is_some()
+                && recent.is_new(line, [pixel(to); 2])
+            {
                 self.disc(to, DOT, Colour::Touch);
             }
         }
@@ -119,10 +137,17 @@ impl Painter {
         let touch = |line: &&Line| matches!(line.stroke, Stroke::Touch | Stroke::Overtravel);
         let mut recent = Recent::default();
         for touches in [false, true] {
-            let mut pen = Pen { painter: self, style: None, ends: [Vec2::ZERO; 2], points: 0 };
+            let mut pen = Pen {
+                painter: self,
+                style: None,
+                ends: [Vec2::ZERO; 2],
+                points: 0,
+            };
             for line in scene.lines.iter().filter(|line| touch(line) == touches) {
                 let ends = [line.from, line.to].map(|spot| camera.pixel(spot));
-                let Some(ends) = clipped(ends, camera.size) else { continue };
+                let Some(ends) = clipped(ends, camera.size) else {
+                    continue;
+                };
                 let pixels = ends.map(pixel);
                 // From pixel to pixel a line of a kind is drawn once, but for those within a pixel that continue another one.
                 let continues = pixels[0] == pixels[1] && pen.ends[1] == ends[0];

@@ -85,7 +85,11 @@ pub fn axis_at(scene: &Scene, camera: &Camera, at: Vec2) -> Option<&'static str>
         direction.length() > 0.1 && tip.distance(at) <= 14.0
     };
     // Along the abscissa one sees the side, along the ordinate the front, along the tool axis the top.
-    let found = scene.axes.iter().zip(["side", "front", "top"]).find(|((_, direction), _)| near(*direction));
+    let found = scene
+        .axes
+        .iter()
+        .zip(["side", "front", "top"])
+        .find(|((_, direction), _)| near(*direction));
     Some(found.map_or("isometric", |(_, view)| view))
 }
 
@@ -99,9 +103,14 @@ pub fn turning(shifting: Vec2, direction: Vec2) -> Vec2 {
 pub fn spread_handles(scene: &Scene, camera: &Camera) -> Option<[Vec2; 2]> {
     let (center, radius, start, sweep) = scene.spread?;
     let center = camera.pixel(center);
-    let at = |angle: f64, out: f64| center + Vec2::from_angle(angle) * DOWNWARDS * (radius * camera.scale + out);
+    let at = |angle: f64, out: f64| {
+        center + Vec2::from_angle(angle) * DOWNWARDS * (radius * camera.scale + out)
+    };
     let first = NUMBER + HANDLE + 3.0;
-    Some([at(start, first), at(start + sweep, first + 2.0 * HANDLE + 3.0)])
+    Some([
+        at(start, first),
+        at(start + sweep, first + 2.0 * HANDLE + 3.0),
+    ])
 }
 
 /// Whether a scene has so many lines that it is drawn in few strokes, and feeds without dashes.
@@ -141,9 +150,22 @@ impl Painter {
     /// A painter on a canvas; none where the canvas has no 2D context.
     pub fn new(canvas: HtmlCanvasElement) -> Option<Self> {
         use wasm_bindgen::JsCast;
-        let context = canvas.get_context("2d").ok()??.dyn_into::<CanvasRenderingContext2d>().ok()?;
+        let context = canvas
+            .get_context("2d")
+            .ok()??
+            .dyn_into::<CanvasRenderingContext2d>()
+            .ok()?;
         let (theme, font, dashes) = (Theme::of(|_| None), Cell::new(""), Cell::new(&[][..]));
-        Some(Painter { canvas, context, theme, small: false, still: false, ratio: 1.0, font, dashes })
+        Some(Painter {
+            canvas,
+            context,
+            theme,
+            small: false,
+            still: false,
+            ratio: 1.0,
+            font,
+            dashes,
+        })
     }
 
     /// The canvas covers so many CSS pixels, each `ratio` device pixels wide.
@@ -166,7 +188,12 @@ impl Painter {
     fn begin(&self, camera: &Camera, font: &'static str) {
         let c = &self.context;
         let _ = c.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        self.plate(camera.size / 2.0, camera.size / 2.0, Colour::Background, None);
+        self.plate(
+            camera.size / 2.0,
+            camera.size / 2.0,
+            Colour::Background,
+            None,
+        );
         // Nothing that is restored to what was set before has dashes.
         self.dash(&[]);
         self.font(font);
@@ -176,8 +203,11 @@ impl Painter {
 
     /// Empties a canvas that lies over that of a picture.
     pub fn clear(&self, camera: &Camera) {
-        let _ = self.context.set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
-        self.context.clear_rect(0.0, 0.0, camera.size.x, camera.size.y);
+        let _ = self
+            .context
+            .set_transform(self.ratio, 0.0, 0.0, self.ratio, 0.0, 0.0);
+        self.context
+            .clear_rect(0.0, 0.0, camera.size.x, camera.size.y);
     }
 
     /// Draws a move of a picture, lit, on the canvas over it.
@@ -192,7 +222,10 @@ impl Painter {
         self.ball(scene, camera, index, part);
         // The number of a touch that is lit is not beneath it.
         if !self.small
-            && let Some(touch) = scene.touches.iter().position(|touch| touch.index == Some(index))
+            && let Some(touch) = scene
+                .touches
+                .iter()
+                .position(|touch| touch.index == Some(index))
         {
             camera
                 .numbers(scene)
@@ -204,7 +237,9 @@ impl Painter {
 
     /// The ball on its way, and the stylus above it.
     fn ball(&self, scene: &Scene, camera: &Camera, index: usize, part: f64) {
-        let Some(place) = scene.ball(index, part) else { return };
+        let Some(place) = scene.ball(index, part) else {
+            return;
+        };
         for outline in &scene.stylus {
             self.outlines(&[outline.map(|corner| camera.pixel(place + corner))]);
             self.alpha(0.12).fill(Colour::Highlight);
@@ -222,7 +257,11 @@ impl Painter {
         c.set_line_join("round");
         self.part(scene, camera, marks);
         // Beneath the moves, the touches and the dimensions.
-        let layout = if self.small { None } else { Some(camera.layout(scene, marks.field)) };
+        let layout = if self.small {
+            None
+        } else {
+            Some(camera.layout(scene, marks.field))
+        };
         for arc in layout.iter().flat_map(|layout| &layout.arcs) {
             self.angle(arc, marks.field == Some(arc.angle.field));
         }
@@ -273,7 +312,11 @@ impl Painter {
     fn moves(&self, scene: &Scene, camera: &Camera, marks: &Marks<'_>) {
         if is_long(scene) {
             self.long(scene, camera);
-            for line in scene.lines.iter().filter(|line| marks.highlight == Some(line.index)) {
+            for line in scene
+                .lines
+                .iter()
+                .filter(|line| marks.highlight == Some(line.index))
+            {
                 self.line(line, camera, true, true);
             }
         } else {
@@ -302,9 +345,19 @@ impl Painter {
     /// The dimensions, and above them what they and the angles say.
     fn sizes(&self, layout: &Layout<'_>, marks: &Marks<'_>) {
         let lit = |field: &str| marks.field == Some(field);
-        layout.dimensions.iter().for_each(|placed| self.dimension(placed, lit(placed.drawn.field)));
-        let names: Vec<_> =
-            layout.names(marks.names).into_iter().map(|(field, said, plate)| Name { said, plate, lit: lit(field) }).collect();
+        layout
+            .dimensions
+            .iter()
+            .for_each(|placed| self.dimension(placed, lit(placed.drawn.field)));
+        let names: Vec<_> = layout
+            .names(marks.names)
+            .into_iter()
+            .map(|(field, said, plate)| Name {
+                said,
+                plate,
+                lit: lit(field),
+            })
+            .collect();
         if !names.is_empty() {
             self.names(&names);
         }
@@ -321,14 +374,22 @@ impl Painter {
             let way = (end - origin) / origin.distance(end).max(1e-9);
             self.dashes(origin, end, pen);
             for side in [-0.5, 0.5] {
-                self.segment(end, end - (way - way.perp() * side) * 10.0, pen.colour, pen.widths[0].min(2.5));
+                self.segment(
+                    end,
+                    end - (way - way.perp() * side) * 10.0,
+                    pen.colour,
+                    pen.widths[0].min(2.5),
+                );
             }
             // Names stand beyond the tip; those of lengths beside it, so that an axis under it keeps its own.
             let aside = if *kind == Arrow::Length { 14.0 } else { 0.0 };
             let beyond = if *kind == Arrow::Length { -4.0 } else { 14.0 };
             let mut at = end + way * beyond + way.perp() * aside;
             // Axes that lie on each other: one name below the other.
-            while named.iter().any(|other| (*other - at).abs().cmplt(Vec2::new(26.0, 14.0)).all()) {
+            while named
+                .iter()
+                .any(|other| (*other - at).abs().cmplt(Vec2::new(26.0, 14.0)).all())
+            {
                 at.y += 15.0;
             }
             named.push(at);
@@ -380,7 +441,10 @@ impl Painter {
         self.alpha(dark).fill(Colour::Wall);
         c.clip();
         // The strokes lie still against the part while the picture is moved.
-        let Vec2 { x: width, y: height } = camera.size;
+        let Vec2 {
+            x: width,
+            y: height,
+        } = camera.size;
         let first = camera.pixel(Vec2::ZERO).element_sum().rem_euclid(HATCH);
         c.begin_path();
         for k in 0..=((width + height) / HATCH) as usize {
@@ -392,9 +456,21 @@ impl Painter {
     }
 
     /// Walls in one, their faces `solid`: else they let a section's hatching through, and are no darker than it.
-    fn walls(&self, Walls { wall, lines, outlines }: &Walls<'_>, solid: bool) {
+    fn walls(
+        &self,
+        Walls {
+            wall,
+            lines,
+            outlines,
+        }: &Walls<'_>,
+        solid: bool,
+    ) {
         let c = &self.context;
-        let colour = if wall.actual { Colour::Actual } else { Colour::Wall };
+        let colour = if wall.actual {
+            Colour::Actual
+        } else {
+            Colour::Wall
+        };
         if !lines.is_empty() {
             c.begin_path();
             lines.iter().for_each(|line| self.points(line));
@@ -408,12 +484,17 @@ impl Painter {
         if wall.faces && !wall.actual && solid {
             self.alpha(0.8).fill(Colour::Background);
         }
-        self.alpha(if wall.faces && solid { 0.2 } else { 0.05 }).fill(colour);
+        self.alpha(if wall.faces && solid { 0.2 } else { 0.05 })
+            .fill(colour);
         if wall.strip {
             c.begin_path();
-            outlines.as_flattened().chunks(2).for_each(|side| self.points(side));
+            outlines
+                .as_flattened()
+                .chunks(2)
+                .for_each(|side| self.points(side));
         }
-        self.alpha(if wall.faces { 0.8 } else { 0.35 }).stroke(colour, 1.0);
+        self.alpha(if wall.faces { 0.8 } else { 0.35 })
+            .stroke(colour, 1.0);
         self.alpha(1.0);
     }
 
@@ -454,7 +535,9 @@ impl Painter {
             }
         }
         if !self.small {
-            lines().filter(|line| reached(scene, line)).for_each(|line| self.arrow(line, camera));
+            lines()
+                .filter(|line| reached(scene, line))
+                .for_each(|line| self.arrow(line, camera));
         }
     }
 
@@ -464,8 +547,13 @@ impl Painter {
         // A ball beside a part of metres is still there.
         let radius = (scene.radius * camera.scale).max(2.5);
         // What is hidden is seen faintly through what hides it.
-        for touch in scene.touches.iter().filter(|touch| behind.is_none() && touch.behind.is_some()) {
-            self.alpha(0.35).circle(camera.pixel(touch.ball), radius, Colour::Ball, 1.0);
+        for touch in scene
+            .touches
+            .iter()
+            .filter(|touch| behind.is_none() && touch.behind.is_some())
+        {
+            self.alpha(0.35)
+                .circle(camera.pixel(touch.ball), radius, Colour::Ball, 1.0);
             self.disc(camera.pixel(touch.contact), DOT, Colour::Touch);
         }
         for touch in scene.touches.iter().filter(|touch| touch.behind == behind) {

@@ -57,7 +57,10 @@ impl Painter {
 
     pub(super) fn dash(&self, lengths: &'static [f64]) {
         if self.dashes.replace(lengths) != lengths {
-            let list: js_sys::Array = lengths.iter().map(|length| wasm_bindgen::JsValue::from_f64(*length)).collect();
+            let list: js_sys::Array = lengths
+                .iter()
+                .map(|length| wasm_bindgen::JsValue::from_f64(*length))
+                .collect();
             let _ = self.context.set_line_dash(&list);
         }
     }
@@ -65,7 +68,9 @@ impl Painter {
     /// A path of closed outlines, pixels.
     pub(super) fn outlines(&self, outlines: &[impl AsRef<[Vec2]>]) {
         self.context.begin_path();
-        outlines.iter().for_each(|outline| self.closed(outline.as_ref()));
+        outlines
+            .iter()
+            .for_each(|outline| self.closed(outline.as_ref()));
     }
 
     fn closed(&self, outline: &[Vec2]) {
@@ -77,7 +82,11 @@ impl Painter {
     pub(super) fn points(&self, points: &[Vec2]) {
         let c = &self.context;
         for (k, at) in points.iter().enumerate() {
-            if k == 0 { c.move_to(at.x, at.y) } else { c.line_to(at.x, at.y) }
+            if k == 0 {
+                c.move_to(at.x, at.y)
+            } else {
+                c.line_to(at.x, at.y)
+            }
         }
     }
 
@@ -95,18 +104,33 @@ impl Painter {
             self.segment(near, line + beyond, Colour::Ball, 0.75);
         }
         self.segment(placed.reach[0], placed.reach[1], Colour::Ball, wide(lit));
-        placed.heads().into_iter().for_each(|(tip, way)| self.head(tip, way, 8.0, Colour::Ball));
+        placed
+            .heads()
+            .into_iter()
+            .for_each(|(tip, way)| self.head(tip, way, 8.0, Colour::Ball));
     }
 
     /// An angle: its sides, and its arc with arrow heads.
     pub(super) fn angle(&self, arc: &Arc<'_>, lit: bool) {
         let c = &self.context;
         let [first, turn] = arc.angle.turns;
-        arc.sides.into_iter().for_each(|side| self.segment(arc.at, side, Colour::Ball, 0.75));
+        arc.sides
+            .into_iter()
+            .for_each(|side| self.segment(arc.at, side, Colour::Ball, 0.75));
         c.begin_path();
-        let _ = c.arc_with_anticlockwise(arc.at.x, arc.at.y, arc.radius, -first, -first - turn, turn > 0.0);
+        let _ = c.arc_with_anticlockwise(
+            arc.at.x,
+            arc.at.y,
+            arc.radius,
+            -first,
+            -first - turn,
+            turn > 0.0,
+        );
         self.stroke(Colour::Ball, wide(lit));
-        arc.heads.into_iter().flatten().for_each(|(tip, way)| self.head(tip, way, 8.0, Colour::Ball));
+        arc.heads
+            .into_iter()
+            .flatten()
+            .for_each(|(tip, way)| self.head(tip, way, 8.0, Colour::Ball));
     }
 
     /// What dimensions and angles say, each in its box. All values, then all labels: the font is set three times, however many there are.
@@ -125,27 +149,51 @@ impl Painter {
             let _ = c.fill_text(text, x, 0.0);
         };
         self.font(LABEL);
-        let labels: Vec<f64> = names.iter().map(|name| wide(halves(name.said).0) + NAME_GAP).collect();
+        let labels: Vec<f64> = names
+            .iter()
+            .map(|name| wide(halves(name.said).0) + NAME_GAP)
+            .collect();
         self.font(BOLD);
         let values: Vec<f64> = names.iter().map(|name| wide(halves(name.said).1)).collect();
         // Before what is restored, as at the beginning of a picture.
         self.dash(&[]);
         for ((name, label), value) in names.iter().zip(&labels).zip(&values) {
-            let [ground, ink] = if name.lit { [Colour::Ball, Colour::Background] } else { [Colour::Background, Colour::Text] };
+            let [ground, ink] = if name.lit {
+                [Colour::Ball, Colour::Background]
+            } else {
+                [Colour::Background, Colour::Text]
+            };
             placed(name, &|| {
-                self.plate(Vec2::ZERO, Vec2::new((label + value) / 2.0 + 6.0, 10.0), ground, Some((Colour::Ball, 1.0)));
+                self.plate(
+                    Vec2::ZERO,
+                    Vec2::new((label + value) / 2.0 + 6.0, 10.0),
+                    ground,
+                    Some((Colour::Ball, 1.0)),
+                );
                 text(halves(name.said).1, label / 2.0, ink);
             });
         }
         self.font(LABEL);
         for (name, value) in names.iter().zip(&values) {
-            let ink = if name.lit { Colour::Background } else { Colour::Wall };
-            placed(name, &|| text(halves(name.said).0, -(value + NAME_GAP) / 2.0, ink));
+            let ink = if name.lit {
+                Colour::Background
+            } else {
+                Colour::Wall
+            };
+            placed(name, &|| {
+                text(halves(name.said).0, -(value + NAME_GAP) / 2.0, ink)
+            });
         }
     }
 
     /// An upright rectangle about a place, with or without an edge.
-    pub(super) fn plate(&self, middle: Vec2, half: Vec2, ground: Colour, edge: Option<(Colour, f64)>) {
+    pub(super) fn plate(
+        &self,
+        middle: Vec2,
+        half: Vec2,
+        ground: Colour,
+        edge: Option<(Colour, f64)>,
+    ) {
         let (c, low, size) = (&self.context, middle - half, half * 2.0);
         c.set_fill_style_str(self.theme.colour(ground));
         c.fill_rect(low.x, low.y, size.x, size.y);
@@ -174,7 +222,8 @@ impl Painter {
     pub(super) fn dashes(&self, from: Vec2, to: Vec2, pen: &Pen) {
         let (from, to) = crate::view::forwards(from, to);
         if !pen.dash.is_empty() {
-            self.context.set_line_dash_offset(from.dot((to - from).normalize_or_zero()));
+            self.context
+                .set_line_dash_offset(from.dot((to - from).normalize_or_zero()));
         }
         self.straight(from, to);
         self.dashed(pen);

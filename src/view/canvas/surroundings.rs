@@ -11,7 +11,9 @@ use crate::view::style::screen::{ARM, SPREAD};
 impl Painter {
     /// What can be gripped: the angles of the touches, and the virtual part.
     pub(super) fn handles(&self, scene: &Scene, camera: &Camera) {
-        if let (Some([start, sweep]), Some((center, ..))) = (spread_handles(scene, camera), scene.spread) {
+        if let (Some([start, sweep]), Some((center, ..))) =
+            (spread_handles(scene, camera), scene.spread)
+        {
             let center = camera.pixel(center);
             for (handle, width) in [(start, 2.0), (sweep, 1.0)] {
                 self.dashes(center, handle, &SPREAD);
@@ -26,7 +28,9 @@ impl Painter {
 
     /// How the feature is turned: from the abscissa to its first direction.
     pub(super) fn turn(&self, scene: &Scene, camera: &Camera) {
-        let Some((origin, direction)) = scene.turn else { return };
+        let Some((origin, direction)) = scene.turn else {
+            return;
+        };
         let at = camera.pixel(origin);
         let (far, angle) = (72.0, direction.to_angle());
         self.segment(at, at + Vec2::X * far, Colour::Highlight, 1.0);
@@ -34,13 +38,20 @@ impl Painter {
         self.segment(at, end, Colour::Highlight, 3.0);
         self.head(end, direction * DOWNWARDS, 12.0, Colour::Highlight);
         self.context.begin_path();
-        let _ = self.context.arc_with_anticlockwise(at.x, at.y, far * 0.7, 0.0, -angle, angle > 0.0);
+        let _ =
+            self.context
+                .arc_with_anticlockwise(at.x, at.y, far * 0.7, 0.0, -angle, angle > 0.0);
         self.stroke(Colour::Highlight, 2.0);
     }
 
     /// A square to be gripped.
     fn grip(&self, at: Vec2, half: f64, colour: Colour, width: f64) {
-        self.plate(at, Vec2::splat(half), Colour::Background, Some((colour, width)));
+        self.plate(
+            at,
+            Vec2::splat(half),
+            Colour::Background,
+            Some((colour, width)),
+        );
     }
 
     fn handle(&self, at: Vec2, direction: Vec2) {
@@ -60,7 +71,10 @@ impl Painter {
         c.set_text_align("left");
         if let Some(away) = (o - inside).try_normalize() {
             self.head(inside, away, 12.0, Colour::Text);
-            self.label(name, inside.min(camera.size - Vec2::new(100.0, 30.0)) + Vec2::new(10.0, 16.0));
+            self.label(
+                name,
+                inside.min(camera.size - Vec2::new(100.0, 30.0)) + Vec2::new(10.0, 16.0),
+            );
             c.set_text_align("center");
             return;
         }
@@ -68,7 +82,13 @@ impl Painter {
         for quarter in [0.0, std::f64::consts::PI] {
             c.begin_path();
             c.move_to(o.x, o.y);
-            let _ = c.arc(o.x, o.y, 6.0, quarter, quarter + std::f64::consts::FRAC_PI_2);
+            let _ = c.arc(
+                o.x,
+                o.y,
+                6.0,
+                quarter,
+                quarter + std::f64::consts::FRAC_PI_2,
+            );
             self.fill(Colour::Text);
         }
         self.circle(o, 6.0, Colour::Text, 1.5);
@@ -77,7 +97,10 @@ impl Painter {
             return;
         }
         // On its own ground.
-        let half = Vec2::new(c.measure_text(name).map_or(20.0, |m| m.width() / 2.0) + 3.0, 8.0);
+        let half = Vec2::new(
+            c.measure_text(name).map_or(20.0, |m| m.width() / 2.0) + 3.0,
+            8.0,
+        );
         let middle = layout.origin(o, half).middle;
         self.plate(middle, half, Colour::Background, None);
         c.set_fill_style_str(self.theme.colour(Colour::Text));
@@ -112,17 +135,33 @@ impl Painter {
     /// A bar of a round length in units of so many millimetres, so that sizes can be judged.
     pub(super) fn scale_bar(&self, camera: &Camera, unit: f64, comma: bool, layout: &Layout<'_>) {
         let length = camera.bar(unit);
-        let half = Vec2::new((length * unit * camera.scale).max(48.0) / 2.0, BAR_REACH / 2.0);
-        let Some(middle) = layout.bar(camera, half) else { return };
+        let half = Vec2::new(
+            (length * unit * camera.scale).max(48.0) / 2.0,
+            BAR_REACH / 2.0,
+        );
+        let Some(middle) = layout.bar(camera, half) else {
+            return;
+        };
         let right = middle + Vec2::new(length * unit * camera.scale / 2.0, half.y - 4.0);
         let left = right - Vec2::X * (length * unit * camera.scale);
         let up = Vec2::Y * 4.0;
-        for (a, b) in [(left, right), (left - up, left + up), (right - up, right + up)] {
+        for (a, b) in [
+            (left, right),
+            (left - up, left + up),
+            (right - up, right + up),
+        ] {
             self.segment(a, b, Colour::Text, 1.0);
         }
         let name = if unit == 1.0 { "mm" } else { "inch" };
         let number = crate::num::decimal(length, 6);
-        let number = if comma { number.replace('.', ",") } else { number };
-        self.label(&format!("{number} {name}"), (left + right) / 2.0 - Vec2::Y * 10.0);
+        let number = if comma {
+            number.replace('.', ",")
+        } else {
+            number
+        };
+        self.label(
+            &format!("{number} {name}"),
+            (left + right) / 2.0 - Vec2::Y * 10.0,
+        );
     }
 }

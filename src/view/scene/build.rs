@@ -6,7 +6,9 @@ use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall}
 use crate::view::material::material;
 use crate::view::scene::blocks::blocks;
 use crate::view::scene::top_faces::{Backs, breaks, topped, tops};
-use crate::view::scene::{Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles, tilted};
+use crate::view::scene::{
+    Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles, tilted,
+};
 use crate::view::walls::{WallShape, shape, strips};
 
 /// What the actual part adds.
@@ -26,15 +28,30 @@ pub struct Actual<'a> {
 }
 
 /// The scene of a path.
-pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, view: Projection) -> Scene {
-    let look = Look { path, setup, actual, view, towards: view.towards(setup.plane) };
+pub fn build(
+    path: &Path,
+    setup: &Setup,
+    feeds: &Feeds,
+    actual: &Actual<'_>,
+    view: Projection,
+) -> Scene {
+    let look = Look {
+        path,
+        setup,
+        actual,
+        view,
+        towards: view.towards(setup.plane),
+    };
     let spot = |p: Vec3| look.spot(p);
     let mut scene = Scene {
         ends: path.moves.iter().map(|step| spot(step.to)).collect(),
         unit: Some(1.0),
         radius: setup.radius,
         centre_lines: look.centre_lines(),
-        collision: actual.run.collision.map(|(index, center)| (index, spot(center))),
+        collision: actual
+            .run
+            .collision
+            .map(|(index, center)| (index, spot(center))),
         ..Scene::about(setup.plane, view)
     };
     let backs = if view == Projection::Isometric {
@@ -45,7 +62,11 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
         Backs::of(path, look.towards)
     } else {
         // Walls are seen edge-on, and what lies along the picture in its true length.
-        scene.walls = look.walls(|_, _| None).into_iter().map(|(_, shape)| shape).collect();
+        scene.walls = look
+            .walls(|_, _| None)
+            .into_iter()
+            .map(|(_, shape)| shape)
+            .collect();
         scene.material = material(&path.surfaces, &path.frame, spot, view == Projection::Top);
         scene.dimensions = drawn(path, setup.plane, view);
         scene.angles = drawn_angles(path, setup.plane, view);
@@ -54,7 +75,10 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
     scene.lines = look.lines(feeds, &backs);
     scene.touches = look.touches(&backs);
     if view == Projection::Top {
-        let spread = path.feature.two_circles().and_then(|circles| circles.spread);
+        let spread = path
+            .feature
+            .two_circles()
+            .and_then(|circles| circles.spread);
         scene.spread = spread.map(|s| (spot(s.center), s.radius, s.start, s.sweep));
         scene.turn = Some((spot(path.frame.origin), spot(path.frame.u)));
         // What is drawn larger than it is cannot be dragged by it.
@@ -65,7 +89,13 @@ pub fn build(path: &Path, setup: &Setup, feeds: &Feeds, actual: &Actual<'_>, vie
 }
 
 /// The ways between the cycles of a set-up, and where its moves end: what the scenes of its cycles are put into.
-pub fn between(path: &Path, setup: &Setup, feeds: &Feeds, collision: Option<(usize, Vec3)>, view: Projection) -> Scene {
+pub fn between(
+    path: &Path,
+    setup: &Setup,
+    feeds: &Feeds,
+    collision: Option<(usize, Vec3)>,
+    view: Projection,
+) -> Scene {
     let spot = |p: Vec3| view.place(setup.plane, p);
     let mut scene = Scene {
         ends: path.moves.iter().map(|step| spot(step.to)).collect(),
@@ -77,8 +107,13 @@ pub fn between(path: &Path, setup: &Setup, feeds: &Feeds, collision: Option<(usi
     for member in path.members.iter().skip(1) {
         // A cycle that begins where nothing is stated goes to its first place by itself.
         let own = usize::from(member.path.start.is_none());
-        let first =
-            path.members.iter().map(|other| other.moves.end).filter(|end| *end <= member.moves.start).max().unwrap_or(0);
+        let first = path
+            .members
+            .iter()
+            .map(|other| other.moves.end)
+            .filter(|end| *end <= member.moves.start)
+            .max()
+            .unwrap_or(0);
         for index in first..member.moves.start + own {
             let (from, step) = (path.moves[index - 1].to, &path.moves[index]);
             let line = Line {
@@ -121,7 +156,10 @@ impl Look<'_> {
 
     fn shape(&self, wall: &Wall) -> WallShape {
         let faces = wall.normal.dot(self.towards) > 0.0;
-        WallShape { faces, ..shape(wall, self.path.frame.w, |p| self.spot(p)) }
+        WallShape {
+            faces,
+            ..shape(wall, self.path.frame.w, |p| self.spot(p))
+        }
     }
 
     /// A surface as it is seen. The strips of a round one stand together, to be drawn in one.
@@ -132,7 +170,18 @@ impl Look<'_> {
             Surface::Round(round) => {
                 let far = round.center.dot(self.towards);
                 let strips = strips(round, &self.path.frame);
-                strips.iter().map(|wall| (far, WallShape { strip: true, ..self.shape(wall) })).collect()
+                strips
+                    .iter()
+                    .map(|wall| {
+                        (
+                            far,
+                            WallShape {
+                                strip: true,
+                                ..self.shape(wall)
+                            },
+                        )
+                    })
+                    .collect()
             }
         }
     }
@@ -158,14 +207,24 @@ impl Look<'_> {
             let top = topped(self.path, k);
             let mut walls = self.surface(&nominal[k]);
             if top == Some(k) {
-                walls.extend(breaks(self.path, k).iter().map(|wall| (wall.point.dot(self.towards), self.shape(wall))));
+                walls.extend(
+                    breaks(self.path, k)
+                        .iter()
+                        .map(|wall| (wall.point.dot(self.towards), self.shape(wall))),
+                );
             }
             // The far side of what has a top is behind it.
             walls.retain(|(_, shape)| top.is_none() || shape.faces);
             walls.iter_mut().for_each(|(_, shape)| shape.top = top);
             walls
         };
-        let mut walls: Vec<Standing> = self.actual.surfaces.iter().zip(nominal).flat_map(displaced).collect();
+        let mut walls: Vec<Standing> = self
+            .actual
+            .surfaces
+            .iter()
+            .zip(nominal)
+            .flat_map(displaced)
+            .collect();
         walls.extend((0..nominal.len()).flat_map(below));
         walls
     }
@@ -175,22 +234,46 @@ impl Look<'_> {
         let mut lines = Vec::new();
         let mut at = self.path.start;
         let up = self.path.frame.w;
-        let top = self.path.touches.iter().map(|touch| touch.point.dot(up)).fold(f64::NEG_INFINITY, f64::max);
+        let top = self
+            .path
+            .touches
+            .iter()
+            .map(|touch| touch.point.dot(up))
+            .fold(f64::NEG_INFINITY, f64::max);
         // A long way at a clearance height: what crosses the part a little above its top is not meant.
         let clear = top + 30.0 * self.setup.radius.max(1.0);
-        let high = |ends: [Vec3; 2]| self.view == Projection::Top && ends.iter().all(|end| end.dot(up) > clear);
+        let high = |ends: [Vec3; 2]| {
+            self.view == Projection::Top && ends.iter().all(|end| end.dot(up) > clear)
+        };
         for (index, step) in self.path.moves.iter().enumerate() {
-            let (rapid, back) = (feeds.is_rapid(step.feed), matches!(step.purpose, Purpose::Back(_)));
+            let (rapid, back) = (
+                feeds.is_rapid(step.feed),
+                matches!(step.purpose, Purpose::Back(_)),
+            );
             let mut start = at.unwrap_or(step.to);
             for end in step.pieces(start, self.path.frame.w, 3.0) {
-                let (from, to, behind) = (self.spot(start), self.spot(end), backs.before([start, end]));
+                let (from, to, behind) =
+                    (self.spot(start), self.spot(end), backs.before([start, end]));
                 let pale = high([start, end]);
-                lines.push(Line { from, to, stroke: stroke(step), rapid, back, behind, pale, index });
+                lines.push(Line {
+                    from,
+                    to,
+                    stroke: stroke(step),
+                    rapid,
+                    back,
+                    behind,
+                    pale,
+                    index,
+                });
                 start = end;
             }
             if let Purpose::Touch(k) = step.purpose {
                 let end = step.to - self.path.touches[k].vector * self.path.touches[k].search;
-                let (from, to, behind) = (self.spot(step.to), self.spot(end), backs.before([step.to; 2]));
+                let (from, to, behind) = (
+                    self.spot(step.to),
+                    self.spot(end),
+                    backs.before([step.to; 2]),
+                );
                 lines.push(Line {
                     from,
                     to,
@@ -219,7 +302,11 @@ impl Look<'_> {
                 named: None,
                 pale: false,
                 inward: self.spot(touch.vector),
-                index: self.path.moves.iter().position(|step| step.purpose == Purpose::Touch(k)),
+                index: self
+                    .path
+                    .moves
+                    .iter()
+                    .position(|step| step.purpose == Purpose::Touch(k)),
                 behind: backs.before([center; 2]),
             }
         };
@@ -236,8 +323,13 @@ impl Look<'_> {
 fn stroke(step: &Move) -> Stroke {
     match (step.purpose, step.feed) {
         (Purpose::Touch(_) | Purpose::Search(_), _) => Stroke::Touch,
-        (Purpose::Position | Purpose::Back(_), Feed::Approach | Feed::Retract | Feed::Return | Feed::Rapid) => Stroke::Position,
-        (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work | Feed::Search) => Stroke::Link,
+        (
+            Purpose::Position | Purpose::Back(_),
+            Feed::Approach | Feed::Retract | Feed::Return | Feed::Rapid,
+        ) => Stroke::Position,
+        (Purpose::Position | Purpose::Back(_), Feed::LongLink | Feed::Work | Feed::Search) => {
+            Stroke::Link
+        }
     }
 }
 
@@ -245,7 +337,13 @@ fn stroke(step: &Move) -> Stroke {
 fn nearest_last(all: Vec<Standing>) -> Vec<WallShape> {
     let mut walls: Vec<Standing> = Vec::new();
     for wall in all {
-        let lies_behind = |other: &Standing| if other.1.faces == wall.1.faces { other.0 <= wall.0 } else { other.1.faces };
+        let lies_behind = |other: &Standing| {
+            if other.1.faces == wall.1.faces {
+                other.0 <= wall.0
+            } else {
+                other.1.faces
+            }
+        };
         walls.insert(walls.partition_point(lies_behind), wall);
     }
     walls.into_iter().map(|(_, shape)| shape).collect()

@@ -47,7 +47,10 @@ impl Projection {
             Projection::Top => [Vec3::X, Vec3::Y],
             Projection::Front => [Vec3::X, Vec3::Z],
             Projection::Side => [Vec3::Y, Vec3::Z],
-            Projection::Isometric => [Vec3::new(1.0, 1.0, 0.0) / 2f64.sqrt(), Vec3::new(-1.0, 1.0, 2.0) / 6f64.sqrt()],
+            Projection::Isometric => [
+                Vec3::new(1.0, 1.0, 0.0) / 2f64.sqrt(),
+                Vec3::new(-1.0, 1.0, 2.0) / 6f64.sqrt(),
+            ],
         }
     }
 
@@ -213,8 +216,20 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
         let side = view.place(plane, d.aside);
         let size = side.length();
         let either = size <= 0.5;
-        let aside = if either { along.perp() / long } else { side / size };
-        Some(Drawn { field: d.field, ends, aside, either, length: long, on_demand: d.on_demand, wide: 0.0 })
+        let aside = if either {
+            along.perp() / long
+        } else {
+            side / size
+        };
+        Some(Drawn {
+            field: d.field,
+            ends,
+            aside,
+            either,
+            length: long,
+            on_demand: d.on_demand,
+            wide: 0.0,
+        })
     };
     dimensions(path).into_iter().filter_map(seen).collect()
 }
@@ -223,12 +238,31 @@ pub fn drawn(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
 fn tilted(path: &Path, plane: Plane, view: Projection) -> Vec<Drawn> {
     let seen = |d: Dimension| {
         let ends = [d.from, d.to].map(|p| view.place(plane, p));
-        let (along, side) = ((ends[1] - ends[0]).normalize_or(Vec2::X), view.place(plane, d.aside).normalize_or(Vec2::Y));
+        let (along, side) = (
+            (ends[1] - ends[0]).normalize_or(Vec2::X),
+            view.place(plane, d.aside).normalize_or(Vec2::Y),
+        );
         // A line that stood almost along the dimension would be nowhere.
-        let aside = if along.perp_dot(side).abs() < 0.4 { along.perp() } else { side };
-        Drawn { field: d.field, ends, aside, either: true, length: d.from.distance(d.to), on_demand: false, wide: 0.0 }
+        let aside = if along.perp_dot(side).abs() < 0.4 {
+            along.perp()
+        } else {
+            side
+        };
+        Drawn {
+            field: d.field,
+            ends,
+            aside,
+            either: true,
+            length: d.from.distance(d.to),
+            on_demand: false,
+            wide: 0.0,
+        }
     };
-    dimensions(path).into_iter().filter(|d| !d.on_demand && d.from.distance(d.to) > 1e-6).map(seen).collect()
+    dimensions(path)
+        .into_iter()
+        .filter(|d| !d.on_demand && d.from.distance(d.to) > 1e-6)
+        .map(seen)
+        .collect()
 }
 
 /// The angles of a path that a view along an axis shows in their true size.
@@ -238,8 +272,17 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
         if first.length() < 0.999 || second.length() < 0.999 {
             return None;
         }
-        let turns = [first.to_angle(), first.perp_dot(second).atan2(first.dot(second))];
-        Some(DrawnAngle { field: angle.field, at: view.place(plane, angle.at), turns, room: angle.room, wide: 0.0 })
+        let turns = [
+            first.to_angle(),
+            first.perp_dot(second).atan2(first.dot(second)),
+        ];
+        Some(DrawnAngle {
+            field: angle.field,
+            at: view.place(plane, angle.at),
+            turns,
+            room: angle.room,
+            wide: 0.0,
+        })
     };
     angles(path).into_iter().filter_map(seen).collect()
 }
@@ -248,14 +291,21 @@ pub fn drawn_angles(path: &Path, plane: Plane, view: Projection) -> Vec<DrawnAng
 fn distance(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     let (ab, ap) = (b - a, p - a);
     let square = ab.length_squared();
-    let t = if square == 0.0 { 0.0 } else { crate::num::within(ap.dot(ab) / square, 0.0, 1.0) };
+    let t = if square == 0.0 {
+        0.0
+    } else {
+        crate::num::within(ap.dot(ab) / square, 0.0, 1.0)
+    };
     (ap - ab * t).length()
 }
 
 /// About how many pixels a name takes with the room around it: the picture is laid out where nothing can be measured, too.
 fn width(name: &str) -> f64 {
     // Signs of Chinese are as wide as they are high.
-    name.chars().map(|c| if c > '\u{1100}' { 13.5 } else { 8.2 }).sum::<f64>() + 18.0
+    name.chars()
+        .map(|c| if c > '\u{1100}' { 13.5 } else { 8.2 })
+        .sum::<f64>()
+        + 18.0
 }
 
 impl Scene {
@@ -263,7 +313,11 @@ impl Scene {
     fn about(plane: Plane, view: Projection) -> Self {
         let spot = |p: Vec3| view.place(plane, p);
         let (basis, names) = (plane.basis(), plane.axes().map(|axis| AXIS_NAMES[axis]));
-        Scene { origin: spot(Vec3::ZERO), axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))), ..Scene::default() }
+        Scene {
+            origin: spot(Vec3::ZERO),
+            axes: [0, 1, 2].map(|i| (names[i], spot(basis[i]))),
+            ..Scene::default()
+        }
     }
 
     /// Takes in the scene of a cycle of a set-up with this name, whose first move has this index; `pale` where it is not the one in hand. Its dimensions, its angles and its
@@ -273,20 +327,36 @@ impl Scene {
         const APART: usize = 1000;
         self.cycles += 1;
         let apart = |top: Option<usize>| top.map(|top| top + APART * self.cycles);
-        self.walls.extend(own.walls.into_iter().map(|wall| WallShape { top: apart(wall.top), ..wall }));
-        self.tops.extend(own.tops.into_iter().map(|top| Top { of: top.of + APART * self.cycles, ..top }));
+        self.walls
+            .extend(own.walls.into_iter().map(|wall| WallShape {
+                top: apart(wall.top),
+                ..wall
+            }));
+        self.tops.extend(own.tops.into_iter().map(|top| Top {
+            of: top.of + APART * self.cycles,
+            ..top
+        }));
         self.blocks.extend(own.blocks);
         self.material.extend(own.material);
-        let line =
-            |line: Line| Line { behind: apart(line.behind), index: line.index + first_move, pale: line.pale || pale, ..line };
+        let line = |line: Line| Line {
+            behind: apart(line.behind),
+            index: line.index + first_move,
+            pale: line.pale || pale,
+            ..line
+        };
         self.lines.extend(own.lines.into_iter().map(line));
-        self.touches.extend(own.touches.into_iter().enumerate().map(|(k, touch)| TouchShape {
-            named: (k == 0).then(|| name.to_owned()),
-            behind: apart(touch.behind),
-            index: touch.index.map(|index| index + first_move),
-            pale,
-            ..touch
-        }));
+        self.touches.extend(
+            own.touches
+                .into_iter()
+                .enumerate()
+                .map(|(k, touch)| TouchShape {
+                    named: (k == 0).then(|| name.to_owned()),
+                    behind: apart(touch.behind),
+                    index: touch.index.map(|index| index + first_move),
+                    pale,
+                    ..touch
+                }),
+        );
         self.radius = own.radius;
         if pale {
             return;
@@ -297,15 +367,29 @@ impl Scene {
 
     /// Makes room for what is said of its dimensions and angles, by their fields' paths.
     pub fn name(&mut self, names: &[(&'static str, String)]) {
-        let dimensions = self.dimensions.iter_mut().map(|drawn| (drawn.field, &mut drawn.wide));
-        for (own, wide) in dimensions.chain(self.angles.iter_mut().map(|angle| (angle.field, &mut angle.wide))) {
-            *wide = names.iter().find(|(field, _)| *field == own).map_or(0.0, |(_, name)| width(name));
+        let dimensions = self
+            .dimensions
+            .iter_mut()
+            .map(|drawn| (drawn.field, &mut drawn.wide));
+        for (own, wide) in dimensions.chain(
+            self.angles
+                .iter_mut()
+                .map(|angle| (angle.field, &mut angle.wide)),
+        ) {
+            *wide = names
+                .iter()
+                .find(|(field, _)| *field == own)
+                .map_or(0.0, |(_, name)| width(name));
         }
     }
 
     /// Where the ball is when such a part of a move is done, 0 to 1. The way past a nominal contact is no part of it.
     pub fn ball(&self, index: usize, part: f64) -> Option<Vec2> {
-        let pieces: Vec<&Line> = self.lines.iter().filter(|l| l.index == index && l.stroke != Stroke::Overtravel).collect();
+        let pieces: Vec<&Line> = self
+            .lines
+            .iter()
+            .filter(|l| l.index == index && l.stroke != Stroke::Overtravel)
+            .collect();
         let whole: f64 = pieces.iter().map(|l| l.from.distance(l.to)).sum();
         let mut rest = whole * part;
         for line in &pieces {
@@ -321,18 +405,31 @@ impl Scene {
     /// The smallest and largest spot of everything that must be seen.
     pub fn bounds(&self) -> [Vec2; 2] {
         let balls = self.touches.iter().flat_map(|t| [t.contact, t.ball]);
-        let ends = self.ends.iter().flat_map(|end| [*end - self.radius, *end + self.radius]);
+        let ends = self
+            .ends
+            .iter()
+            .flat_map(|end| [*end - self.radius, *end + self.radius]);
         let walls = self.walls.iter().flat_map(|w| w.corners);
         let start = [Vec2::INFINITY, Vec2::NEG_INFINITY];
         let bounds = balls
             .chain(ends)
             .chain(walls)
-            .chain(self.blocks.iter().flat_map(|block| block.corners.iter().copied()))
+            .chain(
+                self.blocks
+                    .iter()
+                    .flat_map(|block| block.corners.iter().copied()),
+            )
             .chain(self.beyond.iter().copied())
             // In this order, since a place that is not known is no number.
-            .fold(start, |[low, high], place| [place.min(low), place.max(high)]);
+            .fold(start, |[low, high], place| {
+                [place.min(low), place.max(high)]
+            });
         // A cycle without a path has nothing to show but its origin.
-        if bounds[0].x.is_finite() { bounds } else { [Vec2::splat(-50.0), Vec2::splat(50.0)] }
+        if bounds[0].x.is_finite() {
+            bounds
+        } else {
+            [Vec2::splat(-50.0), Vec2::splat(50.0)]
+        }
     }
 
     /// The move whose line is nearest to `at`, if one is within `reach` (both mm). Of lines that lie on each other a touch
@@ -346,7 +443,12 @@ impl Scene {
         };
         self.lines
             .iter()
-            .map(|line| (distance(at, line.from, line.to) + rank(line.stroke) * reach * 0.05, line))
+            .map(|line| {
+                (
+                    distance(at, line.from, line.to) + rank(line.stroke) * reach * 0.05,
+                    line,
+                )
+            })
             .filter(|(far, _)| *far <= reach)
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, line)| line.index)
@@ -370,17 +472,31 @@ mod tests {
 
     #[test]
     fn isometric_axes_have_equal_lengths_and_up_is_up() {
-        let lengths: Vec<f64> =
-            Plane::G17.basis().iter().map(|&e| Projection::Isometric.place(Plane::G17, e).length()).collect();
-        assert!(lengths.iter().all(|l| (l - (2f64 / 3.0).sqrt()).abs() < 1e-12), "{lengths:?}");
+        let lengths: Vec<f64> = Plane::G17
+            .basis()
+            .iter()
+            .map(|&e| Projection::Isometric.place(Plane::G17, e).length())
+            .collect();
+        assert!(
+            lengths
+                .iter()
+                .all(|l| (l - (2f64 / 3.0).sqrt()).abs() < 1e-12),
+            "{lengths:?}"
+        );
         let up = Projection::Isometric.place(Plane::G17, Vec3::Z);
         assert!(up.x.abs() < 1e-12 && up.y > 0.0);
     }
 
     #[test]
     fn distance_to_a_segment_by_hand() {
-        assert_eq!(distance(Vec2::new(5.0, 3.0), Vec2::ZERO, Vec2::X * 10.0), 3.0);
-        assert_eq!(distance(Vec2::new(13.0, 4.0), Vec2::ZERO, Vec2::X * 10.0), 5.0);
+        assert_eq!(
+            distance(Vec2::new(5.0, 3.0), Vec2::ZERO, Vec2::X * 10.0),
+            3.0
+        );
+        assert_eq!(
+            distance(Vec2::new(13.0, 4.0), Vec2::ZERO, Vec2::X * 10.0),
+            5.0
+        );
         assert_eq!(distance(Vec2::new(3.0, 4.0), Vec2::ZERO, Vec2::ZERO), 5.0);
     }
 }

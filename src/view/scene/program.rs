@@ -26,7 +26,10 @@ pub struct Moves<'a> {
 /// The scene of a program's moves: lines alone, probing moves as touches. A move to or from a place that is not known is not seen.
 pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     let spot = |p: Vec3| view.place(moves.plane, p);
-    let mut scene = Scene { unit: moves.scale, ..Scene::about(moves.plane, view) };
+    let mut scene = Scene {
+        unit: moves.scale,
+        ..Scene::about(moves.plane, view)
+    };
     scene.lines.reserve(moves.kind.len());
     scene.ends.reserve(moves.kind.len());
     // Sixty to a circle; fewer where there are very many.
@@ -41,11 +44,20 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
         if let Some([_, x, y, z]) = resumes.next_if(|place| place[0] == index as f64) {
             from = Vec3::new(*x, *y, *z) * scale;
         }
-        let arc = arcs.next_if(|arc| arc[0] == index as f64).map(|[_, a, b, c, sweep, plane]| {
-            let plane = [Plane::G17, Plane::G18, Plane::G19][(*plane as usize).saturating_sub(17).min(2)];
-            let center = Vec3::new(*a, *b, *c) * scale;
-            (Arc { center, sweep: sweep.to_radians() }, plane.basis()[2])
-        });
+        let arc = arcs
+            .next_if(|arc| arc[0] == index as f64)
+            .map(|[_, a, b, c, sweep, plane]| {
+                let plane = [Plane::G17, Plane::G18, Plane::G19]
+                    [(*plane as usize).saturating_sub(17).min(2)];
+                let center = Vec3::new(*a, *b, *c) * scale;
+                (
+                    Arc {
+                        center,
+                        sweep: sweep.to_radians(),
+                    },
+                    plane.basis()[2],
+                )
+            });
         if from.is_finite() && end.is_finite() {
             let stroke = match kind {
                 0 => Stroke::Position,
@@ -56,12 +68,27 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
             let mut from = spot(from);
             for piece in &pieces {
                 let to = spot(*piece);
-                scene.lines.push(Line { from, to, stroke, rapid: *kind == 0, back: false, behind: None, pale: false, index });
+                scene.lines.push(Line {
+                    from,
+                    to,
+                    stroke,
+                    rapid: *kind == 0,
+                    back: false,
+                    behind: None,
+                    pale: false,
+                    index,
+                });
                 from = to;
             }
-            scene.beyond.extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
+            scene
+                .beyond
+                .extend(pieces[..pieces.len() - 1].iter().map(|p| spot(*p)));
         }
-        scene.ends.push(if end.is_finite() { spot(end) } else { Vec2::NAN });
+        scene.ends.push(if end.is_finite() {
+            spot(end)
+        } else {
+            Vec2::NAN
+        });
         let contact = contacts.next_if(|contact| contact[0] == index as f64);
         from = contact.map_or(end, |[_, x, y, z]| Vec3::new(*x, *y, *z) * scale);
     }
@@ -70,8 +97,12 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
 
 /// The ends of the straight pieces of a move: an arc about its axis, or a helix, of which a whole turn has at most so many.
 fn helix(from: Vec3, end: Vec3, arc: Option<(Arc, Vec3)>, most: usize) -> Vec<Vec3> {
-    let Some((arc, up)) = arc else { return vec![end] };
-    let count = (arc.sweep.abs() / std::f64::consts::TAU * most as f64).ceil().max(1.0) as usize;
+    let Some((arc, up)) = arc else {
+        return vec![end];
+    };
+    let count = (arc.sweep.abs() / std::f64::consts::TAU * most as f64)
+        .ceil()
+        .max(1.0) as usize;
     let out = from - arc.center;
     let (flat, rise) = (out - up * out.dot(up), (end - from).dot(up));
     let across = up.cross(flat);
@@ -90,7 +121,20 @@ mod tests {
     /// Half a circle of one inch, as a helix: through its top, and up as it goes. What is not known is not seen.
     #[test]
     fn a_program_in_inch_is_seen_in_millimetres() {
-        let to = [0.0, 0.0, 0.0, 2.0, 0.0, 1.0, f64::NAN, 5.0, 5.0, 0.0, 0.0, 0.0];
+        let to = [
+            0.0,
+            0.0,
+            0.0,
+            2.0,
+            0.0,
+            1.0,
+            f64::NAN,
+            5.0,
+            5.0,
+            0.0,
+            0.0,
+            0.0,
+        ];
         let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
         let moves = Moves {
             to: &to,
@@ -103,11 +147,33 @@ mod tests {
         };
         let near = |a: Vec2, b: [f64; 2]| a.abs_diff_eq(b.into(), 1e-9);
         let top = scene(&moves, Projection::Top);
-        assert!(top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]), "{:?}", top.lines[14]);
+        assert!(
+            top.unit == Some(25.4) && near(top.lines[14].to, [25.4, 25.4]),
+            "{:?}",
+            top.lines[14]
+        );
         let front = scene(&moves, Projection::Front);
-        assert!(near(front.lines[14].to, [25.4, 12.7]) && near(front.lines[29].to, [50.8, 25.4]), "{:?}", front.lines[14]);
-        assert_eq!(front.lines.len(), 30, "neither to nor from a place that is not known");
-        assert!(scene(&Moves { scale: None, ..moves }, Projection::Top).unit.is_none());
+        assert!(
+            near(front.lines[14].to, [25.4, 12.7]) && near(front.lines[29].to, [50.8, 25.4]),
+            "{:?}",
+            front.lines[14]
+        );
+        assert_eq!(
+            front.lines.len(),
+            30,
+            "neither to nor from a place that is not known"
+        );
+        assert!(
+            scene(
+                &Moves {
+                    scale: None,
+                    ..moves
+                },
+                Projection::Top
+            )
+            .unit
+            .is_none()
+        );
     }
 
     /// A touch is drawn to where it would search; the way back begins where it met something.
@@ -124,6 +190,9 @@ mod tests {
             scale: Some(1.0),
         };
         let lines = scene(&moves, Projection::Top).lines;
-        assert_eq!([lines[0].to, lines[1].from, lines[1].to].map(|at| at.to_array()), [[10.0, 0.0], [6.0, 0.0], [0.0, 4.0]]);
+        assert_eq!(
+            [lines[0].to, lines[1].from, lines[1].to].map(|at| at.to_array()),
+            [[10.0, 0.0], [6.0, 0.0], [0.0, 4.0]]
+        );
     }
 }

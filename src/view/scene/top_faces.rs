@@ -29,7 +29,9 @@ pub(super) fn topped(path: &Path, k: usize) -> Option<usize> {
         Surface::Round(round) => (!round.hole).then_some(k),
         Surface::Flat(wall) => {
             let mut walls = upright(path, wall.body).map(|(k, _)| k);
-            walls.next().filter(|_| walls.next().is_some() && is_upright(wall, path.frame.w))
+            walls
+                .next()
+                .filter(|_| walls.next().is_some() && is_upright(wall, path.frame.w))
         }
         Surface::Unknown => None,
     }
@@ -41,10 +43,15 @@ pub(super) fn is_upright(wall: &Wall, up: Vec3) -> bool {
 
 /// The upright walls of a body.
 fn upright(path: &Path, body: usize) -> impl Iterator<Item = (usize, &Wall)> {
-    path.surfaces.iter().enumerate().filter_map(move |(k, surface)| match surface {
-        Surface::Flat(wall) if wall.body == body && is_upright(wall, path.frame.w) => Some((k, wall)),
-        _ => None,
-    })
+    path.surfaces
+        .iter()
+        .enumerate()
+        .filter_map(move |(k, surface)| match surface {
+            Surface::Flat(wall) if wall.body == body && is_upright(wall, path.frame.w) => {
+                Some((k, wall))
+            }
+            _ => None,
+        })
 }
 
 /// The corners of the top side between the walls of a body, in order: of two walls that meet, the parallelogram that they span.
@@ -54,7 +61,11 @@ fn top_of(path: &Path, body: usize) -> Vec<Vec3> {
     let mut corners: Vec<Vec3> = Vec::new();
     for (_, wall) in upright(path, body) {
         // One without a top reaches as far above its point as below.
-        let raised = if wall.has_top { Vec3::ZERO } else { up * wall.drawn_depth };
+        let raised = if wall.has_top {
+            Vec3::ZERO
+        } else {
+            up * wall.drawn_depth
+        };
         for at in [wall.extent.0, wall.extent.1] {
             let end = wall.point + wall.along * at + raised;
             match corners.iter().position(|other| other.distance(end) < 1e-6) {
@@ -76,28 +87,45 @@ pub(super) fn tops(path: &Path, spot: impl Fn(Vec3) -> Vec2) -> Vec<Top> {
         let around: Vec<Vec3> = match &path.surfaces[of] {
             Surface::Round(round) => {
                 let strips = strips(round, &path.frame);
-                strips.iter().map(|strip| strip.point + strip.along * strip.extent.0).collect()
+                strips
+                    .iter()
+                    .map(|strip| strip.point + strip.along * strip.extent.0)
+                    .collect()
             }
             Surface::Flat(wall) => top_of(path, wall.body),
             Surface::Unknown => Vec::new(),
         };
-        Top { of, corners: around.into_iter().map(&spot).collect() }
+        Top {
+            of,
+            corners: around.into_iter().map(&spot).collect(),
+        }
     };
-    (0..path.surfaces.len()).filter(|k| topped(path, *k) == Some(*k)).map(whole).collect()
+    (0..path.surfaces.len())
+        .filter(|k| topped(path, *k) == Some(*k))
+        .map(whole)
+        .collect()
 }
 
 /// Where a body is broken off: from the end of one of its walls to the end of another, as walls of it.
 #[inline(never)]
 pub(super) fn breaks(path: &Path, of: usize) -> Vec<Wall> {
-    let Surface::Flat(first) = &path.surfaces[of] else { return Vec::new() };
+    let Surface::Flat(first) = &path.surfaces[of] else {
+        return Vec::new();
+    };
     let (up, u) = (path.frame.w, path.frame.u);
     let corners = top_of(path, first.body);
-    let depth = if first.has_top { first.drawn_depth } else { 2.0 * first.drawn_depth };
+    let depth = if first.has_top {
+        first.drawn_depth
+    } else {
+        2.0 * first.drawn_depth
+    };
     let side = |k: usize| {
         let (from, way) = (corners[k], corners[(k + 1) % corners.len()] - corners[k]);
         let (along, long) = (way.normalize_or(u), way.length());
         let normal = along.cross(up);
-        let own = |wall: &Wall| wall.normal.dot(normal) > 0.999 && (wall.point - from).dot(normal).abs() < 1e-6;
+        let own = |wall: &Wall| {
+            wall.normal.dot(normal) > 0.999 && (wall.point - from).dot(normal).abs() < 1e-6
+        };
         let broken = !upright(path, first.body).any(|(_, wall)| own(wall));
         broken.then_some(Wall {
             point: from,
@@ -114,11 +142,15 @@ pub(super) fn breaks(path: &Path, of: usize) -> Vec<Wall> {
 
 /// The corners of a convex polygon, in order about its middle.
 fn in_order(corners: Vec<Vec3>, v: Vec3, u: Vec3) -> Vec<Vec3> {
-    let middle = corners.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / corners.len() as f64;
+    let middle =
+        corners.iter().fold(Vec3::ZERO, |sum, corner| sum + *corner) / corners.len() as f64;
     let turn = |p: Vec3| (p - middle).dot(v).atan2((p - middle).dot(u));
     let mut around: Vec<Vec3> = Vec::with_capacity(corners.len());
     for corner in corners {
-        around.insert(around.partition_point(|other| turn(*other) < turn(corner)), corner);
+        around.insert(
+            around.partition_point(|other| turn(*other) < turn(corner)),
+            corner,
+        );
     }
     around
 }
@@ -149,7 +181,9 @@ impl Backs {
 
     /// What stands before a line: where all of it is beyond one of its far sides, it hides nothing of it.
     pub(super) fn before(&self, ends: [Vec3; 2]) -> Option<usize> {
-        let beyond = |(point, out, _): &&(Vec3, Vec3, usize)| ends.iter().all(|at| (*at - *point).dot(*out) > -1e-6);
+        let beyond = |(point, out, _): &&(Vec3, Vec3, usize)| {
+            ends.iter().all(|at| (*at - *point).dot(*out) > -1e-6)
+        };
         self.0.iter().find(beyond).map(|(_, _, of)| *of)
     }
 }
@@ -157,7 +191,9 @@ impl Backs {
 /// Whether two faces are strips of one round wall, and drawn in one.
 pub fn together(one: &Face<'_>, other: &Face<'_>) -> bool {
     match (one, other) {
-        (Face::Wall(a), Face::Wall(b)) => a.strip && b.strip && (a.actual, a.faces, a.top) == (b.actual, b.faces, b.top),
+        (Face::Wall(a), Face::Wall(b)) => {
+            a.strip && b.strip && (a.actual, a.faces, a.top) == (b.actual, b.faces, b.top)
+        }
         (Face::Wall(_) | Face::Top(_) | Face::Behind(_), _) => false,
     }
 }
@@ -167,10 +203,16 @@ impl Scene {
     pub fn faces(&self, deviates: bool) -> Vec<Face<'_>> {
         let above = |wall: &WallShape| wall.actual && !self.tops.is_empty();
         let after = |top: &Top| self.walls.iter().rposition(|wall| wall.top == Some(top.of));
-        let tops: Vec<(Option<usize>, &Top)> = self.tops.iter().map(|top| (after(top), top)).collect();
+        let tops: Vec<(Option<usize>, &Top)> =
+            self.tops.iter().map(|top| (after(top), top)).collect();
         let mut faces = Vec::new();
         let mut begun = Vec::new();
-        for (k, wall) in self.walls.iter().enumerate().filter(|(_, wall)| !above(wall)) {
+        for (k, wall) in self
+            .walls
+            .iter()
+            .enumerate()
+            .filter(|(_, wall)| !above(wall))
+        {
             if let Some(of) = wall.top.filter(|of| !begun.contains(of)) {
                 begun.push(of);
                 faces.push(Face::Behind(of));
@@ -178,9 +220,18 @@ impl Scene {
             if deviates || !wall.actual {
                 faces.push(Face::Wall(wall));
             }
-            faces.extend(tops.iter().filter(|(after, _)| *after == Some(k)).map(|(_, top)| Face::Top(top)));
+            faces.extend(
+                tops.iter()
+                    .filter(|(after, _)| *after == Some(k))
+                    .map(|(_, top)| Face::Top(top)),
+            );
         }
-        faces.extend(self.walls.iter().filter(|wall| deviates && above(wall)).map(Face::Wall));
+        faces.extend(
+            self.walls
+                .iter()
+                .filter(|wall| deviates && above(wall))
+                .map(Face::Wall),
+        );
         faces
     }
 }

@@ -21,9 +21,13 @@ impl View {
     pub fn view_of(&self, field: &str) -> Option<String> {
         let planned = self.held()?.last.planned.in_hand(self.hand);
         let names = ["top", "front", "side"];
-        let now = names.into_iter().find(|name| Projection::named(name) == Some(self.projection));
-        let found =
-            now.into_iter().chain(names).find(|name| Projection::named(name).is_some_and(|view| planned.shows(field, view)));
+        let now = names
+            .into_iter()
+            .find(|name| Projection::named(name) == Some(self.projection));
+        let found = now
+            .into_iter()
+            .chain(names)
+            .find(|name| Projection::named(name).is_some_and(|view| planned.shows(field, view)));
         found.map(str::to_owned)
     }
 
@@ -33,21 +37,41 @@ impl View {
         let scene = &self.shown.as_ref()?.scene;
         let layout = self.camera.layout(scene, self.field.as_deref());
         let near = |plate: &Plate| plate.covers(Vec2::new(x, y), 2.0);
-        let dimension = layout.dimensions.iter().find(|placed| near(&placed.name)).map(|placed| placed.drawn.field);
-        let angle = || layout.arcs.iter().find(|arc| arc.name.as_ref().is_some_and(near)).map(|arc| arc.angle.field);
+        let dimension = layout
+            .dimensions
+            .iter()
+            .find(|placed| near(&placed.name))
+            .map(|placed| placed.drawn.field);
+        let angle = || {
+            layout
+                .arcs
+                .iter()
+                .find(|arc| arc.name.as_ref().is_some_and(near))
+                .map(|arc| arc.angle.field)
+        };
         dimension.or_else(angle).map(str::to_owned)
     }
 
     /// The lines of the dimensions that are drawn: a list each, of its field's path and the pixels of its two ends, `[field, x, y, x, y]`.
     #[wasm_bindgen(js_name = dimensionLines)]
     pub fn dimension_lines(&self) -> Array {
-        self.shown.as_ref().map_or_else(Array::new, |shown| self.lines_of(&shown.scene))
+        self.shown
+            .as_ref()
+            .map_or_else(Array::new, |shown| self.lines_of(&shown.scene))
     }
 
     /// Grips an end, 0 or 1, of the line of a field's dimension at a pixel; the coded job is the one that is shown. False where no drag moves it:
     /// of some dimensions only one end moves.
     #[wasm_bindgen(js_name = gripEndCoded)]
-    pub fn grip_end(&mut self, codes: &[f64], text: &str, field: &str, end: usize, x: f64, y: f64) -> bool {
+    pub fn grip_end(
+        &mut self,
+        codes: &[f64],
+        text: &str,
+        field: &str,
+        end: usize,
+        x: f64,
+        y: f64,
+    ) -> bool {
         self.end = self.end_of(&decoded(codes, text), field, end.min(1), Vec2::new(x, y));
         self.end.is_some()
     }
@@ -78,11 +102,20 @@ impl View {
         let field = NumberField::of(job, path, self.hand)?;
         let line = |scene: &Scene| {
             let layout = self.camera.layout(scene, self.field.as_deref());
-            layout.dimensions.iter().find(|placed| placed.drawn.field == path).map(|placed| placed.line)
+            layout
+                .dimensions
+                .iter()
+                .find(|placed| placed.drawn.field == path)
+                .map(|placed| placed.line)
         };
         let now = line(&self.shown.as_ref()?.scene)?;
         let moved = |change: f64| {
-            let planned = job::planned(&job::with_number(job, path, self.hand, field.value + change))?;
+            let planned = job::planned(&job::with_number(
+                job,
+                path,
+                self.hand,
+                field.value + change,
+            ))?;
             let other = self.build(Last::of_none(planned));
             Some((line(&other.scene)?[end] - now[end]) / change)
         };
@@ -100,6 +133,11 @@ impl View {
             }
             list
         };
-        self.camera.layout(scene, self.field.as_deref()).dimensions.into_iter().map(list).collect()
+        self.camera
+            .layout(scene, self.field.as_deref())
+            .dimensions
+            .into_iter()
+            .map(list)
+            .collect()
     }
 }

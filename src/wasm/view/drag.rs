@@ -15,19 +15,33 @@ impl View {
     #[wasm_bindgen(js_name = handleAt)]
     pub fn handle_at(&self, x: f64, y: f64, reach: Option<f64>) -> Option<String> {
         let near = |at: Vec2| at.distance(Vec2::new(x, y)) <= reach.unwrap_or(14.0);
-        self.handles().into_iter().find(|(_, at)| near(*at)).map(|(handle, _)| handle.to_owned())
+        self.handles()
+            .into_iter()
+            .find(|(_, at)| near(*at))
+            .map(|(handle, _)| handle.to_owned())
     }
 
     /// The pixel of a handle, `[x, y]`: where it was gripped beside it, it stays gripped beside it.
     #[wasm_bindgen(js_name = handleSpot)]
     pub fn handle_spot(&self, handle: &str) -> Option<Vec<f64>> {
-        self.handles().into_iter().find(|(name, _)| *name == handle).map(|(_, at)| at.to_array().to_vec())
+        self.handles()
+            .into_iter()
+            .find(|(name, _)| *name == handle)
+            .map(|(_, at)| at.to_array().to_vec())
     }
 
     /// The path of the job's field that a `start` or `sweep` handle sets.
     #[wasm_bindgen(js_name = handleField)]
     pub fn handle_field(&self, handle: &str) -> Option<String> {
-        let spread = self.held()?.last.planned.in_hand(self.hand).path.feature.two_circles()?.spread?;
+        let spread = self
+            .held()?
+            .last
+            .planned
+            .in_hand(self.hand)
+            .path
+            .feature
+            .two_circles()?
+            .spread?;
         let [start, sweep] = spread.fields;
         match handle {
             "start" => Some(start.to_owned()),
@@ -40,7 +54,9 @@ impl View {
     #[wasm_bindgen(js_name = dragAngle)]
     pub fn drag_angle(&self, handle: &str, x: f64, y: f64) -> Option<f64> {
         let (center, _, start, sweep) = self.shown.as_ref()?.scene.spread?;
-        let angle = (self.camera.spot(Vec2::new(x, y)) - center).to_angle().to_degrees();
+        let angle = (self.camera.spot(Vec2::new(x, y)) - center)
+            .to_angle()
+            .to_degrees();
         if handle == "start" {
             return Some(crate::num::wrap_degrees(angle.round()));
         }
@@ -64,7 +80,9 @@ impl View {
         let [a, o, _] = held.plane.axes();
         let Planned { job, path, .. } = held.last.planned.in_hand(self.hand);
         let (mut offset, mut turn) = (job.placement.rigid.point(Vec3::ZERO), job.placement.turn);
-        let place = |offset: Vec3, turn: f64| Rigid::new(held.plane, offset, turn.to_radians()).point(path.frame.origin);
+        let place = |offset: Vec3, turn: f64| {
+            Rigid::new(held.plane, offset, turn.to_radians()).point(path.frame.origin)
+        };
         let now = place(offset, turn);
         if handle == "turn" {
             let handle = self.shown.as_ref().and_then(|shown| shown.scene.handle);
@@ -78,7 +96,11 @@ impl View {
         }
         let rounded = |mm: f64| (mm / job.scale * 1000.0).round() / 1000.0;
         let result = Object::new();
-        let list: Array = offset.to_array().iter().map(|mm| JsValue::from_f64(rounded(*mm))).collect();
+        let list: Array = offset
+            .to_array()
+            .iter()
+            .map(|mm| JsValue::from_f64(rounded(*mm)))
+            .collect();
         set(&result, "offset", &list);
         set(&result, "rotation", &JsValue::from_f64(turn));
         Ok(result.into())
@@ -89,7 +111,9 @@ impl View {
     /// The handles and their pixels, those above others first.
     fn handles(&self) -> Vec<(&'static str, Vec2)> {
         let mut handles = Vec::new();
-        let Some(Shown { scene, .. }) = self.shown.as_ref().filter(|_| !self.painter.still) else { return handles };
+        let Some(Shown { scene, .. }) = self.shown.as_ref().filter(|_| !self.painter.still) else {
+            return handles;
+        };
         if let Some([start, sweep]) = spread_handles(scene, &self.camera) {
             handles.extend([("sweep", sweep), ("start", start)]);
         }

@@ -107,8 +107,13 @@ impl View {
     /// A view on a canvas.
     #[wasm_bindgen(constructor)]
     pub fn new(canvas: web_sys::HtmlCanvasElement) -> Result<View, JsValue> {
-        let painter = Painter::new(canvas).ok_or_else(|| JsValue::from_str("this canvas has no 2D context"))?;
-        let camera = Camera { scale: 1.0, middle: Vec2::ZERO, size: Vec2::new(300.0, 150.0) };
+        let painter = Painter::new(canvas)
+            .ok_or_else(|| JsValue::from_str("this canvas has no 2D context"))?;
+        let camera = Camera {
+            scale: 1.0,
+            middle: Vec2::ZERO,
+            size: Vec2::new(300.0, 150.0),
+        };
         Ok(View {
             painter,
             over: None,
@@ -158,7 +163,11 @@ impl View {
 
     /// Draws what has changed since the last time.
     pub fn render(&self) {
-        match self.due.as_ref().map_or(Due::Nothing, |due| due.replace(Due::Nothing)) {
+        match self
+            .due
+            .as_ref()
+            .map_or(Due::Nothing, |due| due.replace(Due::Nothing))
+        {
             Due::Nothing => {}
             Due::Lit => self.paint_lit(),
             Due::All => self.paint_all(),
@@ -169,7 +178,8 @@ impl View {
     pub fn resize(&mut self, width: f64, height: f64, ratio: f64) {
         self.camera.size = Vec2::new(width, height);
         let size = self.camera.size;
-        self.painters().for_each(|painter| painter.resize(size, ratio));
+        self.painters()
+            .for_each(|painter| painter.resize(size, ratio));
         self.refit();
         self.draw();
     }
@@ -177,9 +187,14 @@ impl View {
     /// Colours: `background`, `text`, `wall`, `actual`, `position`, `link`, `touch`, `ball`, `highlight`.
     #[wasm_bindgen(js_name = setTheme)]
     pub fn set_theme(&mut self, theme: &JsValue) {
-        let colour = |name: &str| js_sys::Reflect::get(theme, &JsValue::from_str(name)).ok()?.as_string();
+        let colour = |name: &str| {
+            js_sys::Reflect::get(theme, &JsValue::from_str(name))
+                .ok()?
+                .as_string()
+        };
         let theme = Theme::of(colour);
-        self.painters().for_each(|painter| painter.theme = theme.clone());
+        self.painters()
+            .for_each(|painter| painter.theme = theme.clone());
         self.draw();
     }
 
@@ -238,7 +253,11 @@ impl View {
 
     /// Draws the virtual part's deviations, and measured points, so many times as large. The picture stays where it is.
     pub fn magnify(&mut self, times: f64) {
-        let times = if times.is_finite() { crate::num::within(times, 1.0, 1000.0) } else { 1.0 };
+        let times = if times.is_finite() {
+            crate::num::within(times, 1.0, 1000.0)
+        } else {
+            1.0
+        };
         if self.magnified != times {
             self.magnified = times;
             self.rebuild();
@@ -255,8 +274,11 @@ impl View {
     fn place(&mut self) {
         if let Some(shown) = &self.shown {
             let (size, scene) = (self.camera.size, &shown.scene);
-            self.camera =
-                if self.painter.small { Camera::fit(size, scene.bounds(), SMALL_MARGIN) } else { Camera::whole(size, scene) };
+            self.camera = if self.painter.small {
+                Camera::fit(size, scene.bounds(), SMALL_MARGIN)
+            } else {
+                Camera::whole(size, scene)
+            };
         }
         self.moved = false;
     }
@@ -286,7 +308,9 @@ impl View {
     /// The move at a pixel.
     pub fn pick(&self, x: f64, y: f64) -> Option<usize> {
         let shown = self.shown.as_ref()?;
-        shown.scene.pick(self.camera.spot(Vec2::new(x, y)), 8.0 / self.camera.scale)
+        shown
+            .scene
+            .pick(self.camera.spot(Vec2::new(x, y)), 8.0 / self.camera.scale)
     }
 
     /// Lights up a move, or none.
@@ -301,19 +325,30 @@ impl View {
     /// Lights up a move that is done to this fraction, 0 to 1: the ball is on its way.
     pub fn play(&mut self, index: usize, part: f64) {
         self.highlight = Some(index);
-        self.part = if part.is_finite() { crate::num::within(part, 0.0, 1.0) } else { 1.0 };
+        self.part = if part.is_finite() {
+            crate::num::within(part, 0.0, 1.0)
+        } else {
+            1.0
+        };
         self.light();
     }
 
     /// Whether the picture has so many lines that feeds are drawn without dashes.
     #[wasm_bindgen(js_name = isLong)]
     pub fn is_long(&self) -> bool {
-        self.shown.as_ref().is_some_and(|shown| is_long(&shown.scene))
+        self.shown
+            .as_ref()
+            .is_some_and(|shown| is_long(&shown.scene))
     }
 
     /// How long each move takes, seconds; rapids at the catalog's `rapidRate`. Their sum is the plan's time.
     pub fn times(&self) -> Vec<f64> {
-        self.held().map_or_else(Vec::new, |held| job::minutes(&held.last.planned).into_iter().map(|m| m * 60.0).collect())
+        self.held().map_or_else(Vec::new, |held| {
+            job::minutes(&held.last.planned)
+                .into_iter()
+                .map(|m| m * 60.0)
+                .collect()
+        })
     }
 
     /// Lights up the dimension of a field, by its path in the job, or none. `*` draws every height, and lights none.
@@ -338,15 +373,27 @@ impl View {
     #[wasm_bindgen(js_name = axisAt)]
     pub fn axis_at(&self, x: f64, y: f64) -> Option<String> {
         let scene = &self.shown.as_ref()?.scene;
-        axis_at(scene, &self.camera, Vec2::new(x, y)).filter(|_| !self.painter.small).map(str::to_owned)
+        axis_at(scene, &self.camera, Vec2::new(x, y))
+            .filter(|_| !self.painter.small)
+            .map(str::to_owned)
     }
 
     /// The job that is shown as an SVG, looked at from the same side, with the names of its dimensions as they are shown; deviations as large as they
     /// are. None where no job is shown.
     pub fn svg(&self, title: &str) -> Option<String> {
         let held = self.held()?;
-        let picture = held.last.planned.picture(self.projection, 1.0, Some(self.hand));
-        Some(crate::view::svg(&picture.scene, &Legend { title, names: &held.names, deviates: picture.deviates }))
+        let picture = held
+            .last
+            .planned
+            .picture(self.projection, 1.0, Some(self.hand));
+        Some(crate::view::svg(
+            &picture.scene,
+            &Legend {
+                title,
+                names: &held.names,
+                deviates: picture.deviates,
+            },
+        ))
     }
 }
 
@@ -368,14 +415,26 @@ impl View {
     /// Whether what is shown still suits the picture as it lies: whole, with room around, near its middle, and not small in it. What is edited then
     /// keeps its scale.
     fn suits(&self) -> bool {
-        let Some(shown) = &self.shown else { return false };
-        let margin = if self.painter.small { SMALL_MARGIN } else { self.camera.margin(&shown.scene) };
+        let Some(shown) = &self.shown else {
+            return false;
+        };
+        let margin = if self.painter.small {
+            SMALL_MARGIN
+        } else {
+            self.camera.margin(&shown.scene)
+        };
         let [low, high] = shown.scene.bounds();
         let fitted = Camera::fit(self.camera.size, [low, high], margin);
-        let (low, high, size) = (self.camera.pixel(low), self.camera.pixel(high), self.camera.size);
+        let (low, high, size) = (
+            self.camera.pixel(low),
+            self.camera.pixel(high),
+            self.camera.size,
+        );
         let room = low.x.min(high.y).min(size.x - high.x).min(size.y - low.y);
         let off = fitted.middle.distance(self.camera.middle) * self.camera.scale;
-        room > margin * 0.6 && fitted.scale < self.camera.scale * 1.3 && off < size.min_element() * 0.2
+        room > margin * 0.6
+            && fitted.scale < self.camera.scale * 1.3
+            && off < size.min_element() * 0.2
     }
 
     /// The scene again, of what is shown.
@@ -387,18 +446,40 @@ impl View {
     }
 
     fn build(&self, last: Rc<Last>) -> Shown {
-        let job::Picture { mut scene, mut names, offset, deviates } =
-            last.planned.picture(self.projection, self.magnified, Some(self.hand));
+        let job::Picture {
+            mut scene,
+            mut names,
+            offset,
+            deviates,
+        } = last
+            .planned
+            .picture(self.projection, self.magnified, Some(self.hand));
         if !self.labels.is_empty() {
-            let label = |field: &str| self.labels.iter().find(|(known, _)| known == field).map(|(_, label)| label.as_str());
+            let label = |field: &str| {
+                self.labels
+                    .iter()
+                    .find(|(known, _)| known == field)
+                    .map(|(_, label)| label.as_str())
+            };
             names = last.planned.in_hand(self.hand).names(&scene, label);
         }
         if self.comma {
-            names.iter_mut().for_each(|(_, name)| *name = name.replace('.', ","));
+            names
+                .iter_mut()
+                .for_each(|(_, name)| *name = name.replace('.', ","));
         }
         scene.name(&names);
         let plane = last.planned.job.setup.plane;
-        Shown { scene, content: Content::Job(Box::new(Held { deviates, plane, names, offset_name: offset, last })) }
+        Shown {
+            scene,
+            content: Content::Job(Box::new(Held {
+                deviates,
+                plane,
+                names,
+                offset_name: offset,
+                last,
+            })),
+        }
     }
 
     fn of_program(&self, path: Rc<Toolpath>, part: Option<Feature>) -> Shown {
@@ -415,9 +496,13 @@ impl View {
         let mut scene = program::scene(&moves, self.projection);
         if let Some(part) = &part {
             let seen = part.picture(self.projection).scene;
-            (scene.walls, scene.tops, scene.blocks, scene.material) = (seen.walls, seen.tops, seen.blocks, seen.material);
+            (scene.walls, scene.tops, scene.blocks, scene.material) =
+                (seen.walls, seen.tops, seen.blocks, seen.material);
         }
-        Shown { scene, content: Content::Program(path, part) }
+        Shown {
+            scene,
+            content: Content::Program(path, part),
+        }
     }
 
     /// The job that is shown, where it is one.
@@ -430,8 +515,12 @@ impl View {
 
     /// Reads what was measured for the job that is shown.
     fn read_measured(&mut self) {
-        let held = self.held().filter(|_| !self.measured_text.trim().is_empty());
-        self.measured = held.map_or_else(Vec::new, |held| crate::job::points(&held.last.planned, &self.measured_text));
+        let held = self
+            .held()
+            .filter(|_| !self.measured_text.trim().is_empty());
+        self.measured = held.map_or_else(Vec::new, |held| {
+            crate::job::points(&held.last.planned, &self.measured_text)
+        });
     }
 
     fn draw(&self) {
@@ -456,12 +545,15 @@ impl View {
             let held = self.held();
             // Each from where its touch should have met the part.
             let seen = |held: &Held, (k, p): &(usize, Vec3)| {
-                let real = self.projection.place(held.plane, *p * held.last.planned.job.scale);
+                let real = self
+                    .projection
+                    .place(held.plane, *p * held.last.planned.job.scale);
                 let nominal = shown.scene.touches.get(*k).map_or(real, |touch| touch.ball);
                 nominal.lerp_monotonic(real, self.magnified)
             };
             let points = self.measured.iter();
-            let measured: Vec<Vec2> = held.map_or_else(Vec::new, |held| points.map(|p| seen(held, p)).collect());
+            let measured: Vec<Vec2> =
+                held.map_or_else(Vec::new, |held| points.map(|p| seen(held, p)).collect());
             let marks = Marks {
                 measured: &measured,
                 highlight: self.highlight.filter(|_| self.over.is_none()),

@@ -36,11 +36,17 @@ impl View {
     /// system is turned, the base axes. A wrong query leaves the picture as it is and gives `false`.
     #[wasm_bindgen(js_name = showLentoaxCoded)]
     pub fn show_lentoax(&mut self, codes: &[f64], text: &str) -> bool {
-        let Ok(query) = job::lentoax_query(&decoded(codes, text)) else { return false };
+        let Ok(query) = job::lentoax_query(&decoded(codes, text)) else {
+            return false;
+        };
         let arrows = lengths::arrows(&query);
         self.shown = None;
         // The longest arrows end at 1.15; their names need a little room beyond.
-        let camera = Camera::fit(self.camera.size, [Vec2::splat(-1.25), Vec2::splat(1.25)], 22.0);
+        let camera = Camera::fit(
+            self.camera.size,
+            [Vec2::splat(-1.25), Vec2::splat(1.25)],
+            22.0,
+        );
         self.painter.draw_arrows(&arrows, &camera);
         self.paint_lit();
         true

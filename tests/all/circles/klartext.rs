@@ -31,8 +31,18 @@ Q1121=+0 ;CONFIRM ROTATION";
 
 fn block_lines(program: &str) -> Vec<String> {
     // The number of the block is that of a program with other comments.
-    let lines = program.lines().skip_while(|l| !l.contains("TCH PROBE 1411")).take(20);
-    lines.map(|l| l.trim_start_matches(|c: char| c.is_ascii_digit()).split_whitespace().collect::<Vec<_>>().join(" ")).collect()
+    let lines = program
+        .lines()
+        .skip_while(|l| !l.contains("TCH PROBE 1411"))
+        .take(20);
+    lines
+        .map(|l| {
+            l.trim_start_matches(|c: char| c.is_ascii_digit())
+                .split_whitespace()
+                .collect::<Vec<_>>()
+                .join(" ")
+        })
+        .collect()
 }
 
 /// The manual's own example is read as it stands, and written again letter by letter. Its diameters of 0 cannot be probed, so
@@ -40,20 +50,36 @@ fn block_lines(program: &str) -> Vec<String> {
 #[test]
 fn the_manuals_example_is_read_and_written() {
     let imported = import(SEED).unwrap();
-    assert_eq!(imported.job.get("cycle").unwrap().get("diameter1"), Some(&number(0.0)));
+    assert_eq!(
+        imported.job.get("cycle").unwrap().get("diameter1"),
+        Some(&number(0.0))
+    );
     // A text without a name gets that of what is measured.
-    let mut job = with(&with(&imported.job, "cycle.diameter1", number(10.0)), "name", Value::Text("PROBE".to_owned()));
+    let mut job = with(
+        &with(&imported.job, "cycle.diameter1", number(10.0)),
+        "name",
+        Value::Text("PROBE".to_owned()),
+    );
     job = with(&job, "cycle.diameter2", number(10.0));
     job = with(&job, "cycle.point2", point([50.0, 0.0, 0.0]));
     let program = planned(&job).program.text;
-    let expected =
-        SEED.replacen("Q1116=+0", "Q1116=+10", 1).replacen("Q1117=+0", "Q1117=+10", 1).replacen("Q1103=+0", "Q1103=+50", 1);
+    let expected = SEED
+        .replacen("Q1116=+0", "Q1116=+10", 1)
+        .replacen("Q1117=+0", "Q1117=+10", 1)
+        .replacen("Q1103=+0", "Q1103=+50", 1);
     assert_eq!(block_lines(&program), block_lines(&expected));
-    assert!(program.starts_with("0 BEGIN PGM PROBE MM\n1 ; Job: PROBE\n2 ; HEIDENHAIN cycle 1411: Probing two circles\n"));
+    assert!(program.starts_with(
+        "0 BEGIN PGM PROBE MM\n1 ; Job: PROBE\n2 ; HEIDENHAIN cycle 1411: Probing two circles\n"
+    ));
     // Blocks are numbered one by one.
-    let numbers =
-        program.lines().filter(|l| !l.starts_with(' ')).map(|l| l.split(' ').next().unwrap().parse::<usize>().unwrap());
-    assert!(numbers.enumerate().all(|(i, number)| i == number) && program.ends_with(" END PGM PROBE MM\n"));
+    let numbers = program
+        .lines()
+        .filter(|l| !l.starts_with(' '))
+        .map(|l| l.split(' ').next().unwrap().parse::<usize>().unwrap());
+    assert!(
+        numbers.enumerate().all(|(i, number)| i == number)
+            && program.ends_with(" END PGM PROBE MM\n")
+    );
 }
 
 #[test]
@@ -63,22 +89,36 @@ fn other_ways_to_write_the_block_are_read() {
     let cycle = import(iso).unwrap().job.get("cycle").unwrap().clone();
     assert_eq!(cycle.get("point1"), Some(&point([-30.0, 0.5, -10.0])));
     assert_eq!(cycle.get("diameter1"), Some(&text("10H7")));
-    assert_eq!((cycle.get("geometryType"), cycle.get("transferPosition")), (Some(&number(2.0)), Some(&number(1.0))));
+    assert_eq!(
+        (cycle.get("geometryType"), cycle.get("transferPosition")),
+        (Some(&number(2.0)), Some(&number(1.0)))
+    );
     let messy = "0 BEGIN PGM A_B INCH\r\n1 L Z+100 R0 FMAX M91\r\n2 TOOL CALL 7 Y S50\r\n3 TCH PROBE 1493 EXTRUSION PROBING ~\r\n\
                  Q1140=+1 ;anything at all ~\r\n Q1145=+4 ~\r\nQ1146=-2,5;x ~\r\nQ1149=+0\r\n4 TCH PROBE 1411 ~\r\n  Q1100=+1 ;x ~\r\n Q1101=+0 Q1102=+0 Q1116=+1 Q1103=+4 Q1104=+0 Q1105=+0 Q1117=+1 ~\r\n Q9999=+1\r\n\
                  5 END PGM A_B INCH\r\n";
     let imported = import(messy).unwrap();
     let at = |path: &str| number_at(&imported.job, path, f64::NAN);
     assert_eq!(imported.job.get("units"), Some(&text("inch")));
-    assert_eq!((imported.job.get("plane"), at("control.tool")), (Some(&text("G18")), 7.0));
-    assert_eq!((at("cycle.extrusion.points"), at("cycle.extrusion.length")), (4.0, -2.5));
+    assert_eq!(
+        (imported.job.get("plane"), at("control.tool")),
+        (Some(&text("G18")), 7.0)
+    );
+    assert_eq!(
+        (at("cycle.extrusion.points"), at("cycle.extrusion.length")),
+        (4.0, -2.5)
+    );
     let codes: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
-    assert!(codes.contains(&"unknown-parameter") && codes.contains(&"missing-parameter") && codes.contains(&"passed-over"));
+    assert!(
+        codes.contains(&"unknown-parameter")
+            && codes.contains(&"missing-parameter")
+            && codes.contains(&"passed-over")
+    );
     assert!(import("nothing at all").is_err() && import("").is_err() && import("{").is_err());
 }
 
 /// Where both circles are, and how large.
-const PLACED: &str = "Q1100=-31 Q1101=+1 Q1102=-11 Q1116=+21 Q1103=+29 Q1104=+2 Q1105=-12 Q1117=+22";
+const PLACED: &str =
+    "Q1100=-31 Q1101=+1 Q1102=-11 Q1116=+21 Q1103=+29 Q1104=+2 Q1105=-12 Q1117=+22";
 
 /// The example at the end of the manual's page of 1411, as the page prints it: blank lines, and each comment with its `~` in a line of its own. The numbers are
 /// others than the form's.
@@ -105,14 +145,28 @@ fn the_example_of_the_manual_is_read_as_it_is_printed() {
         ("1120", "+1", "TRANSER POSITION"),
         ("1121", "+1", "CONFIRM ROTATION"),
     ];
-    let rows: Vec<String> = parameters.map(|(number, value, name)| format!("Q{number}={value}\n\n;{name}")).to_vec();
-    let block = format!("11 TCH PROBE 1411 PROBING TWO CIRCLES ~\n\n{}\n\n12 M5\n", rows.join(" ~\n\n"));
+    let rows: Vec<String> = parameters
+        .map(|(number, value, name)| format!("Q{number}={value}\n\n;{name}"))
+        .to_vec();
+    let block = format!(
+        "11 TCH PROBE 1411 PROBING TWO CIRCLES ~\n\n{}\n\n12 M5\n",
+        rows.join(" ~\n\n")
+    );
     let read = import(&block).unwrap();
-    assert!(read.findings.iter().all(|f| f.code != "missing-parameter"), "{:?}", read.findings);
+    assert!(
+        read.findings.iter().all(|f| f.code != "missing-parameter"),
+        "{:?}",
+        read.findings
+    );
     let cycle = read.job.get("cycle").unwrap();
     assert_eq!(cycle.get("point1"), Some(&point([5.0, 75.0, -3.0])));
     assert_eq!(cycle.get("point2"), Some(&point([75.0, 76.0, -4.0])));
-    for (key, wanted) in [("diameter1", 12.0), ("diameter2", 14.0), ("clearanceHeight", 101.0), ("confirmRotation", 1.0)] {
+    for (key, wanted) in [
+        ("diameter1", 12.0),
+        ("diameter2", 14.0),
+        ("clearanceHeight", 101.0),
+        ("confirmRotation", 1.0),
+    ] {
         assert_eq!(cycle.get(key), Some(&number(wanted)), "{key}");
     }
 }
@@ -125,9 +179,22 @@ fn a_position_or_a_diameter_that_is_not_given_is_no_default() {
         let errors = findings.into_iter().filter(|f| f.level == Level::Error);
         errors.map(|f| format!("{} {}", f.code, f.path)).collect()
     };
-    assert_eq!(refused("TCH PROBE 1411 ~\nQ1115=+1").len(), 8, "all at once");
-    assert_eq!(refused(&format!("TCH PROBE 1411 {}", PLACED.replace("Q1102=-11 ", ""))), ["missing-parameter cycle.point1[2]"]);
-    assert_eq!(refused(&format!("TCH PROBE 1411 {}", PLACED.replace("+22", "abc"))), ["not-a-number cycle.diameter2"]);
+    assert_eq!(
+        refused("TCH PROBE 1411 ~\nQ1115=+1").len(),
+        8,
+        "all at once"
+    );
+    assert_eq!(
+        refused(&format!(
+            "TCH PROBE 1411 {}",
+            PLACED.replace("Q1102=-11 ", "")
+        )),
+        ["missing-parameter cycle.point1[2]"]
+    );
+    assert_eq!(
+        refused(&format!("TCH PROBE 1411 {}", PLACED.replace("+22", "abc"))),
+        ["not-a-number cycle.diameter2"]
+    );
 }
 
 /// The finding spoke of another default than the form's. The numbers here are typed from the manual page of the cycle (docs/cycles/probing-two-circles.md), in mm.
@@ -154,7 +221,10 @@ fn a_parameter_that_is_not_given_has_the_forms_default() {
     ];
     let at = |job: &Value, key: &str| {
         let (name, axis) = key.split_once('[').unwrap_or((key, ""));
-        let value = name.split('.').try_fold(job.get("cycle").unwrap(), |value, key| value.get(key)).unwrap();
+        let value = name
+            .split('.')
+            .try_fold(job.get("cycle").unwrap(), |value, key| value.get(key))
+            .unwrap();
         match (value, axis.trim_end_matches(']').parse::<usize>()) {
             (Value::List(items), Ok(axis)) => items[axis].clone(),
             (value, _) => value.clone(),
@@ -165,21 +235,45 @@ fn a_parameter_that_is_not_given_has_the_forms_default() {
             .unwrap()
     };
     let bare = placed("MM", "");
-    let missing: Vec<(String, Vec<String>)> =
-        bare.findings.iter().filter(|f| f.code == "missing-parameter").map(|f| (f.path.clone(), values(f))).collect();
+    let missing: Vec<(String, Vec<String>)> = bare
+        .findings
+        .iter()
+        .filter(|f| f.code == "missing-parameter")
+        .map(|f| (f.path.clone(), values(f)))
+        .collect();
     assert_eq!(missing.len(), defaults.len() + extrusion.len());
     for (number, key, default) in extrusion.into_iter().chain(defaults) {
-        assert_eq!(at(&bare.job, key), touchpath::form::Value::Number(default), "Q{number}");
-        let wanted = (format!("cycle.{key}"), vec![number.to_string(), default.to_string()]);
+        assert_eq!(
+            at(&bare.job, key),
+            touchpath::form::Value::Number(default),
+            "Q{number}"
+        );
+        let wanted = (
+            format!("cycle.{key}"),
+            vec![number.to_string(), default.to_string()],
+        );
         assert!(missing.contains(&wanted), "{wanted:?}: {missing:#?}");
     }
     // One that is given is no default, and one that cannot be read is reported once.
     let one = placed("MM", "Q325=+7 Q320=abc");
-    assert_eq!((at(&one.job, "startingAngle"), at(&one.job, "setUpClearance")), (number(7.0), number(0.0)));
-    let unread: Vec<_> = one.findings.iter().filter(|f| f.path == "cycle.setUpClearance").map(|f| f.code.as_str()).collect();
+    assert_eq!(
+        (
+            at(&one.job, "startingAngle"),
+            at(&one.job, "setUpClearance")
+        ),
+        (number(7.0), number(0.0))
+    );
+    let unread: Vec<_> = one
+        .findings
+        .iter()
+        .filter(|f| f.path == "cycle.setUpClearance")
+        .map(|f| f.code.as_str())
+        .collect();
     assert_eq!(unread, ["not-a-number"], "it is reported once");
     // In inch the defaults are those of the form in inch: 100 mm are 3.937 inch.
-    let Value::Number(x) = at(&placed("INCH", "").job, "clearanceHeight") else { panic!() };
+    let Value::Number(x) = at(&placed("INCH", "").job, "clearanceHeight") else {
+        panic!()
+    };
     assert!((x - 100.0 / 25.4).abs() < 0.1, "{x}");
 }
 
@@ -204,11 +298,23 @@ fn a_program_is_read_back_as_it_was_written() {
         |(places, height, diameters, geometry, points, angles, modes, extruded, inch, name)| {
             let forms = ["15H7", "22m", "30+0.01-0.015", "18-0.2", "25h6", "16+1-1"];
             let scale = if inch { 25.4 } else { 1.0 };
-            let second = if inch { number(diameters.0 / scale) } else { text(forms[diameters.1]) };
+            let second = if inch {
+                number(diameters.0 / scale)
+            } else {
+                text(forms[diameters.1])
+            };
             let mut job = with(&holes(), "units", text(if inch { "inch" } else { "mm" }));
             job = with(&job, "name", text(&name));
-            job = with(&job, "cycle.point1", point([places[0] / scale, places[1] / scale, height / scale]));
-            job = with(&job, "cycle.point2", point([places[2] / scale, places[3] / scale, height / scale]));
+            job = with(
+                &job,
+                "cycle.point1",
+                point([places[0] / scale, places[1] / scale, height / scale]),
+            );
+            job = with(
+                &job,
+                "cycle.point2",
+                point([places[2] / scale, places[3] / scale, height / scale]),
+            );
             job = with(&job, "cycle.diameter1", number(diameters.0 / scale));
             job = with(&job, "cycle.diameter2", second);
             for (key, value) in [
@@ -229,14 +335,21 @@ fn a_program_is_read_back_as_it_was_written() {
                 job = with(
                     &job,
                     "cycle.extrusion",
-                    Value::Map(vec![("points".into(), number(2.0)), ("length".into(), number(-1.0 / scale))]),
+                    Value::Map(vec![
+                        ("points".into(), number(2.0)),
+                        ("length".into(), number(-1.0 / scale)),
+                    ]),
                 );
             }
-            let Ok(first) = plan(&job) else { return Ok(false) };
-            let imported = import(&first.program.text).map_err(|e| TestCaseError::fail(e.to_string()))?;
+            let Ok(first) = plan(&job) else {
+                return Ok(false);
+            };
+            let imported =
+                import(&first.program.text).map_err(|e| TestCaseError::fail(e.to_string()))?;
             let again = with(&imported.job, "stylus.diameter", number(1.0 / scale));
             let again = with(&again, "cycle.start", point([0.0, 0.0, 100.0]));
-            let second = plan(&again).map_err(|e| TestCaseError::fail(format!("{e}: {:?}", e.findings)))?;
+            let second =
+                plan(&again).map_err(|e| TestCaseError::fail(format!("{e}: {:?}", e.findings)))?;
             prop_assert_eq!(first.program.text, second.program.text);
             Ok(true)
         },
@@ -245,37 +358,72 @@ fn a_program_is_read_back_as_it_was_written() {
 
 #[test]
 fn an_import_takes_the_probes_tool_and_says_what_it_does_not_know() {
-    let with_tools = |before: &str, after: &str| import(&format!("0 BEGIN PGM A MM\n{before}\n{SEED}\n{after}\n")).unwrap();
-    let later = with_tools("1 TOOL CALL 100 Y S50\n2 TOOL CALL S60", "13 TOOL CALL 5 Z S3000");
+    let with_tools = |before: &str, after: &str| {
+        import(&format!("0 BEGIN PGM A MM\n{before}\n{SEED}\n{after}\n")).unwrap()
+    };
+    let later = with_tools(
+        "1 TOOL CALL 100 Y S50\n2 TOOL CALL S60",
+        "13 TOOL CALL 5 Z S3000",
+    );
     assert_eq!(number_at(&later.job, "control.tool", 0.0), 100.0);
-    assert_eq!(later.job.get("plane"), Some(&text("G18")), "a call without an axis leaves the plane");
+    assert_eq!(
+        later.job.get("plane"),
+        Some(&text("G18")),
+        "a call without an axis leaves the plane"
+    );
     let named = with_tools("1 TOOL CALL \"TOUCH_PROBE\" Z", "");
     assert!(named.findings.iter().any(|f| f.code == "tool-by-name"));
     // A block without a tool states the tool axis or the spindle speed only.
     for axis in ["1 TOOL CALL Z S50", "1 TOOL CALL S50", "1 TOOL CALL"] {
         let read = with_tools(axis, "");
-        assert!(read.findings.iter().all(|f| f.code != "tool-by-name"), "{axis}");
+        assert!(
+            read.findings.iter().all(|f| f.code != "tool-by-name"),
+            "{axis}"
+        );
     }
-    let block = SEED.replace(" ~\n", " ").replacen("11 TCH PROBE 1411 PROBING TWO CIRCLES", "N20 G1411", 1);
+    let block =
+        SEED.replace(" ~\n", " ")
+            .replacen("11 TCH PROBE 1411 PROBING TWO CIRCLES", "N20 G1411", 1);
     let block: String = block
         .split_whitespace()
         .filter(|w| w.starts_with('Q') || w.starts_with('N') && w.len() == 3 || *w == "G1411")
         .collect::<Vec<_>>()
         .join(" ");
     let iso = import(&format!("%A G70 *\nN10 T7 G19 S50 *\n{block}\n")).unwrap();
-    assert_eq!((iso.job.get("units"), iso.job.get("plane")), (Some(&text("inch")), Some(&text("G19"))));
+    assert_eq!(
+        (iso.job.get("units"), iso.job.get("plane")),
+        (Some(&text("inch")), Some(&text("G19")))
+    );
     assert_eq!(number_at(&iso.job, "control.tool", 0.0), 7.0);
-    assert!(import(&block).unwrap().findings.iter().any(|f| f.code == "units-unknown"));
+    assert!(
+        import(&block)
+            .unwrap()
+            .findings
+            .iter()
+            .any(|f| f.code == "units-unknown")
+    );
 }
 
 /// A block that shifts, turns, mirrors, scales or tilts is warned of; one that resets, or does nothing, is not.
 #[test]
 fn transformations_before_the_cycle_are_said() {
-    let cycle = touchpath::job::plan(&with(&with(&holes(), "control.post", text("heidenhain")), "control.form", text("cycle")));
+    let cycle = touchpath::job::plan(&with(
+        &with(&holes(), "control.post", text("heidenhain")),
+        "control.form",
+        text("cycle"),
+    ));
     let program = cycle.unwrap().program.text;
     let warned = |before: &str| {
-        let bare: String = program.lines().filter(|line| !line.contains(" ; ")).map(|line| format!("{line}\n")).collect();
-        let bare = bare.replacen(" TCH PROBE 1411", &format!(" L X+0\n{before}\n99 TCH PROBE 1411"), 1);
+        let bare: String = program
+            .lines()
+            .filter(|line| !line.contains(" ; "))
+            .map(|line| format!("{line}\n"))
+            .collect();
+        let bare = bare.replacen(
+            " TCH PROBE 1411",
+            &format!(" L X+0\n{before}\n99 TCH PROBE 1411"),
+            1,
+        );
         let read = import(&bare).unwrap();
         read.findings.iter().any(|f| f.code == "places-transformed")
     };

@@ -10,34 +10,84 @@ use touchpath::job::{Plan, check, default_job};
 #[test]
 fn the_first_block_dives_into_the_feature() {
     for kind in ["hole", "internal-rectangle", "groove"] {
-        let job =
-            |distance: f64| cycle(&format!(r#"{{ "type": "{kind}", "topClearance": null, "feedDistance": {distance} }}"#));
-        assert_eq!(errors(&job(5.0)), ["start-in-feature cycle.feedDistance"], "{kind}");
+        let job = |distance: f64| {
+            cycle(&format!(
+                r#"{{ "type": "{kind}", "topClearance": null, "feedDistance": {distance} }}"#
+            ))
+        };
+        assert_eq!(
+            errors(&job(5.0)),
+            ["start-in-feature cycle.feedDistance"],
+            "{kind}"
+        );
         // Ten down to the touches, and the ball's radius over the top.
-        let finding = check(&job(5.0)).into_iter().find(|f| f.code == "start-in-feature").unwrap();
-        assert!(finding.message.contains("at least 13 mm"), "{}", finding.message);
-        assert_eq!(errors(&job(12.999)), ["start-in-feature cycle.feedDistance"]);
+        let finding = check(&job(5.0))
+            .into_iter()
+            .find(|f| f.code == "start-in-feature")
+            .unwrap();
+        assert!(
+            finding.message.contains("at least 13 mm"),
+            "{}",
+            finding.message
+        );
+        assert_eq!(
+            errors(&job(12.999)),
+            ["start-in-feature cycle.feedDistance"]
+        );
         let plan = planned(&job(13.0));
-        assert_eq!((plan.moves[0].to[2], plan.moves.last().unwrap().to[2]), (3.0, 3.0));
+        assert_eq!(
+            (plan.moves[0].to[2], plan.moves.last().unwrap().to[2]),
+            (3.0, 3.0)
+        );
         // With a top clearance too: the ball must be clear of the top.
-        let low = cycle(&format!(r#"{{ "type": "{kind}", "topClearance": 1, "feedDistance": 1.5 }}"#));
-        assert_eq!(errors(&low), ["start-in-feature cycle.feedDistance"], "{kind}");
+        let low = cycle(&format!(
+            r#"{{ "type": "{kind}", "topClearance": 1, "feedDistance": 1.5 }}"#
+        ));
+        assert_eq!(
+            errors(&low),
+            ["start-in-feature cycle.feedDistance"],
+            "{kind}"
+        );
     }
-    let inch = job(r#"{ "format": 1, "units": "inch", "stylus": { "diameter": 0.25 },
-        "cycle": { "type": "hole", "depth": 0.3, "topClearance": null, "feedDistance": 0.1 } }"#);
-    let finding = check(&inch).into_iter().find(|f| f.code == "start-in-feature").unwrap();
-    assert!(finding.message.contains("at least 0.425 inch"), "{}", finding.message);
+    let inch = job(
+        r#"{ "format": 1, "units": "inch", "stylus": { "diameter": 0.25 },
+        "cycle": { "type": "hole", "depth": 0.3, "topClearance": null, "feedDistance": 0.1 } }"#,
+    );
+    let finding = check(&inch)
+        .into_iter()
+        .find(|f| f.code == "start-in-feature")
+        .unwrap();
+    assert!(
+        finding.message.contains("at least 0.425 inch"),
+        "{}",
+        finding.message
+    );
 }
 
 #[test]
 fn a_corner_with_no_feed_distance_begins_and_ends_at_the_touches() {
-    for kind in ["double-wall-internal-corner", "double-wall-external-corner", "triple-wall-internal-corner"] {
-        let low = with(&default_job(kind).unwrap(), "cycle.feedDistance", number(0.0));
+    for kind in [
+        "double-wall-internal-corner",
+        "double-wall-external-corner",
+        "triple-wall-internal-corner",
+    ] {
+        let low = with(
+            &default_job(kind).unwrap(),
+            "cycle.feedDistance",
+            number(0.0),
+        );
         assert!(warnings(&low).contains(&"low-start".to_owned()), "{kind}");
         for post in ["linuxcnc", "grbl", "sinumerik"] {
-            let plan = planned(&with(&default_job(kind).unwrap(), "control.post", text(post)));
+            let plan = planned(&with(
+                &default_job(kind).unwrap(),
+                "control.post",
+                text(post),
+            ));
             let said = plan.program.text.replace("\n; ", " ").replace(")\n(", " ");
-            assert!(said.contains("This cycle knows no top side: it begins and ends at Z"), "{kind} {post}");
+            assert!(
+                said.contains("This cycle knows no top side: it begins and ends at Z"),
+                "{kind} {post}"
+            );
         }
     }
     let side = cycle(r#"{ "type": "surface", "elevation": 0, "feedDistance": 0 }"#);
@@ -60,8 +110,16 @@ fn the_first_block_of_1411_drives_to_where_the_stylus_is_said_to_be() {
                 ));
                 let plan = planned(&job);
                 let line = |i: usize| {
-                    let text = plan.program.text.lines().nth(plan.program.move_lines[i] as usize).unwrap();
-                    text.split(' ').filter(|w| w.starts_with(['X', 'Y', 'Z'])).map(str::to_owned).collect::<Vec<_>>()
+                    let text = plan
+                        .program
+                        .text
+                        .lines()
+                        .nth(plan.program.move_lines[i] as usize)
+                        .unwrap();
+                    text.split(' ')
+                        .filter(|w| w.starts_with(['X', 'Y', 'Z']))
+                        .map(str::to_owned)
+                        .collect::<Vec<_>>()
                 };
                 let blocks = [line(0), line(1), line(2)];
                 (plan.program.text.clone(), blocks)
@@ -73,11 +131,23 @@ fn the_first_block_of_1411_drives_to_where_the_stylus_is_said_to_be() {
             // From above: the plane alone, then down.
             let (program, blocks) = from(80.0);
             assert_eq!(blocks[0], ["X-30", "Y0"], "{post} {protection}\n{program}");
-            assert_eq!(blocks[1].last().map(String::as_str), Some("Z50"), "{post} {protection}\n{program}");
+            assert_eq!(
+                blocks[1].last().map(String::as_str),
+                Some("Z50"),
+                "{post} {protection}\n{program}"
+            );
             let comments = program.replace("\n; ", " ").replace(")\n(", " ");
-            assert!(comments.contains("taken to be at X17 Y23 Z80 before the start"), "{program}");
+            assert!(
+                comments.contains("taken to be at X17 Y23 Z80 before the start"),
+                "{program}"
+            );
             let blocks = program.lines().filter(|l| !l.starts_with(['(', ';']));
-            assert!(!blocks.clone().any(|l| l.contains("X17") || l.contains("Y23")), "{program}");
+            assert!(
+                !blocks
+                    .clone()
+                    .any(|l| l.contains("X17") || l.contains("Y23")),
+                "{program}"
+            );
         }
     }
 }
@@ -112,10 +182,14 @@ fn an_extrusion_goes_deeper_by_rapid() {
             "extrusion": {{ "points": 3, "length": {length} }} }}, "control": {{ "post": "linuxcnc", "form": "moves" }} }}"#
         ));
         let plan = planned(&job);
-        let deeper =
-            plan.moves.windows(2).filter(|w| w[1].kind == "position" && w[1].to[2] < w[0].to[2] - 1e-9 && w[0].to[2] < 20.0);
+        let deeper = plan.moves.windows(2).filter(|w| {
+            w[1].kind == "position" && w[1].to[2] < w[0].to[2] - 1e-9 && w[0].to[2] < 20.0
+        });
         let feeds: Vec<&str> = deeper.map(|w| w[1].feed).collect();
-        assert!(feeds.len() >= 2 && feeds.iter().all(|f| *f == "work"), "{length} {mode}: {feeds:?}");
+        assert!(
+            feeds.len() >= 2 && feeds.iter().all(|f| *f == "work"),
+            "{length} {mode}: {feeds:?}"
+        );
     }
 }
 
@@ -130,8 +204,17 @@ fn grbl_descends_at_a_feed_where_nothing_watches() {
         ))
     };
     let lines = |plan: &Plan| -> Vec<(bool, String)> {
-        let line = |i: usize| plan.program.text.lines().nth(plan.program.move_lines[i] as usize).unwrap().to_owned();
-        (1..plan.moves.len()).map(|i| (plan.moves[i].to[2] < plan.moves[i - 1].to[2], line(i))).collect()
+        let line = |i: usize| {
+            plan.program
+                .text
+                .lines()
+                .nth(plan.program.move_lines[i] as usize)
+                .unwrap()
+                .to_owned()
+        };
+        (1..plan.moves.len())
+            .map(|i| (plan.moves[i].to[2] < plan.moves[i - 1].to[2], line(i)))
+            .collect()
     };
     let plan = planned(&boss("none"));
     for (down, line) in lines(&plan) {
@@ -142,7 +225,10 @@ fn grbl_descends_at_a_feed_where_nothing_watches() {
     // Watched, it goes at the feed that a machine stops from.
     let plan = planned(&boss("checked"));
     for (down, line) in lines(&plan).iter().filter(|(_, line)| line.contains(" Z")) {
-        assert!(line.starts_with("G38.3") && line.ends_with("F2000"), "{down} {line}");
+        assert!(
+            line.starts_with("G38.3") && line.ends_with("F2000"),
+            "{down} {line}"
+        );
     }
     assert!(plan.findings.iter().all(|f| f.code != "rapid-at-feed"));
 }
@@ -152,11 +238,32 @@ fn calling_the_probe_is_a_tool_change_that_was_not_asked_for() {
     let job = default_job("probing-two-circles").unwrap();
     assert!(!planned(&job).program.text.contains("TOOL CALL"));
     assert!(planned(&job).program.text.contains("No tool is called"));
-    let called = planned(&with(&job, "control.tool", number(7.0))).program.text;
-    assert_eq!(called.lines().filter(|l| l.contains("TOOL CALL 7 Z S50")).count(), 1);
+    let called = planned(&with(&job, "control.tool", number(7.0)))
+        .program
+        .text;
+    assert_eq!(
+        called
+            .lines()
+            .filter(|l| l.contains("TOOL CALL 7 Z S50"))
+            .count(),
+        1
+    );
     // Comments never continue a block, and the program is read back.
-    assert!(called.lines().filter(|l| l.contains(" ; ")).all(|l| !l.ends_with('~')));
-    assert_eq!(import(&called).unwrap().job.get("control").unwrap().get("tool"), Some(&number(7.0)));
+    assert!(
+        called
+            .lines()
+            .filter(|l| l.contains(" ; "))
+            .all(|l| !l.ends_with('~'))
+    );
+    assert_eq!(
+        import(&called)
+            .unwrap()
+            .job
+            .get("control")
+            .unwrap()
+            .get("tool"),
+        Some(&number(7.0))
+    );
 }
 
 #[test]
@@ -165,17 +272,31 @@ fn positioning_is_watched_unless_the_job_says_not() {
         for post in ["linuxcnc", "sinumerik"] {
             let job = with(&default_job(kind).unwrap(), "control.post", text(post));
             let checked = planned(&job);
-            assert_eq!(checked.program.text, planned(&with(&job, "control.protection", text("checked"))).program.text);
+            assert_eq!(
+                checked.program.text,
+                planned(&with(&job, "control.protection", text("checked")))
+                    .program
+                    .text
+            );
             let bare = planned(&with(&job, "control.protection", text("none")));
-            let watched =
-                |plan: &touchpath::job::Plan| plan.program.text.contains("G38.3") || plan.program.text.contains("TP_CONTACT");
-            assert_eq!((watched(&checked), watched(&bare)), (true, false), "{kind} {post}");
+            let watched = |plan: &touchpath::job::Plan| {
+                plan.program.text.contains("G38.3") || plan.program.text.contains("TP_CONTACT")
+            };
+            assert_eq!(
+                (watched(&checked), watched(&bare)),
+                (true, false),
+                "{kind} {post}"
+            );
             assert!(bare.program.text.contains("NOT watched"));
             assert_eq!(bare.moves, checked.moves);
         }
     }
     assert_eq!(
-        errors(&with(&default_job("hole").unwrap(), "control.protection", text("some"))),
+        errors(&with(
+            &default_job("hole").unwrap(),
+            "control.protection",
+            text("some")
+        )),
         ["unknown-value control.protection"]
     );
 }
@@ -188,7 +309,10 @@ fn predefined_heights_become_no_program_of_moves() {
     let moves = cycle(&format!("{{ {predef} }}"));
     assert_eq!(
         errors(&moves),
-        ["not-known cycle.setUpClearancePredef".to_owned(), "not-known cycle.clearanceHeightPredef".to_owned()]
+        [
+            "not-known cycle.setUpClearancePredef".to_owned(),
+            "not-known cycle.clearanceHeightPredef".to_owned()
+        ]
     );
     // The control's own cycle takes them from GLOBAL DEF: what stands in for the picture refuses nothing.
     let own = job(&format!(
@@ -198,12 +322,23 @@ fn predefined_heights_become_no_program_of_moves() {
     ));
     let plan = planned(&own);
     assert!(plan.program.text.contains("Q320=PREDEF") && plan.program.text.contains("Q260=PREDEF"));
-    assert_eq!(plan.findings.iter().filter(|f| f.code == "predefined").count(), 2);
+    assert_eq!(
+        plan.findings
+            .iter()
+            .filter(|f| f.code == "predefined")
+            .count(),
+        2
+    );
 }
 
 #[test]
 fn the_plate_around_a_hole_leaves_room_beside_the_stud() {
-    for (diameter, geometry, offset) in [(0.0, 2, 0.001), (1.0, 2, 0.6), (1.0, 3, -0.6), (6.0, 2, 1.0)] {
+    for (diameter, geometry, offset) in [
+        (0.0, 2, 0.001),
+        (1.0, 2, 0.6),
+        (1.0, 3, -0.6),
+        (6.0, 2, 1.0),
+    ] {
         let job = job(&format!(
             r#"{{ "format": 1, "stylus": {{ "diameter": {diameter} }}, "part": {{ "offset": [{offset}, 0, 0] }},
             "cycle": {{ "type": "probing-two-circles", "geometryType": {geometry}, "clearanceHeightMode": 1 }} }}"#
@@ -223,19 +358,25 @@ fn an_extrusion_is_left_before_the_next_object() {
     for pair in plan.moves.windows(2) {
         let [from, to] = [pair[0].to, pair[1].to];
         let crosses = (from[0] - to[0]).hypot(from[1] - to[1]) > 1.0 && pair[1].kind == "position";
-        assert!(!crosses || (from[2] >= -10.0 && to[2] >= -10.0), "{from:?} {to:?}");
+        assert!(
+            !crosses || (from[2] >= -10.0 && to[2] >= -10.0),
+            "{from:?} {to:?}"
+        );
     }
 }
 
 #[test]
 fn chords_around_a_stud_stay_clear_of_it() {
-    let job =
-        cycle(r#"{ "type": "probing-two-circles", "geometryType": 1, "clearanceHeightMode": 1, "probe": { "setUp": 0.012 } }"#);
+    let job = cycle(
+        r#"{ "type": "probing-two-circles", "geometryType": 1, "clearanceHeightMode": 1, "probe": { "setUp": 0.012 } }"#,
+    );
     let text = planned(&job).program.text;
     let mut at = [f64::NAN; 3];
     let mut nearest = f64::INFINITY;
     // Blocks with places of their own, not those of a subroutine.
-    let blocks = text.lines().filter(|l| ["G38", "G0", "G1 "].iter().any(|word| l.starts_with(word)) && !l.contains('#'));
+    let blocks = text.lines().filter(|l| {
+        ["G38", "G0", "G1 "].iter().any(|word| l.starts_with(word)) && !l.contains('#')
+    });
     for line in blocks {
         let mut to = at;
         for word in line.split(' ') {
@@ -261,8 +402,14 @@ fn unwatched_positioning_is_said_where_it_could_be_watched() {
         let job = job(&format!(
             r#"{{ "format": 1, "cycle": {{ "type": "hole" }}, "control": {{ "post": "{post}", "protection": "none" }} }}"#
         ));
-        assert!(warnings(&job).contains(&"positioning-not-watched".to_owned()), "{post}");
-        assert!(!warnings(&with(&job, "control.protection", text("checked"))).contains(&"positioning-not-watched".to_owned()));
+        assert!(
+            warnings(&job).contains(&"positioning-not-watched".to_owned()),
+            "{post}"
+        );
+        assert!(
+            !warnings(&with(&job, "control.protection", text("checked")))
+                .contains(&"positioning-not-watched".to_owned())
+        );
     }
 }
 
@@ -271,8 +418,14 @@ fn a_lift_is_made_before_the_program_aborts() {
     // ABORT throws away what LinuxCNC has read and not yet moved; M66 waits for it.
     let text = planned(&default_job("hole").unwrap()).program.text;
     let lines: Vec<&str> = text.lines().collect();
-    let aborts: Vec<usize> = (0..lines.len()).filter(|i| lines[*i].starts_with("(ABORT,Contact")).collect();
+    let aborts: Vec<usize> = (0..lines.len())
+        .filter(|i| lines[*i].starts_with("(ABORT,Contact"))
+        .collect();
     assert_eq!(aborts.len(), 1);
     assert_eq!(lines[aborts[0] - 1], "M66 E0 L0");
-    assert!(lines[..aborts[0] - 1].iter().any(|l| l.starts_with("G1 Z") && l.contains('F')));
+    assert!(
+        lines[..aborts[0] - 1]
+            .iter()
+            .any(|l| l.starts_with("G1 Z") && l.contains('F'))
+    );
 }

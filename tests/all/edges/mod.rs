@@ -11,11 +11,19 @@ use touchpath::form::{Level, Value};
 use touchpath::job::{check, convert_units, default_job, plan};
 
 fn errors(job: &Value) -> Vec<String> {
-    check(job).iter().filter(|f| f.level == Level::Error).map(|f| format!("{} {}", f.code, f.path)).collect()
+    check(job)
+        .iter()
+        .filter(|f| f.level == Level::Error)
+        .map(|f| format!("{} {}", f.code, f.path))
+        .collect()
 }
 
 fn warnings(job: &Value) -> Vec<String> {
-    check(job).iter().filter(|f| f.level == Level::Warning).map(|f| f.code.clone()).collect()
+    check(job)
+        .iter()
+        .filter(|f| f.level == Level::Warning)
+        .map(|f| f.code.clone())
+        .collect()
 }
 
 fn text(t: &str) -> Value {
@@ -29,14 +37,27 @@ fn cycle(text: &str) -> Value {
 fn picked(kind: &str, picks: &[([f64; 3], [f64; 3])]) -> Value {
     let touches = picks
         .iter()
-        .map(|(p, v)| Value::Map(vec![("point".to_owned(), point(*p)), ("vector".to_owned(), point(*v))]))
+        .map(|(p, v)| {
+            Value::Map(vec![
+                ("point".to_owned(), point(*p)),
+                ("vector".to_owned(), point(*v)),
+            ])
+        })
         .collect();
-    with(&default_job(kind).unwrap(), "cycle.touches", Value::List(touches))
+    with(
+        &default_job(kind).unwrap(),
+        "cycle.touches",
+        Value::List(touches),
+    )
 }
 
 /// The picks that the default dimensions give.
 fn default_picks(kind: &str) -> Vec<([f64; 3], [f64; 3])> {
-    planned(&default_job(kind).unwrap()).touches.iter().map(|t| (t.point, t.vector)).collect()
+    planned(&default_job(kind).unwrap())
+        .touches
+        .iter()
+        .map(|t| (t.point, t.vector))
+        .collect()
 }
 
 // Touches vanish and the program computes and writes all the same.
@@ -44,23 +65,50 @@ fn default_picks(kind: &str) -> Vec<([f64; 3], [f64; 3])> {
 #[test]
 fn a_clearance_that_is_the_radius_but_for_noise_programs_no_touch() {
     for clearance in [3.000_000_000_1, 3.0, 3.005] {
-        let job = cycle(&format!(r#"{{ "type": "boss", "sideClearance": {clearance} }}"#));
-        assert_eq!(errors(&job), ["clearance-too-small cycle.sideClearance"], "{clearance}");
+        let job = cycle(&format!(
+            r#"{{ "type": "boss", "sideClearance": {clearance} }}"#
+        ));
+        assert_eq!(
+            errors(&job),
+            ["clearance-too-small cycle.sideClearance"],
+            "{clearance}"
+        );
     }
     let least = planned(&cycle(r#"{ "type": "boss", "sideClearance": 3.01 }"#));
     assert_eq!(least.moves.iter().filter(|m| m.kind == "touch").count(), 4);
-    assert_eq!(least.program.text.lines().filter(|l| l.starts_with("G38.2")).count(), 4);
+    assert_eq!(
+        least
+            .program
+            .text
+            .lines()
+            .filter(|l| l.starts_with("G38.2"))
+            .count(),
+        4
+    );
 }
 
 #[test]
 fn an_inch_ball_as_large_as_the_clearance_writes_a_frame_from_nothing() {
-    for kind in ["external-rectangle", "boss", "hole-protected", "web", "groove-protected", "internal-rectangle-protected"] {
+    for kind in [
+        "external-rectangle",
+        "boss",
+        "hole-protected",
+        "web",
+        "groove-protected",
+        "internal-rectangle-protected",
+    ] {
         let job = job(&format!(
             r#"{{ "format": 1, "units": "inch", "stylus": {{ "diameter": {} }}, "cycle": {{ "type": "{kind}" }},
             "control": {{ "post": "sinumerik", "workOffset": 1 }} }}"#,
             16.0 / 25.4
         ));
-        assert!(errors(&job).iter().any(|e| e.starts_with("clearance-too-small")), "{kind}: {:?}", errors(&job));
+        assert!(
+            errors(&job)
+                .iter()
+                .any(|e| e.starts_with("clearance-too-small")),
+            "{kind}: {:?}",
+            errors(&job)
+        );
     }
 }
 
@@ -73,22 +121,59 @@ fn sizes_and_steps_below_a_thousandth_are_none() {
         ("web", "width"),
         ("boss", "depth"),
     ] {
-        let job = |x: f64| with(&default_job(kind).unwrap(), &format!("cycle.{key}"), number(x));
+        let job = |x: f64| {
+            with(
+                &default_job(kind).unwrap(),
+                &format!("cycle.{key}"),
+                number(x),
+            )
+        };
         // A step of 3e-5 divided by zero after the touches.
-        assert!(errors(&job(3e-5)).contains(&format!("out-of-range cycle.{key}")), "{kind} {key}");
-        assert!(!errors(&job(0.001)).contains(&format!("out-of-range cycle.{key}")), "{kind} {key}");
+        assert!(
+            errors(&job(3e-5)).contains(&format!("out-of-range cycle.{key}")),
+            "{kind} {key}"
+        );
+        assert!(
+            !errors(&job(0.001)).contains(&format!("out-of-range cycle.{key}")),
+            "{kind} {key}"
+        );
     }
-    let circles = |set_up: f64| cycle(&format!(r#"{{ "type": "probing-two-circles", "probe": {{ "setUp": {set_up} }} }}"#));
-    assert_eq!(errors(&circles(1e-10)).first().map(String::as_str), Some("clearance-too-small cycle.setUpClearance"));
+    let circles = |set_up: f64| {
+        cycle(&format!(
+            r#"{{ "type": "probing-two-circles", "probe": {{ "setUp": {set_up} }} }}"#
+        ))
+    };
+    assert_eq!(
+        errors(&circles(1e-10)).first().map(String::as_str),
+        Some("clearance-too-small cycle.setUpClearance")
+    );
     assert_eq!(errors(&circles(0.01)), [""; 0]);
 }
 
 #[test]
 fn a_ball_that_fits_by_a_hair_begins_in_contact() {
-    for (kind, key) in [("hole", "diameter"), ("groove", "width"), ("internal-rectangle", "width1")] {
-        let job = |x: f64| with(&default_job(kind).unwrap(), &format!("cycle.{key}"), number(x));
-        assert_eq!(errors(&job(6.019)), [format!("ball-too-wide cycle.{key}")], "{kind}");
-        assert!(errors(&job(6.02)).is_empty(), "{kind}: {:?}", errors(&job(6.02)));
+    for (kind, key) in [
+        ("hole", "diameter"),
+        ("groove", "width"),
+        ("internal-rectangle", "width1"),
+    ] {
+        let job = |x: f64| {
+            with(
+                &default_job(kind).unwrap(),
+                &format!("cycle.{key}"),
+                number(x),
+            )
+        };
+        assert_eq!(
+            errors(&job(6.019)),
+            [format!("ball-too-wide cycle.{key}")],
+            "{kind}"
+        );
+        assert!(
+            errors(&job(6.02)).is_empty(),
+            "{kind}: {:?}",
+            errors(&job(6.02))
+        );
     }
 }
 
@@ -116,7 +201,8 @@ fn picks_at_different_heights_make_the_ball_cross_inside() {
             let mut wrong = picks.clone();
             wrong[k].0[2] += 50.0;
             assert!(
-                errors(&picked(kind, &wrong)).contains(&format!("touches-not-level cycle.touches[{k}].point")),
+                errors(&picked(kind, &wrong))
+                    .contains(&format!("touches-not-level cycle.touches[{k}].point")),
                 "{kind} {k}: {:?}",
                 errors(&picked(kind, &wrong))
             );
@@ -135,7 +221,9 @@ fn a_middle_touch_below_the_sides_is_taken_for_the_top() {
         picks[top].0[2] = picks[0].0[2] - 1.0;
         let found = errors(&picked(kind, &picks));
         // Of a corner the signs say it first.
-        let said = found.iter().any(|e| e.starts_with("touch-above-top") || e.starts_with("vector-wrong-way cycle.touches[2]"));
+        let said = found.iter().any(|e| {
+            e.starts_with("touch-above-top") || e.starts_with("vector-wrong-way cycle.touches[2]")
+        });
         assert!(said, "{kind}: {found:?}");
     }
 }
@@ -143,8 +231,16 @@ fn a_middle_touch_below_the_sides_is_taken_for_the_top() {
 /// A touch with a short way to its contact may be aside by the tolerance of picks, and would run at 80° to its vector.
 #[test]
 fn a_pick_is_approached_askew() {
-    let job = with(&default_job("double-wall-internal-corner").unwrap(), "cycle.count1", number(1.0));
-    let job = with(&with(&job, "cycle.count2", number(1.0)), "cycle.clearance1", number(3.02));
+    let job = with(
+        &default_job("double-wall-internal-corner").unwrap(),
+        "cycle.count1",
+        number(1.0),
+    );
+    let job = with(
+        &with(&job, "cycle.count2", number(1.0)),
+        "cycle.clearance1",
+        number(3.02),
+    );
     let touches = planned(&job).touches;
     // Aside by a hundredth of a millimetre, over a way of two hundredths.
     let picks = |aside: f64| {
@@ -156,7 +252,10 @@ fn a_pick_is_approached_askew() {
                 if k == 0 {
                     p[1] += aside;
                 }
-                Value::Map(vec![("point".to_owned(), point(p)), ("vector".to_owned(), point(t.vector))])
+                Value::Map(vec![
+                    ("point".to_owned(), point(p)),
+                    ("vector".to_owned(), point(t.vector)),
+                ])
             })
             .collect();
         with(&job, "cycle.touches", Value::List(list))
@@ -190,13 +289,28 @@ fn another_unit_leaves_tolerances_as_they_are() {
     let (metric, imperial) = (planned(&job), planned(&inch));
     for (m, i) in metric.touches.iter().zip(&imperial.touches) {
         for axis in 0..3 {
-            assert!((m.point[axis] - i.point[axis] * 25.4).abs() < 1e-4, "{m:?} {i:?}");
+            assert!(
+                (m.point[axis] - i.point[axis] * 25.4).abs() < 1e-4,
+                "{m:?} {i:?}"
+            );
         }
     }
-    let middle = |plan: &touchpath::job::Plan| plan.results.iter().find(|r| r.code == "Q996").unwrap().deviation.unwrap();
+    let middle = |plan: &touchpath::job::Plan| {
+        plan.results
+            .iter()
+            .find(|r| r.code == "Q996")
+            .unwrap()
+            .deviation
+            .unwrap()
+    };
     // 10H7 is 10 + 0.015: the middle of the zone is 7.5 µm above the nominal size.
-    assert!((middle(&metric) + 0.0075).abs() < 1e-9 && (middle(&imperial) * 25.4 + 0.0075).abs() < 2e-5);
-    assert_eq!(convert_units(&inch, "mm").unwrap().get("cycle"), job.get("cycle"));
+    assert!(
+        (middle(&metric) + 0.0075).abs() < 1e-9 && (middle(&imperial) * 25.4 + 0.0075).abs() < 2e-5
+    );
+    assert_eq!(
+        convert_units(&inch, "mm").unwrap().get("cycle"),
+        job.get("cycle")
+    );
 }
 
 #[test]
@@ -214,9 +328,26 @@ fn the_most_touches_are_said_of_each_cycle() {
         let plan = planned(&default_job(entry.key).unwrap());
         assert!(plan.touches.len() <= entry.max_touches, "{}", entry.key);
     }
-    let most = |kind: &str| catalog().cycles.iter().find(|c| c.key == kind).unwrap().max_touches;
-    assert_eq!([most("web"), most("boss"), most("nc-action"), most("probing-two-circles")], [2, 16, 0, 1584]);
-    let circles = cycle(r#"{ "type": "probing-two-circles", "probePoints": 8, "extrusion": { "points": 99, "length": -9 } }"#);
+    let most = |kind: &str| {
+        catalog()
+            .cycles
+            .iter()
+            .find(|c| c.key == kind)
+            .unwrap()
+            .max_touches
+    };
+    assert_eq!(
+        [
+            most("web"),
+            most("boss"),
+            most("nc-action"),
+            most("probing-two-circles")
+        ],
+        [2, 16, 0, 1584]
+    );
+    let circles = cycle(
+        r#"{ "type": "probing-two-circles", "probePoints": 8, "extrusion": { "points": 99, "length": -9 } }"#,
+    );
     assert_eq!(planned(&circles).touches.len(), 1584);
 }
 
@@ -224,16 +355,32 @@ fn the_most_touches_are_said_of_each_cycle() {
 
 #[test]
 fn a_turned_part_reads_six_millimetres_too_large_without_a_word() {
-    let turned =
-        job(r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "sideClearance1": 25, "sideClearance2": 15 },
-        "overtravel": 20, "part": { "rotation": 22 } }"#);
-    let finding = check(&turned).into_iter().find(|f| f.code == "result-untrue").unwrap();
+    let turned = job(
+        r#"{ "format": 1, "cycle": { "type": "internal-rectangle-protected", "sideClearance1": 25, "sideClearance2": 15 },
+        "overtravel": 20, "part": { "rotation": 22 } }"#,
+    );
+    let finding = check(&turned)
+        .into_iter()
+        .find(|f| f.code == "result-untrue")
+        .unwrap();
     // (80 - 6)(1/cos 22° - 1) = 5.8116.
-    assert!(finding.level == Level::Warning && finding.message.contains("85.812 mm as Width 1"), "{}", finding.message);
+    assert!(
+        finding.level == Level::Warning && finding.message.contains("85.812 mm as Width 1"),
+        "{}",
+        finding.message
+    );
     let slight = with(&turned, "part.rotation", number(1.0));
-    assert!(!warnings(&slight).contains(&"result-untrue".to_owned()), "0.011 mm at one degree");
-    let shifted = job(r#"{ "format": 1, "cycle": { "type": "hole" }, "part": { "offset": [1, 0.5, 0] } }"#);
-    assert_eq!(warnings(&shifted), [""; 0], "a part that lies elsewhere is what probing is for");
+    assert!(
+        !warnings(&slight).contains(&"result-untrue".to_owned()),
+        "0.011 mm at one degree"
+    );
+    let shifted =
+        job(r#"{ "format": 1, "cycle": { "type": "hole" }, "part": { "offset": [1, 0.5, 0] } }"#);
+    assert_eq!(
+        warnings(&shifted),
+        [""; 0],
+        "a part that lies elsewhere is what probing is for"
+    );
 }
 
 // The readers.
@@ -242,10 +389,15 @@ fn a_turned_part_reads_six_millimetres_too_large_without_a_word() {
 fn findings_are_capped_with_a_count() {
     // The first line is taken for a heading.
     let measured = Value::Text("x\n".repeat(400_000));
-    let Err(error) = touchpath::job::evaluate(&default_job("hole").unwrap(), &measured) else { panic!() };
+    let Err(error) = touchpath::job::evaluate(&default_job("hole").unwrap(), &measured) else {
+        panic!()
+    };
     assert_eq!(error.findings.len(), 201);
     let last = error.findings.last().unwrap();
-    assert_eq!((last.code.as_str(), last.level), ("more-findings", Level::Error));
+    assert_eq!(
+        (last.code.as_str(), last.level),
+        ("more-findings", Level::Error)
+    );
     assert!(last.message.contains("399799 errors"), "{}", last.message);
     // What is beyond the list is not forgotten: a good job with two hundred warnings and one error is refused.
     let unknown: Vec<(String, Value)> = (0..5000).map(|i| (format!("k{i}"), Value::Null)).collect();
@@ -265,7 +417,9 @@ fn unknown_keys_do_not_hide_the_error_that_matters() {
     };
     // One pick where four are needed: a panic where the 201st error was forgotten.
     for kind in ["hole", "internal-rectangle", "triple-wall-external-corner"] {
-        let job = noise(&format!(r#"{{ "type": "{kind}", "touches": [{{ "point": [0, 0, 0], "vector": [1, 0, 0] }}] }}"#));
+        let job = noise(&format!(
+            r#"{{ "type": "{kind}", "touches": [{{ "point": [0, 0, 0], "vector": [1, 0, 0] }}] }}"#
+        ));
         assert!(plan(&job).is_err(), "{kind}");
     }
 }
@@ -281,9 +435,18 @@ fn the_ends_of_ranges_hold_in_inch() {
         ("double-wall-internal-corner", "cycle.step1", 0.001),
     ] {
         let asked = with(&default_job(kind).unwrap(), path, number(mm));
-        let ranges = |job: &Value| check(job).iter().filter(|f| f.code == "out-of-range" || f.code == "unusual").count();
+        let ranges = |job: &Value| {
+            check(job)
+                .iter()
+                .filter(|f| f.code == "out-of-range" || f.code == "unusual")
+                .count()
+        };
         let before = ranges(&asked);
-        assert_eq!(ranges(&convert_units(&asked, "inch").unwrap()), before, "{kind} {path}");
+        assert_eq!(
+            ranges(&convert_units(&asked, "inch").unwrap()),
+            before,
+            "{kind} {path}"
+        );
     }
 }
 
@@ -291,10 +454,20 @@ fn the_ends_of_ranges_hold_in_inch() {
 #[test]
 fn a_mode_of_the_work_offset_that_the_source_does_not_have_is_warned_of() {
     for (mode, warned) in [(0, false), (3, false), (4, true), (-1, true)] {
-        let job = cycle(&format!(r#"{{ "type": "boss", "properties": {{ "wcsMode": {mode} }} }}"#));
-        let found = check(&job).iter().any(|f| f.code == "unusual" && f.path == "cycle.properties.wcsMode");
+        let job = cycle(&format!(
+            r#"{{ "type": "boss", "properties": {{ "wcsMode": {mode} }} }}"#
+        ));
+        let found = check(&job)
+            .iter()
+            .any(|f| f.code == "unusual" && f.path == "cycle.properties.wcsMode");
         assert_eq!(found, warned, "{mode}");
-        assert!(planned(&job).table.iter().any(|row| row.code == "CmdPrm.Int[-10]"), "{mode}");
+        assert!(
+            planned(&job)
+                .table
+                .iter()
+                .any(|row| row.code == "CmdPrm.Int[-10]"),
+            "{mode}"
+        );
     }
 }
 
@@ -302,8 +475,17 @@ fn a_mode_of_the_work_offset_that_the_source_does_not_have_is_warned_of() {
 /// three stand in the block.
 #[test]
 fn the_same_number_made_in_two_ways_is_another_word() {
-    let job = job(r#"{ "format": 1, "control": { "post": "grbl", "form": "moves", "protection": "none" },
-             "cycle": { "type": "probing-two-circles", "diameter1": 10, "diameter2": 10.000034, "point1": [0, 0, 0], "point2": [49.99955, 0, 0] } }"#);
+    let job = job(
+        r#"{ "format": 1, "control": { "post": "grbl", "form": "moves", "protection": "none" },
+             "cycle": { "type": "probing-two-circles", "diameter1": 10, "diameter2": 10.000034, "point1": [0, 0, 0], "point2": [49.99955, 0, 0] } }"#,
+    );
     let program = planned(&job).program.text;
-    assert!(program.lines().filter(|line| *line == "G0 X49.9995 Y0 Z100").count() == 2, "{program}");
+    assert!(
+        program
+            .lines()
+            .filter(|line| *line == "G0 X49.9995 Y0 Z100")
+            .count()
+            == 2,
+        "{program}"
+    );
 }

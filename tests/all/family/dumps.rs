@@ -13,7 +13,10 @@ use touchpath::job::{check, default_job, job_name, plan};
 fn sorted(value: &Value) -> Value {
     match value {
         Value::Map(entries) => {
-            let mut entries: Vec<(String, Value)> = entries.iter().map(|(k, v)| (k.clone(), sorted(v))).collect();
+            let mut entries: Vec<(String, Value)> = entries
+                .iter()
+                .map(|(k, v)| (k.clone(), sorted(v)))
+                .collect();
             entries.sort_by(|a, b| a.0.cmp(&b.0));
             Value::Map(entries)
         }
@@ -24,24 +27,44 @@ fn sorted(value: &Value) -> Value {
 /// The job with the defaults where its variant leaves a field without a meaning: a dump of the rectangular variant does not say them.
 fn without_idle(job: &Value) -> Value {
     let rectangular = job.get("cycle").and_then(|c| c.get("variant")) == Some(&number(0.0));
-    [("startAngle", 0.0), ("angularStep", 90.0), ("stepCount", 4.0)]
-        .into_iter()
-        .filter(|_| rectangular)
-        .fold(job.clone(), |job, (key, value)| with(&job, &format!("cycle.{key}"), number(value)))
+    [
+        ("startAngle", 0.0),
+        ("angularStep", 90.0),
+        ("stepCount", 4.0),
+    ]
+    .into_iter()
+    .filter(|_| rectangular)
+    .fold(job.clone(), |job, (key, value)| {
+        with(&job, &format!("cycle.{key}"), number(value))
+    })
 }
 
 /// Job, dump, job: the same, in each of the three forms.
 #[test]
 fn a_dump_becomes_the_job_again() {
     law(150, 40, (dumped_job(),), |(job,)| {
-        let Ok(planned) = plan(&job) else { return Ok(false) };
+        let Ok(planned) = plan(&job) else {
+            return Ok(false);
+        };
         for format in ["text", "csv", "json"] {
             let dump = export_table(&planned, format).unwrap();
             let imported = import(&dump).map_err(|e| TestCaseError::fail(format!("{e} {dump}")))?;
             // A dump says no name: it is that of what it measures.
             let named = with(&without_idle(&job), "name", Value::Text(job_name(&job)));
-            prop_assert_eq!(sorted(&imported.job), sorted(&named), "{} {:?}\n{}", format, imported.findings, dump);
-            prop_assert!(imported.findings.iter().any(|f| f.code == "not-in-dump" && f.path == "feeds"));
+            prop_assert_eq!(
+                sorted(&imported.job),
+                sorted(&named),
+                "{} {:?}\n{}",
+                format,
+                imported.findings,
+                dump
+            );
+            prop_assert!(
+                imported
+                    .findings
+                    .iter()
+                    .any(|f| f.code == "not-in-dump" && f.path == "feeds")
+            );
             // Mutilated dumps are read or refused; nothing panics.
             let middle = dump.floor_char_boundary(dump.len() / 2);
             let _ = import(&dump[..middle]).map(|i| check(&i.job));
@@ -59,7 +82,10 @@ fn nothing_pasted_panics() {
     law(
         400,
         400,
-        ("(CmdPrm\\. ?(Int|Flt|Bol) ?\\[-?[0-9]{1,4}\\] ?[=,:;] ?[-0-9.,eE]{0,8}\n?){0,40}", ".{0,60}"),
+        (
+            "(CmdPrm\\. ?(Int|Flt|Bol) ?\\[-?[0-9]{1,4}\\] ?[=,:;] ?[-0-9.,eE]{0,8}\n?){0,40}",
+            ".{0,60}",
+        ),
         |(text, tail)| {
             let _ = import(&format!("CmdPrm.Int[-1] = 7\n{text}{tail}")).map(|i| check(&i.job));
             let _ = import(&format!("MEAS=1 {text}\n{tail}"));
@@ -81,26 +107,46 @@ fn a_real_life_dump_is_read() {
     let imported = import(dump).unwrap();
     let plan = planned(&imported.job);
     let cycle = imported.job.get("cycle").unwrap();
-    let wanted = job(r#"{ "origin": [10, 20, 0], "rotation": 0, "width1": 80, "width2": 50, "depth": 12, "topClearance": 10.5,
-        "sideClearance1": 8, "sideClearance2": 9, "feedDistance": 20, "subCode": 4711, "compensateDimensions": false }"#);
-    let Value::Map(wanted) = wanted else { unreachable!() };
+    let wanted = job(
+        r#"{ "origin": [10, 20, 0], "rotation": 0, "width1": 80, "width2": 50, "depth": 12, "topClearance": 10.5,
+        "sideClearance1": 8, "sideClearance2": 9, "feedDistance": 20, "subCode": 4711, "compensateDimensions": false }"#,
+    );
+    let Value::Map(wanted) = wanted else {
+        unreachable!()
+    };
     for (key, value) in wanted {
         assert_eq!(cycle.get(&key), Some(&value), "{key}");
     }
     assert_eq!(cycle.get("touches"), None);
-    assert!(export_table(&plan, "text").unwrap().ends_with("CmdPrm.Int[105] = 3\n"));
+    assert!(
+        export_table(&plan, "text")
+            .unwrap()
+            .ends_with("CmdPrm.Int[105] = 3\n")
+    );
     let said: Vec<&str> = imported.findings.iter().map(|f| f.code.as_str()).collect();
     assert_eq!(said, ["unknown-code", "not-in-dump", "not-in-dump"]);
     assert_eq!(crate::common::values(&imported.findings[0]), ["-77"]);
     // What is missing is said, code by code, and defaults stand in.
     let short = import(&dump.replace("CmdPrm.Flt[-51] = 12,0\n", "")).unwrap();
-    assert!(short.findings.iter().any(|f| f.code == "missing-code" && f.path == "cycle.depth"));
+    assert!(
+        short
+            .findings
+            .iter()
+            .any(|f| f.code == "missing-code" && f.path == "cycle.depth")
+    );
     let flag = import(&format!("{dump}CmdPrm.Flt[-66] = 2\n")).unwrap();
-    assert!(flag.findings.iter().any(|f| f.code == "not-a-flag" && f.path == "cycle.compensateDimensions"));
+    assert!(
+        flag.findings
+            .iter()
+            .any(|f| f.code == "not-a-flag" && f.path == "cycle.compensateDimensions")
+    );
     // The Int accessor for -66 is as good, and then the used points are centres of a ball whose radius is not stated.
     let balls = import(&format!("{dump}CmdPrm.Int[-66] = 1\n")).unwrap();
     assert!(balls.findings.iter().any(|f| f.code == "ball-unknown"));
-    assert_eq!(balls.job.get("cycle").unwrap().get("compensateDimensions"), Some(&Value::Flag(true)));
+    assert_eq!(
+        balls.job.get("cycle").unwrap().get("compensateDimensions"),
+        Some(&Value::Flag(true))
+    );
     // Types of the frame output, and several cycles.
     let several = import(&format!(
         "Int[-1]=0\nInt[-2]=-500\nBol[-3]=true\nInt[-1]=9999\n{}",
@@ -108,15 +154,34 @@ fn a_real_life_dump_is_read() {
     ))
     .unwrap();
     let said: Vec<&str> = several.findings.iter().map(|f| f.code.as_str()).collect();
-    assert!(said.contains(&"unknown-type") && said.contains(&"several-cycles"), "{said:?}");
-    assert_eq!(several.job.get("cycle").unwrap().get("subCode"), Some(&number(4711.0)));
-    assert!(import("Int[-1] = 2147483647\n").unwrap_err().findings.iter().any(|f| f.code == "unknown-type"));
+    assert!(
+        said.contains(&"unknown-type") && said.contains(&"several-cycles"),
+        "{said:?}"
+    );
+    assert_eq!(
+        several.job.get("cycle").unwrap().get("subCode"),
+        Some(&number(4711.0))
+    );
+    assert!(
+        import("Int[-1] = 2147483647\n")
+            .unwrap_err()
+            .findings
+            .iter()
+            .any(|f| f.code == "unknown-type")
+    );
     let on = import("CmdPrm.Int[-1] = 0\nCmdPrm.Int[-2] = -500\nCmdPrm.Bol[-3] = false\n").unwrap();
-    assert_eq!(on.job.get("cycle").unwrap().get("on"), Some(&Value::Flag(false)));
+    assert_eq!(
+        on.job.get("cycle").unwrap().get("on"),
+        Some(&Value::Flag(false))
+    );
     // A vector that points the wrong way becomes a job that says so.
     let wrong = import(&dump.replace("Flt[-103] = -1", "Flt[-103] = 1")).unwrap();
     assert!(wrong.findings.iter().any(|f| f.code == "touches-unsound"));
-    assert!(check(&wrong.job).iter().any(|f| f.level == Level::Error && f.path.starts_with("cycle.touches")));
+    assert!(
+        check(&wrong.job)
+            .iter()
+            .any(|f| f.level == Level::Error && f.path.starts_with("cycle.touches"))
+    );
 }
 
 /// What a dump is read from does not depend on the default ball: clearances that only a smaller one allows, another plane, three
@@ -129,9 +194,20 @@ fn a_dump_is_placed_whatever_the_ball() {
         "origin": [10, 20, 5], "sideClearance1": 2, "sideClearance2": 2 } }"#,
     );
     let imported = import(&small).unwrap();
-    assert_eq!(imported.job.get("plane"), Some(&Value::Text("G18".to_owned())));
-    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&crate::common::point([10.0, 20.0, 5.0])));
-    assert!(imported.findings.iter().all(|f| f.code != "touches-unsound"));
+    assert_eq!(
+        imported.job.get("plane"),
+        Some(&Value::Text("G18".to_owned()))
+    );
+    assert_eq!(
+        imported.job.get("cycle").unwrap().get("origin"),
+        Some(&crate::common::point([10.0, 20.0, 5.0]))
+    );
+    assert!(
+        imported
+            .findings
+            .iter()
+            .all(|f| f.code != "touches-unsound")
+    );
     planned(&with(&imported.job, "stylus.diameter", number(2.0)));
     // Three decimals, as many post-processors print.
     let corner = dump(
@@ -142,14 +218,24 @@ fn a_dump_is_placed_whatever_the_ball() {
         .lines()
         .map(|line| {
             let (code, value) = line.split_once(" = ").unwrap();
-            format!("{code} = {}\n", (value.parse::<f64>().unwrap() * 1000.0).round() / 1000.0)
+            format!(
+                "{code} = {}\n",
+                (value.parse::<f64>().unwrap() * 1000.0).round() / 1000.0
+            )
         })
         .collect();
     let plan = planned(&import(&rounded).unwrap().job);
-    assert!((value(&plan, "corner.x") - 10.0).abs() < 0.02 && (value(&plan, "corner.y") - 20.0).abs() < 0.02);
+    assert!(
+        (value(&plan, "corner.x") - 10.0).abs() < 0.02
+            && (value(&plan, "corner.y") - 20.0).abs() < 0.02
+    );
     // A web fits several planes: that is said.
     let web = import(&dump(r#"{ "format": 1, "cycle": { "type": "web" } }"#)).unwrap();
-    assert!(web.findings.iter().any(|f| f.code == "plane-unknown" && f.path == "plane"));
+    assert!(
+        web.findings
+            .iter()
+            .any(|f| f.code == "plane-unknown" && f.path == "plane")
+    );
     assert_eq!(web.job.get("plane"), Some(&Value::Text("G17".to_owned())));
     // More than a ball between used and original points: the used ones count.
     let moved: String =
@@ -163,20 +249,38 @@ fn a_dump_is_placed_whatever_the_ball() {
             .collect();
     let imported = import(&moved).unwrap();
     assert!(imported.findings.iter().any(|f| f.code == "ball-unknown"));
-    assert_eq!(imported.job.get("cycle").unwrap().get("origin"), Some(&crate::common::point([5.0, 0.0, 0.0])));
+    assert_eq!(
+        imported.job.get("cycle").unwrap().get("origin"),
+        Some(&crate::common::point([5.0, 0.0, 0.0]))
+    );
 }
 
 /// Codes of the user's own in any state make no job in error.
 #[test]
 fn own_codes_are_kept_as_well_as_can_be() {
     let dump = export_table(&planned(&default_job("web").unwrap()), "text").unwrap();
-    let many: String = (0..400).map(|i| format!("Int[{}] = {i}\n", i + 100)).collect();
-    for own in ["Int[5] = 1\nFlt[5] = 2\n", "Int[6] = 2.5\n", many.as_str(), "TouchPoint[1] = 2.5\n", "Flt[0] = 3\n"] {
+    let many: String = (0..400)
+        .map(|i| format!("Int[{}] = {i}\n", i + 100))
+        .collect();
+    for own in [
+        "Int[5] = 1\nFlt[5] = 2\n",
+        "Int[6] = 2.5\n",
+        many.as_str(),
+        "TouchPoint[1] = 2.5\n",
+        "Flt[0] = 3\n",
+    ] {
         let imported = import(&format!("{dump}{own}")).unwrap();
         planned(&imported.job);
     }
     // A large hostile text is read in a moment: linear, not quadratic.
-    for hostile in ["Flt[1]1 ", "int[", "Int[-1]=7 ", "[", "Flt[-50]", "{\"code\":\"Int[-1]\" "] {
+    for hostile in [
+        "Flt[1]1 ",
+        "int[",
+        "Int[-1]=7 ",
+        "[",
+        "Flt[-50]",
+        "{\"code\":\"Int[-1]\" ",
+    ] {
         let _ = import(&format!("Int[-1]=7 {}", hostile.repeat(300_000)));
     }
 }
@@ -189,7 +293,9 @@ fn every_type_takes_part_in_the_round_trip() {
     for _ in 0..600 {
         let job = dumped_job().new_tree(&mut runner).unwrap().current();
         if plan(&job).is_ok() {
-            *seen.entry(format!("{:?}", job.get("cycle").unwrap().get("type"))).or_insert(0) += 1;
+            *seen
+                .entry(format!("{:?}", job.get("cycle").unwrap().get("type")))
+                .or_insert(0) += 1;
         }
     }
     assert_eq!(seen.len(), numbered(), "{seen:?}");

@@ -26,11 +26,22 @@ fn cell(post: &PostDef, def: &CycleDef) -> &'static str {
 
 fn matrix() -> String {
     let heads: Vec<&str> = POSTS.iter().map(|post| post.title).collect();
-    let mut text = format!("| cycle | source | {} |\n|---|---|{}\n", heads.join(" | "), "---|".repeat(POSTS.len()));
+    let mut text = format!(
+        "| cycle | source | {} |\n|---|---|{}\n",
+        heads.join(" | "),
+        "---|".repeat(POSTS.len())
+    );
     for def in CYCLES {
         let cells: Vec<&str> = POSTS.iter().map(|post| cell(post, def)).collect();
         let page = format!("cycles/{}.md", def.key);
-        writeln!(text, "| [{}]({page}) | {} | {} |", def.title, def.source, cells.join(" | ")).unwrap();
+        writeln!(
+            text,
+            "| [{}]({page}) | {} | {} |",
+            def.title,
+            def.source,
+            cells.join(" | ")
+        )
+        .unwrap();
     }
     text
 }
@@ -51,27 +62,66 @@ pub fn page() -> String {
     );
     let yes = |is: bool| if is { "yes" } else { "no" };
     // A control that takes no plain moves does both by its own cycle.
-    let moves = |post: &PostDef| CYCLES.iter().any(|def| (post.serves)(def.probes, Form::Moves).is_ok());
-    let by = |post: &PostDef, is: bool| if moves(post) { yes(is) } else { "by its own cycle" };
+    let moves = |post: &PostDef| {
+        CYCLES
+            .iter()
+            .any(|def| (post.serves)(def.probes, Form::Moves).is_ok())
+    };
+    let by = |post: &PostDef, is: bool| {
+        if moves(post) {
+            yes(is)
+        } else {
+            "by its own cycle"
+        }
+    };
     for post in POSTS {
         let offsets = match post.work_offsets {
             0 => format!("none: {}", post.says(post.no_work_offset).english()),
-            last => format!("{} to {}", (post.work_offset_word)(1), (post.work_offset_word)(last)),
+            last => format!(
+                "{} to {}",
+                (post.work_offset_word)(1),
+                (post.work_offset_word)(last)
+            ),
         };
-        let cells = [post.title, post.key, post.extension, &offsets, by(post, post.watches), by(post, post.computes)];
-        writeln!(text, "| {} | `{}` | `.{}` | {} | {} | {} |", cells[0], cells[1], cells[2], cells[3], cells[4], cells[5])
-            .unwrap();
+        let cells = [
+            post.title,
+            post.key,
+            post.extension,
+            &offsets,
+            by(post, post.watches),
+            by(post, post.computes),
+        ];
+        writeln!(
+            text,
+            "| {} | `{}` | `.{}` | {} | {} | {} |",
+            cells[0], cells[1], cells[2], cells[3], cells[4], cells[5]
+        )
+        .unwrap();
     }
     text.push('\n');
     for post in POSTS {
-        writeln!(text, "- **{}** (`.{}`): {}", post.title, post.extension, post.about).unwrap();
+        writeln!(
+            text,
+            "- **{}** (`.{}`): {}",
+            post.title, post.extension, post.about
+        )
+        .unwrap();
     }
     text.push_str("\n## What they do not take, and why\n");
     for post in POSTS {
         let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
-        for (def, form) in CYCLES.iter().flat_map(|def| Form::ALL.map(|form| (def, form))) {
-            let Err(why) = (post.serves)(def.probes, form) else { continue };
-            let what = if form == Form::Moves { "moves" } else { "own cycle" };
+        for (def, form) in CYCLES
+            .iter()
+            .flat_map(|def| Form::ALL.map(|form| (def, form)))
+        {
+            let Err(why) = (post.serves)(def.probes, form) else {
+                continue;
+            };
+            let what = if form == Form::Moves {
+                "moves"
+            } else {
+                "own cycle"
+            };
             match reasons.iter_mut().find(|(known, _)| *known == why) {
                 Some((_, titles)) if titles.last() != Some(&def.title) => titles.push(def.title),
                 Some(_) => {}
@@ -81,7 +131,11 @@ pub fn page() -> String {
         writeln!(text, "\n### {}\n", post.title).unwrap();
         for (why, titles) in reasons {
             let all = titles.len() > CYCLES.len();
-            let which = if all { "any cycle".to_owned() } else { titles[1..].join(", ") };
+            let which = if all {
+                "any cycle".to_owned()
+            } else {
+                titles[1..].join(", ")
+            };
             writeln!(text, "- As {}, {which}: {why}.", titles[0]).unwrap();
         }
     }
@@ -101,7 +155,15 @@ pub fn page() -> String {
             })
             .collect();
         let job = if rule.must { "" } else { " (as the job asks)" };
-        writeln!(text, "| `{}`{job} | {} | {} | {} |", rule.name, rule.says, rule.why, cannot.join("; ")).unwrap();
+        writeln!(
+            text,
+            "| `{}`{job} | {} | {} | {} |",
+            rule.name,
+            rule.says,
+            rule.why,
+            cannot.join("; ")
+        )
+        .unwrap();
     }
     text
 }

@@ -15,14 +15,20 @@ fn property(field: &str) -> String {
     let name = field.rsplit('.').next().unwrap().trim();
     let mut parts = name.split('_');
     let first = parts.next().unwrap().to_owned();
-    parts.fold(first, |name, part| name + &part[..1].to_uppercase() + &part[1..])
+    parts.fold(first, |name, part| {
+        name + &part[..1].to_uppercase() + &part[1..]
+    })
 }
 
 /// A list as the formatter has it: in one line where that has no more than 120 characters.
 fn listed(before: &str, items: &[String], brackets: (&str, &str), blank: &str) -> String {
     let (open, close) = brackets;
     let one = format!("{before}{open}{blank}{}{blank}{close};\n", items.join(", "));
-    if one.len() <= 121 { one } else { format!("{before}{open}\n  {},\n{close};\n", items.join(",\n  ")) }
+    if one.len() <= 121 {
+        one
+    } else {
+        format!("{before}{open}\n  {},\n{close};\n", items.join(",\n  "))
+    }
 }
 
 fn words(text: &mut String, name: &str, words: &[String]) {
@@ -32,39 +38,71 @@ fn words(text: &mut String, name: &str, words: &[String]) {
 }
 
 fn numbered(text: &mut String, names: impl Iterator<Item = String>) {
-    names.enumerate().for_each(|(n, name)| writeln!(text, "export const {name} = {n};").unwrap());
+    names
+        .enumerate()
+        .for_each(|(n, name)| writeln!(text, "export const {name} = {n};").unwrap());
 }
 
 pub fn layout() -> String {
     let mut text = HEAD.to_owned();
     text.push_str("\n/** The most values a job may hold, how deep they may lie, and the most UTF-16 units of all its texts together. */\n");
-    for (name, most) in [("MOST_VALUES", MOST_VALUES), ("DEEPEST", DEEPEST), ("MOST_TEXT", LONGEST_TEXT)] {
+    for (name, most) in [
+        ("MOST_VALUES", MOST_VALUES),
+        ("DEEPEST", DEEPEST),
+        ("MOST_TEXT", LONGEST_TEXT),
+    ] {
         writeln!(text, "export const {name} = {most};").unwrap();
     }
     text.push_str("\n/** What a value begins with. */\n");
-    numbered(&mut text, TAGS.iter().map(|tag| format!("{tag:?}").to_uppercase()));
+    numbered(
+        &mut text,
+        TAGS.iter().map(|tag| format!("{tag:?}").to_uppercase()),
+    );
     text.push_str("\n/** What has no place in a job. */\n");
     numbered(&mut text, OTHERS.iter().map(|(name, _)| (*name).to_owned()));
     text.push_str("\n/** The sections of a plan. */\n");
-    numbered(&mut text, Section::ALL.iter().map(|section| format!("{section:?}").to_uppercase()));
+    numbered(
+        &mut text,
+        Section::ALL
+            .iter()
+            .map(|section| format!("{section:?}").to_uppercase()),
+    );
     writeln!(text, "export const SECTIONS = {};", Section::ALL.len()).unwrap();
     text.push_str("\n/** Words that go out as their places in these lists. */\n");
-    let owned = |list: &[&str]| list.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+    let owned = |list: &[&str]| {
+        list.iter()
+            .map(|word| (*word).to_owned())
+            .collect::<Vec<_>>()
+    };
     words(&mut text, "FEEDS", &owned(&FEEDS));
     words(&mut text, "KINDS", &owned(&KINDS));
     words(&mut text, "UNITS", &owned(&UNITS));
-    let level = |level| serde_json::to_string(&level).unwrap().trim_matches('"').to_owned();
+    let level = |level| {
+        serde_json::to_string(&level)
+            .unwrap()
+            .trim_matches('"')
+            .to_owned()
+    };
     words(&mut text, "LEVELS", &LEVELS.map(level));
     text.push_str("\n/** The rows of a plan, field by field. */\n");
     for (name, fields) in ROWS {
         let fields: Vec<String> = fields
             .iter()
             .map(|(field, how, list)| {
-                let (how, list) = if *how == "level" { ("word", "LEVELS") } else { (*how, *list) };
+                let (how, list) = if *how == "level" {
+                    ("word", "LEVELS")
+                } else {
+                    (*how, *list)
+                };
                 format!("{}: r.{}({list})", property(field), property(how))
             })
             .collect();
-        text.push_str(&listed(&format!("export const {name} = (r: Unpacked) => ("), &fields, ("{", "})"), " "));
+        text.push_str(&listed(
+            &format!("export const {name} = (r: Unpacked) => ("),
+            &fields,
+            ("{", "})"),
+            " ",
+        ));
     }
     text
 }
@@ -72,6 +110,16 @@ pub fn layout() -> String {
 #[test]
 fn every_section_tag_and_level_is_at_its_place() {
     assert!(TAGS.iter().enumerate().all(|(at, tag)| *tag as usize == at));
-    assert!(Section::ALL.iter().enumerate().all(|(at, section)| *section as usize == at));
-    assert!(LEVELS.iter().enumerate().all(|(at, level)| *level as usize == at));
+    assert!(
+        Section::ALL
+            .iter()
+            .enumerate()
+            .all(|(at, section)| *section as usize == at)
+    );
+    assert!(
+        LEVELS
+            .iter()
+            .enumerate()
+            .all(|(at, level)| *level as usize == at)
+    );
 }

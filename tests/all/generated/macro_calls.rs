@@ -17,26 +17,50 @@ const COLUMNS: [(&str, &str, Option<f64>); 4] = [
 ];
 
 fn job(def: &CycleDef, post: &str, offset: Option<f64>) -> Value {
-    let job = with(&default_job(def.key).unwrap(), "control.post", Value::Text(post.to_owned()));
+    let job = with(
+        &default_job(def.key).unwrap(),
+        "control.post",
+        Value::Text(post.to_owned()),
+    );
     let job = with(&job, "control.form", Value::Text("cycle".to_owned()));
-    with(&job, "control.workOffset", offset.map_or(Value::Null, Value::Number))
+    with(
+        &job,
+        "control.workOffset",
+        offset.map_or(Value::Null, Value::Number),
+    )
 }
 
 /// What a row means: of a touch with its axis, else the first words.
 fn meaning(row: &ParameterRow) -> String {
     let whole = row.meaning.english();
-    if row.touch.is_some() { whole } else { whole.split(", ").next().unwrap_or_default().to_owned() }
+    if row.touch.is_some() {
+        whole
+    } else {
+        whole.split(", ").next().unwrap_or_default().to_owned()
+    }
 }
 
 /// The calls of a program in their order, without the letters.
 fn order(text: &str) -> String {
     let words = text.lines().filter_map(|line| {
-        let call = line.split_once("TCH PROBE ").or_else(|| line.split_once("G65 ")).map(|(_, rest)| rest);
+        let call = line
+            .split_once("TCH PROBE ")
+            .or_else(|| line.split_once("G65 "))
+            .map(|(_, rest)| rest);
         let name = call.map(|rest| rest.split(' ').next().unwrap().to_owned());
-        name.or_else(|| line.strip_prefix("CYCLE").map(|rest| format!("CYCLE{}", rest.split('(').next().unwrap())))
+        name.or_else(|| {
+            line.strip_prefix("CYCLE")
+                .map(|rest| format!("CYCLE{}", rest.split('(').next().unwrap()))
+        })
     });
-    let measuring: Vec<String> = words.filter(|word| !["P9810", "P9832", "P9833"].contains(&word.as_str())).collect();
-    measuring.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(" · ")
+    let measuring: Vec<String> = words
+        .filter(|word| !["P9810", "P9832", "P9833"].contains(&word.as_str()))
+        .collect();
+    measuring
+        .iter()
+        .map(|word| format!("`{word}`"))
+        .collect::<Vec<_>>()
+        .join(" · ")
 }
 
 /// `docs/table-to-calls.md`.
@@ -61,16 +85,29 @@ pub fn page() -> String {
             let Ok(planned) = plan(&job) else { continue };
             let Some(calls) = calls(&job) else { continue };
             orders[column] = order(&planned.program.text);
-            for (index, (row, words)) in planned.table.iter().zip(calls).enumerate().filter(|(_, (_, words))| !words.is_empty())
+            for (index, (row, words)) in planned
+                .table
+                .iter()
+                .zip(calls)
+                .enumerate()
+                .filter(|(_, (_, words))| !words.is_empty())
             {
-                let entry = rows.entry(index).or_insert_with(|| (row.code.clone(), meaning(row), Default::default()));
-                entry.2[column] = words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ");
+                let entry = rows
+                    .entry(index)
+                    .or_insert_with(|| (row.code.clone(), meaning(row), Default::default()));
+                entry.2[column] = words
+                    .iter()
+                    .map(|word| format!("`{word}`"))
+                    .collect::<Vec<_>>()
+                    .join(", ");
             }
         }
         if rows.is_empty() {
             continue;
         }
-        let kept: Vec<usize> = (0..4).filter(|column| !orders[*column].is_empty()).collect();
+        let kept: Vec<usize> = (0..4)
+            .filter(|column| !orders[*column].is_empty())
+            .collect();
         let heads: Vec<&str> = kept.iter().map(|column| COLUMNS[*column].0).collect();
         write!(
             text,

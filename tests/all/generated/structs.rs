@@ -54,7 +54,10 @@ const SOURCES: &[(&str, &[&str])] = &[
 
 /// What TypeScript can say more exactly than the struct: its name there.
 const EXACT: &[(&str, &str)] = &[
-    ("Move.feed", r#""approach" | "longLink" | "work" | "retract" | "return" | "rapid""#),
+    (
+        "Move.feed",
+        r#""approach" | "longLink" | "work" | "retract" | "return" | "rapid""#,
+    ),
     ("Move.kind", r#""position" | "touch" | "back""#),
     ("DatumRow.axis", r#""x" | "y" | "z" | "rotation""#),
     ("Finding.code", "FindingCode"),
@@ -68,8 +71,14 @@ const EXACT: &[(&str, &str)] = &[
     ),
     ("TraceRow.units", r#""mm" | "inch" | null"#),
     ("ChoiceEntry.value", "string | number"),
-    ("FieldEntry.kind", r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint""#),
-    ("FieldEntry.unit", r#""length" | "feed" | "acceleration" | "time" | "angle" | "none""#),
+    (
+        "FieldEntry.kind",
+        r#""number" | "count" | "flag" | "choice" | "code" | "text" | "point" | "nominal" | "nominalPoint""#,
+    ),
+    (
+        "FieldEntry.unit",
+        r#""length" | "feed" | "acceleration" | "time" | "angle" | "none""#,
+    ),
     ("CycleEntry.type", r#"Cycle["type"]"#),
     ("RelationEntry.type", r#"Relation["type"]"#),
     ("RelationEntry.results", "ResultCode[]"),
@@ -79,7 +88,8 @@ const EXACT: &[(&str, &str)] = &[
     ("Catalog.format", "1"),
 ];
 
-const HEAD: &str = "// Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
+const HEAD: &str =
+    "// Generated from the crate's structs: `UPDATE=1 cargo test --lib generated` writes it.
 
 import type { Cycle, PostId, Relation, Vec3 } from \"./job-types.js\";
 import type { Said } from \"./said.js\";
@@ -111,15 +121,27 @@ pub fn types() -> String {
         "FindingCode",
         CODES.iter().map(|c| c.0),
     );
-    names(&mut text, "Every safety rule.", "RuleName", RULES.iter().map(|rule| rule.name));
-    names(&mut text, "Every code of a result.", "ResultCode", RESULT_CODES.iter().copied());
+    names(
+        &mut text,
+        "Every safety rule.",
+        "RuleName",
+        RULES.iter().map(|rule| rule.name),
+    );
+    names(
+        &mut text,
+        "Every code of a result.",
+        "ResultCode",
+        RESULT_CODES.iter().copied(),
+    );
     text.push_str(VERDICT);
     for (path, names) in SOURCES {
-        let source = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
+        let source =
+            std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
         let file = syn::parse_file(&source).unwrap();
         for name in *names {
             let item = file.items.iter().find(|item| {
-                matches!(item, Item::Struct(s) if s.ident == name) || matches!(item, Item::Enum(e) if e.ident == name)
+                matches!(item, Item::Struct(s) if s.ident == name)
+                    || matches!(item, Item::Enum(e) if e.ident == name)
             });
             match item.unwrap_or_else(|| panic!("{path} has no {name}")) {
                 Item::Struct(item) => interface(&mut text, item),
@@ -140,13 +162,30 @@ fn names<'a>(text: &mut String, about: &str, name: &str, words: impl Iterator<It
 fn interface(text: &mut String, item: &syn::ItemStruct) {
     let name = item.ident.to_string();
     let camel = renames(&item.attrs).as_deref() == Some("camelCase");
-    write!(text, "\n{}export interface {} {{\n", doc(&item.attrs, ""), exported(&name)).unwrap();
-    let Fields::Named(fields) = &item.fields else { panic!("{name} has named fields") };
+    write!(
+        text,
+        "\n{}export interface {} {{\n",
+        doc(&item.attrs, ""),
+        exported(&name)
+    )
+    .unwrap();
+    let Fields::Named(fields) = &item.fields else {
+        panic!("{name} has named fields")
+    };
     for field in &fields.named {
         let own = field.ident.as_ref().unwrap().to_string();
-        let key = renamed(&field.attrs).unwrap_or_else(|| if camel { camel_case(&own) } else { own });
-        let exact = EXACT.iter().find(|(place, _)| *place == format!("{name}.{key}"));
-        let own_type = || if composed(&field.attrs) { "string".to_owned() } else { type_of(&field.ty) };
+        let key =
+            renamed(&field.attrs).unwrap_or_else(|| if camel { camel_case(&own) } else { own });
+        let exact = EXACT
+            .iter()
+            .find(|(place, _)| *place == format!("{name}.{key}"));
+        let own_type = || {
+            if composed(&field.attrs) {
+                "string".to_owned()
+            } else {
+                type_of(&field.ty)
+            }
+        };
         let kind = exact.map_or_else(own_type, |(_, exact)| (*exact).to_owned());
         writeln!(text, "{}  {key}: {kind};", doc(&field.attrs, "  ")).unwrap();
     }
@@ -170,7 +209,13 @@ fn union(text: &mut String, item: &syn::ItemEnum) {
     });
     let own = item.ident.to_string();
     let name = exported(&own);
-    write!(text, "\n{}export type {name} = {};\n", doc(&item.attrs, ""), variants.join(" | ")).unwrap();
+    write!(
+        text,
+        "\n{}export type {name} = {};\n",
+        doc(&item.attrs, ""),
+        variants.join(" | ")
+    )
+    .unwrap();
 }
 
 /// Names that say too little outside their module.
@@ -183,8 +228,12 @@ fn type_of(ty: &Type) -> String {
         Type::Reference(reference) => type_of(&reference.elem),
         Type::Slice(slice) => format!("{}[]", grouped(type_of(&slice.elem))),
         Type::Array(array) => {
-            let Expr::Lit(length) = &array.len else { panic!("a length is a number") };
-            let Lit::Int(length) = &length.lit else { panic!("a length is a number") };
+            let Expr::Lit(length) = &array.len else {
+                panic!("a length is a number")
+            };
+            let Lit::Int(length) = &length.lit else {
+                panic!("a length is a number")
+            };
             let element = type_of(&array.elem);
             match (element.as_str(), length.base10_parse::<usize>().unwrap()) {
                 ("number", 3) => "Vec3".to_owned(),
@@ -216,7 +265,11 @@ fn type_of(ty: &Type) -> String {
 }
 
 fn grouped(ty: String) -> String {
-    if ty.contains(" | ") { format!("({ty})") } else { ty }
+    if ty.contains(" | ") {
+        format!("({ty})")
+    } else {
+        ty
+    }
 }
 
 fn doc(attributes: &[Attribute], indent: &str) -> String {
@@ -234,8 +287,14 @@ fn doc(attributes: &[Attribute], indent: &str) -> String {
         })
         .collect();
     // A link to an item of the crate is its name here.
-    let text = lines.join(" ").replace("[`CODES`](crate::form::CODES)", "those in docs/findings.md");
-    if text.is_empty() { String::new() } else { format!("{indent}/** {text} */\n") }
+    let text = lines
+        .join(" ")
+        .replace("[`CODES`](crate::form::CODES)", "those in docs/findings.md");
+    if text.is_empty() {
+        String::new()
+    } else {
+        format!("{indent}/** {text} */\n")
+    }
 }
 
 /// The value of `#[serde(rename = "…")]` or `#[serde(rename_all = "…")]`.
@@ -246,7 +305,11 @@ fn serde_value(attributes: &[Attribute], key: &str) -> Option<String> {
             .parse_nested_meta(|meta| {
                 if let Ok(value) = meta.value() {
                     let value = value.parse::<syn::LitStr>()?.value();
-                    found = if meta.path.is_ident(key) { Some(value) } else { found.take() };
+                    found = if meta.path.is_ident(key) {
+                        Some(value)
+                    } else {
+                        found.take()
+                    };
                 }
                 Ok(())
             })
@@ -271,5 +334,7 @@ fn renamed(attributes: &[Attribute]) -> Option<String> {
 fn camel_case(name: &str) -> String {
     let mut words = name.split('_');
     let first = words.next().unwrap().to_owned();
-    words.fold(first, |text, word| text + &word[..1].to_uppercase() + &word[1..])
+    words.fold(first, |text, word| {
+        text + &word[..1].to_uppercase() + &word[1..]
+    })
 }

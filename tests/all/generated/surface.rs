@@ -23,7 +23,9 @@ fn hidden(attributes: &[Attribute]) -> bool {
         if attribute.path().is_ident("path") {
             return true;
         }
-        let Meta::List(list) = &attribute.meta else { return false };
+        let Meta::List(list) = &attribute.meta else {
+            return false;
+        };
         attribute.path().is_ident("doc") && list.tokens.to_string() == "hidden"
     })
 }
@@ -32,7 +34,13 @@ fn hidden(attributes: &[Attribute]) -> bool {
 type Renamed = BTreeMap<String, String>;
 
 /// The public names of a file. Of a private module only what the modules around it name in a `pub use`.
-fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names: &mut BTreeSet<String>) {
+fn walk(
+    file: &Path,
+    folder: &Path,
+    module: &str,
+    only: Option<&Renamed>,
+    names: &mut BTreeSet<String>,
+) {
     let text = std::fs::read_to_string(file).unwrap();
     let items = syn::parse_file(&text).unwrap().items;
     let shown = |name: &str| match only {
@@ -50,7 +58,11 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
             // From elsewhere in the crate, or another name of what is here: the name is this module's, too.
             let elsewhere = matches!(&item.tree, UseTree::Path(path) if path.ident == "crate");
             if elsewhere || matches!(&item.tree, UseTree::Rename(_)) {
-                names.extend(found.values().filter_map(|name| Some(format!("{module}::{} use", shown(name)?))));
+                names.extend(
+                    found
+                        .values()
+                        .filter_map(|name| Some(format!("{module}::{} use", shown(name)?))),
+                );
             }
             reexported.extend(found);
         }
@@ -65,8 +77,12 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
             Item::Const(item) => (&item.ident, "const", &item.vis),
             Item::Static(item) => (&item.ident, "static", &item.vis),
             Item::Impl(item) if item.trait_.is_none() => {
-                let syn::Type::Path(of) = &*item.self_ty else { continue };
-                let Some(of) = shown(&of.path.segments.last().unwrap().ident.to_string()) else { continue };
+                let syn::Type::Path(of) = &*item.self_ty else {
+                    continue;
+                };
+                let Some(of) = shown(&of.path.segments.last().unwrap().ident.to_string()) else {
+                    continue;
+                };
                 for inner in &item.items {
                     if let ImplItem::Fn(method) = inner
                         && public(&method.vis)
@@ -78,14 +94,26 @@ fn walk(file: &Path, folder: &Path, module: &str, only: Option<&Renamed>, names:
             }
             Item::Mod(item) if item.content.is_none() && !hidden(&item.attrs) => {
                 let name = item.ident.to_string();
-                let [own, inside]: [PathBuf; 2] = [folder.join(format!("{name}.rs")), folder.join(&name).join("mod.rs")];
+                let [own, inside]: [PathBuf; 2] = [
+                    folder.join(format!("{name}.rs")),
+                    folder.join(&name).join("mod.rs"),
+                ];
                 let wasm = name == "wasm" || (name == "canvas" && module.ends_with("view"));
                 // Behind a private module, and under the parent's name, stands what the parent re-exports; behind two, what both do.
-                let both = |(name, called): (&String, &String)| Some((name.clone(), shown(called)?));
+                let both =
+                    |(name, called): (&String, &String)| Some((name.clone(), shown(called)?));
                 let through: Renamed = reexported.iter().filter_map(both).collect();
                 let whole = items.iter().any(|item| hands_on_all(item, &name));
-                let inner = if public(&item.vis) || whole { only } else { Some(&through) };
-                let path = if inner.is_some() || whole { module.to_owned() } else { format!("{module}::{name}") };
+                let inner = if public(&item.vis) || whole {
+                    only
+                } else {
+                    Some(&through)
+                };
+                let path = if inner.is_some() || whole {
+                    module.to_owned()
+                } else {
+                    format!("{module}::{name}")
+                };
                 if !wasm {
                     let file = if own.exists() { own } else { inside };
                     walk(&file, &folder.join(&name), &path, inner, names);

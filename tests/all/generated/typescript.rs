@@ -119,18 +119,31 @@ export interface SetUp extends Omit<Job, "format" | "cycle"> {
 fn relation_of(def: &RelationDef) -> String {
     let count = ["no", "one", "two", "three", "four"][def.least];
     let what = if def.places { "places" } else { "results" };
-    format!("{count} {what}{}", if def.most.is_none() { " or more" } else { "" })
+    format!(
+        "{count} {what}{}",
+        if def.most.is_none() { " or more" } else { "" }
+    )
 }
 
 fn relation_results(def: &RelationDef) -> String {
     let codes: Vec<String> = def.results.iter().map(|code| format!("`{code}`")).collect();
-    let of_angles = if def.places { String::new() } else { format!(", of angles `{}.angle`", def.results[0]) };
+    let of_angles = if def.places {
+        String::new()
+    } else {
+        format!(", of angles `{}.angle`", def.results[0])
+    };
     codes.join(", ") + &of_angles
 }
 
 /// A relation in the manual's table.
 pub fn relation_row(def: &RelationDef) -> String {
-    format!("| `{}` | {} | {}: {} |", def.key, relation_of(def), relation_results(def), def.says)
+    format!(
+        "| `{}` | {} | {}: {} |",
+        def.key,
+        relation_of(def),
+        relation_results(def),
+        def.says
+    )
 }
 
 /// `internal-rectangle` as the name of a type.
@@ -142,41 +155,84 @@ fn type_name(key: &str) -> String {
 fn type_of(field: &Field) -> String {
     let own = match field.kind {
         Kind::Feed if field.null.is_some() => return "FeedRate".to_owned(),
-        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle | Kind::Count => "number".to_owned(),
+        Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle | Kind::Count => {
+            "number".to_owned()
+        }
         Kind::Flag => "boolean".to_owned(),
         Kind::Text(_) => "string".to_owned(),
-        Kind::Choice(choices) => choices.iter().map(|c| format!("\"{}\"", c.value)).collect::<Vec<_>>().join(" | "),
-        Kind::Code(codes) => codes.iter().map(|c| c.value.to_string()).collect::<Vec<_>>().join(" | "),
+        Kind::Choice(choices) => choices
+            .iter()
+            .map(|c| format!("\"{}\"", c.value))
+            .collect::<Vec<_>>()
+            .join(" | "),
+        Kind::Code(codes) => codes
+            .iter()
+            .map(|c| c.value.to_string())
+            .collect::<Vec<_>>()
+            .join(" | "),
         Kind::Point => "Vec3".to_owned(),
         Kind::Nominal => "Nominal".to_owned(),
         Kind::NominalPoint => "[Nominal, Nominal, Nominal]".to_owned(),
     };
-    if field.null.is_some() { format!("{own} | null") } else { own }
+    if field.null.is_some() {
+        format!("{own} | null")
+    } else {
+        own
+    }
 }
 
 fn members(text: &mut String, fields: &[Field], indent: &str) {
     for field in fields {
-        let null = field.null.map(|means| format!(" `null`: {means}.")).unwrap_or_default();
-        let code = if field.code.is_empty() { String::new() } else { format!(" Code {}.", field.code) };
+        let null = field
+            .null
+            .map(|means| format!(" `null`: {means}."))
+            .unwrap_or_default();
+        let code = if field.code.is_empty() {
+            String::new()
+        } else {
+            format!(" Code {}.", field.code)
+        };
         let help = field.help.trim();
         assert!(!help.contains("*/"), "{}", field.key);
-        writeln!(text, "{indent}/** {help}{null}{code} */\n{indent}{}?: {};", field.key, type_of(field)).unwrap();
+        writeln!(
+            text,
+            "{indent}/** {help}{null}{code} */\n{indent}{}?: {};",
+            field.key,
+            type_of(field)
+        )
+        .unwrap();
     }
 }
 
 /// Whether several cycles have this form inside their form: then it has a name.
 fn shared(section: &SubForm) -> bool {
-    CYCLES.iter().filter(|def| def.sections.iter().any(|s| s.key == section.key)).count() > 1
+    CYCLES
+        .iter()
+        .filter(|def| def.sections.iter().any(|s| s.key == section.key))
+        .count()
+        > 1
 }
 
 fn cycle(text: &mut String, def: &CycleDef) {
     writeln!(text, "\n/** {}: {}. */", def.title, def.source).unwrap();
-    writeln!(text, "export interface {} {{\n  type: \"{}\";", type_name(def.key), def.key).unwrap();
+    writeln!(
+        text,
+        "export interface {} {{\n  type: \"{}\";",
+        type_name(def.key),
+        def.key
+    )
+    .unwrap();
     members(text, def.fields, "  ");
     for section in def.sections {
         let null = if section.optional { " | null" } else { "" };
         if shared(section) {
-            writeln!(text, "  {}?: {}{null};", section.key, type_name(section.key)).unwrap();
+            writeln!(
+                text,
+                "  {}?: {}{null};",
+                section.key,
+                type_name(section.key)
+            )
+            .unwrap();
         } else {
             writeln!(text, "  {}?: {{", section.key).unwrap();
             members(text, section.fields, "    ");
@@ -196,7 +252,11 @@ fn cycle(text: &mut String, def: &CycleDef) {
 pub fn job_types() -> String {
     let mut text = HEAD.to_owned();
     let mut named: Vec<&str> = Vec::new();
-    for section in CYCLES.iter().flat_map(|def| def.sections).filter(|s| shared(s)) {
+    for section in CYCLES
+        .iter()
+        .flat_map(|def| def.sections)
+        .filter(|s| shared(s))
+    {
         if !named.contains(&section.key) {
             named.push(section.key);
             writeln!(
@@ -239,13 +299,35 @@ pub fn job_types() -> String {
     text.push_str(TOLERANCES);
     text.push_str("  cycle: Cycle;\n}\n");
     text.push_str(RESULT_TOLERANCE);
-    let types: Vec<String> = RELATIONS.iter().map(|def| format!("\"{}\"", def.key)).collect();
+    let types: Vec<String> = RELATIONS
+        .iter()
+        .map(|def| format!("\"{}\"", def.key))
+        .collect();
     let says: String = RELATIONS
         .iter()
-        .map(|def| format!("   * `{}`, of {}: {}.\n", def.key, relation_of(def), relation_results(def)))
+        .map(|def| {
+            format!(
+                "   * `{}`, of {}: {}.\n",
+                def.key,
+                relation_of(def),
+                relation_results(def)
+            )
+        })
         .collect();
-    text.push_str(&SET_UP.replace("RELATION_SAYS", &says).replace("RELATION_TYPES", &types.join(" | ")));
-    let posts: Vec<String> = touchpath::control::POSTS.iter().map(|post| format!("  | \"{}\"", post.key)).collect();
-    writeln!(text, "\n/** The id of a control. */\nexport type PostId =\n{};", posts.join("\n")).unwrap();
+    text.push_str(
+        &SET_UP
+            .replace("RELATION_SAYS", &says)
+            .replace("RELATION_TYPES", &types.join(" | ")),
+    );
+    let posts: Vec<String> = touchpath::control::POSTS
+        .iter()
+        .map(|post| format!("  | \"{}\"", post.key))
+        .collect();
+    writeln!(
+        text,
+        "\n/** The id of a control. */\nexport type PostId =\n{};",
+        posts.join("\n")
+    )
+    .unwrap();
     text
 }

@@ -4,7 +4,9 @@
 mod preview;
 mod ways;
 
-use crate::common::{Interpreted, compare_moves, interpret, interpret_until_stop, number_at, planned, with};
+use crate::common::{
+    Interpreted, compare_moves, interpret, interpret_until_stop, number_at, planned, with,
+};
 use touchpath::cycle::CYCLES;
 use touchpath::form::Value;
 use touchpath::job::{Plan, default_job};
@@ -18,12 +20,18 @@ fn linuxcnc_jobs() -> Vec<(String, Value, Plan)> {
             if own {
                 return (name, job);
             }
-            let control = crate::common::job(r#"{ "post": "linuxcnc", "form": "moves", "workOffset": 2 }"#);
+            let control =
+                crate::common::job(r#"{ "post": "linuxcnc", "form": "moves", "workOffset": 2 }"#);
             (name, with(&job, "control", control))
         })
-        .filter(|(_, job)| job.get("cycle").and_then(|c| c.get("type")) != Some(&Value::Text("probing-two-circles".to_owned())))
+        .filter(|(_, job)| {
+            job.get("cycle").and_then(|c| c.get("type"))
+                != Some(&Value::Text("probing-two-circles".to_owned()))
+        })
         .map(|(name, job)| (name, planned(&job), job))
-        .filter(|(_, plan, _)| plan.program.post == "linuxcnc" && plan.results.iter().all(|r| r.code != "Q950"))
+        .filter(|(_, plan, _)| {
+            plan.program.post == "linuxcnc" && plan.results.iter().all(|r| r.code != "Q950")
+        })
         .map(|(name, plan, job)| (name, job, plan))
         .collect()
 }
@@ -55,10 +63,18 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
     let [a, o] = plane_axes(job);
     let r = radius(job);
     let flat: Vec<(f64, f64)> = points.iter().map(|p| (p[a], p[o])).collect();
-    let normals: Vec<(f64, f64)> = plan.touches.iter().map(|t| (t.vector[a], t.vector[o])).collect();
+    let normals: Vec<(f64, f64)> = plan
+        .touches
+        .iter()
+        .map(|t| (t.vector[a], t.vector[o]))
+        .collect();
     if plan.touches.len() == 4 && plan.results.iter().any(|r| r.code == "width1") {
         // Surface points: from the ball centre a radius against the target vector.
-        let surface: Vec<(f64, f64)> = flat.iter().zip(&normals).map(|(p, n)| (p.0 - r * n.0, p.1 - r * n.1)).collect();
+        let surface: Vec<(f64, f64)> = flat
+            .iter()
+            .zip(&normals)
+            .map(|(p, n)| (p.0 - r * n.0, p.1 - r * n.1))
+            .collect();
         // The middle of a pair along its own direction; across it, the other pair decides.
         let along = |i: usize, p: (f64, f64)| -(p.0 * normals[i].0 + p.1 * normals[i].1);
         let (s1, s2) = (along(0, surface[0]), along(0, surface[1]));
@@ -66,7 +82,12 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
         let (u, v) = ((s1 + s2) / 2.0, (s3 + s4) / 2.0);
         let x = -(u * normals[0].0 + v * normals[2].0);
         let y = -(u * normals[0].1 + v * normals[2].1);
-        return vec![("center.x", x), ("center.y", y), ("width1", (s1 - s2).abs()), ("width2", (s3 - s4).abs())];
+        return vec![
+            ("center.x", x),
+            ("center.y", y),
+            ("width1", (s1 - s2).abs()),
+            ("width2", (s3 - s4).abs()),
+        ];
     }
     let has = |code: &str| plan.results.iter().any(|r| r.code == code);
     let w = 3 - a - o;
@@ -97,7 +118,12 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
         let (n, p) = (plan.touches[0].vector, plan.touches[0].point);
         let off = dot(n, points[0]) - dot(n, p) - r;
         let at = |axis: usize| p[axis] + off * n[axis];
-        return vec![("point.x", at(a)), ("point.y", at(o)), ("point.z", at(w)), ("deviation", off)];
+        return vec![
+            ("point.x", at(a)),
+            ("point.y", at(o)),
+            ("point.z", at(w)),
+            ("deviation", off),
+        ];
     }
     if has("corner.z") {
         let rows: Vec<[f64; 4]> = (0..3)
@@ -107,11 +133,17 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
             })
             .collect();
         let corner = solved(rows);
-        return vec![("corner.x", corner[a]), ("corner.y", corner[o]), ("corner.z", corner[w])];
+        return vec![
+            ("corner.x", corner[a]),
+            ("corner.y", corner[o]),
+            ("corner.z", corner[w]),
+        ];
     }
     let lines: Vec<_> = [0, 1]
         .map(|group| {
-            let wall: Vec<usize> = (0..points.len()).filter(|&i| plan.touches[i].group == group).collect();
+            let wall: Vec<usize> = (0..points.len())
+                .filter(|&i| plan.touches[i].group == group)
+                .collect();
             let places: Vec<(f64, f64)> = wall.iter().map(|&i| flat[i]).collect();
             fitted_line(&places, normals[wall[0]], r)
         })
@@ -122,7 +154,12 @@ fn expected(job: &Value, plan: &Plan, points: &[[f64; 3]]) -> Vec<(&'static str,
     let s = ((p2.0 - p1.0) * -d2.1 - (p2.1 - p1.1) * -d2.0) / det;
     let mut results = vec![("corner.x", p1.0 + s * d1.0), ("corner.y", p1.1 + s * d1.1)];
     if let (Some(t1), Some(t2)) = (tilt1, tilt2) {
-        let nominal = plan.results.iter().find(|r| r.code == "angle").and_then(|r| r.nominal).unwrap();
+        let nominal = plan
+            .results
+            .iter()
+            .find(|r| r.code == "angle")
+            .and_then(|r| r.nominal)
+            .unwrap();
         // Wall 2 runs clockwise from wall 1, inside a corner as in the material of an outer one.
         results.push(("angle", nominal + t1 - t2));
     }
@@ -138,7 +175,13 @@ type Spot = (f64, f64);
 fn circle(places: &[Spot], normal: Spot, r: f64) -> Vec<(&'static str, f64)> {
     let n = places.len();
     let [p, q, s] = [places[0], places[n / 3], places[2 * n / 3]];
-    let bisector = |a: Spot, b: Spot| [b.0 - a.0, b.1 - a.1, (b.0 * b.0 + b.1 * b.1 - a.0 * a.0 - a.1 * a.1) / 2.0];
+    let bisector = |a: Spot, b: Spot| {
+        [
+            b.0 - a.0,
+            b.1 - a.1,
+            (b.0 * b.0 + b.1 * b.1 - a.0 * a.0 - a.1 * a.1) / 2.0,
+        ]
+    };
     let ([a1, b1, c1], [a2, b2, c2]) = (bisector(p, q), bisector(q, s));
     let det = a1 * b2 - a2 * b1;
     let center = ((c1 * b2 - c2 * b1) / det, (a1 * c2 - a2 * c1) / det);
@@ -146,13 +189,19 @@ fn circle(places: &[Spot], normal: Spot, r: f64) -> Vec<(&'static str, f64)> {
     // The target vector of a hole points to the middle.
     let hole = out.0 * normal.0 + out.1 * normal.1 < 0.0;
     let radius = out.0.hypot(out.1) + if hole { r } else { -r };
-    vec![("center.x", center.0), ("center.y", center.1), ("diameter", 2.0 * radius)]
+    vec![
+        ("center.x", center.0),
+        ("center.y", center.1),
+        ("diameter", 2.0 * radius),
+    ]
 }
 
 /// Gauss with pivots.
 fn solved(mut rows: Vec<[f64; 4]>) -> [f64; 3] {
     for i in 0..3 {
-        let pivot = (i..3).max_by(|&j, &k| rows[j][i].abs().total_cmp(&rows[k][i].abs())).unwrap();
+        let pivot = (i..3)
+            .max_by(|&j, &k| rows[j][i].abs().total_cmp(&rows[k][i].abs()))
+            .unwrap();
         rows.swap(i, pivot);
         for j in 0..3 {
             if j != i {
@@ -170,32 +219,56 @@ fn solved(mut rows: Vec<[f64; 4]>) -> [f64; 3] {
 /// A point on the surface line, its direction, and by how many degrees it is turned counter-clockwise from the nominal one.
 fn fitted_line(places: &[Spot], normal: Spot, r: f64) -> (Spot, Spot, Option<f64>) {
     let n = places.len() as f64;
-    let mean = places.iter().fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
+    let mean = places
+        .iter()
+        .fold((0.0, 0.0), |m, p| (m.0 + p.0 / n, m.1 + p.1 / n));
     let nominal = normal.1.atan2(normal.0);
     let mut turn = 0.0;
     if places.len() > 1 {
         // The sum of squared distances, minimised by golden section over the normal's angle, 30° either way.
         let cost = |t: f64| -> f64 {
             let (sin, cos) = (nominal + t).sin_cos();
-            places.iter().map(|p| ((p.0 - mean.0) * cos + (p.1 - mean.1) * sin).powi(2)).sum()
+            places
+                .iter()
+                .map(|p| ((p.0 - mean.0) * cos + (p.1 - mean.1) * sin).powi(2))
+                .sum()
         };
         let (mut low, mut high) = (-0.6f64, 0.6f64);
         for _ in 0..200 {
             let (m1, m2) = (low + 0.381966 * (high - low), low + 0.618034 * (high - low));
-            if cost(m1) < cost(m2) { high = m2 } else { low = m1 }
+            if cost(m1) < cost(m2) {
+                high = m2
+            } else {
+                low = m1
+            }
         }
         turn = (low + high) / 2.0;
     }
     let (sin, cos) = (nominal + turn).sin_cos();
     let surface = (mean.0 - r * cos, mean.1 - r * sin);
-    (surface, (-sin, cos), (places.len() > 1).then(|| turn.to_degrees()))
+    (
+        surface,
+        (-sin, cos),
+        (places.len() > 1).then(|| turn.to_degrees()),
+    )
 }
 
-fn compare_prints(job: &Value, plan: &Plan, points: &[[f64; 3]], ran: &Interpreted) -> Result<(), String> {
+fn compare_prints(
+    job: &Value,
+    plan: &Plan,
+    points: &[[f64; 3]],
+    ran: &Interpreted,
+) -> Result<(), String> {
     let expected = expected(job, plan, points);
     // All touches went as far past their contacts: they lie on a circle, and on a line.
-    let (residuals, prints): (Vec<_>, Vec<_>) = ran.prints.iter().partition(|(code, _)| code.starts_with("residual"));
-    if residuals.iter().any(|(_, residual)| residual.is_nan() || residual.abs() > 3e-4) {
+    let (residuals, prints): (Vec<_>, Vec<_>) = ran
+        .prints
+        .iter()
+        .partition(|(code, _)| code.starts_with("residual"));
+    if residuals
+        .iter()
+        .any(|(_, residual)| residual.is_nan() || residual.abs() > 3e-4)
+    {
         return Err(format!("printed {residuals:?}"));
     }
     if prints.len() != expected.len() {
@@ -203,9 +276,15 @@ fn compare_prints(job: &Value, plan: &Plan, points: &[[f64; 3]], ran: &Interpret
     }
     for ((code, printed), (wanted, value)) in prints.into_iter().zip(&expected) {
         // The program's targets are rounded to the control's decimals; angles see that over the length of a wall.
-        let tolerance = if matches!(*wanted, "angle" | "rotation") { 2e-3 } else { 3e-4 };
+        let tolerance = if matches!(*wanted, "angle" | "rotation") {
+            2e-3
+        } else {
+            3e-4
+        };
         if code != wanted || (printed - value).abs() > tolerance {
-            return Err(format!("printed {code}={printed}, expected {wanted}={value}"));
+            return Err(format!(
+                "printed {code}={printed}, expected {wanted}={value}"
+            ));
         }
     }
     Ok(())
@@ -215,19 +294,30 @@ fn compare_prints(job: &Value, plan: &Plan, points: &[[f64; 3]], ran: &Interpret
 fn targets(job: &Value, plan: &Plan) -> Vec<[f64; 3]> {
     let over = overtravel(job) + 0.0;
     let r = radius(job);
-    plan.touches.iter().map(|t| [0, 1, 2].map(|i| t.point[i] + (r - over) * t.vector[i])).collect()
+    plan.touches
+        .iter()
+        .map(|t| [0, 1, 2].map(|i| t.point[i] + (r - over) * t.vector[i]))
+        .collect()
 }
 
 #[test]
 fn every_program_runs_as_planned_and_prints_what_its_points_give() {
     let jobs = linuxcnc_jobs();
     // Every type of the family, by its number in the table.
-    let types: std::collections::BTreeSet<String> = jobs.iter().map(|(.., p)| format!("{:?}", p.table[0].value)).collect();
-    assert_eq!(types.len(), CYCLES.iter().filter(|def| def.number.is_some()).count(), "{types:?}");
+    let types: std::collections::BTreeSet<String> = jobs
+        .iter()
+        .map(|(.., p)| format!("{:?}", p.table[0].value))
+        .collect();
+    assert_eq!(
+        types.len(),
+        CYCLES.iter().filter(|def| def.number.is_some()).count(),
+        "{types:?}"
+    );
     for (name, job, plan) in jobs {
         let ran = interpret(&plan.program.text).unwrap_or_else(|e| panic!("{name}: {e}"));
         compare_moves(&plan, |_| overtravel(&job), &ran).unwrap_or_else(|e| panic!("{name}: {e}"));
-        compare_prints(&job, &plan, &targets(&job, &plan), &ran).unwrap_or_else(|e| panic!("{name}: {e}"));
+        compare_prints(&job, &plan, &targets(&job, &plan), &ran)
+            .unwrap_or_else(|e| panic!("{name}: {e}"));
     }
 }
 
@@ -249,7 +339,12 @@ fn feeds_are_the_forms_and_units_are_stated() {
                 other => panic!("{other}"),
             };
             let wanted = number_at(&job, path, if inch { default / 25.4 } else { default });
-            assert!((canon.feed - wanted).abs() < 1e-3, "{name}: {} for {}", canon.feed, step.feed);
+            assert!(
+                (canon.feed - wanted).abs() < 1e-3,
+                "{name}: {} for {}",
+                canon.feed,
+                step.feed
+            );
         }
     }
 }
@@ -258,13 +353,23 @@ fn feeds_are_the_forms_and_units_are_stated() {
 fn the_work_offset_is_written_once_and_puts_the_feature_on_its_nominal_place() {
     for (name, job, plan) in linuxcnc_jobs() {
         let n = number_at(&job, "control.workOffset", 0.0) as usize;
-        let writes: Vec<&str> = plan.program.text.lines().filter(|l| l.starts_with("G10")).collect();
+        let writes: Vec<&str> = plan
+            .program
+            .text
+            .lines()
+            .filter(|l| l.starts_with("G10"))
+            .collect();
         if n == 0 {
             assert!(writes.is_empty(), "{name}");
             continue;
         }
         assert_eq!(writes.len(), 1, "{name}");
-        assert!(plan.program.text.ends_with(&format!("{}\nM72\nM2\n", writes[0])), "{name}: the write is the last thing");
+        assert!(
+            plan.program
+                .text
+                .ends_with(&format!("{}\nM72\nM2\n", writes[0])),
+            "{name}: the write is the last thing"
+        );
         let ran = interpret(&plan.program.text).unwrap();
         let results = expected(&job, &plan, &targets(&job, &plan));
         let (number, written) = ran.written.expect("an offset");
@@ -272,7 +377,10 @@ fn the_work_offset_is_written_once_and_puts_the_feature_on_its_nominal_place() {
         // The machine stands where the work system stood: the shift is measured less nominal, and nothing where nothing is measured.
         for (axis, place) in places(&job, &plan, &results).into_iter().enumerate() {
             let wanted = place.map_or(0.0, |(measured, nominal)| measured - nominal);
-            assert!((written[axis] - wanted).abs() < 4e-4, "{name}: {written:?} for {results:?}");
+            assert!(
+                (written[axis] - wanted).abs() < 4e-4,
+                "{name}: {written:?} for {results:?}"
+            );
         }
     }
 }
@@ -300,7 +408,10 @@ fn places(job: &Value, plan: &Plan, results: &[(&'static str, f64)]) -> [Option<
 /// measured point in the old system is at the nominal point in the new one.
 #[test]
 fn the_write_is_right_under_a_rotation_that_was_active_before() {
-    for (name, job, plan) in linuxcnc_jobs().into_iter().filter(|(_, job, _)| plane_axes(job) == [0, 1]) {
+    for (name, job, plan) in linuxcnc_jobs()
+        .into_iter()
+        .filter(|(_, job, _)| plane_axes(job) == [0, 1])
+    {
         let n = number_at(&job, "control.workOffset", 0.0) as usize;
         if n == 0 {
             continue;
@@ -319,11 +430,19 @@ fn the_write_is_right_under_a_rotation_that_was_active_before() {
         let (measured, nominal) = ([x.0, y.0], [x.1, y.1]);
         let (_, new) = ran.written.unwrap();
         let (sin, cos) = 25f64.to_radians().sin_cos();
-        let machine = |offset: [f64; 2], p: &[f64]| [offset[0] + p[0] * cos - p[1] * sin, offset[1] + p[0] * sin + p[1] * cos];
+        let machine = |offset: [f64; 2], p: &[f64]| {
+            [
+                offset[0] + p[0] * cos - p[1] * sin,
+                offset[1] + p[0] * sin + p[1] * cos,
+            ]
+        };
         let old_place = machine([7.0, -3.0], &measured);
         let new_place = machine([new[0], new[1]], &nominal);
         for axis in 0..2 {
-            assert!((old_place[axis] - new_place[axis]).abs() < 3e-4, "{name}: {old_place:?} {new_place:?}");
+            assert!(
+                (old_place[axis] - new_place[axis]).abs() < 3e-4,
+                "{name}: {old_place:?} {new_place:?}"
+            );
         }
     }
 }
@@ -335,7 +454,12 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
     let mut deviating = 0;
     for (name, _, plan) in linuxcnc_jobs() {
         let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-        for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
+        for (index, step) in plan
+            .moves
+            .iter()
+            .enumerate()
+            .filter(|(_, m)| m.kind == "touch")
+        {
             let trigger = plan.triggers[step.touch.unwrap()].expect("these parts are met");
             let [x, y, z] = trigger.map(|v| format!("{v:.9}"));
             let line = &mut lines[plan.program.move_lines[index] as usize];
@@ -345,20 +469,38 @@ fn on_the_virtual_part_the_program_computes_the_results_that_are_shown() {
         }
         let ran = interpret(&(lines.join("\n") + "\n")).unwrap_or_else(|e| panic!("{name}: {e}"));
         for (code, printed) in &ran.prints {
-            let row = plan.results.iter().find(|r| r.code == *code).unwrap_or_else(|| panic!("{name}: {code}"));
-            assert!((row.value.unwrap() - printed).abs() < 2e-6, "{name}: {code} printed {printed}, shown {:?}", row.value);
+            let row = plan
+                .results
+                .iter()
+                .find(|r| r.code == *code)
+                .unwrap_or_else(|| panic!("{name}: {code}"));
+            assert!(
+                (row.value.unwrap() - printed).abs() < 2e-6,
+                "{name}: {code} printed {printed}, shown {:?}",
+                row.value
+            );
             deviating += usize::from(row.deviation.unwrap().abs() > 0.01);
         }
-        let shown = plan.results.iter().filter(|r| r.value.is_some() && !r.code.starts_with("offset.")).count();
+        let shown = plan
+            .results
+            .iter()
+            .filter(|r| r.value.is_some() && !r.code.starts_with("offset."))
+            .count();
         assert_eq!(ran.prints.len(), shown, "{name}");
     }
-    assert!(deviating >= 6, "the parts must lie off, or this test shows nothing");
+    assert!(
+        deviating >= 6,
+        "the parts must lie off, or this test shows nothing"
+    );
 }
 
 /// The comparison itself must be able to fail.
 #[test]
 fn a_broken_program_is_caught() {
-    let (_, job, plan) = linuxcnc_jobs().into_iter().find(|(name, ..)| name == "pocket").expect("the pocket");
+    let (_, job, plan) = linuxcnc_jobs()
+        .into_iter()
+        .find(|(name, ..)| name == "pocket")
+        .expect("the pocket");
     let text = &plan.program.text;
     let judge = |broken: &str| -> Result<(), String> {
         assert_ne!(broken, text);

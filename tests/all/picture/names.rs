@@ -11,29 +11,58 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
             let (scene, _) = built(&of(cycle.key), view);
             for (size, large) in [([758.0, 710.0], true), ([390.0, 206.0], false)] {
                 let camera = Camera::whole(size.into(), &scene);
-                let demanded = scene.dimensions.iter().filter(|d| d.on_demand).map(|d| Some(d.field));
+                let demanded = scene
+                    .dimensions
+                    .iter()
+                    .filter(|d| d.on_demand)
+                    .map(|d| Some(d.field));
                 for focus in demanded.chain([None]) {
                     let said = || format!("{} {view:?} {size:?} {focus:?}", cycle.key);
                     let layout = camera.layout(&scene, focus);
-                    let names: Vec<_> =
-                        layout.arcs.iter().filter_map(|arc| arc.name).chain(layout.dimensions.iter().map(|d| d.name)).collect();
+                    let names: Vec<_> = layout
+                        .arcs
+                        .iter()
+                        .filter_map(|arc| arc.name)
+                        .chain(layout.dimensions.iter().map(|d| d.name))
+                        .collect();
                     for (k, name) in names.iter().enumerate() {
-                        assert!(names[..k].iter().all(|other| !name.meets(other)), "{}: two names", said());
+                        assert!(
+                            names[..k].iter().all(|other| !name.meets(other)),
+                            "{}: two names",
+                            said()
+                        );
                         let radius = scene.radius * camera.scale;
-                        let covered = scene.touches.iter().any(|touch| name.covers(camera.pixel(touch.ball), radius));
+                        let covered = scene
+                            .touches
+                            .iter()
+                            .any(|touch| name.covers(camera.pixel(touch.ball), radius));
                         // On a phone there is not always room, and what comes with the focus stands near what it measures.
-                        assert!(!covered || !large || focus.is_some(), "{}: name {k} of {} on a ball", said(), names.len());
+                        assert!(
+                            !covered || !large || focus.is_some(),
+                            "{}: name {k} of {} on a ball",
+                            said(),
+                            names.len()
+                        );
                         seen[0] += 1;
                     }
                     for placed in &layout.dimensions {
                         let [start, end] = placed.line;
                         let long = (end[0] - start[0]).hypot(end[1] - start[1]);
                         let on = placed.name.crosses(placed.line.map(Vec2::from), 0.0);
-                        assert!(!on || 2.0 * placed.name.half[0] + 16.0 < long, "{}: {}", said(), placed.drawn.field);
+                        assert!(
+                            !on || 2.0 * placed.name.half[0] + 16.0 < long,
+                            "{}: {}",
+                            said(),
+                            placed.drawn.field
+                        );
                         seen[usize::from(on) + 1] += 1;
                     }
                     for arc in &layout.arcs {
-                        assert!(arc.name.is_none_or(|name| !name.covers(arc.at, arc.radius)), "{}: on its arc", said());
+                        assert!(
+                            arc.name.is_none_or(|name| !name.covers(arc.at, arc.radius)),
+                            "{}: on its arc",
+                            said()
+                        );
                     }
                 }
             }
@@ -45,10 +74,19 @@ fn no_name_covers_a_ball_another_name_or_its_own_arrow_heads() {
 /// Every cycle from every side, as it is fitted into a large picture and into one on a phone.
 fn seen_everywhere(mut look: impl FnMut(&str, &Scene, &Camera)) {
     for cycle in touchpath::cycle::CYCLES {
-        for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
+        for view in [
+            Projection::Top,
+            Projection::Front,
+            Projection::Side,
+            Projection::Isometric,
+        ] {
             let (scene, _) = built(&of(cycle.key), view);
             for size in [[758.0, 710.0], [390.0, 206.0]] {
-                look(&format!("{} {view:?} {size:?}", cycle.key), &scene, &Camera::whole(size.into(), &scene));
+                look(
+                    &format!("{} {view:?} {size:?}", cycle.key),
+                    &scene,
+                    &Camera::whole(size.into(), &scene),
+                );
             }
         }
     }
@@ -60,22 +98,47 @@ fn each_number_stands_beside_its_contact_and_none_on_another() {
     let (mut seen, mut shared) = (0, 0);
     seen_everywhere(|said, scene, camera| {
         let numbers = camera.numbers(scene);
-        let mut touches: Vec<usize> = numbers.iter().flat_map(|number| number.touches.clone()).collect();
+        let mut touches: Vec<usize> = numbers
+            .iter()
+            .flat_map(|number| number.touches.clone())
+            .collect();
         touches.sort_unstable();
-        assert!(touches.into_iter().eq(0..scene.touches.len()), "{said}: each touch once");
+        assert!(
+            touches.into_iter().eq(0..scene.touches.len()),
+            "{said}: each touch once"
+        );
         for (k, number) in numbers.iter().enumerate() {
             let [dx, dy] = [0, 1].map(|i| number.plate.middle[i] - number.contact[i]);
             let radius = number.radius();
-            let ball = if scene.touches[number.touches[0]].behind.is_some() { scene.radius * camera.scale } else { 0.0 };
-            assert!(dx.hypot(dy) < 4.0 * radius + 9.0 + ball, "{said}: {} is {dx} {dy} off", number.said);
+            let ball = if scene.touches[number.touches[0]].behind.is_some() {
+                scene.radius * camera.scale
+            } else {
+                0.0
+            };
+            assert!(
+                dx.hypot(dy) < 4.0 * radius + 9.0 + ball,
+                "{said}: {} is {dx} {dy} off",
+                number.said
+            );
             assert!(
                 number.led || dx.hypot(dy) < number.plate.half[0] + radius + 9.0 + ball,
                 "{said}: a line leads to {}",
                 number.said
             );
-            assert!(!number.plate.covers(number.contact, 3.0), "{said}: {} is on its contact", number.said);
-            let met = numbers[..k].iter().find(|other| other.plate.meets(&number.plate));
-            assert!(met.is_none(), "{said}: {} is on {}", number.said, met.map_or("", |other| &other.said));
+            assert!(
+                !number.plate.covers(number.contact, 3.0),
+                "{said}: {} is on its contact",
+                number.said
+            );
+            let met = numbers[..k]
+                .iter()
+                .find(|other| other.plate.meets(&number.plate));
+            assert!(
+                met.is_none(),
+                "{said}: {} is on {}",
+                number.said,
+                met.map_or("", |other| &other.said)
+            );
             let together: Vec<_> = number.touches.iter().map(|k| (k + 1).to_string()).collect();
             assert_eq!(number.said, together.join("·"));
             shared += usize::from(number.touches.len() > 1);
@@ -99,13 +162,25 @@ fn every_touch_has_its_arrow_head_and_none_lies_on_another() {
             assert!(head.is_none() || !line.back, "{said}: on the way back");
             if line.stroke == Stroke::Touch && long(line) > 1.0 {
                 let (tip, ..) = head.unwrap_or_else(|| panic!("{said}: touch without a head"));
-                assert!((0..2).all(|i| (tip[i] - camera.pixel(line.to)[i]).abs() < 1e-9), "{said}: at its contact");
+                assert!(
+                    (0..2).all(|i| (tip[i] - camera.pixel(line.to)[i]).abs() < 1e-9),
+                    "{said}: at its contact"
+                );
                 seen[0] += 1;
             }
-            let Some((tip, _, size)) = head.filter(|_| line.stroke != Stroke::Touch) else { continue };
-            for other in scene.lines.iter().filter(|other| other.from == line.to && other.to == line.from) {
+            let Some((tip, _, size)) = head.filter(|_| line.stroke != Stroke::Touch) else {
+                continue;
+            };
+            for other in scene
+                .lines
+                .iter()
+                .filter(|other| other.from == line.to && other.to == line.from)
+            {
                 if let Some((back, _, other)) = camera.head(other) {
-                    assert!((tip[0] - back[0]).hypot(tip[1] - back[1]) > size + other, "{said}: there and back");
+                    assert!(
+                        (tip[0] - back[0]).hypot(tip[1] - back[1]) > size + other,
+                        "{said}: there and back"
+                    );
                     seen[1] += 1;
                 }
             }
@@ -137,16 +212,31 @@ fn the_name_of_the_origin_stands_where_no_other_name_or_number_is() {
 #[test]
 fn a_name_is_read_along_its_line_from_below_or_from_the_right() {
     for turn in 0..36 {
-        let turned = with(&of("internal-rectangle-protected"), "cycle.rotation", crate::common::number(10.0 * f64::from(turn)));
+        let turned = with(
+            &of("internal-rectangle-protected"),
+            "cycle.rotation",
+            crate::common::number(10.0 * f64::from(turn)),
+        );
         let (scene, _) = built(&turned, Projection::Top);
-        let layout = Camera::whole([758.0, 710.0].into(), &scene).layout(&scene, None).dimensions;
+        let layout = Camera::whole([758.0, 710.0].into(), &scene)
+            .layout(&scene, None)
+            .dimensions;
         assert_eq!(layout.len(), 2);
         for placed in layout {
-            let ([[ax, ay], [bx, by]], [x, y]) = (placed.line.map(|end| end.to_array()), placed.name.middle.to_array());
+            let ([[ax, ay], [bx, by]], [x, y]) = (
+                placed.line.map(|end| end.to_array()),
+                placed.name.middle.to_array(),
+            );
             let [ux, uy] = placed.name.along.to_array();
             let (dx, dy) = (bx - ax, by - ay);
-            assert!((dx * uy - dy * ux).abs() < 1e-6 * dx.hypot(dy), "{turn}: along the line");
-            assert!(((x - ax) * dy - (y - ay) * dx).abs() < 1e-6 * dx.hypot(dy), "{turn}: on it");
+            assert!(
+                (dx * uy - dy * ux).abs() < 1e-6 * dx.hypot(dy),
+                "{turn}: along the line"
+            );
+            assert!(
+                ((x - ax) * dy - (y - ay) * dx).abs() < 1e-6 * dx.hypot(dy),
+                "{turn}: on it"
+            );
             // Pixels grow downwards: upright text is read upwards.
             assert!(ux > 1e-6 || (ux > -1e-6 && uy < 0.0), "{turn}: {ux} {uy}");
         }
@@ -164,13 +254,30 @@ fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
         for view in [Projection::Front, Projection::Side] {
             let planned = job::planned(&job).expect("the job is sound");
             let scene = planned.picture(view, 1.0, None).scene;
-            let holes: Vec<_> =
-                planned.path.surfaces.iter().filter_map(|s| if let Surface::Round(r) = s { Some(*r) } else { None }).collect();
-            if planned.job.setup.plane != touchpath::geom::Plane::G17 || holes.is_empty() || holes.iter().any(|r| !r.hole) {
+            let holes: Vec<_> = planned
+                .path
+                .surfaces
+                .iter()
+                .filter_map(|s| {
+                    if let Surface::Round(r) = s {
+                        Some(*r)
+                    } else {
+                        None
+                    }
+                })
+                .collect();
+            if planned.job.setup.plane != touchpath::geom::Plane::G17
+                || holes.is_empty()
+                || holes.iter().any(|r| !r.hole)
+            {
                 continue;
             }
             let scale = 4.0;
-            let camera = Camera { scale, middle: Vec2::ZERO, size: Vec2::new(800.0, 600.0) };
+            let camera = Camera {
+                scale,
+                middle: Vec2::ZERO,
+                size: Vec2::new(800.0, 600.0),
+            };
             let [filled, air] = outlines(&scene.material, &camera, 36.0);
             let solid = |spot: [f64; 2]| {
                 let at = camera.pixel(spot.into());
@@ -180,18 +287,36 @@ fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
                 let Vec2 { x: across, y: top } = view.place(planned.job.setup.plane, hole.center);
                 let floor = top - hole.drawn_depth;
                 let edge = hole.radius + 1.0 / scale;
-                let within =
-                    |x: f64| holes.iter().any(|r| (view.place(planned.job.setup.plane, r.center).x - x).abs() < r.radius);
-                for x in [across - edge, across + edge].into_iter().filter(|x| !within(*x)) {
-                    assert!(solid([x, (top + floor) / 2.0]), "{name}, {view:?}: material beside the hole at {across}");
-                    assert!(!solid([x, top + 0.5]), "{name}, {view:?}: above the mouth of the hole at {across}");
-                    assert!(!solid([x, floor - 0.5]), "{name}, {view:?}: below the floor of the hole at {across}");
+                let within = |x: f64| {
+                    holes.iter().any(|r| {
+                        (view.place(planned.job.setup.plane, r.center).x - x).abs() < r.radius
+                    })
+                };
+                for x in [across - edge, across + edge]
+                    .into_iter()
+                    .filter(|x| !within(*x))
+                {
+                    assert!(
+                        solid([x, (top + floor) / 2.0]),
+                        "{name}, {view:?}: material beside the hole at {across}"
+                    );
+                    assert!(
+                        !solid([x, top + 0.5]),
+                        "{name}, {view:?}: above the mouth of the hole at {across}"
+                    );
+                    assert!(
+                        !solid([x, floor - 0.5]),
+                        "{name}, {view:?}: below the floor of the hole at {across}"
+                    );
                     seen += 1;
                 }
                 if name == "close" && view == Projection::Front {
                     for part in [-0.95, 0.0, 0.95] {
                         let x = across + part * hole.radius;
-                        assert!(!solid([x, (top + floor) / 2.0]), "material at {x} within the hole at {across}");
+                        assert!(
+                            !solid([x, (top + floor) / 2.0]),
+                            "material at {x} within the hole at {across}"
+                        );
                     }
                 }
             }
@@ -205,21 +330,36 @@ fn the_material_around_holes_seen_from_the_side_ends_where_they_do() {
 fn no_name_of_a_dimension_is_cut_off_by_the_edge_of_the_picture() {
     let (mut seen, mut cut) = (0, Vec::new());
     for cycle in touchpath::cycle::CYCLES {
-        for view in [Projection::Top, Projection::Front, Projection::Side, Projection::Isometric] {
+        for view in [
+            Projection::Top,
+            Projection::Front,
+            Projection::Side,
+            Projection::Isometric,
+        ] {
             let (scene, _) = built(&of(cycle.key), view);
             for wide in (360..=760).step_by(80) {
                 for high in (260..=700).step_by(88) {
                     let size = [f64::from(wide), f64::from(high)];
-                    for placed in Camera::whole(size.into(), &scene).layout(&scene, None).dimensions {
+                    for placed in Camera::whole(size.into(), &scene)
+                        .layout(&scene, None)
+                        .dimensions
+                    {
                         let inside = |at: &Vec2| (0..2).all(|i| at[i] >= 0.0 && at[i] <= size[i]);
                         seen += 1;
                         if !placed.name.bounds().iter().all(inside) {
-                            cut.push(format!("{} {view:?} {size:?} {}", cycle.key, placed.drawn.field));
+                            cut.push(format!(
+                                "{} {view:?} {size:?} {}",
+                                cycle.key, placed.drawn.field
+                            ));
                         }
                     }
                 }
             }
         }
     }
-    assert!(seen > 2_500 && cut.is_empty(), "{} of {seen}: {cut:?}", cut.len());
+    assert!(
+        seen > 2_500 && cut.is_empty(),
+        "{} of {seen}: {cut:?}",
+        cut.len()
+    );
 }

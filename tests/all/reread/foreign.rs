@@ -6,12 +6,17 @@ use super::*;
 #[test]
 fn blanks_between_words_are_passed_over_once() {
     for blank in ["  ", "\t", " \t "] {
-        let text = format!("G21{blank}G17{blank}G90\nG0{blank}X1{blank}Y2{blank}Z[1{blank}+{blank}2]\nG1 X5 F100\nM2\n");
+        let text = format!(
+            "G21{blank}G17{blank}G90\nG0{blank}X1{blank}Y2{blank}Z[1{blank}+{blank}2]\nG1 X5 F100\nM2\n"
+        );
         let imported = crate::common::import(&text).unwrap_or_else(|e| panic!("{blank:?}: {e}"));
         let moves = imported.trace.unwrap().moves;
         assert_eq!(moves[0].to, [Some(1.0), Some(2.0), Some(3.0)], "{blank:?}");
         // Hundreds of thousands of characters in a line: nothing in the text probes, and the search for it ends.
-        let said = said(&format!("G0 X0\n{}Q1\nM2\n", format!("G21{blank}").repeat(150_000)));
+        let said = said(&format!(
+            "G0 X0\n{}Q1\nM2\n",
+            format!("G21{blank}").repeat(150_000)
+        ));
         assert_eq!(said, ["nothing-to-import"], "{blank:?}");
     }
 }
@@ -21,8 +26,18 @@ fn blanks_between_words_are_passed_over_once() {
 fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
     for post in ["fanuc", "haas"] {
         let text = program(post);
-        let line = |part: &str| text.lines().find(|line| line.contains(part)).unwrap().to_owned();
-        let (touch, name, hash, set) = (line("G31 X"), line("JOB: "), line("BLOCKS BELOW"), line("#149="));
+        let line = |part: &str| {
+            text.lines()
+                .find(|line| line.contains(part))
+                .unwrap()
+                .to_owned()
+        };
+        let (touch, name, hash, set) = (
+            line("G31 X"),
+            line("JOB: "),
+            line("BLOCKS BELOW"),
+            line("#149="),
+        );
         for (old, new) in [
             (&set, format!("{set};G0 Z-50")),
             (&touch, format!("{touch};G0 Z-50")),
@@ -40,12 +55,23 @@ fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
             assert_eq!(found, ["not-understood"], "{post} {new}");
         }
         // All of them at once, each once.
-        let found = said(&text.replace(&touch, &format!("{touch};A")).replace("M30\n", "M30;\nWHAT\n"));
-        assert!(found.len() > 2 && found.iter().all(|code| code == "not-understood"), "{found:?}");
+        let found = said(
+            &text
+                .replace(&touch, &format!("{touch};A"))
+                .replace("M30\n", "M30;\nWHAT\n"),
+        );
+        assert!(
+            found.len() > 2 && found.iter().all(|code| code == "not-understood"),
+            "{found:?}"
+        );
     }
     // Where it begins a comment it is one.
     for post in ["linuxcnc", "grbl"] {
-        assert_eq!(said(&program(post).replacen("G21", "G21 ; mm", 1)), [""; 0], "{post}");
+        assert_eq!(
+            said(&program(post).replacen("G21", "G21 ; mm", 1)),
+            [""; 0],
+            "{post}"
+        );
     }
 }
 
@@ -54,11 +80,17 @@ fn a_semicolon_hid_a_motion_from_fanuc_and_haas() {
 fn what_no_control_takes_for_a_blank_was_one() {
     for post in crate::tests::controls::of_moves() {
         let text = program(post);
-        let touch = text
-            .lines()
-            .find(|line| !line.starts_with(['(', ';']) && ["G38.2 ", "G31 ", "MEAS=1 "].iter().any(|code| line.contains(code)));
+        let touch = text.lines().find(|line| {
+            !line.starts_with(['(', ';'])
+                && ["G38.2 ", "G31 ", "MEAS=1 "]
+                    .iter()
+                    .any(|code| line.contains(code))
+        });
         let touch = touch.unwrap();
-        let comment = text.lines().find(|line| line.to_uppercase().contains("BLOCKS BELOW")).unwrap();
+        let comment = text
+            .lines()
+            .find(|line| line.to_uppercase().contains("BLOCKS BELOW"))
+            .unwrap();
         for blank in ["\u{b}", "\u{c}", "\0"] {
             for (old, new) in [
                 (touch, touch.replacen(' ', blank, 1)),
@@ -73,7 +105,9 @@ fn what_no_control_takes_for_a_blank_was_one() {
                 assert_eq!(found, ["not-understood"], "{post} {new:?}");
             }
         }
-        for blank in ["\u{a0}", "\u{2003}", "\u{85}", "\u{3000}", "\u{1a}", "\u{7f}"] {
+        for blank in [
+            "\u{a0}", "\u{2003}", "\u{85}", "\u{3000}", "\u{1a}", "\u{7f}",
+        ] {
             for new in [
                 touch.replacen(' ', blank, 1),
                 format!("{touch}{blank}"),
@@ -84,11 +118,21 @@ fn what_no_control_takes_for_a_blank_was_one() {
                 assert_eq!(found, ["not-understood"], "{post} {new:?}");
             }
         }
-        assert_eq!(said(&text.replacen(touch, &touch.replace(' ', " \t "), 1)), [""; 0], "{post}");
+        assert_eq!(
+            said(&text.replacen(touch, &touch.replace(' ', " \t "), 1)),
+            [""; 0],
+            "{post}"
+        );
     }
     // Klartext has a reader of its own.
-    let own = with(&default_job("probing-two-circles").unwrap(), "control.post", Value::Text("heidenhain".to_owned()));
-    let text = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    let own = with(
+        &default_job("probing-two-circles").unwrap(),
+        "control.post",
+        Value::Text("heidenhain".to_owned()),
+    );
+    let text = planned(&with(&own, "control.form", Value::Text("cycle".to_owned())))
+        .program
+        .text;
     for blank in ["\u{b}", "\u{c}", "\0"] {
         for part in ["TCH PROBE", "; Made by", "END PGM"] {
             assert!(text.contains(part), "{part}");
@@ -98,8 +142,15 @@ fn what_no_control_takes_for_a_blank_was_one() {
     }
     // With such a blank LinuxCNC's interpreter sees another comment, and does not stop.
     let stop = "G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 X5 F100\no1 if [#5070 NE 0]\n(\u{a0}ABORT,x)\no1 endif\nG1 X9\nM2\n";
-    assert!(interpret_until_stop("G21\n(\u{a0}ABORT,x)\nG0 X1\nM2\n").1.is_none());
-    assert_eq!(import(stop).unwrap().trace.unwrap().moves[1].kind, Kind::Unchecked);
+    assert!(
+        interpret_until_stop("G21\n(\u{a0}ABORT,x)\nG0 X1\nM2\n")
+            .1
+            .is_none()
+    );
+    assert_eq!(
+        import(stop).unwrap().trace.unwrap().moves[1].kind,
+        Kind::Unchecked
+    );
 }
 
 /// What a foreign program does that no program of ours does costs it not its job.
@@ -109,7 +160,11 @@ fn everyday_lines_of_other_hands_lose_nothing() {
         let text = program(post).replacen("M30\n", "G53 G0 Z0.\nM30\n", 1);
         let read = import(&text).unwrap();
         assert!(!matches!(read.job, Value::Null), "{post}");
-        assert!(read.findings.iter().any(|f| f.code == "unsafe-program"), "{post}: {:?}", read.findings);
+        assert!(
+            read.findings.iter().any(|f| f.code == "unsafe-program"),
+            "{post}: {:?}",
+            read.findings
+        );
     }
 }
 
@@ -117,8 +172,13 @@ fn everyday_lines_of_other_hands_lose_nothing() {
 #[test]
 fn many_declared_names_are_read_at_once() {
     let names: String = (0..25_000).map(|i| format!("DEF INT V{i}\n")).collect();
-    let sets: String = (0..100_000).map(|i| format!("V{}=1\n", 24_999 - i % 9)).collect();
-    let read = import(&format!("{names}{sets}G0 X0 Y0 Z5\nMEAS=1 G1 Z0 F100\nM30\n")).unwrap();
+    let sets: String = (0..100_000)
+        .map(|i| format!("V{}=1\n", 24_999 - i % 9))
+        .collect();
+    let read = import(&format!(
+        "{names}{sets}G0 X0 Y0 Z5\nMEAS=1 G1 Z0 F100\nM30\n"
+    ))
+    .unwrap();
     assert_eq!(read.trace.unwrap().moves.len(), 2);
 }
 
@@ -126,25 +186,47 @@ fn many_declared_names_are_read_at_once() {
 #[test]
 fn a_comment_that_stops_nothing_was_taken_for_an_alarm() {
     let kind = |comment: &str| {
-        let text = format!("G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 X5 F100\no1 if [#5070 NE 0]\n{comment}\no1 endif\nG1 X9\nM2\n");
+        let text = format!(
+            "G21 G17 G90\nG0 X0 Y0 Z10\nG38.3 X5 F100\no1 if [#5070 NE 0]\n{comment}\no1 endif\nG1 X9\nM2\n"
+        );
         import(&text).unwrap().trace.unwrap().moves[1].kind
     };
-    for (comment, stops) in [("(ABORT,x)", true), (";ABORT,x", false), ("; (ABORT,x)", false), ("(ABORT ,x)", false)] {
+    for (comment, stops) in [
+        ("(ABORT,x)", true),
+        (";ABORT,x", false),
+        ("; (ABORT,x)", false),
+        ("(ABORT ,x)", false),
+    ] {
         let (_, stopped) = interpret_until_stop(&format!("G21\n{comment}\nG0 X1\nM2\n"));
         assert_eq!(stopped.is_some(), stops, "{comment}: {stopped:?}");
-        assert_eq!(kind(comment), if stops { Kind::Watched } else { Kind::Unchecked }, "{comment}");
+        assert_eq!(
+            kind(comment),
+            if stops {
+                Kind::Watched
+            } else {
+                Kind::Unchecked
+            },
+            "{comment}"
+        );
     }
     // Python is carried out behind either sign.
     for comment in ["(py,x=1)", ";py,x=1", "(PYRUN,x.py)", "; pyreload"] {
         let error = import(&format!("G21\n#1=1\n{comment}\nG38.2 X#1 F100\nM2\n")).unwrap_err();
-        assert_eq!(error.findings[0].code, "not-understood", "{comment}: {error}");
+        assert_eq!(
+            error.findings[0].code, "not-understood",
+            "{comment}: {error}"
+        );
     }
     let ran = interpret_until_stop("G21\n;py,raise Exception()\nM2\n").1;
     assert!(ran.is_some_and(|why| why.contains("Exception")));
     // The same in a program whose header says its job.
     let text = program("linuxcnc").replace("(ABORT,Contact", ";ABORT,Contact");
     let found = said(&text);
-    assert!(found.contains(&"program-differs".to_owned()) && found.contains(&"unsafe-program".to_owned()), "{found:?}");
+    assert!(
+        found.contains(&"program-differs".to_owned())
+            && found.contains(&"unsafe-program".to_owned()),
+        "{found:?}"
+    );
 }
 
 /// What a subroutine has for itself was one with what stands outside: numbers up to 30, names without `_`.
@@ -162,10 +244,25 @@ fn a_subroutines_own_variables_are_not_those_outside() {
     let moves = import(&text).unwrap().trace.unwrap().moves;
     let [inside, after] = [ran.moves[1].to, ran.moves[2].to];
     assert_eq!((inside[0], inside[1], after[2]), (4.0, 1.0, 8.0));
-    assert_eq!((moves[1].to[0], moves[1].to[1], moves[2].to[2]), (Some(4.0), Some(1.0), Some(8.0)));
-    for inside in ["#<h>=1", "#<H>=1", "#2=1", "#02=1", "#12=1", "G0 Z#12", "G0 Z[1+#<h>]", "(PRINT,h=#<h>)"] {
+    assert_eq!(
+        (moves[1].to[0], moves[1].to[1], moves[2].to[2]),
+        (Some(4.0), Some(1.0), Some(8.0))
+    );
+    for inside in [
+        "#<h>=1",
+        "#<H>=1",
+        "#2=1",
+        "#02=1",
+        "#12=1",
+        "G0 Z#12",
+        "G0 Z[1+#<h>]",
+        "(PRINT,h=#<h>)",
+    ] {
         let error = read("#2=7", inside).unwrap_err();
-        assert_eq!(error.findings[0].code, "not-understood", "{inside}: {error}");
+        assert_eq!(
+            error.findings[0].code, "not-understood",
+            "{inside}: {error}"
+        );
     }
 }
 
@@ -182,14 +279,24 @@ fn a_call_of_a_sinumerik_ends_at_its_own_bracket() {
         ("MSG(\"A)", false),
     ] {
         let found = said(&text.replacen("\nSTOPRE\n", &format!("\n{line}\nSTOPRE\n"), 1));
-        assert_eq!(found.contains(&"not-understood".to_owned()), !good, "{line}: {found:?}");
+        assert_eq!(
+            found.contains(&"not-understood".to_owned()),
+            !good,
+            "{line}: {found:?}"
+        );
     }
     for alarm in ["SETAL(1)", "SETAL(650001)", "SETAL(65000,\"A\")"] {
         let found = said(&text.replacen("SETAL(65000)", alarm, 1));
         assert_eq!(found, ["not-understood"], "{alarm}");
     }
-    let own = with(&default_job("internal-rectangle-protected").unwrap(), "control.post", Value::Text("sinumerik".to_owned()));
-    let cycle = planned(&with(&own, "control.form", Value::Text("cycle".to_owned()))).program.text;
+    let own = with(
+        &default_job("internal-rectangle-protected").unwrap(),
+        "control.post",
+        Value::Text("sinumerik".to_owned()),
+    );
+    let cycle = planned(&with(&own, "control.form", Value::Text("cycle".to_owned())))
+        .program
+        .text;
     assert_eq!(said(&cycle), [""; 0]);
     let (head, _) = cycle.split_once("CYCLE977(").unwrap();
     let call = cycle[head.len()..].lines().next().unwrap();
@@ -209,7 +316,10 @@ fn and_beside_a_comparison_needs_brackets() {
         ("[1 EQ 1] OR [2 EQ 3] AND [2 EQ 2]", true),
     ] {
         let fanuc = format!("IF [{condition}] GOTO 77\nG0 X5.\nN77\nG31 X1. F100.\nM30\n");
-        let signs = condition.replace("EQ", "==").replace('[', "(").replace(']', ")");
+        let signs = condition
+            .replace("EQ", "==")
+            .replace('[', "(")
+            .replace(']', ")");
         let sinumerik = format!("IF {signs} GOTOF A\nG0 X5\nA:\nMEAS=1 G1 X1 F100\nM30\n");
         for text in [fanuc, sinumerik] {
             let read = import(&text);
@@ -225,15 +335,27 @@ fn and_beside_a_comparison_needs_brackets() {
 /// The fuzzer's: a program that writes and ends before it has results has no values to try the rest of it with.
 #[test]
 fn a_program_that_writes_before_its_results_was_a_panic() {
-    for (post, writes) in [("linuxcnc", "G10"), ("sinumerik", "$P_UIFR"), ("fanuc", "#5221="), ("haas", "#5221=")] {
+    for (post, writes) in [
+        ("linuxcnc", "G10"),
+        ("sinumerik", "$P_UIFR"),
+        ("fanuc", "#5221="),
+        ("haas", "#5221="),
+    ] {
         let job = default_job("internal-rectangle-protected").unwrap();
-        let job = with(&with(&job, "control.post", Value::Text(post.to_owned())), "control.workOffset", Value::Number(1.0));
+        let job = with(
+            &with(&job, "control.post", Value::Text(post.to_owned())),
+            "control.workOffset",
+            Value::Number(1.0),
+        );
         let text = planned(&job).program.text;
         let lines: Vec<&str> = text.lines().collect();
         let first = lines.iter().position(|line| line.starts_with('G')).unwrap();
         let write = lines.iter().find(|line| line.starts_with(writes)).unwrap();
         for at in (first..lines.len() - 1).step_by(7) {
-            let cut = [&lines[..at], &[write, "M30"], &lines[at..]].concat().join("\n") + "\n";
+            let cut = [&lines[..at], &[write, "M30"], &lines[at..]]
+                .concat()
+                .join("\n")
+                + "\n";
             assert_ne!(said(&cut), [""; 0], "{post} line {at}");
         }
     }
@@ -242,20 +364,29 @@ fn a_program_that_writes_before_its_results_was_a_panic() {
 /// A thousandth of a millimetre was granted to a residual, whatever the size of the part.
 #[test]
 fn a_residual_that_is_off_by_half_a_micrometre_is_not_proven() {
-    let boss = with(&default_job("boss").unwrap(), "control.post", Value::Text("fanuc".to_owned()));
+    let boss = with(
+        &default_job("boss").unwrap(),
+        "control.post",
+        Value::Text("fanuc".to_owned()),
+    );
     let text = planned(&boss).program.text;
     let last = text.lines().find(|line| line.starts_with("#104=")).unwrap();
     assert_eq!(said(&text), [""; 0]);
     for more in ["+0.0005", "-0.0005", "*1.001"] {
-        assert_ne!(said(&text.replacen(last, &format!("{last}{more}"), 1)), [""; 0], "{last}{more}");
+        assert_ne!(
+            said(&text.replacen(last, &format!("{last}{more}"), 1)),
+            [""; 0],
+            "{last}{more}"
+        );
     }
 }
 
 /// Touches hundreds of millimetres apart: the root of their scatter is held against what sums of that size leave of it.
 #[test]
 fn a_corner_with_a_long_wall_was_not_proven() {
-    let job =
-        job(r#"{ "format": 1, "plane": "G18", "cycle": { "type": "double-wall-internal-corner", "clearance1": 50.499210021065,
-        "count2": 3, "step1": 343, "step2": 244, "feedDistance": 262 } }"#);
+    let job = job(
+        r#"{ "format": 1, "plane": "G18", "cycle": { "type": "double-wall-internal-corner", "clearance1": 50.499210021065,
+        "count2": 3, "step1": 343, "step2": 244, "feedDistance": 262 } }"#,
+    );
     assert!(planned(&job).program.proof.is_some());
 }

@@ -4,7 +4,10 @@ use super::cycle;
 use crate::common::fanuc::Control;
 use crate::common::mpf::read;
 use crate::common::sinumerik::Machine;
-use crate::common::{Draws, ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned, values, with};
+use crate::common::{
+    Draws, ending_at, import, interpret, interpret_until_stop, job, on_virtual_part, planned,
+    values, with,
+};
 use crate::tests::controls::{computing, skipping};
 use touchpath::control::find;
 use touchpath::form::{Level, Value};
@@ -25,7 +28,11 @@ fn on(post: &str) -> Value {
 
 /// The part lies by this elsewhere.
 fn at(job: &Value, offset: [f64; 3]) -> Value {
-    with(job, "part.offset", Value::List(offset.map(Value::Number).to_vec()))
+    with(
+        job,
+        "part.offset",
+        Value::List(offset.map(Value::Number).to_vec()),
+    )
 }
 
 pub fn near(a: f64, b: f64, within: f64, what: &str) {
@@ -34,9 +41,13 @@ pub fn near(a: f64, b: f64, within: f64, what: &str) {
 
 /// The results that a plan shows, by the names that programs print.
 pub fn shown(plan: &Plan) -> Vec<(String, f64)> {
-    let rows = plan.results.iter().filter(|row| !row.code.starts_with("offset."));
+    let rows = plan
+        .results
+        .iter()
+        .filter(|row| !row.code.starts_with("offset."));
     let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
-    rows.filter_map(|row| Some((format!("{}.{}", names[row.cycle], row.code), row.value?))).collect()
+    rows.filter_map(|row| Some((format!("{}.{}", names[row.cycle], row.code), row.value?)))
+        .collect()
 }
 
 /// How far each cycle is shifted on the part of [`STEPS`], by hand.
@@ -54,15 +65,31 @@ fn the_interpreter_goes_where_the_results_say() {
     }
     // Every place that a move of a cycle names is the nominal one, shifted.
     let mut compared = [0; 3];
-    for step in plan.moves.iter().filter(|step| step.step > 0 && step.kind != "touch") {
+    for step in plan
+        .moves
+        .iter()
+        .filter(|step| step.step > 0 && step.kind != "touch")
+    {
         let wanted = [0, 1, 2].map(|axis| step.to[axis] + BY_HAND[step.cycle][axis]);
-        let found = ran.moves.iter().any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 2e-6));
-        assert!(found, "{} goes to {wanted:?}: {:?}", plan.cycles[step.cycle], ran.moves);
+        let found = ran
+            .moves
+            .iter()
+            .any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 2e-6));
+        assert!(
+            found,
+            "{} goes to {wanted:?}: {:?}",
+            plan.cycles[step.cycle], ran.moves
+        );
         compared[step.cycle] += 1;
     }
     assert!(compared.iter().all(|count| *count > 1), "{compared:?}");
     // Between them the height follows nothing.
-    let across: Vec<f64> = plan.moves.iter().filter(|step| step.step == 0).map(|step| step.to[2]).collect();
+    let across: Vec<f64> = plan
+        .moves
+        .iter()
+        .filter(|step| step.step == 0)
+        .map(|step| step.to[2])
+        .collect();
     near(
         across.iter().copied().fold(f64::NEG_INFINITY, f64::max),
         33.0,
@@ -75,19 +102,59 @@ fn the_interpreter_goes_where_the_results_say() {
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
     let high = at(&job(STEPS), [0.0, 0.0, 1.1]);
-    for (post, how) in computing().into_iter().flat_map(|post| [(post, 1.1), (post, -1.1)]) {
-        let job = at(&with(&high, "control.post", Value::Text(post.to_owned())), [0.0, 0.0, how]);
+    for (post, how) in computing()
+        .into_iter()
+        .flat_map(|post| [(post, 1.1), (post, -1.1)])
+    {
+        let job = at(
+            &with(&high, "control.post", Value::Text(post.to_owned())),
+            [0.0, 0.0, how],
+        );
         let plan = planned(&job);
-        let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post}"));
-        assert_eq!(values(said)[..2], ["BORE", "TOP.point.z"], "{post}: before the cycle, by the result");
+        let said = plan
+            .findings
+            .iter()
+            .find(|f| f.code == "place-too-far")
+            .unwrap_or_else(|| panic!("{post}"));
+        assert_eq!(
+            values(said)[..2],
+            ["BORE", "TOP.point.z"],
+            "{post}: before the cycle, by the result"
+        );
         // What was measured before is shown: it is why the program stops.
-        assert!(plan.results.iter().all(|row| row.value.is_none() || row.cycle == 0), "{post}");
-        let top = plan.results.iter().find(|row| row.cycle == 0 && row.code == "point.z").unwrap();
+        assert!(
+            plan.results
+                .iter()
+                .all(|row| row.value.is_none() || row.cycle == 0),
+            "{post}"
+        );
+        let top = plan
+            .results
+            .iter()
+            .find(|row| row.cycle == 0 && row.code == "point.z")
+            .unwrap();
         near(top.value.unwrap() - top.nominal.unwrap(), how, 1e-9, post);
-        assert_eq!(plan.triggers.iter().filter(|trigger| trigger.is_some()).count(), 1);
-        assert!(plan.findings.iter().all(|f| !["no-contact", "collision"].contains(&f.code.as_str())), "{:?}", plan.findings);
+        assert_eq!(
+            plan.triggers
+                .iter()
+                .filter(|trigger| trigger.is_some())
+                .count(),
+            1
+        );
+        assert!(
+            plan.findings
+                .iter()
+                .all(|f| !["no-contact", "collision"].contains(&f.code.as_str())),
+            "{:?}",
+            plan.findings
+        );
         let gone = stops_by(&plan, post, "TOP.point.z");
-        assert!(gone.iter().skip_while(|to| to[0] > -35.0).all(|to| to[0] == -35.0), "nothing goes to the bore: {gone:?}");
+        assert!(
+            gone.iter()
+                .skip_while(|to| to[0] > -35.0)
+                .all(|to| to[0] == -35.0),
+            "nothing goes to the bore: {gone:?}"
+        );
     }
     // A little within it all is measured.
     let within = planned(&at(&job(STEPS), [0.0, 0.0, 0.99]));
@@ -96,34 +163,64 @@ fn beyond_the_limit_every_control_stops_before_the_cycle_that_follows() {
 
 /// The tests' SINUMERIK, Fanuc and Haas run a set-up: their results are those that the plan shows.
 pub fn the_machines_measure_what_is_shown(text: &str) {
-    let on = |post: &str| planned(&with(&job(text), "control.post", Value::Text(post.to_owned())));
+    let on = |post: &str| {
+        planned(&with(
+            &job(text),
+            "control.post",
+            Value::Text(post.to_owned()),
+        ))
+    };
     let plan = on("sinumerik");
     let mut machine = Machine::new(plan.triggers.clone());
     machine.run(&read(&plan.program.text).unwrap()).unwrap();
     assert_eq!(machine.alarm, None, "{}", machine.message);
     let said: String = machine.messages.join(" ");
-    for (name, value) in shown(&plan).into_iter().filter(|(name, _)| !name.ends_with("residual")) {
+    for (name, value) in shown(&plan)
+        .into_iter()
+        .filter(|(name, _)| !name.ends_with("residual"))
+    {
         let word = format!("{name}=");
-        let behind = said.split(&word).nth(1).unwrap_or_else(|| panic!("{word} in {said}"));
-        let end = behind.find(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).unwrap_or(behind.len());
+        let behind = said
+            .split(&word)
+            .nth(1)
+            .unwrap_or_else(|| panic!("{word} in {said}"));
+        let end = behind
+            .find(|c: char| !(c.is_ascii_digit() || ".-".contains(c)))
+            .unwrap_or(behind.len());
         near(behind[..end].parse().unwrap(), value, 2e-5, &name);
     }
     for post in skipping() {
         let plan = on(post);
         let mut control = Control::new(post == "haas", false);
         control.contacts = plan.triggers.iter().flatten().copied().collect();
-        control.variables.extend((5221..=5223).map(|origin| (origin, 0.0)));
+        control
+            .variables
+            .extend((5221..=5223).map(|origin| (origin, 0.0)));
         control.run(&plan.program.text).unwrap();
         assert_eq!(control.alarm, None, "{post}");
         for (name, value) in shown(&plan) {
             // The header says where each is kept.
             let said = format!(" = {}", name.to_uppercase());
-            let ends = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '.');
-            let mut parts =
-                plan.program.text.match_indices(&said).filter(|(at, _)| ends(&plan.program.text[at + said.len()..]));
+            let ends =
+                |rest: &str| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '.');
+            let mut parts = plan
+                .program
+                .text
+                .match_indices(&said)
+                .filter(|(at, _)| ends(&plan.program.text[at + said.len()..]));
             let (at, _) = parts.next().unwrap_or_else(|| panic!("{post} {name}"));
-            let number = plan.program.text[..at].rsplit('#').next().unwrap().parse::<i64>().unwrap();
-            near(control.variables[&number], value, 2e-4, &format!("{post} {name}"));
+            let number = plan.program.text[..at]
+                .rsplit('#')
+                .next()
+                .unwrap()
+                .parse::<i64>()
+                .unwrap();
+            near(
+                control.variables[&number],
+                value,
+                2e-4,
+                &format!("{post} {name}"),
+            );
         }
     }
 }
@@ -132,7 +229,8 @@ pub fn the_machines_measure_what_is_shown(text: &str) {
 pub fn stops_by(plan: &Plan, post: &str, result: &str) -> Vec<[f64; 3]> {
     match post {
         "linuxcnc" => {
-            let (ran, why) = interpret_until_stop(&ending_at(plan, |k| plan.triggers[k].unwrap_or_default()));
+            let (ran, why) =
+                interpret_until_stop(&ending_at(plan, |k| plan.triggers[k].unwrap_or_default()));
             let why = why.expect("it stops");
             assert!(why.contains(&format!("{result} is")), "{why}");
             assert_eq!(ran.written, None);
@@ -141,7 +239,11 @@ pub fn stops_by(plan: &Plan, post: &str, result: &str) -> Vec<[f64; 3]> {
         "sinumerik" => {
             let mut machine = Machine::new(plan.triggers.clone());
             machine.run(&read(&plan.program.text).unwrap()).unwrap();
-            assert!(machine.alarm.is_some() && machine.message.contains(result), "{}", machine.message);
+            assert!(
+                machine.alarm.is_some() && machine.message.contains(result),
+                "{}",
+                machine.message
+            );
         }
         _ => {
             let mut control = Control::new(post == "haas", false);
@@ -149,7 +251,11 @@ pub fn stops_by(plan: &Plan, post: &str, result: &str) -> Vec<[f64; 3]> {
             control.run(&plan.program.text).unwrap();
             // An alarm has little room: of a long name the end may be all.
             let (_, code) = result.split_once('.').unwrap();
-            let alarm = control.alarm.as_ref().map(|alarm| format!("{alarm:?}")).unwrap_or_default();
+            let alarm = control
+                .alarm
+                .as_ref()
+                .map(|alarm| format!("{alarm:?}"))
+                .unwrap_or_default();
             assert!(alarm.contains(&code.to_uppercase()), "{post} {alarm}");
         }
     }
@@ -168,12 +274,22 @@ fn places_that_follow_come_back_from_headers_and_units() {
     for post in computing() {
         let plan = planned(&on(post));
         let back = import(&plan.program.text).unwrap();
-        assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+        assert!(
+            back.findings
+                .iter()
+                .all(|finding| finding.level != Level::Warning),
+            "{post}: {:?}",
+            back.findings
+        );
         assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
     }
     let inch = convert_units(&job(STEPS), "inch").unwrap();
-    let Some(Value::List(cycles)) = inch.get("cycles") else { unreachable!() };
-    let Some(Value::List(origin)) = cycles[2].get("origin") else { unreachable!() };
+    let Some(Value::List(cycles)) = inch.get("cycles") else {
+        unreachable!()
+    };
+    let Some(Value::List(origin)) = cycles[2].get("origin") else {
+        unreachable!()
+    };
     assert_eq!(origin[0], Value::Text("=BORE.center.x+2.362205".to_owned()));
     assert_eq!(origin[2], Value::Text("=TOP.point.z-0.07874".to_owned()));
     let (mm, inch) = (planned(&job(STEPS)), planned(&inch));
@@ -187,7 +303,9 @@ fn places_that_follow_come_back_from_headers_and_units() {
 fn a_place_that_cannot_follow_is_refused_at_its_place() {
     let errors = |job: &Value| {
         let errors = check(job).into_iter().filter(|f| f.level == Level::Error);
-        errors.map(|f| format!("{} {}", f.code, f.path)).collect::<Vec<_>>()
+        errors
+            .map(|f| format!("{} {}", f.code, f.path))
+            .collect::<Vec<_>>()
     };
     let text = |given: &str| STEPS.replace("=TOP.point.z - 2", given);
     for given in [
@@ -211,11 +329,19 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
         "=TOP.z-2-3",
         "=TOP.z - two",
     ] {
-        let wanted = if given == "TOP.z" { "wrong-type cycles[2].origin[2]" } else { "place-of-result cycles[2].origin[2]" };
+        let wanted = if given == "TOP.z" {
+            "wrong-type cycles[2].origin[2]"
+        } else {
+            "place-of-result cycles[2].origin[2]"
+        };
         assert_eq!(errors(&job(&text(given))), [wanted], "{given}");
     }
     for given in ["=top.Z-2", "=TOP.z", "= TOP.point.z +0", "=TOP.z-0,5"] {
-        assert!(errors(&job(&text(given))).is_empty(), "{given}: {:?}", errors(&job(&text(given))));
+        assert!(
+            errors(&job(&text(given))).is_empty(),
+            "{given}: {:?}",
+            errors(&job(&text(given)))
+        );
     }
     // The first cycle has none before it; a job of one cycle has none at all.
     let first = STEPS.replace("[-35, 0, 0]", "[-35, 0, \"=BORE.z\"]");
@@ -224,11 +350,28 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
     assert_eq!(errors(&alone), ["wrong-type cycle.origin[2]"]);
     // Without a limit nobody says how far it may go.
     let limitless = with(&job(STEPS), "limits.position", Value::Null);
-    assert!(errors(&limitless).iter().all(|error| error.starts_with("place-of-result")) && errors(&limitless).len() == 3);
-    let grbl = with(&with(&job(STEPS), "control.post", Value::Text("grbl".to_owned())), "control.workOffset", Value::Null);
-    assert!(errors(&grbl).contains(&"set-up-unsupported cycles[1].origin[2]".to_owned()), "{:?}", errors(&grbl));
+    assert!(
+        errors(&limitless)
+            .iter()
+            .all(|error| error.starts_with("place-of-result"))
+            && errors(&limitless).len() == 3
+    );
+    let grbl = with(
+        &with(&job(STEPS), "control.post", Value::Text("grbl".to_owned())),
+        "control.workOffset",
+        Value::Null,
+    );
+    assert!(
+        errors(&grbl).contains(&"set-up-unsupported cycles[1].origin[2]".to_owned()),
+        "{:?}",
+        errors(&grbl)
+    );
     let own = with(&on("haas"), "control.form", Value::Text("cycle".to_owned()));
-    assert!(errors(&own).contains(&"set-up-unsupported cycles[1].origin[2]".to_owned()), "{:?}", errors(&own));
+    assert!(
+        errors(&own).contains(&"set-up-unsupported cycles[1].origin[2]".to_owned()),
+        "{:?}",
+        errors(&own)
+    );
     // A way between that a shift could make shorter than nothing.
     let low = with(&job(STEPS), "clear", Value::Number(30.5));
     assert_eq!(errors(&low), ["clear-too-low clear"]);
@@ -239,8 +382,14 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
             "cycles": [{{ "name": "A", "type": "hole", "diameter": 12 }}, {{ "name": "B", "type": "hole", "diameter": 12, "origin": ["=A.center.x+15", 0, 0] }}] }}"#
         )
     };
-    assert_eq!(errors(&job(&beside(15.0, "checked"))), ["place-of-result cycles[1].origin"]);
-    assert!(errors(&job(&beside(15.0, "none"))).is_empty(), "nothing is to be watched");
+    assert_eq!(
+        errors(&job(&beside(15.0, "checked"))),
+        ["place-of-result cycles[1].origin"]
+    );
+    assert!(
+        errors(&job(&beside(15.0, "none"))).is_empty(),
+        "nothing is to be watched"
+    );
     assert!(errors(&job(&beside(14.0, "checked"))).is_empty());
     // As high as the cycle begins there is no way across that follows no height.
     let level = r#"{ "format": 2, "overtravel": 10, "control": { "post": "linuxcnc", "protection": "none" }, "clear": 30, "limits": { "position": 9 },
@@ -248,7 +397,11 @@ fn a_place_that_cannot_follow_is_refused_at_its_place() {
                    { "name": "BORE", "type": "hole", "diameter": 25, "origin": [20, 0, "=TOP.z"] }] }"#;
     assert_eq!(errors(&job(level)), ["clear-too-low clear"]);
     for given in ["\\t=TOP.z", "=TOP.z\\n", "=\u{a0}TOP.z-2"] {
-        assert_eq!(errors(&job(&text(given))).len(), 1, "white space that a header does not keep");
+        assert_eq!(
+            errors(&job(&text(given))).len(),
+            1,
+            "white space that a header does not keep"
+        );
     }
 }
 
@@ -260,7 +413,10 @@ fn no_way_goes_across_and_down_at_once() {
         let mut from = plan.moves[0].to;
         for step in &plan.moves[1..] {
             let across = (0..2).any(|axis| (step.to[axis] - from[axis]).abs() > 1e-9);
-            assert!(step.step != 0 || !across || (step.to[2] - from[2]).abs() < 1e-9, "{post}: {step:?}");
+            assert!(
+                step.step != 0 || !across || (step.to[2] - from[2]).abs() < 1e-9,
+                "{post}: {step:?}"
+            );
             from = step.to;
         }
     }
@@ -268,16 +424,34 @@ fn no_way_goes_across_and_down_at_once() {
     let counterbore = r#"{ "format": 2, "control": { "post": "linuxcnc" }, "limits": { "position": 0.5 }, "part": { "offset": [0.4, -0.3, 0] },
         "cycles": [{ "name": "A", "type": "hole", "diameter": 40 }, { "name": "B", "type": "hole", "diameter": 20, "origin": ["=A.center.x", "=A.center.y", -10] }] }"#;
     for post in computing() {
-        let plan = planned(&with(&job(counterbore), "control.post", Value::Text(post.to_owned())));
-        let watched = plan.findings.iter().all(|f| f.code != "positioning-not-watched");
+        let plan = planned(&with(
+            &job(counterbore),
+            "control.post",
+            Value::Text(post.to_owned()),
+        ));
+        let watched = plan
+            .findings
+            .iter()
+            .all(|f| f.code != "positioning-not-watched");
         assert_eq!(watched, find(post).unwrap().shortest_probe == 0.0, "{post}");
     }
     let plan = planned(&job(counterbore));
     let way = plan.moves.iter().position(|step| step.step == 0).unwrap();
-    let line = plan.program.text.lines().nth(plan.program.move_lines[way] as usize).unwrap();
+    let line = plan
+        .program
+        .text
+        .lines()
+        .nth(plan.program.move_lines[way] as usize)
+        .unwrap();
     assert_eq!(line, "G1 X[0+#<b_shift_x>] Y[0+#<b_shift_y>] Z30 F2000");
     let ran = interpret(&on_virtual_part(&plan)).unwrap();
-    let printed = |code: &str| ran.prints.iter().find(|(known, _)| known == code).unwrap().1;
+    let printed = |code: &str| {
+        ran.prints
+            .iter()
+            .find(|(known, _)| known == code)
+            .unwrap()
+            .1
+    };
     near(printed("B.center.x"), 0.4, 1e-5, "B");
     near(printed("B.center.y"), -0.3, 1e-5, "B");
     near(printed("B.diameter"), 20.0, 1e-5, "B");
@@ -286,9 +460,11 @@ fn no_way_goes_across_and_down_at_once() {
 /// Chains of holes, each beside the one before it, at limits from far below what touches scatter to millimetres: every one is proven.
 #[test]
 fn chains_are_proven_at_any_limit() {
-    for (post, count, limits) in
-        [("linuxcnc", 40, [0.001, 0.02, 0.1, 2.0]), ("haas", 3, [0.001, 2.95, 3.0, 3.35]), ("fanuc", 2, [0.01, 0.5, 3.35, 3.0])]
-    {
+    for (post, count, limits) in [
+        ("linuxcnc", 40, [0.001, 0.02, 0.1, 2.0]),
+        ("haas", 3, [0.001, 2.95, 3.0, 3.35]),
+        ("fanuc", 2, [0.01, 0.5, 3.35, 3.0]),
+    ] {
         for limit in limits {
             let cycles: Vec<String> = (0..count)
                 .map(|i| match i {
@@ -303,8 +479,13 @@ fn chains_are_proven_at_any_limit() {
                 r#"{{ "format": 2, "control": {{ "post": "{post}", "workOffset": 1 }}, "limits": {{ "position": {limit} }}, "cycles": [{}] }}"#,
                 cycles.join(", ")
             );
-            let plan = plan(&job(&text)).unwrap_or_else(|e| panic!("{post} {count} {limit}: {e:?}"));
-            assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+            let plan =
+                plan(&job(&text)).unwrap_or_else(|e| panic!("{post} {count} {limit}: {e:?}"));
+            assert!(
+                plan.safety
+                    .iter()
+                    .any(|row| row.rule == "place-within-limit" && row.holds == Some(true))
+            );
         }
     }
 }
@@ -316,12 +497,18 @@ fn a_chain_whose_first_question_is_one_sided_breaks_the_rule() {
         "cycles": [{ "name": "C0", "type": "hole" }, { "name": "C1", "type": "hole", "origin": ["=C0.center.x+60", 0, 0] },
                    { "name": "C2", "type": "hole", "origin": ["=C1.center.x+60", 0, 0] }] }"#;
     let program = planned(&job(text)).program.text;
-    for (sure, bare) in
-        [("[ABS[#<c0_center_x>] GT 1]", "[#<c0_center_x> GT 1]"), ("[ABS[#<c1_center_x>-60] GT 1]", "[#<c1_center_x> LT 59]")]
-    {
+    for (sure, bare) in [
+        ("[ABS[#<c0_center_x>] GT 1]", "[#<c0_center_x> GT 1]"),
+        ("[ABS[#<c1_center_x>-60] GT 1]", "[#<c1_center_x> LT 59]"),
+    ] {
         assert!(program.contains(sure), "{sure}");
-        let rows = touchpath::job::examine(&job(text), &program.replacen(sure, bare, 1)).unwrap().unwrap();
-        let row = rows.iter().find(|row| row.rule == "place-within-limit").unwrap();
+        let rows = touchpath::job::examine(&job(text), &program.replacen(sure, bare, 1))
+            .unwrap()
+            .unwrap();
+        let row = rows
+            .iter()
+            .find(|row| row.rule == "place-within-limit")
+            .unwrap();
         assert_eq!(row.holds, Some(false), "{bare}");
     }
 }
@@ -334,32 +521,65 @@ fn a_shifted_cycle_is_judged_where_it_is() {
         "part": { "offset": [0, 0, 0.9] } }"#;
     for high in [0.9, 3.0] {
         let found = check(&at(&job(deep), [0.0, 0.0, high]));
-        assert!(found.iter().all(|f| f.code != "shank-collision"), "{high}: {found:?}");
+        assert!(
+            found.iter().all(|f| f.code != "shank-collision"),
+            "{high}: {found:?}"
+        );
     }
     let still = job(&deep.replace("\"=TOP.z\"", "0"));
-    assert!(check(&still).iter().any(|f| f.code == "shank-collision"), "that does not follow goes 10.9 mm deep");
+    assert!(
+        check(&still).iter().any(|f| f.code == "shank-collision"),
+        "that does not follow goes 10.9 mm deep"
+    );
 
-    let near_start =
-        with(&with(&job(STEPS), "control.post", Value::Text("fanuc".to_owned())), "limits.position", Value::Number(1.2));
+    let near_start = with(
+        &with(&job(STEPS), "control.post", Value::Text("fanuc".to_owned())),
+        "limits.position",
+        Value::Number(1.2),
+    );
     let near_start = at(&near_start, [0.99, 0.0, 0.0]);
-    let Some(Value::List(cycles)) = near_start.get("cycles") else { unreachable!() };
+    let Some(Value::List(cycles)) = near_start.get("cycles") else {
+        unreachable!()
+    };
     let mut cycles = cycles.clone();
     cycles[2] = with(&cycles[2], "sideClearance", Value::Number(3.99));
     let near_start = with(&near_start, "cycles", Value::List(cycles));
-    assert!(check(&near_start).iter().all(|f| f.code != "contact-at-start"), "{:?}", check(&near_start));
+    assert!(
+        check(&near_start)
+            .iter()
+            .all(|f| f.code != "contact-at-start"),
+        "{:?}",
+        check(&near_start)
+    );
 
     let far = r#"{ "format": 2, "overtravel": 3, "control": { "post": "linuxcnc" }, "limits": { "position": 8 },
         "cycles": [{ "name": "A", "type": "surface", "elevation": 0, "origin": [0, 0, -5], "clearance": 15 },
                    { "name": "B", "type": "hole", "diameter": 20, "origin": ["=A.x-60", 0, 0] }], "part": { "offset": [7, 0, 0] } }"#;
     let plan = planned(&job(far));
-    let points: Vec<Value> = plan.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
+    let points: Vec<Value> = plan
+        .triggers
+        .iter()
+        .map(|t| Value::List(t.unwrap().map(Value::Number).to_vec()))
+        .collect();
     let rows = touchpath::job::evaluate(&job(far), &Value::List(points)).unwrap();
-    near(rows.iter().find(|row| row.code == "center.x").unwrap().value.unwrap(), -53.0, 1e-5, "measured again");
+    near(
+        rows.iter()
+            .find(|row| row.code == "center.x")
+            .unwrap()
+            .value
+            .unwrap(),
+        -53.0,
+        1e-5,
+        "measured again",
+    );
 
     // One stop, one finding.
     let stopped = check(&at(&job(STEPS), [1.2, 0.0, 0.0]));
     assert_eq!(
-        stopped.iter().filter(|f| ["implausible", "place-too-far"].contains(&f.code.as_str())).count(),
+        stopped
+            .iter()
+            .filter(|f| ["implausible", "place-too-far"].contains(&f.code.as_str()))
+            .count(),
         1,
         "{stopped:?}"
     );
@@ -374,17 +594,28 @@ fn random_chains_measure_their_part_wherever_it_lies() {
         let count = 2 + draws.below(4);
         let cycles: Vec<Value> = (0..count)
             .map(|i| {
-                let key = if i == 0 { "hole" } else { ["surface", "hole", "boss"][draws.below(3)] };
+                let key = if i == 0 {
+                    "hole"
+                } else {
+                    ["surface", "hole", "boss"][draws.below(3)]
+                };
                 let mut at: Vec<Value> = [150.0 * i as f64, 10.0, -1.0].map(Value::Number).to_vec();
                 for axis in 0..2 {
                     if i > 0 && draws.next() < 0.6 {
                         let (name, nominal) = ("C0.center", [0.0, 10.0][axis]);
-                        let Value::Number(own) = at[axis] else { unreachable!() };
-                        at[axis] = Value::Text(format!("={name}.{}{:+}", ["x", "y"][axis], own - nominal));
+                        let Value::Number(own) = at[axis] else {
+                            unreachable!()
+                        };
+                        at[axis] =
+                            Value::Text(format!("={name}.{}{:+}", ["x", "y"][axis], own - nominal));
                         followed += 1;
                     }
                 }
-                with(&with(&cycle(key, 0.0), "origin", Value::List(at)), "name", Value::Text(format!("C{i}")))
+                with(
+                    &with(&cycle(key, 0.0), "origin", Value::List(at)),
+                    "name",
+                    Value::Text(format!("C{i}")),
+                )
             })
             .collect();
         let text = format!(
@@ -395,14 +626,28 @@ fn random_chains_measure_their_part_wherever_it_lies() {
         );
         let whole = with(&job(&text), "cycles", Value::List(cycles));
         let plan = plan(&whole).unwrap_or_else(|e| panic!("round {round}: {e:?}"));
-        assert!(plan.triggers.iter().all(Option::is_some), "round {round}: {:?}", plan.findings);
-        let ran = interpret(&on_virtual_part(&plan)).unwrap_or_else(|e| panic!("round {round}: {e}"));
+        assert!(
+            plan.triggers.iter().all(Option::is_some),
+            "round {round}: {:?}",
+            plan.findings
+        );
+        let ran =
+            interpret(&on_virtual_part(&plan)).unwrap_or_else(|e| panic!("round {round}: {e}"));
         for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
             assert_eq!(*code, name);
             near(*printed, value, 3e-6, code);
         }
-        for row in plan.results.iter().filter(|row| row.code.starts_with("center")) {
-            near(row.value.unwrap(), row.truth.unwrap(), 1e-5, &format!("round {round}"));
+        for row in plan
+            .results
+            .iter()
+            .filter(|row| row.code.starts_with("center"))
+        {
+            near(
+                row.value.unwrap(),
+                row.truth.unwrap(),
+                1e-5,
+                &format!("round {round}"),
+            );
         }
     }
     assert!(followed > 20, "{followed}");
@@ -415,7 +660,11 @@ fn a_coordinate_that_nothing_changes_stops_nothing() {
         "cycles": [{ "name": "WEB", "type": "web-three-points", "origin": [0, 20, 0], "rotation": -359.999999 },
                    { "name": "TOP", "type": "surface", "origin": [200, "=WEB.y-10", 0] }] }"#;
     let plan = planned(&job(text));
-    assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+    assert!(
+        plan.safety
+            .iter()
+            .any(|row| row.rule == "place-within-limit" && row.holds == Some(true))
+    );
 }
 
 /// Touches a micrometre apart are written in one place: read back as anyone's program, each is still met where it is, and what follows has a value.
@@ -427,5 +676,9 @@ fn touches_in_one_place_are_told_apart_by_their_order() {
                    { "name": "C3", "type": "triple-wall-internal-corner", "origin": ["=C1.y+1336", 91, 49], "angle": 52.5, "clearance2": 25.5 }] }"#;
     let plan = planned(&job(text));
     let back = import(&plan.program.text).unwrap();
-    assert!(back.findings.iter().all(|f| f.code != "unsafe-program"), "{:?}", back.findings);
+    assert!(
+        back.findings.iter().all(|f| f.code != "unsafe-program"),
+        "{:?}",
+        back.findings
+    );
 }

@@ -50,10 +50,20 @@ fn on(text: &str, post: &str) -> Value {
 /// What the interpreter prints is what the plan shows; gives one of them.
 fn printed(text: &str) -> impl Fn(&str) -> f64 + use<> {
     let plan = planned(&job(text));
-    let rule = plan.safety.iter().find(|row| row.rule == "place-within-limit").unwrap();
+    let rule = plan
+        .safety
+        .iter()
+        .find(|row| row.rule == "place-within-limit")
+        .unwrap();
     assert_eq!(rule.holds, Some(true));
     let ran = interpret(&on_virtual_part(&plan)).unwrap();
-    let printed = move |code: &str| ran.prints.iter().find(|(known, _)| known == code).unwrap_or_else(|| panic!("{code}")).1;
+    let printed = move |code: &str| {
+        ran.prints
+            .iter()
+            .find(|(known, _)| known == code)
+            .unwrap_or_else(|| panic!("{code}"))
+            .1
+    };
     for (name, value) in shown(&plan) {
         near(printed(&name), value, 5e-6, &name);
     }
@@ -66,21 +76,46 @@ fn the_interpreter_turns_a_slot_with_the_line_through_two_holes() {
     let printed = printed(PLATE);
     let (sin, cos) = 0.7f64.to_radians().sin_cos();
     let by_hand = |x: f64, y: f64| [0.2 + x * cos - y * sin, 0.1 + y * cos + x * sin];
-    near(printed("ROW.rotation"), 0.7, 2e-6, "the line turns with the part");
+    near(
+        printed("ROW.rotation"),
+        0.7,
+        2e-6,
+        "the line turns with the part",
+    );
     let [_, y] = by_hand(0.0, 50.0);
-    near(printed("SLOT.center.y"), y, 3e-6, "where the slot lies on the part");
+    near(
+        printed("SLOT.center.y"),
+        y,
+        3e-6,
+        "where the slot lies on the part",
+    );
     near(printed("SLOT.width"), 30.0, 2e-6, "touched square");
-    near(printed("OFF.distance"), 70.0, 3e-6, "from the middle to the post");
+    near(
+        printed("OFF.distance"),
+        70.0,
+        3e-6,
+        "from the middle to the post",
+    );
     let plan = planned(&job(PLATE));
     let ran = interpret(&on_virtual_part(&plan)).unwrap();
     // The middle of the holes is where the slot's moves are turned about, by as much as the line is.
     let [mx, my] = by_hand(0.0, 10.0);
-    let own = plan.moves.iter().filter(|step| step.cycle == 3 && step.step > 0 && step.kind != "touch");
+    let own = plan
+        .moves
+        .iter()
+        .filter(|step| step.cycle == 3 && step.step > 0 && step.kind != "touch");
     let mut compared = 0;
     for step in own {
         let [x, y, z] = step.to;
-        let wanted = [mx + x * cos - (y - 10.0) * sin, my + (y - 10.0) * cos + x * sin, z + 0.3];
-        let found = ran.moves.iter().any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 6e-5));
+        let wanted = [
+            mx + x * cos - (y - 10.0) * sin,
+            my + (y - 10.0) * cos + x * sin,
+            z + 0.3,
+        ];
+        let found = ran
+            .moves
+            .iter()
+            .any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 6e-5));
         assert!(found, "{wanted:?}");
         compared += 1;
     }
@@ -91,12 +126,29 @@ fn the_interpreter_turns_a_slot_with_the_line_through_two_holes() {
 fn the_interpreter_touches_a_stud_in_the_middle_of_a_ring_of_holes() {
     let printed = printed(RING);
     near(printed("FACE.mean"), 0.6, 2e-6, "the mean of both places");
-    near(printed("CIRCLE.center.x"), 0.4, 2e-6, "the middle of the holes");
-    near(printed("STUD.center.y"), -0.3, 2e-6, "the stud is there too");
+    near(
+        printed("CIRCLE.center.x"),
+        0.4,
+        2e-6,
+        "the middle of the holes",
+    );
+    near(
+        printed("STUD.center.y"),
+        -0.3,
+        2e-6,
+        "the stud is there too",
+    );
     near(printed("STUD.diameter"), 30.0, 2e-6, "90 mm less 60 mm");
-    let text =
-        RING.replace("\"offset\": [0.4, -0.3, 0.6]", "\"offset\": [0.4, -0.3, 0.6], \"sizes\": { \"STUD.diameter\": 0.8 }");
-    near(self::printed(&text)("STUD.diameter"), 30.8, 2e-6, "not by the holes but by its own touches");
+    let text = RING.replace(
+        "\"offset\": [0.4, -0.3, 0.6]",
+        "\"offset\": [0.4, -0.3, 0.6], \"sizes\": { \"STUD.diameter\": 0.8 }",
+    );
+    near(
+        self::printed(&text)("STUD.diameter"),
+        30.8,
+        2e-6,
+        "not by the holes but by its own touches",
+    );
 }
 
 /// The mean of two heights is written as Z: the place between them reads its nominal height afterwards.
@@ -114,30 +166,56 @@ fn a_mean_of_heights_is_written_as_z() {
     }
     // A mean of other lengths is no height.
     let errors = check(&job(&text
-        .replace("\"A.point.z\", \"B.point.z\"", "\"H1.center.x\", \"H3.center.x\"")
+        .replace(
+            "\"A.point.z\", \"B.point.z\"",
+            "\"H1.center.x\", \"H3.center.x\"",
+        )
         .replace("=FACE.z", "=A.z")));
-    assert!(errors.iter().any(|f| f.code == "datum-unknown" && f.path == "datum.z"), "{errors:?}");
+    assert!(
+        errors
+            .iter()
+            .any(|f| f.code == "datum-unknown" && f.path == "datum.z"),
+        "{errors:?}"
+    );
 }
 
 #[test]
 fn the_other_controls_compute_a_relation_before_what_follows_it() {
     the_machines_measure_what_is_shown(PLATE);
     // A Fanuc's variables are soon used up: one hole and one surface less.
-    let fewer = RING.replace(r#", "H3", "H4"]"#, r#", "H3"]"#).replace("=FACE.z", "=A.z");
+    let fewer = RING
+        .replace(r#", "H3", "H4"]"#, r#", "H3"]"#)
+        .replace("=FACE.z", "=A.z");
     let without = |text: &str, from: &str| {
-        text.lines().filter(|line| !line.contains(from)).map(|line| format!("{line}\n")).collect::<String>()
+        text.lines()
+            .filter(|line| !line.contains(from))
+            .map(|line| format!("{line}\n"))
+            .collect::<String>()
     };
-    let fewer = ["\"B\", \"type\"", "\"H4\", \"type\"", "\"FACE\""].iter().fold(fewer, |text, from| without(&text, from));
+    let fewer = ["\"B\", \"type\"", "\"H4\", \"type\"", "\"FACE\""]
+        .iter()
+        .fold(fewer, |text, from| without(&text, from));
     the_machines_measure_what_is_shown(&fewer);
 }
 
 /// A relation that is off by more than its limit: each control stops before the cycle that follows it, and writes nothing.
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle() {
-    for (post, how) in computing().into_iter().flat_map(|post| [(post, 1.6), (post, -1.6)]) {
+    for (post, how) in computing()
+        .into_iter()
+        .flat_map(|post| [(post, 1.6), (post, -1.6)])
+    {
         let plan = planned(&with(&on(PLATE, post), "part.rotation", Value::Number(how)));
-        let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post}"));
-        assert_eq!(values(said)[..2], ["SLOT", "ROW.rotation"], "{post}: before the cycle, by the result");
+        let said = plan
+            .findings
+            .iter()
+            .find(|f| f.code == "place-too-far")
+            .unwrap_or_else(|| panic!("{post}"));
+        assert_eq!(
+            values(said)[..2],
+            ["SLOT", "ROW.rotation"],
+            "{post}: before the cycle, by the result"
+        );
         stops_by(&plan, post, "ROW.rotation");
     }
 }
@@ -148,19 +226,45 @@ fn what_follows_a_relation_comes_back() {
     for post in computing() {
         let plan = planned(&on(PLATE, post));
         let back = import(&plan.program.text).unwrap();
-        assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+        assert!(
+            back.findings
+                .iter()
+                .all(|finding| finding.level != Level::Warning),
+            "{post}: {:?}",
+            back.findings
+        );
         assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
     }
     let inch = convert_units(&job(PLATE), "inch").unwrap();
-    let Some(Value::List(cycles)) = inch.get("cycles") else { unreachable!() };
-    let Some(Value::List(origin)) = cycles[3].get("origin") else { unreachable!() };
+    let Some(Value::List(cycles)) = inch.get("cycles") else {
+        unreachable!()
+    };
+    let Some(Value::List(origin)) = cycles[3].get("origin") else {
+        unreachable!()
+    };
     assert_eq!(origin[1], Value::Text("=MID.y+1.574803".to_owned()));
     let real = planned(&job(PLATE));
     let names: Vec<&String> = real.cycles.iter().chain(&real.relations).collect();
-    assert_eq!(names[real.results.iter().find(|row| row.code == "distance").unwrap().cycle], "ROW");
-    let points = real.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
-    let logged: String =
-        interpret(&on_virtual_part(&real)).unwrap().prints.iter().map(|(code, x)| format!("{code}={x}\n")).collect();
+    assert_eq!(
+        names[real
+            .results
+            .iter()
+            .find(|row| row.code == "distance")
+            .unwrap()
+            .cycle],
+        "ROW"
+    );
+    let points = real
+        .triggers
+        .iter()
+        .map(|t| Value::List(t.unwrap().map(Value::Number).to_vec()))
+        .collect();
+    let logged: String = interpret(&on_virtual_part(&real))
+        .unwrap()
+        .prints
+        .iter()
+        .map(|(code, x)| format!("{code}={x}\n"))
+        .collect();
     for given in [Value::List(points), Value::Text(logged)] {
         let rows = evaluate(&job(PLATE), &given).unwrap();
         assert_eq!(rows.len(), real.results.len());
@@ -172,12 +276,24 @@ fn what_follows_a_relation_comes_back() {
         }
     }
     // What a relation truly is, and with which scatter, does not depend on when it is computed either.
-    let late = PLATE.replace("=MID.x", "0").replace("\"=MID.y+40\"", "50").replace("\"=ROW.rotation+90\"", "90");
+    let late = PLATE
+        .replace("=MID.x", "0")
+        .replace("\"=MID.y+40\"", "50")
+        .replace("\"=ROW.rotation+90\"", "90");
     let late = planned(&job(&late.replace("\"0\"", "0")));
     for own in real.results.iter().filter(|row| row.cycle > 4) {
-        let other = late.results.iter().find(|row| (row.cycle, &row.code) == (own.cycle, &own.code)).unwrap();
+        let other = late
+            .results
+            .iter()
+            .find(|row| (row.cycle, &row.code) == (own.cycle, &own.code))
+            .unwrap();
         assert_eq!(own.truth, other.truth, "{}", own.code);
-        near(own.uncertainty.unwrap(), other.uncertainty.unwrap(), 1e-6, &own.code);
+        near(
+            own.uncertainty.unwrap(),
+            other.uncertainty.unwrap(),
+            1e-6,
+            &own.code,
+        );
         assert_eq!((own.value, &own.verdict), (other.value, &other.verdict));
     }
 }
@@ -185,8 +301,12 @@ fn what_follows_a_relation_comes_back() {
 #[test]
 fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
     let errors = |text: &str| {
-        let errors = check(&job(text)).into_iter().filter(|f| f.level == Level::Error);
-        errors.map(|f| (format!("{} {}", f.code, f.path), values(&f))).collect::<Vec<_>>()
+        let errors = check(&job(text))
+            .into_iter()
+            .filter(|f| f.level == Level::Error);
+        errors
+            .map(|f| (format!("{} {}", f.code, f.path), values(&f)))
+            .collect::<Vec<_>>()
     };
     let one = |text: &str, path: &str, names: &[&str]| {
         let found = errors(text);
@@ -195,32 +315,74 @@ fn a_relation_that_is_not_known_in_time_is_refused_at_its_place() {
             [format!("place-of-result {path}")],
             "{found:?}"
         );
-        let said = |name: &&str| found[0].1.iter().any(|list| list.split(", ").any(|known| known == *name));
+        let said = |name: &&str| {
+            found[0]
+                .1
+                .iter()
+                .any(|list| list.split(", ").any(|known| known == *name))
+        };
         assert!(names.iter().all(said), "{names:?}: {found:?}");
     };
     let rotation = "cycles[3].rotation";
     let turned = |given: &str| PLATE.replace("=ROW.rotation+90", given);
-    one(&turned("=ROW.distance"), rotation, &["ROW.distance", "ROW.rotation"]);
+    one(
+        &turned("=ROW.distance"),
+        rotation,
+        &["ROW.distance", "ROW.rotation"],
+    );
     // POST is measured later, and LEFT, RIGHT and MID would do.
-    one(&turned("=OFF.rotation"), rotation, &["OFF", "POST", "LEFT", "RIGHT", "MID"]);
-    one(&turned("=NONE.rotation"), rotation, &["NONE.rotation", "ROW.rotation"]);
-    one(&PLATE.replace("\"=MID.x\"", "\"=MID.y\""), "cycles[3].origin[0]", &["MID.y"]);
-    one(&PLATE.replace("\"=MID.x\"", "\"=ROW.x\""), "cycles[3].origin[0]", &["ROW.x", "MID.center.x"]);
+    one(
+        &turned("=OFF.rotation"),
+        rotation,
+        &["OFF", "POST", "LEFT", "RIGHT", "MID"],
+    );
+    one(
+        &turned("=NONE.rotation"),
+        rotation,
+        &["NONE.rotation", "ROW.rotation"],
+    );
+    one(
+        &PLATE.replace("\"=MID.x\"", "\"=MID.y\""),
+        "cycles[3].origin[0]",
+        &["MID.y"],
+    );
+    one(
+        &PLATE.replace("\"=MID.x\"", "\"=ROW.x\""),
+        "cycles[3].origin[0]",
+        &["ROW.x", "MID.center.x"],
+    );
     // A relation with an error says so where it is followed, and at its own place.
     let both = |text: &str, path: &str, own: &str| {
         let found: Vec<String> = errors(text).into_iter().map(|(of, _)| of).collect();
         assert_eq!(found, [format!("place-of-result {path}"), own.to_owned()]);
     };
     both(
-        &PLATE
-            .replace("\"type\": \"line\", \"of\": [\"LEFT\", \"RIGHT\"]", "\"type\": \"lime\", \"of\": [\"LEFT\", \"RIGHT\"]"),
+        &PLATE.replace(
+            "\"type\": \"line\", \"of\": [\"LEFT\", \"RIGHT\"]",
+            "\"type\": \"lime\", \"of\": [\"LEFT\", \"RIGHT\"]",
+        ),
         rotation,
         "unknown-value relations[0].type",
     );
-    one(&RING.replace("\"A.point.z\", \"B.point.z\"", "\"A.point.z\", \"H1.diameter\""), "cycles[6].origin[2]", &["FACE.z"]);
+    one(
+        &RING.replace(
+            "\"A.point.z\", \"B.point.z\"",
+            "\"A.point.z\", \"H1.diameter\"",
+        ),
+        "cycles[6].origin[2]",
+        &["FACE.z"],
+    );
     assert!(errors(PLATE).is_empty());
-    let grbl = PLATE.replace("linuxcnc", "grbl").replace("\"workOffset\": 1, ", "");
-    assert!(errors(&grbl).iter().any(|(of, _)| of == "set-up-unsupported cycles[3].rotation"), "{:?}", errors(&grbl));
+    let grbl = PLATE
+        .replace("linuxcnc", "grbl")
+        .replace("\"workOffset\": 1, ", "");
+    assert!(
+        errors(&grbl)
+            .iter()
+            .any(|(of, _)| of == "set-up-unsupported cycles[3].rotation"),
+        "{:?}",
+        errors(&grbl)
+    );
 }
 
 /// Two bores of the control's own cycles and the line through them.
@@ -243,83 +405,211 @@ fn of_own_cycles(post: &str, more: &str) -> Value {
 #[test]
 fn relations_follow_from_what_own_cycles_keep() {
     for post in calling() {
-        let plan = planned(&of_own_cycles(post, r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1" } }"#));
-        assert!(plan.findings.iter().any(|f| f.code == "relation-not-computed" && f.path == "relations"), "{post}");
-        let row = |code: &str| plan.results.iter().find(|row| row.cycle == 2 && row.code == code).unwrap();
-        near(row("rotation").value.unwrap(), 0.7, 1e-9, "the part is turned by that");
-        near(row("distance").value.unwrap(), 120.0, 1e-6, "and is as large as drawn");
-        assert_eq!((row("distance").verdict.as_deref(), row("distance").stored.as_deref()), (Some("good"), None), "{post}");
+        let plan = planned(&of_own_cycles(
+            post,
+            r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1" } }"#,
+        ));
+        assert!(
+            plan.findings
+                .iter()
+                .any(|f| f.code == "relation-not-computed" && f.path == "relations"),
+            "{post}"
+        );
+        let row = |code: &str| {
+            plan.results
+                .iter()
+                .find(|row| row.cycle == 2 && row.code == code)
+                .unwrap()
+        };
+        near(
+            row("rotation").value.unwrap(),
+            0.7,
+            1e-9,
+            "the part is turned by that",
+        );
+        near(
+            row("distance").value.unwrap(),
+            120.0,
+            1e-6,
+            "and is as large as drawn",
+        );
+        assert_eq!(
+            (
+                row("distance").verdict.as_deref(),
+                row("distance").stored.as_deref()
+            ),
+            (Some("good"), None),
+            "{post}"
+        );
         let typed = [-60.02, 0.1, 20.0, 60.03, 0.7, 20.2];
-        let own = plan.results.iter().filter(|row| row.cycle < 2).filter_map(|row| row.stored.as_deref());
-        let said: Vec<String> = own.zip(typed).map(|(variable, value)| format!("{variable} = {value}\n")).collect();
+        let own = plan
+            .results
+            .iter()
+            .filter(|row| row.cycle < 2)
+            .filter_map(|row| row.stored.as_deref());
+        let said: Vec<String> = own
+            .zip(typed)
+            .map(|(variable, value)| format!("{variable} = {value}\n"))
+            .collect();
         assert_eq!(said.len(), 6, "{post}");
         let of = |said: &[String]| {
-            let job = of_own_cycles(post, r#", "tolerances": { "ROW.distance": { "tolerance": "±0.02" } }"#);
+            let job = of_own_cycles(
+                post,
+                r#", "tolerances": { "ROW.distance": { "tolerance": "±0.02" } }"#,
+            );
             touchpath::job::measure(&job, &Value::Text(said.concat())).unwrap()
         };
         let measured = of(&said);
-        let row = |code: &str| measured.results.iter().find(|row| row.cycle >= 2 && row.code == code).unwrap();
-        near(row("distance").value.unwrap(), 120.05f64.hypot(0.6), 1e-9, post);
+        let row = |code: &str| {
+            measured
+                .results
+                .iter()
+                .find(|row| row.cycle >= 2 && row.code == code)
+                .unwrap()
+        };
+        near(
+            row("distance").value.unwrap(),
+            120.05f64.hypot(0.6),
+            1e-9,
+            post,
+        );
         near(row("rotation").value.unwrap(), 0.286_357, 1e-5, post);
         near(row("difference").value.unwrap(), -0.2, 1e-9, post);
-        near(row("distance").deviation.unwrap(), 120.05f64.hypot(0.6) - 120.0, 1e-9, post);
+        near(
+            row("distance").deviation.unwrap(),
+            120.05f64.hypot(0.6) - 120.0,
+            1e-9,
+            post,
+        );
         assert_eq!(row("distance").verdict.as_deref(), Some("out"), "{post}");
-        assert!(row("distance").uncertainty.is_some_and(|own| own > 1e-4), "{post}");
-        assert!(measured.findings.iter().all(|f| f.code != "result-missing"), "{post}: {:?}", measured.findings);
+        assert!(
+            row("distance").uncertainty.is_some_and(|own| own > 1e-4),
+            "{post}"
+        );
+        assert!(
+            measured.findings.iter().all(|f| f.code != "result-missing"),
+            "{post}: {:?}",
+            measured.findings
+        );
         // One that was not typed is unknown, and what comes from it; nothing is guessed.
         let fewer = of(&said[1..]);
-        let row = |code: &str| fewer.results.iter().find(|row| row.cycle >= 2 && row.code == code).unwrap();
-        assert_eq!((row("distance").value, row("distance").verdict.as_deref()), (None, None), "{post}");
+        let row = |code: &str| {
+            fewer
+                .results
+                .iter()
+                .find(|row| row.cycle >= 2 && row.code == code)
+                .unwrap()
+        };
+        assert_eq!(
+            (row("distance").value, row("distance").verdict.as_deref()),
+            (None, None),
+            "{post}"
+        );
         near(row("difference").value.unwrap(), -0.2, 1e-9, post);
-        let lacks = fewer.findings.iter().find(|f| f.code == "result-missing").unwrap();
-        assert_eq!(values(lacks), ["LEFT.center.x, ROW.distance, ROW.rotation"], "{post}");
+        let lacks = fewer
+            .findings
+            .iter()
+            .find(|f| f.code == "result-missing")
+            .unwrap();
+        assert_eq!(
+            values(lacks),
+            ["LEFT.center.x, ROW.distance, ROW.rotation"],
+            "{post}"
+        );
     }
 }
 
 /// A comment stays one, whatever it speaks of; of a set-up of one cycle the variables count as well, and a residual is computed with the rest.
 #[test]
 fn what_a_text_of_variables_says_and_what_it_does_not() {
-    let moves = job(r#"{ "format": 1, "control": { "post": "linuxcnc" }, "cycle": { "type": "hole", "diameter": 25 } }"#);
-    let of = |job: &Value, text: &str| touchpath::job::measure(job, &Value::Text(text.to_owned())).unwrap();
-    for comment in ["# diameter=24.9", "# nominal diameter = 25", "# diameter = about 25", "#138 = 3"] {
+    let moves = job(
+        r#"{ "format": 1, "control": { "post": "linuxcnc" }, "cycle": { "type": "hole", "diameter": 25 } }"#,
+    );
+    let of = |job: &Value, text: &str| {
+        touchpath::job::measure(job, &Value::Text(text.to_owned())).unwrap()
+    };
+    for comment in [
+        "# diameter=24.9",
+        "# nominal diameter = 25",
+        "# diameter = about 25",
+        "#138 = 3",
+    ] {
         let found = of(&moves, &format!("{comment}\ncenter.x=0\ncenter.y=0\n"));
-        assert_eq!(found.results.iter().find(|row| row.code == "diameter").unwrap().value, None, "{comment}");
+        assert_eq!(
+            found
+                .results
+                .iter()
+                .find(|row| row.code == "diameter")
+                .unwrap()
+                .value,
+            None,
+            "{comment}"
+        );
     }
-    for (post, text) in
-        [("heidenhain", "Q151=0.5\nQ152=-0.4\nQ153=20"), ("fanuc", "# of today\n#135 = 0.5\n#136 = -0.4\n#138 = 20")]
-    {
+    for (post, text) in [
+        ("heidenhain", "Q151=0.5\nQ152=-0.4\nQ153=20"),
+        ("fanuc", "# of today\n#135 = 0.5\n#136 = -0.4\n#138 = 20"),
+    ] {
         let one = job(&format!(
             r#"{{ "format": 2, "control": {{ "post": "{post}", "form": "cycle" }},
             "cycles": [{{ "name": "P", "type": "hole", "diameter": 20 }}],
             "relations": [{{ "name": "D", "type": "difference", "of": ["P.center.x", "P.center.y"] }}, {{ "name": "E", "type": "mean", "of": ["center.x", "center.y"] }}] }}"#
         ));
         let found = of(&one, text);
-        let value = |code: &str| found.results.iter().find(|row| row.code == code).unwrap().value.unwrap();
+        let value = |code: &str| {
+            found
+                .results
+                .iter()
+                .find(|row| row.code == code)
+                .unwrap()
+                .value
+                .unwrap()
+        };
         near(value("difference"), 0.9, 1e-12, post);
         near(value("mean"), 0.05, 1e-12, post);
     }
     // Three holes lie on their circle; the fourth of four, 0.4 mm farther out along X, leaves the circle of least squares by 0.1 mm, and so do the others.
     let ring = RING
-        .replace("\"post\": \"linuxcnc\"", "\"post\": \"heidenhain\", \"form\": \"cycle\"")
+        .replace(
+            "\"post\": \"linuxcnc\"",
+            "\"post\": \"heidenhain\", \"form\": \"cycle\"",
+        )
         .replace("\"report\": \"screen\"", "\"report\": \"none\"");
-    let ring =
-        ring.replace("\"=CIRCLE.diameter-60\"", "30").replace("[\"=CIRCLE.x\", \"=CIRCLE.y\", \"=FACE.z\"]", "[0, 0, 0]");
+    let ring = ring
+        .replace("\"=CIRCLE.diameter-60\"", "30")
+        .replace("[\"=CIRCLE.x\", \"=CIRCLE.y\", \"=FACE.z\"]", "[0, 0, 0]");
     let plan = planned(&job(&ring));
     let holes = [[45.4, 0.0], [0.0, 45.0], [-45.0, 0.0], [0.0, -45.0]];
-    let said = plan.results.iter().filter_map(|row| Some((row.cycle, row.code.as_str(), row.stored.as_deref()?)));
+    let said = plan
+        .results
+        .iter()
+        .filter_map(|row| Some((row.cycle, row.code.as_str(), row.stored.as_deref()?)));
     let said = said.map(|(cycle, code, variable)| match (cycle, code) {
         (2..=5, "center.x") => format!("{variable}={}\n", holes[cycle - 2][0]),
         (2..=5, "center.y") => format!("{variable}={}\n", holes[cycle - 2][1]),
         _ => format!(
             "{variable}={}\n",
-            plan.results.iter().find(|row| row.stored.as_deref() == Some(variable)).unwrap().nominal.unwrap()
+            plan.results
+                .iter()
+                .find(|row| row.stored.as_deref() == Some(variable))
+                .unwrap()
+                .nominal
+                .unwrap()
         ),
     });
     let found = of(&job(&ring), &said.collect::<String>());
-    let residual = found.results.iter().find(|row| row.code == "residual" && row.cycle > 6).unwrap();
+    let residual = found
+        .results
+        .iter()
+        .find(|row| row.code == "residual" && row.cycle > 6)
+        .unwrap();
     near(residual.value.unwrap(), 0.1, 1e-3, "each is 0.1 off");
     // What such a control keeps nowhere, as the abscissa of a surface, is not missed.
-    assert!(found.findings.iter().all(|f| f.code != "result-missing"), "{:?}", found.findings);
+    assert!(
+        found.findings.iter().all(|f| f.code != "result-missing"),
+        "{:?}",
+        found.findings
+    );
 }
 
 /// Relations of relations, each of the two before it: as quick as one.
@@ -328,7 +618,11 @@ fn deep_relations_are_added_once() {
     let relation = |n: usize| match n {
         0 => r#"{ "name": "R0", "type": "center", "of": ["A", "B"] }"#.to_owned(),
         1 => r#"{ "name": "R1", "type": "center", "of": ["R0", "A"] }"#.to_owned(),
-        n => format!(r#"{{ "name": "R{n}", "type": "center", "of": ["R{}", "R{}"] }}"#, n - 1, n - 2),
+        n => format!(
+            r#"{{ "name": "R{n}", "type": "center", "of": ["R{}", "R{}"] }}"#,
+            n - 1,
+            n - 2
+        ),
     };
     let relations: Vec<String> = (0..99).map(relation).collect();
     let text = format!(
@@ -340,12 +634,27 @@ fn deep_relations_are_added_once() {
     );
     let plan = planned(&job(&text));
     // A = -60, B = 60: R0 = 0, R1 = -30, and the mean of two before it comes to (R0 + 2 R1) / 3.
-    let last = plan.results.iter().find(|row| row.cycle == 3 + 98 && row.code == "center.x").unwrap();
+    let last = plan
+        .results
+        .iter()
+        .find(|row| row.cycle == 3 + 98 && row.code == "center.x")
+        .unwrap();
     near(last.value.unwrap(), -20.0, 1e-9, "where such a row ends");
     // The cycle goes by it, and within its limit.
-    assert!(plan.program.text.contains("X[-20+#<c_shift_x>]"), "{}", plan.program.text);
-    assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
-    let printed = printed(&text.replace("\"cycles\"", "\"part\": { \"offset\": [0.4, -0.3, 0] }, \"cycles\""));
+    assert!(
+        plan.program.text.contains("X[-20+#<c_shift_x>]"),
+        "{}",
+        plan.program.text
+    );
+    assert!(
+        plan.safety
+            .iter()
+            .any(|row| row.rule == "place-within-limit" && row.holds == Some(true))
+    );
+    let printed = printed(&text.replace(
+        "\"cycles\"",
+        "\"part\": { \"offset\": [0.4, -0.3, 0] }, \"cycles\"",
+    ));
     near(printed("R98.center.x"), -19.6, 2e-6, "moved with the part");
     near(printed("C.center.x"), -19.6, 2e-6, "so is the hole");
 }
@@ -357,14 +666,29 @@ fn values_are_read_with_a_decimal_comma() {
     let of = |text: &str| touchpath::job::measure(&job, &Value::Text(text.to_owned()));
     let shown = "Q1600 = -60,02\nQ1601 +0,1\nQ1602=20\nQ151 = 60,03 Q152 = + 0,7\nQ153=20,2\n";
     let rows = of(shown).unwrap().results;
-    let value =
-        |cycle: usize, code: &str| rows.iter().find(|row| row.cycle == cycle && row.code == code).unwrap().value.unwrap();
+    let value = |cycle: usize, code: &str| {
+        rows.iter()
+            .find(|row| row.cycle == cycle && row.code == code)
+            .unwrap()
+            .value
+            .unwrap()
+    };
     near(value(0, "center.x"), -60.02, 1e-12, "-60,02");
     near(value(1, "center.y"), 0.7, 1e-12, "+ 0,7");
     near(value(2, "distance"), 120.05f64.hypot(0.6), 1e-9, "of them");
-    for wrong in ["Q1602 = 20,0,1", "Q1602 = 20.0,1", "Q1602 = 20,", "Q1602 = ,5", "Q1602 = 2e1,5", "Q1602 = 20,1.5"] {
+    for wrong in [
+        "Q1602 = 20,0,1",
+        "Q1602 = 20.0,1",
+        "Q1602 = 20,",
+        "Q1602 = ,5",
+        "Q1602 = 2e1,5",
+        "Q1602 = 20,1.5",
+    ] {
         let refused = of(wrong).unwrap_err();
-        assert!(refused.findings.iter().any(|f| f.code == "not-a-number"), "{wrong}: {refused:?}");
+        assert!(
+            refused.findings.iter().any(|f| f.code == "not-a-number"),
+            "{wrong}: {refused:?}"
+        );
     }
 }
 
@@ -372,24 +696,57 @@ fn values_are_read_with_a_decimal_comma() {
 #[test]
 fn own_cycles_do_nothing_by_a_relation() {
     let errors = |post: &str, more: &str| {
-        let errors = check(&of_own_cycles(post, more)).into_iter().filter(|f| f.level == Level::Error);
-        errors.map(|f| format!("{} {}", f.code, f.path)).collect::<Vec<_>>()
+        let errors = check(&of_own_cycles(post, more))
+            .into_iter()
+            .filter(|f| f.level == Level::Error);
+        errors
+            .map(|f| format!("{} {}", f.code, f.path))
+            .collect::<Vec<_>>()
     };
     for post in calling() {
-        let stop = r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1", "action": "stop" } }"#;
-        assert_eq!(errors(post, stop), ["tolerance-unsupported tolerances.ROW.distance.action"], "{post}");
-        let wear = r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1", "wear": { "tool": 3 } } }"#;
-        assert_eq!(errors(post, wear), ["wear-unsupported tolerances.ROW.distance.wear"], "{post}");
-        let offset = with(&of_own_cycles(post, ""), "control.workOffset", Value::Number(1.0));
+        let stop =
+            r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1", "action": "stop" } }"#;
+        assert_eq!(
+            errors(post, stop),
+            ["tolerance-unsupported tolerances.ROW.distance.action"],
+            "{post}"
+        );
+        let wear =
+            r#", "tolerances": { "ROW.distance": { "tolerance": "±0.1", "wear": { "tool": 3 } } }"#;
+        assert_eq!(
+            errors(post, wear),
+            ["wear-unsupported tolerances.ROW.distance.wear"],
+            "{post}"
+        );
+        let offset = with(
+            &of_own_cycles(post, ""),
+            "control.workOffset",
+            Value::Number(1.0),
+        );
         let middle = r#"[{ "name": "MID", "type": "center", "of": ["LEFT", "RIGHT"] }]"#;
-        let written =
-            with(&with(&offset, "relations", job(middle)), "datum", job(r#"{ "x": "MID.center.x", "y": "MID.center.y" }"#));
-        let errors: Vec<_> = check(&written).into_iter().filter(|f| f.level == Level::Error).collect();
-        assert!(errors.iter().any(|f| f.code == "datum-unknown" && f.path == "datum.x"), "{post}: {errors:?}");
+        let written = with(
+            &with(&offset, "relations", job(middle)),
+            "datum",
+            job(r#"{ "x": "MID.center.x", "y": "MID.center.y" }"#),
+        );
+        let errors: Vec<_> = check(&written)
+            .into_iter()
+            .filter(|f| f.level == Level::Error)
+            .collect();
+        assert!(
+            errors
+                .iter()
+                .any(|f| f.code == "datum-unknown" && f.path == "datum.x"),
+            "{post}: {errors:?}"
+        );
         // Nor is it proposed.
         let measured = with(&written, "datum", Value::Null);
         let proposed = planned(&with(&measured, "control.workOffset", Value::Null)).datum;
-        assert_eq!(proposed[0].choices, ["LEFT.center.x", "RIGHT.center.x"], "{post}");
+        assert_eq!(
+            proposed[0].choices,
+            ["LEFT.center.x", "RIGHT.center.x"],
+            "{post}"
+        );
     }
 }
 
@@ -397,7 +754,12 @@ fn own_cycles_do_nothing_by_a_relation() {
 /// finds where the touches lie for that, and the program stops.
 #[test]
 fn a_long_line_from_an_acute_corner_is_followed() {
-    for (post, corner) in [("linuxcnc", "internal"), ("fanuc", "external"), ("haas", "internal"), ("sinumerik", "external")] {
+    for (post, corner) in [
+        ("linuxcnc", "internal"),
+        ("fanuc", "external"),
+        ("haas", "internal"),
+        ("sinumerik", "external"),
+    ] {
         for rotation in [-179, -178, -90, 0] {
             let job = job(&format!(
                 r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "limits": {{ "position": 2, "angle": 2 }}, "cycles": [
@@ -408,7 +770,9 @@ fn a_long_line_from_an_acute_corner_is_followed() {
             ));
             let plan = planned(&job);
             assert!(
-                plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)),
+                plan.safety
+                    .iter()
+                    .any(|row| row.rule == "place-within-limit" && row.holds == Some(true)),
                 "{post} {rotation}"
             );
         }

@@ -27,7 +27,11 @@ pub const VISE: &str = r#"{ "format": 2, "name": "VISE", "control": { "post": "l
 
 /// The keys of the cycles that touch.
 fn measuring() -> Vec<&'static str> {
-    CYCLES.iter().filter(|def| def.most_touches > 0).map(|def| def.key).collect()
+    CYCLES
+        .iter()
+        .filter(|def| def.most_touches > 0)
+        .map(|def| def.key)
+        .collect()
 }
 
 /// The cycle of a default job, moved along X.
@@ -35,27 +39,53 @@ fn cycle(key: &str, along: f64) -> Value {
     let job = default_job(key).unwrap();
     let cycle = job.get("cycle").unwrap().clone();
     let moved = |cycle: Value, point: &str| {
-        let Some(Value::List(at)) = cycle.get(point) else { return cycle };
-        let Value::Number(x) = at[0] else { return cycle };
+        let Some(Value::List(at)) = cycle.get(point) else {
+            return cycle;
+        };
+        let Value::Number(x) = at[0] else {
+            return cycle;
+        };
         let at = vec![Value::Number(x + along), at[1].clone(), at[2].clone()];
         with(&cycle, point, Value::List(at))
     };
-    ["origin", "point1", "point2", "start"].into_iter().fold(cycle, moved)
+    ["origin", "point1", "point2", "start"]
+        .into_iter()
+        .fold(cycle, moved)
 }
 
 /// A set-up of these cycles, 300 mm apart.
 fn set_up(post: &str, keys: &[&str]) -> Value {
-    let cycles = keys.iter().enumerate().map(|(i, key)| cycle(key, 300.0 * i as f64)).collect();
-    let offset = if with_offsets().contains(&post) { Value::Number(2.0) } else { Value::Null };
-    let job = job(&format!(r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "cycles": [] }}"#));
-    with(&with(&job, "cycles", Value::List(cycles)), "control.workOffset", offset)
+    let cycles = keys
+        .iter()
+        .enumerate()
+        .map(|(i, key)| cycle(key, 300.0 * i as f64))
+        .collect();
+    let offset = if with_offsets().contains(&post) {
+        Value::Number(2.0)
+    } else {
+        Value::Null
+    };
+    let job = job(&format!(
+        r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "cycles": [] }}"#
+    ));
+    with(
+        &with(&job, "cycles", Value::List(cycles)),
+        "control.workOffset",
+        offset,
+    )
 }
 
 /// One of its cycles as a job of its own.
 fn alone(post: &str, key: &str, along: f64) -> Value {
-    let job = job(&format!(r#"{{ "format": 1, "control": {{ "post": "{post}" }} }}"#));
+    let job = job(&format!(
+        r#"{{ "format": 1, "control": {{ "post": "{post}" }} }}"#
+    ));
     let rapid = with(&job, "cycle", cycle(key, along));
-    if key == "probing-two-circles" { with(&rapid, "control.form", Value::Text("moves".to_owned())) } else { rapid }
+    if key == "probing-two-circles" {
+        with(&rapid, "control.form", Value::Text("moves".to_owned()))
+    } else {
+        rapid
+    }
 }
 
 /// Each cycle stands next to another, on every control: its moves, its touches and its results are those that it has alone.
@@ -70,17 +100,48 @@ fn a_cycle_in_a_set_up_is_the_cycle_alone() {
             assert_eq!(plan.cycles.len(), 2);
             for (cycle, key) in pair.into_iter().enumerate() {
                 let own = planned(&alone(post, key, 300.0 * cycle as f64));
-                let moves: Vec<_> = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0).collect();
+                let moves: Vec<_> = plan
+                    .moves
+                    .iter()
+                    .filter(|m| m.cycle == cycle && m.step > 0)
+                    .collect();
                 // The second cycle of a pair is come to from above: its first move is the way down.
                 assert_eq!(moves.len(), own.moves.len(), "{post} {pair:?} {cycle}");
                 for (a, b) in moves.iter().zip(&own.moves) {
-                    assert_eq!((a.to, a.kind, a.step, &a.arc), (b.to, b.kind, b.step, &b.arc), "{post} {pair:?}");
+                    assert_eq!(
+                        (a.to, a.kind, a.step, &a.arc),
+                        (b.to, b.kind, b.step, &b.arc),
+                        "{post} {pair:?}"
+                    );
                 }
-                let touches: Vec<_> = plan.touches.iter().filter(|t| t.cycle == cycle).map(|t| (t.point, t.vector)).collect();
-                assert_eq!(touches, own.touches.iter().map(|t| (t.point, t.vector)).collect::<Vec<_>>());
+                let touches: Vec<_> = plan
+                    .touches
+                    .iter()
+                    .filter(|t| t.cycle == cycle)
+                    .map(|t| (t.point, t.vector))
+                    .collect();
+                assert_eq!(
+                    touches,
+                    own.touches
+                        .iter()
+                        .map(|t| (t.point, t.vector))
+                        .collect::<Vec<_>>()
+                );
                 let said = |plan: &Plan, cycle: usize| -> Vec<_> {
-                    let rows = plan.results.iter().filter(|row| row.cycle == cycle && !row.code.starts_with("offset."));
-                    rows.map(|row| (row.code.clone(), row.value, row.truth, row.uncertainty, row.verdict.clone())).collect()
+                    let rows = plan
+                        .results
+                        .iter()
+                        .filter(|row| row.cycle == cycle && !row.code.starts_with("offset."));
+                    rows.map(|row| {
+                        (
+                            row.code.clone(),
+                            row.value,
+                            row.truth,
+                            row.uncertainty,
+                            row.verdict.clone(),
+                        )
+                    })
+                    .collect()
                 };
                 assert_eq!(said(&plan, cycle), said(&own, 0), "{post} {pair:?}");
                 let table = |plan: &Plan, cycle: usize| -> Vec<_> {
@@ -93,11 +154,21 @@ fn a_cycle_in_a_set_up_is_the_cycle_alone() {
                 assert_eq!(table(&plan, cycle), table(&own, 0));
                 // What no program of it can hold, and what it asks for, is the same.
                 for (a, b) in plan.safety.iter().zip(&own.safety) {
-                    assert_eq!((a.rule, a.holds), (b.rule, b.holds), "{post} {pair:?}: {}", a.message);
+                    assert_eq!(
+                        (a.rule, a.holds),
+                        (b.rule, b.holds),
+                        "{post} {pair:?}: {}",
+                        a.message
+                    );
                 }
                 seen += 1;
             }
-            assert!(plan.program.proof.as_ref().is_some_and(|proof| proof.touches == plan.touches.len()));
+            assert!(
+                plan.program
+                    .proof
+                    .as_ref()
+                    .is_some_and(|proof| proof.touches == plan.touches.len())
+            );
             the_ways_between_are_clear(&plan, &format!("{post} {pair:?}"));
         }
     }
@@ -107,17 +178,30 @@ fn a_cycle_in_a_set_up_is_the_cycle_alone() {
 /// Between two cycles the ball goes up, across and down, and across no lower than any cycle begins or ends.
 fn the_ways_between_are_clear(plan: &Plan, said: &str) {
     let ends = |cycle: usize| {
-        let own: Vec<_> = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0).collect();
+        let own: Vec<_> = plan
+            .moves
+            .iter()
+            .filter(|m| m.cycle == cycle && m.step > 0)
+            .collect();
         [own[0].to[2], own[own.len() - 1].to[2]]
     };
-    let highest = (0..plan.cycles.len()).flat_map(ends).fold(f64::NEG_INFINITY, f64::max);
+    let highest = (0..plan.cycles.len())
+        .flat_map(ends)
+        .fold(f64::NEG_INFINITY, f64::max);
     let mut from = plan.moves[0].to;
     for step in &plan.moves[1..] {
         let across = (0..2).any(|axis| (step.to[axis] - from[axis]).abs() > 1e-9);
         let way = step.step == 0;
         assert!(!way || step.kind == "position", "{said}");
-        assert!(!way || !across || (step.to[2] - from[2]).abs() < 1e-9, "{said}: neither up nor across: {step:?}");
-        assert!(!way || !across || step.to[2] >= highest - 1e-9, "{said}: across at {}", step.to[2]);
+        assert!(
+            !way || !across || (step.to[2] - from[2]).abs() < 1e-9,
+            "{said}: neither up nor across: {step:?}"
+        );
+        assert!(
+            !way || !across || step.to[2] >= highest - 1e-9,
+            "{said}: across at {}",
+            step.to[2]
+        );
         from = step.to;
     }
 }
@@ -125,7 +209,12 @@ fn the_ways_between_are_clear(plan: &Plan, said: &str) {
 /// The program with its touches ending where the virtual part triggers them, as LinuxCNC's interpreter needs it.
 fn on_the_part(plan: &Plan) -> String {
     let mut lines: Vec<String> = plan.program.text.lines().map(str::to_owned).collect();
-    for (index, step) in plan.moves.iter().enumerate().filter(|(_, m)| m.kind == "touch") {
+    for (index, step) in plan
+        .moves
+        .iter()
+        .enumerate()
+        .filter(|(_, m)| m.kind == "touch")
+    {
         let trigger = plan.triggers[step.touch.unwrap()].expect("this part is met");
         let [x, y, z] = trigger.map(|v| format!("{v:.9}"));
         let line = &mut lines[plan.program.move_lines[index] as usize];
@@ -142,26 +231,59 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
     let plan = planned(job);
     let ran = interpret(&on_the_part(&plan)).unwrap_or_else(|e| panic!("{said}: {e}"));
     // 1411's verdict and form are no output of its program.
-    let computed = |code: &str| !code.starts_with("offset.") && !["Q183", "form1", "form2"].contains(&code);
-    let shown: Vec<_> = plan.results.iter().filter(|r| r.value.is_some() && computed(&r.code)).collect();
+    let computed =
+        |code: &str| !code.starts_with("offset.") && !["Q183", "form1", "form2"].contains(&code);
+    let shown: Vec<_> = plan
+        .results
+        .iter()
+        .filter(|r| r.value.is_some() && computed(&r.code))
+        .collect();
     assert_eq!(ran.prints.len(), shown.len(), "{said}");
     for ((code, printed), row) in ran.prints.iter().zip(shown) {
-        assert_eq!(*code, format!("{}.{}", plan.cycles[row.cycle], row.code), "{said}");
-        assert!((row.value.unwrap() - printed).abs() < 3e-6, "{said}: {code} printed {printed}, shown {:?}", row.value);
+        assert_eq!(
+            *code,
+            format!("{}.{}", plan.cycles[row.cycle], row.code),
+            "{said}"
+        );
+        assert!(
+            (row.value.unwrap() - printed).abs() < 3e-6,
+            "{said}: {code} printed {printed}, shown {:?}",
+            row.value
+        );
     }
     let written = |code: &str| plan.results.iter().any(|row| row.code == code);
     // A rotation is written first, and with it the offset as it was.
     let (number, _) = ran.written.expect("it writes");
     let origin = ran.offsets_after_moves[usize::from(written("offset.rotation"))];
-    assert_eq!(number as f64, number_at(job, "control.workOffset", 0.0), "{said}");
-    let turn = if written("offset.rotation") { ran.rotations_after_moves[0] } else { 0.0 };
+    assert_eq!(
+        number as f64,
+        number_at(job, "control.workOffset", 0.0),
+        "{said}"
+    );
+    let turn = if written("offset.rotation") {
+        ran.rotations_after_moves[0]
+    } else {
+        0.0
+    };
     let (sin, cos) = turn.to_radians().sin_cos();
     assert_eq!(turn != 0.0, written("offset.rotation"), "{said}");
     // How far the origin moves: it was 0 before.
     for (axis, code) in ["offset.x", "offset.y", "offset.z"].into_iter().enumerate() {
-        let Some(row) = plan.results.iter().find(|row| row.code == code) else { continue };
-        assert!((row.value.unwrap() - origin[axis]).abs() < 1e-5, "{said}: {code} {:?}, written {}", row.value, origin[axis]);
-        assert!(row.truth.is_none_or(|truth| (truth - origin[axis]).abs() < 1e-4), "{said}: {code} is truly {:?}", row.truth);
+        let Some(row) = plan.results.iter().find(|row| row.code == code) else {
+            continue;
+        };
+        assert!(
+            (row.value.unwrap() - origin[axis]).abs() < 1e-5,
+            "{said}: {code} {:?}, written {}",
+            row.value,
+            origin[axis]
+        );
+        assert!(
+            row.truth
+                .is_none_or(|truth| (truth - origin[axis]).abs() < 1e-4),
+            "{said}: {code} is truly {:?}",
+            row.truth
+        );
     }
     // A place of the machine in the new system: G54 was 0 before.
     let reads = |p: [f64; 2]| {
@@ -169,10 +291,19 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
         [x * cos + y * sin, y * cos - x * sin]
     };
     for cycle in 0..plan.cycles.len() {
-        let row = |code: &str| plan.results.iter().find(|r| r.cycle == cycle && r.code == code);
+        let row = |code: &str| {
+            plan.results
+                .iter()
+                .find(|r| r.cycle == cycle && r.code == code)
+        };
         for (x, y) in [("center.x", "center.y"), ("corner.x", "corner.y")] {
-            let (Some(x), Some(y)) = (row(x), row(y)) else { continue };
-            let (Some(tx), Some(ty), Some(nx), Some(ny)) = (x.truth, y.truth, x.nominal, y.nominal) else { continue };
+            let (Some(x), Some(y)) = (row(x), row(y)) else {
+                continue;
+            };
+            let (Some(tx), Some(ty), Some(nx), Some(ny)) = (x.truth, y.truth, x.nominal, y.nominal)
+            else {
+                continue;
+            };
             let [ax, ay] = reads([tx, ty]);
             // The interpreter says the rotation with four decimals.
             let near = 2e-4 + 1e-6 * nx.hypot(ny);
@@ -184,8 +315,18 @@ fn probing_again_reads_nominal(job: &Value, said: &str) {
         }
     }
     if written("offset.z") {
-        let top = plan.results.iter().find(|row| row.code == "point.z").and_then(|row| row.value).unwrap();
-        let nominal = plan.results.iter().find(|row| row.code == "point.z").and_then(|row| row.nominal).unwrap();
+        let top = plan
+            .results
+            .iter()
+            .find(|row| row.code == "point.z")
+            .and_then(|row| row.value)
+            .unwrap();
+        let nominal = plan
+            .results
+            .iter()
+            .find(|row| row.code == "point.z")
+            .and_then(|row| row.nominal)
+            .unwrap();
         assert!((top - origin[2] - nominal).abs() < 1e-6, "{said}");
     }
 }
@@ -197,16 +338,38 @@ fn after_the_write_the_vise_is_where_the_drawing_says() {
     assert_eq!(plan.program.writes, ["X", "Y", "Z", "rotation"]);
     probing_again_reads_nominal(&vise, "vise");
     // By hand: the bore of the drawing is at the origin, so that the part's shift is where it is found.
-    let offset = |code: &str| plan.results.iter().find(|row| row.code == code).and_then(|row| row.value).unwrap();
-    for (code, wanted) in [("offset.x", 0.3), ("offset.y", -0.2), ("offset.z", 0.15), ("offset.rotation", 0.4)] {
-        assert!((offset(code) - wanted).abs() < 1e-5, "{code}: {}", offset(code));
+    let offset = |code: &str| {
+        plan.results
+            .iter()
+            .find(|row| row.code == code)
+            .and_then(|row| row.value)
+            .unwrap()
+    };
+    for (code, wanted) in [
+        ("offset.x", 0.3),
+        ("offset.y", -0.2),
+        ("offset.z", 0.15),
+        ("offset.rotation", 0.4),
+    ] {
+        assert!(
+            (offset(code) - wanted).abs() < 1e-5,
+            "{code}: {}",
+            offset(code)
+        );
     }
 }
 
 /// Two to six cycles in any order, on a part that lies anywhere a little off.
 #[test]
 fn random_set_ups_are_written_where_their_part_is() {
-    let found = ["hole", "hole-protected", "boss", "double-wall-internal-corner", "double-wall-external-corner", "surface"];
+    let found = [
+        "hole",
+        "hole-protected",
+        "boss",
+        "double-wall-internal-corner",
+        "double-wall-external-corner",
+        "surface",
+    ];
     let mut draws = Draws(2026);
     let (mut turned, mut together) = (0, 0);
     for round in 0..24 {
@@ -220,18 +383,41 @@ fn random_set_ups_are_written_where_their_part_is() {
                     _ => found[draws.below(found.len())],
                 };
                 let one = cycle(key, 0.0);
-                let at = [250.0 * i as f64 + draws.of(-10.0, 10.0), draws.of(-40.0, 40.0), draws.of(-3.0, 3.0)];
-                let at = at.map(|x| Value::Number((x * 1000.0).round() / 1000.0)).to_vec();
+                let at = [
+                    250.0 * i as f64 + draws.of(-10.0, 10.0),
+                    draws.of(-40.0, 40.0),
+                    draws.of(-3.0, 3.0),
+                ];
+                let at = at
+                    .map(|x| Value::Number((x * 1000.0).round() / 1000.0))
+                    .to_vec();
                 let one = with(&one, "origin", Value::List(at));
-                let counted = with(&with(&one, "count1", Value::Number(2.0)), "count2", Value::Number(2.0));
-                if key.starts_with("double") { counted } else { one }
+                let counted = with(
+                    &with(&one, "count1", Value::Number(2.0)),
+                    "count2",
+                    Value::Number(2.0),
+                );
+                if key.starts_with("double") {
+                    counted
+                } else {
+                    one
+                }
             })
             .collect();
         let turns = draws.next() < 0.5;
-        let rotation = if turns { r#"{ "rotation": "CORNER.rotation" }"# } else { "{}" };
+        let rotation = if turns {
+            r#"{ "rotation": "CORNER.rotation" }"#
+        } else {
+            "{}"
+        };
         let part = if turns { draws.of(-0.15, 0.15) } else { 0.0 };
-        let names: Vec<&str> = (0..count).map(|i| ["FIRST", "CORNER", "C", "D", "E", "F"][i]).collect();
-        let cycles = cycles.into_iter().zip(&names).map(|(one, name)| with(&one, "name", Value::Text((*name).to_owned())));
+        let names: Vec<&str> = (0..count)
+            .map(|i| ["FIRST", "CORNER", "C", "D", "E", "F"][i])
+            .collect();
+        let cycles = cycles
+            .into_iter()
+            .zip(&names)
+            .map(|(one, name)| with(&one, "name", Value::Text((*name).to_owned())));
         let text = format!(
             r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "workOffset": {} }}, "datum": {rotation}, "limits": {{ "size": null, "residual": null }},
             "part": {{ "offset": [{:.4}, {:.4}, {:.4}], "rotation": {part:.5} }}, "cycles": [] }}"#,
@@ -251,16 +437,33 @@ fn random_set_ups_are_written_where_their_part_is() {
 /// A Fanuc's work offset has no rotation: its program says the block that turns the system, about the place that it has written.
 #[test]
 fn a_control_without_a_rotation_says_the_block_for_it() {
-    let text = VISE.replace("linuxcnc", "fanuc").replace("\"diameter\": 25", "\"origin\": [12, -7, 0], \"diameter\": 25");
+    let text = VISE.replace("linuxcnc", "fanuc").replace(
+        "\"diameter\": 25",
+        "\"origin\": [12, -7, 0], \"diameter\": 25",
+    );
     let plan = planned(&job(&text));
     assert_eq!(plan.program.writes, ["X", "Y", "Z"]);
-    let block = plan.program.text.lines().find(|line| line.contains("G68 X")).expect("a block");
+    let block = plan
+        .program
+        .text
+        .lines()
+        .find(|line| line.contains("G68 X"))
+        .expect("a block");
     let register = block.rsplit('R').next().unwrap().trim_end_matches(')');
     assert!(block.contains("G68 X12. Y-7. R#1"), "{block}");
     // The last that is computed into it is the turn.
-    let last = plan.program.text.lines().rfind(|line| line.starts_with(&format!("{register}="))).unwrap();
+    let last = plan
+        .program
+        .text
+        .lines()
+        .rfind(|line| line.starts_with(&format!("{register}=")))
+        .unwrap();
     assert!(last.contains('#'), "{last}");
-    assert!(plan.findings.iter().any(|f| f.code == "rotation-not-written"));
+    assert!(
+        plan.findings
+            .iter()
+            .any(|f| f.code == "rotation-not-written")
+    );
 }
 
 /// The block run behind its program: in the system that was written and turned, each feature of the drawing is where the part has it. By hand: the part is
@@ -268,7 +471,10 @@ fn a_control_without_a_rotation_says_the_block_for_it() {
 #[test]
 fn the_block_of_the_rotation_puts_the_drawing_on_the_part() {
     for post in skipping() {
-        let text = VISE.replace("linuxcnc", post).replace("\"diameter\": 25", "\"origin\": [12, -7, 0], \"diameter\": 25");
+        let text = VISE.replace("linuxcnc", post).replace(
+            "\"diameter\": 25",
+            "\"origin\": [12, -7, 0], \"diameter\": 25",
+        );
         let plan = planned(&job(&text));
         let mut control = Control::new(post == "haas", false);
         control.contacts = plan.triggers.iter().flatten().copied().collect();
@@ -278,10 +484,24 @@ fn the_block_of_the_rotation_puts_the_drawing_on_the_part() {
         }
         control.run(&plan.program.text).unwrap();
         assert_eq!(control.alarm, None);
-        let block = plan.program.text.lines().find_map(|line| line.split_once("G68 X")).expect("a block").1;
-        let mut words = block.trim_end_matches(')').split([' ', 'Y', 'R']).filter(|word| !word.is_empty());
+        let block = plan
+            .program
+            .text
+            .lines()
+            .find_map(|line| line.split_once("G68 X"))
+            .expect("a block")
+            .1;
+        let mut words = block
+            .trim_end_matches(')')
+            .split([' ', 'Y', 'R'])
+            .filter(|word| !word.is_empty());
         let [cx, cy] = [(); 2].map(|()| words.next().unwrap().parse::<f64>().unwrap());
-        let register = words.next().unwrap().trim_start_matches('#').parse::<i64>().unwrap();
+        let register = words
+            .next()
+            .unwrap()
+            .trim_start_matches('#')
+            .parse::<i64>()
+            .unwrap();
         let turn = control.variables[&register].to_radians();
         let origin = [5221, 5222, 5223].map(|variable| control.variables[&variable]);
         let turned = |[x, y]: [f64; 2], angle: f64, [cx, cy]: [f64; 2]| {
@@ -292,7 +512,10 @@ fn the_block_of_the_rotation_puts_the_drawing_on_the_part() {
             let [x, y] = turned(place, turn, [cx, cy]);
             let [ax, ay] = turned(place, 0.4f64.to_radians(), [0.0; 2]);
             let off = [x + origin[0] - (ax + 0.3), y + origin[1] - (ay - 0.2)];
-            assert!(off.iter().all(|off| off.abs() < 3e-3), "{post} {place:?}: {off:?}");
+            assert!(
+                off.iter().all(|off| off.abs() < 3e-3),
+                "{post} {place:?}: {off:?}"
+            );
         }
         assert!((origin[2] - 0.15).abs() < 2e-3, "{post}: {origin:?}");
     }
@@ -304,36 +527,72 @@ fn the_angle_of_a_wall_turns_the_work_offset() {
     let text = r#"{ "format": 1, "control": { "post": "linuxcnc", "workOffset": 3 }, "cycle": { "type": "wall-angle", "origin": [5, 9, -4], "rotation": 90, "distance": 60 },
         "part": { "rotation": 0.5 } }"#;
     let plan = planned(&job(text));
-    assert_eq!(plan.touches.iter().map(|t| t.point).collect::<Vec<_>>(), [[35.0, 9.0, -4.0], [-25.0, 9.0, -4.0]]);
+    assert_eq!(
+        plan.touches.iter().map(|t| t.point).collect::<Vec<_>>(),
+        [[35.0, 9.0, -4.0], [-25.0, 9.0, -4.0]]
+    );
     let row = &plan.results[0];
-    assert_eq!((row.code.as_str(), row.nominal, row.truth), ("rotation", Some(90.0), Some(90.5)));
+    assert_eq!(
+        (row.code.as_str(), row.nominal, row.truth),
+        ("rotation", Some(90.0), Some(90.5))
+    );
     assert!((row.value.unwrap() - 90.5).abs() < 1e-9, "{row:?}");
     let sigma = (0.001 * std::f64::consts::SQRT_2 / 60.0).to_degrees();
-    assert!((row.uncertainty.unwrap() - sigma).abs() < 1e-3 * sigma, "{row:?}");
+    assert!(
+        (row.uncertainty.unwrap() - sigma).abs() < 1e-3 * sigma,
+        "{row:?}"
+    );
     assert_eq!(plan.program.writes, ["rotation"]);
     let ran = interpret(&on_the_part(&plan)).unwrap();
-    assert!((ran.rotations_after_moves[0] - 0.5).abs() < 1e-4, "{:?}", ran.rotations_after_moves);
+    assert!(
+        (ran.rotations_after_moves[0] - 0.5).abs() < 1e-4,
+        "{:?}",
+        ran.rotations_after_moves
+    );
 }
 
 /// The header says the whole set-up: a program comes back as its job, on every control.
 #[test]
 fn a_program_is_its_set_up_again() {
-    let keys = ["surface", "hole-protected", "web", "double-wall-external-corner"];
+    let keys = [
+        "surface",
+        "hole-protected",
+        "web",
+        "double-wall-external-corner",
+    ];
     for post in of_moves() {
         let whole = set_up(post, &keys);
-        let whole = with(&with(&whole, "clear", Value::Number(60.5)), "name", Value::Text("FOUR".to_owned()));
+        let whole = with(
+            &with(&whole, "clear", Value::Number(60.5)),
+            "name",
+            Value::Text("FOUR".to_owned()),
+        );
         let plan = planned(&whole);
-        let read = import(&plan.program.text).unwrap_or_else(|e| panic!("{post}: {:#?}", e.findings));
-        let differs = read.findings.iter().find(|f| f.code != "part-not-in-program");
+        let read =
+            import(&plan.program.text).unwrap_or_else(|e| panic!("{post}: {:#?}", e.findings));
+        let differs = read
+            .findings
+            .iter()
+            .find(|f| f.code != "part-not-in-program");
         assert!(differs.is_none(), "{post}: {differs:?}");
         let again = planned(&read.job);
         assert_eq!(again.program.text, plan.program.text, "{post}");
-        assert_eq!(read.job.get("cycles").map(|c| matches!(c, Value::List(l) if l.len() == 4)), Some(true));
+        assert_eq!(
+            read.job
+                .get("cycles")
+                .map(|c| matches!(c, Value::List(l) if l.len() == 4)),
+            Some(true)
+        );
         // A changed digit is found in whatever cycle it is.
         let changed = plan.program.text.replacen("60.5", "59.5", 2);
         assert_ne!(changed, plan.program.text, "{post}");
         let read = import(&changed).unwrap_or_else(|e| panic!("{post}: {:#?}", e.findings));
-        assert!(read.findings.iter().any(|f| f.code == "program-differs" || f.code == "unsafe-program"), "{post}");
+        assert!(
+            read.findings
+                .iter()
+                .any(|f| f.code == "program-differs" || f.code == "unsafe-program"),
+            "{post}"
+        );
     }
 }
 
@@ -342,21 +601,39 @@ fn a_program_is_its_set_up_again() {
 fn a_set_up_is_evaluated_from_points_and_from_what_it_prints() {
     let vise = job(VISE);
     let plan = planned(&vise);
-    let points = plan.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
+    let points = plan
+        .triggers
+        .iter()
+        .map(|t| Value::List(t.unwrap().map(Value::Number).to_vec()))
+        .collect();
     let rows = evaluate(&vise, &Value::List(points)).unwrap();
     assert_eq!(rows.len(), plan.results.len());
     for (a, b) in rows.iter().zip(&plan.results) {
-        assert_eq!((a.cycle, &a.code, a.uncertainty), (b.cycle, &b.code, b.uncertainty));
+        assert_eq!(
+            (a.cycle, &a.code, a.uncertainty),
+            (b.cycle, &b.code, b.uncertainty)
+        );
         assert!(a.value.unwrap_or(0.0) - b.value.unwrap_or(0.0) < 1e-9);
     }
     let printed: String = plan
         .results
         .iter()
         .filter(|row| !row.code.starts_with("offset."))
-        .map(|row| format!("{}.{}={:.6}\n", plan.cycles[row.cycle], row.code, row.value.unwrap()))
+        .map(|row| {
+            format!(
+                "{}.{}={:.6}\n",
+                plan.cycles[row.cycle],
+                row.code,
+                row.value.unwrap()
+            )
+        })
         .collect();
     let rows = evaluate(&vise, &Value::Text(printed)).unwrap();
-    let turn = rows.iter().find(|row| row.code == "offset.rotation").and_then(|row| row.value).unwrap();
+    let turn = rows
+        .iter()
+        .find(|row| row.code == "offset.rotation")
+        .and_then(|row| row.value)
+        .unwrap();
     assert!((turn - 0.4).abs() < 1e-5, "{turn}");
 }
 
@@ -367,50 +644,91 @@ fn a_set_up_in_inch_is_the_same() {
     let vise = with(&vise, "part.sizes", job(r#"{ "BORE.diameter": 0.254 }"#));
     let inch = touchpath::job::convert_units(&vise, "inch").unwrap();
     assert_eq!(inch.get("clear"), Some(&Value::Number(2.0)));
-    assert_eq!(inch.get("part").and_then(|p| p.get("sizes")), Some(&job(r#"{ "BORE.diameter": 0.01 }"#)));
+    assert_eq!(
+        inch.get("part").and_then(|p| p.get("sizes")),
+        Some(&job(r#"{ "BORE.diameter": 0.01 }"#))
+    );
     let [mm, other] = [&vise, &inch].map(planned);
     for (a, b) in mm.results.iter().zip(&other.results) {
         let scale = if a.unit == "deg" { 1.0 } else { 25.4 };
         let (a, b) = (a.value.unwrap(), b.value.unwrap() * scale);
         assert!((a - b).abs() < 2e-4, "{a} {b}");
     }
-    let diameter = mm.results.iter().find(|row| row.code == "diameter").unwrap();
+    let diameter = mm
+        .results
+        .iter()
+        .find(|row| row.code == "diameter")
+        .unwrap();
     assert!((diameter.value.unwrap() - 25.254).abs() < 1e-5);
 }
 
 /// The same of the control's own cycles: the path of each is that which it has alone, and what the next one empties is kept.
 #[test]
 fn cycles_of_the_controls_own_stand_in_one_program() {
-    let own =
-        |job: &Value| with(&with(job, "control.form", Value::Text("cycle".to_owned())), "control.workOffset", Value::Null);
+    let own = |job: &Value| {
+        with(
+            &with(job, "control.form", Value::Text("cycle".to_owned())),
+            "control.workOffset",
+            Value::Null,
+        )
+    };
     let mut seen = 0;
     for post in calling() {
         let taken = |key: &&str| touchpath::job::plan(&own(&alone(post, key, 0.0))).is_ok();
-        let keys: Vec<&str> = measuring().into_iter().filter(|key| *key != "probing-two-circles").filter(taken).collect();
+        let keys: Vec<&str> = measuring()
+            .into_iter()
+            .filter(|key| *key != "probing-two-circles")
+            .filter(taken)
+            .collect();
         for (i, first) in keys.iter().enumerate() {
             let pair = [*first, keys[(i + 1) % keys.len()]];
             let plan = planned(&own(&set_up(post, &pair)));
             assert!(plan.program.own, "{post} {pair:?}");
             // The judges of the others are of their programs of moves.
             if !of_moves().contains(&post) {
-                crate::common::owed::judge(post).unwrap()(&plan).unwrap_or_else(|why| panic!("{post} {pair:?}: {why}"));
+                crate::common::owed::judge(post).unwrap()(&plan)
+                    .unwrap_or_else(|why| panic!("{post} {pair:?}: {why}"));
             }
             let mut places: Vec<&str> = Vec::new();
             for (cycle, key) in pair.into_iter().enumerate() {
                 let single = planned(&own(&alone(post, key, 300.0 * cycle as f64)));
                 let moves = plan.moves.iter().filter(|m| m.cycle == cycle && m.step > 0);
                 // A TNC's cycle lifts as high as the way to the next one: its touches are the same.
-                let lifts = find(post).unwrap().own.is_some_and(|own| own.several.comes_itself);
+                let lifts = find(post)
+                    .unwrap()
+                    .own
+                    .is_some_and(|own| own.several.comes_itself);
                 let compared = |m: &&Move| !lifts || m.kind == "touch";
                 let (moves, alone) = (moves.filter(compared), single.moves.iter().filter(compared));
-                let same = moves.zip(alone).filter(|(a, b)| (a.to, a.kind, &a.arc) == (b.to, b.kind, &b.arc)).count();
-                assert_eq!(same, single.moves.iter().filter(compared).count(), "{post} {pair:?} {cycle}");
+                let same = moves
+                    .zip(alone)
+                    .filter(|(a, b)| (a.to, a.kind, &a.arc) == (b.to, b.kind, &b.arc))
+                    .count();
+                assert_eq!(
+                    same,
+                    single.moves.iter().filter(compared).count(),
+                    "{post} {pair:?} {cycle}"
+                );
                 let rows = |plan: &Plan, cycle: usize| -> Vec<_> {
                     let rows = plan.results.iter().filter(|row| row.cycle == cycle);
-                    rows.map(|row| (row.code.clone(), row.value, row.truth, row.uncertainty, row.stored.is_some())).collect()
+                    rows.map(|row| {
+                        (
+                            row.code.clone(),
+                            row.value,
+                            row.truth,
+                            row.uncertainty,
+                            row.stored.is_some(),
+                        )
+                    })
+                    .collect()
                 };
                 assert_eq!(rows(&plan, cycle), rows(&single, 0), "{post} {pair:?}");
-                places.extend(plan.results.iter().filter(|row| row.cycle == cycle).filter_map(|row| row.stored.as_deref()));
+                places.extend(
+                    plan.results
+                        .iter()
+                        .filter(|row| row.cycle == cycle)
+                        .filter_map(|row| row.stored.as_deref()),
+                );
                 seen += 1;
             }
             // No result lies where another one does.
@@ -435,17 +753,43 @@ fn of_the_controls_own_cycles_the_last_one_writes() {
     };
     let plan = planned(&job(&text("{}")));
     assert_eq!(plan.program.writes, ["X", "Y"]);
-    let calls: Vec<&str> = plan.program.text.lines().filter(|line| line.starts_with("G65") && line.contains(" S")).collect();
+    let calls: Vec<&str> = plan
+        .program
+        .text
+        .lines()
+        .filter(|line| line.starts_with("G65") && line.contains(" S"))
+        .collect();
     assert_eq!(calls, ["G65 P9814 D40. Q2. H0.5 S1."]);
-    let kept: Vec<&str> = plan.program.text.lines().filter(|line| line.starts_with("#10")).collect();
+    let kept: Vec<&str> = plan
+        .program
+        .text
+        .lines()
+        .filter(|line| line.starts_with("#10"))
+        .collect();
     assert_eq!(kept, ["#101=#185", "#102=#186", "#103=#187"]);
     let refused = touchpath::job::plan(&job(&text(r#"{ "z": "TOP.point.z" }"#))).unwrap_err();
-    assert_eq!((refused.findings[0].code.as_str(), refused.findings[0].path.as_str()), ("set-up-unsupported", "datum"));
+    assert_eq!(
+        (
+            refused.findings[0].code.as_str(),
+            refused.findings[0].path.as_str()
+        ),
+        ("set-up-unsupported", "datum")
+    );
     // A TNC's cycle writes a row of the table, which another block activates.
     let klartext = planned(&job(&text("{}").replace("haas", "heidenhain")));
     assert_eq!(klartext.program.writes, ["X", "Y"]);
-    let blocks = klartext.program.text.lines().filter_map(|line| line.split_once(' ').map(|(_, block)| block));
-    let blocks: Vec<&str> = blocks.filter(|block| ["TCH", "FN", "CYCL"].iter().any(|word| block.starts_with(word))).collect();
+    let blocks = klartext
+        .program
+        .text
+        .lines()
+        .filter_map(|line| line.split_once(' ').map(|(_, block)| block));
+    let blocks: Vec<&str> = blocks
+        .filter(|block| {
+            ["TCH", "FN", "CYCL"]
+                .iter()
+                .any(|word| block.starts_with(word))
+        })
+        .collect();
     let expected = [
         "TCH PROBE 427 MEASURE COORDINATE ~",
         "FN 0: Q1600 = +Q160",
@@ -453,10 +797,18 @@ fn of_the_controls_own_cycles_the_last_one_writes() {
         "CYCL DEF 247 DATUM SETTING ~",
     ];
     assert_eq!(blocks, expected);
-    let two_circles = text("{}").replace("haas", "heidenhain").replace("\"hole\"", "\"probing-two-circles\"");
-    let refused = touchpath::job::plan(&job(&two_circles.replace("\"workOffset\": 1", "\"workOffset\": null"))).unwrap_err();
+    let two_circles = text("{}")
+        .replace("haas", "heidenhain")
+        .replace("\"hole\"", "\"probing-two-circles\"");
+    let refused = touchpath::job::plan(&job(
+        &two_circles.replace("\"workOffset\": 1", "\"workOffset\": null")
+    ))
+    .unwrap_err();
     assert_eq!(
-        (refused.findings[0].code.as_str(), refused.findings[0].path.as_str()),
+        (
+            refused.findings[0].code.as_str(),
+            refused.findings[0].path.as_str()
+        ),
         ("set-up-unsupported", "cycles[1].type")
     );
 }
@@ -470,17 +822,33 @@ fn a_shift_beside_a_rotation_is_that_of_the_origin() {
         "part": { "offset": [0.3, -0.2, 0], "rotation": 0.4 } }"#;
     let plan = planned(&job(text));
     let row = |code: &str| plan.results.iter().find(|row| row.code == code).unwrap();
-    for (code, value) in [("offset.x", 0.3), ("offset.y", -0.2), ("offset.rotation", 0.4)] {
+    for (code, value) in [
+        ("offset.x", 0.3),
+        ("offset.y", -0.2),
+        ("offset.rotation", 0.4),
+    ] {
         assert!(
-            (row(code).value.unwrap() - value).abs() < 1e-5 && (row(code).truth.unwrap() - value).abs() < 1e-9,
+            (row(code).value.unwrap() - value).abs() < 1e-5
+                && (row(code).truth.unwrap() - value).abs() < 1e-9,
             "{:?}",
             row(code)
         );
     }
-    let (center, turn) = (row("center.x").uncertainty.unwrap(), row("offset.rotation").uncertainty.unwrap());
-    assert!((row("offset.x").uncertainty.unwrap() - center.hypot(50.0 * turn.to_radians())).abs() < 1e-12);
+    let (center, turn) = (
+        row("center.x").uncertainty.unwrap(),
+        row("offset.rotation").uncertainty.unwrap(),
+    );
     assert!(
-        (row("offset.y").uncertainty.unwrap() - row("center.y").uncertainty.unwrap().hypot(100.0 * turn.to_radians())).abs()
+        (row("offset.x").uncertainty.unwrap() - center.hypot(50.0 * turn.to_radians())).abs()
+            < 1e-12
+    );
+    assert!(
+        (row("offset.y").uncertainty.unwrap()
+            - row("center.y")
+                .uncertainty
+                .unwrap()
+                .hypot(100.0 * turn.to_radians()))
+        .abs()
             < 1e-12
     );
     probing_again_reads_nominal(&job(text), "a bore far off");
@@ -489,27 +857,55 @@ fn a_shift_beside_a_rotation_is_that_of_the_origin() {
 /// Cycles without a name are called by what they measure, and none as another one.
 #[test]
 fn names_that_nobody_gave_are_free() {
-    let cycle = |name: &str, x: f64| format!(r#"{{ "type": "hole", "diameter": 20, "origin": [{x}, 0, 0]{name} }}"#);
-    let named = |names: [&str; 4]| {
-        let cycles: Vec<String> = names.iter().enumerate().map(|(i, name)| cycle(name, 60.0 * i as f64)).collect();
-        planned(&job(&format!(r#"{{ "format": 2, "cycles": [{}] }}"#, cycles.join(", ")))).cycles
+    let cycle = |name: &str, x: f64| {
+        format!(r#"{{ "type": "hole", "diameter": 20, "origin": [{x}, 0, 0]{name} }}"#)
     };
-    assert_eq!(named(["", "", "", r#", "name": "BORE2""#]), ["BORE", "BORE3", "BORE4", "BORE2"]);
-    assert_eq!(named(["", r#", "name": "bore""#, "", ""]), ["BORE2", "bore", "BORE3", "BORE4"]);
+    let named = |names: [&str; 4]| {
+        let cycles: Vec<String> = names
+            .iter()
+            .enumerate()
+            .map(|(i, name)| cycle(name, 60.0 * i as f64))
+            .collect();
+        planned(&job(&format!(
+            r#"{{ "format": 2, "cycles": [{}] }}"#,
+            cycles.join(", ")
+        )))
+        .cycles
+    };
+    assert_eq!(
+        named(["", "", "", r#", "name": "BORE2""#]),
+        ["BORE", "BORE3", "BORE4", "BORE2"]
+    );
+    assert_eq!(
+        named(["", r#", "name": "bore""#, "", ""]),
+        ["BORE2", "bore", "BORE3", "BORE4"]
+    );
     assert_eq!(named(["", "", "", ""]), ["BORE", "BORE2", "BORE3", "BORE4"]);
 }
 
 /// A wall that faces half a turn away: no reading is a whole turn off.
 #[test]
 fn the_angle_of_a_wall_at_half_a_turn_is_true() {
-    for (rotation, turn) in [(180.0, 0.4), (180.0, -0.4), (-180.0, 0.4), (-180.0, -0.4), (540.0 - 360.0, 0.1)] {
+    for (rotation, turn) in [
+        (180.0, 0.4),
+        (180.0, -0.4),
+        (-180.0, 0.4),
+        (-180.0, -0.4),
+        (540.0 - 360.0, 0.1),
+    ] {
         let text = format!(
             r#"{{ "format": 1, "cycle": {{ "type": "wall-angle", "rotation": {rotation} }}, "part": {{ "rotation": {turn} }} }}"#
         );
         let plan = planned(&job(&text));
         let row = &plan.results[0];
-        assert!((row.value.unwrap() - row.truth.unwrap()).abs() < 1e-6, "{row:?}");
+        assert!(
+            (row.value.unwrap() - row.truth.unwrap()).abs() < 1e-6,
+            "{row:?}"
+        );
         assert!((row.deviation.unwrap() - turn).abs() < 1e-6, "{row:?}");
-        assert!(plan.findings.iter().all(|f| f.code != "result-untrue"), "{rotation} {turn}");
+        assert!(
+            plan.findings.iter().all(|f| f.code != "result-untrue"),
+            "{rotation} {turn}"
+        );
     }
 }

@@ -49,7 +49,10 @@ fn near(a: f64, b: f64, within: f64, what: &str) {
 #[test]
 fn relations_of_the_nominal_part_are_those_of_the_drawing() {
     let plan = planned(&job(PLATE));
-    assert_eq!(plan.relations, ["AC", "BCD", "MID", "DEEP", "BORES", "TWIST"]);
+    assert_eq!(
+        plan.relations,
+        ["AC", "BCD", "MID", "DEEP", "BORES", "TWIST"]
+    );
     for (name, code, wanted) in [
         ("AC", "distance", 100.0),
         ("AC", "rotation", 180.0),
@@ -64,31 +67,65 @@ fn relations_of_the_nominal_part_are_those_of_the_drawing() {
         ("TWIST", "rotation", 90.0),
     ] {
         let row = row(&plan, name, code);
-        near(row.nominal.unwrap(), wanted, 1e-9, &format!("{name}.{code}"));
+        near(
+            row.nominal.unwrap(),
+            wanted,
+            1e-9,
+            &format!("{name}.{code}"),
+        );
         near(row.value.unwrap(), wanted, 1e-6, &format!("{name}.{code}"));
         // What a reading along one direction should be on another part nobody says.
         assert_eq!(row.truth.is_some(), name != "DEEP", "{name}");
-        near(row.truth.unwrap_or(wanted), wanted, 1e-6, &format!("{name}.{code}"));
+        near(
+            row.truth.unwrap_or(wanted),
+            wanted,
+            1e-6,
+            &format!("{name}.{code}"),
+        );
     }
-    near(value(&plan, "BCD", "residual"), 0.0, 1e-4, "four points of one circle");
+    near(
+        value(&plan, "BCD", "residual"),
+        0.0,
+        1e-4,
+        "four points of one circle",
+    );
 }
 
 /// The same for a control with variables for less: three holes, three relations.
 fn small(job: &Value) -> Value {
     let kept = |key: &str, names: &[&str]| {
-        let Some(Value::List(list)) = job.get(key) else { unreachable!() };
-        let named = |one: &Value| names.iter().any(|name| one.get("name") == Some(&Value::Text((*name).to_owned())));
-        with(job, key, Value::List(list.iter().filter(|one| named(one)).cloned().collect()))
+        let Some(Value::List(list)) = job.get(key) else {
+            unreachable!()
+        };
+        let named = |one: &Value| {
+            names
+                .iter()
+                .any(|name| one.get("name") == Some(&Value::Text((*name).to_owned())))
+        };
+        with(
+            job,
+            key,
+            Value::List(list.iter().filter(|one| named(one)).cloned().collect()),
+        )
     };
     let fewer = kept("cycles", &["A", "B", "C"]);
     let cycles = fewer.get("cycles").unwrap().clone();
-    with(&kept("relations", &["AC", "MID", "TWIST"]), "cycles", cycles)
+    with(
+        &kept("relations", &["AC", "MID", "TWIST"]),
+        "cycles",
+        cycles,
+    )
 }
 
 /// A part shifted and turned by 1.5°, with one larger hole: distances stay, directions turn with it, the mean grows by a quarter.
 fn displaced(post: &str) -> Value {
-    let part = r#"{ "offset": [0.4, -0.3, 0.2], "rotation": 1.5, "sizes": { "B.diameter": 0.08 } }"#;
-    with(&with(&job(PLATE), "control.post", Value::Text(post.to_owned())), "part", job(part))
+    let part =
+        r#"{ "offset": [0.4, -0.3, 0.2], "rotation": 1.5, "sizes": { "B.diameter": 0.08 } }"#;
+    with(
+        &with(&job(PLATE), "control.post", Value::Text(post.to_owned())),
+        "part",
+        job(part),
+    )
 }
 
 #[test]
@@ -101,8 +138,17 @@ fn relations_move_with_the_part_and_agree_with_its_truth() {
         near(value(&plan, "TWIST", "rotation"), 91.5, 2e-3, post);
         near(value(&plan, "BORES", "mean"), 20.02, 1e-3, post);
         near(value(&plan, "DEEP", "difference"), 3.0, 1e-6, post);
-        for row in plan.results.iter().filter(|row| row.cycle >= plan.cycles.len() && row.code != "residual") {
-            near(row.value.unwrap(), row.truth.or(row.value).unwrap(), 3e-3, &format!("{post}: {}", row.code));
+        for row in plan
+            .results
+            .iter()
+            .filter(|row| row.cycle >= plan.cycles.len() && row.code != "residual")
+        {
+            near(
+                row.value.unwrap(),
+                row.truth.or(row.value).unwrap(),
+                3e-3,
+                &format!("{post}: {}", row.code),
+            );
         }
     }
 }
@@ -116,11 +162,22 @@ fn each_kind_of_relation_is_computed_listed_and_read_back() {
     let angles = ["SIDE.rotation", "FRONT.rotation", "AC.rotation"];
     let mut asked = 0;
     for def in &kinds {
-        let operands: &[&[&str]] = if def.places { &[&["A", "B", "C", "D"]] } else { &[&lengths, &angles] };
+        let operands: &[&[&str]] = if def.places {
+            &[&["A", "B", "C", "D"]]
+        } else {
+            &[&lengths, &angles]
+        };
         for all in operands {
             for count in [def.least, def.most.unwrap_or(all.len()).min(all.len())] {
-                let of: Vec<String> = all[..count].iter().map(|name| format!("{name:?}")).collect();
-                let one = format!(r#"{{ "name": "ONE", "type": "{}", "of": [{}] }}"#, def.key, of.join(","));
+                let of: Vec<String> = all[..count]
+                    .iter()
+                    .map(|name| format!("{name:?}"))
+                    .collect();
+                let one = format!(
+                    r#"{{ "name": "ONE", "type": "{}", "of": [{}] }}"#,
+                    def.key,
+                    of.join(",")
+                );
                 let line = r#"{ "name": "AC", "type": "line", "of": ["A", "C"] }"#;
                 let said = format!("{} of {}", def.key, of.join(" "));
                 let walls = ["SIDE", "FRONT"].map(|name| {
@@ -132,24 +189,54 @@ fn each_kind_of_relation_is_computed_listed_and_read_back() {
                     cycles.extend(walls.iter().map(|wall| job(wall)));
                 }
                 let whole = with(&whole, "relations", job(&format!("[{line}, {one}]")));
-                let whole =
-                    with(&with(&whole, "control.report", Value::Text("screen".to_owned())), "clear", Value::Number(60.0));
+                let whole = with(
+                    &with(&whole, "control.report", Value::Text("screen".to_owned())),
+                    "clear",
+                    Value::Number(60.0),
+                );
                 let plan = planned(&whole);
-                let rows: Vec<&ResultRow> = plan.results.iter().filter(|row| row.cycle == plan.cycles.len() + 1).collect();
+                let rows: Vec<&ResultRow> = plan
+                    .results
+                    .iter()
+                    .filter(|row| row.cycle == plan.cycles.len() + 1)
+                    .collect();
                 let angle = if all[0] == angles[0] { ".angle" } else { "" };
                 let codes: Vec<&str> = rows.iter().map(|row| row.code.as_str()).collect();
-                assert_eq!(codes, def.results.iter().map(|code| format!("{code}{angle}")).collect::<Vec<_>>(), "{said}");
+                assert_eq!(
+                    codes,
+                    def.results
+                        .iter()
+                        .map(|code| format!("{code}{angle}"))
+                        .collect::<Vec<_>>(),
+                    "{said}"
+                );
                 let ran = interpret(&on_virtual_part(&plan)).unwrap();
                 for row in rows {
-                    assert!(RESULT_CODES.contains(&row.code.as_str()), "{said}: {}", row.code);
+                    assert!(
+                        RESULT_CODES.contains(&row.code.as_str()),
+                        "{said}: {}",
+                        row.code
+                    );
                     let code = format!("ONE.{}", row.code);
-                    let (_, shown) =
-                        ran.prints.iter().find(|(shown, _)| *shown == code).unwrap_or_else(|| panic!("{said}: {code}"));
+                    let (_, shown) = ran
+                        .prints
+                        .iter()
+                        .find(|(shown, _)| *shown == code)
+                        .unwrap_or_else(|| panic!("{said}: {code}"));
                     near(*shown, row.value.unwrap(), 2e-4, &said);
-                    near(row.value.unwrap(), row.truth.or(row.value).unwrap(), 3e-3, &said);
+                    near(
+                        row.value.unwrap(),
+                        row.truth.or(row.value).unwrap(),
+                        3e-3,
+                        &said,
+                    );
                     asked += 1;
                 }
-                assert_eq!(import(&plan.program.text).unwrap().job.get("relations"), whole.get("relations"), "{said}");
+                assert_eq!(
+                    import(&plan.program.text).unwrap().job.get("relations"),
+                    whole.get("relations"),
+                    "{said}"
+                );
             }
         }
     }
@@ -159,14 +246,28 @@ fn each_kind_of_relation_is_computed_listed_and_read_back() {
 /// Every control computes them: LinuxCNC's own interpreter, and the tests' machines.
 #[test]
 fn programs_compute_what_the_plan_says() {
-    let on_screen = |post: &str| with(&displaced(post), "control.report", Value::Text("screen".to_owned()));
+    let on_screen = |post: &str| {
+        with(
+            &displaced(post),
+            "control.report",
+            Value::Text("screen".to_owned()),
+        )
+    };
     let plan = planned(&on_screen("linuxcnc"));
     let ran = interpret(&on_virtual_part(&plan)).unwrap();
     let mut compared = 0;
     for (i, name) in plan.relations.iter().enumerate() {
-        for row in plan.results.iter().filter(|row| row.cycle == plan.cycles.len() + i) {
+        for row in plan
+            .results
+            .iter()
+            .filter(|row| row.cycle == plan.cycles.len() + i)
+        {
             let code = format!("{name}.{}", row.code);
-            let (_, shown) = ran.prints.iter().find(|(shown, _)| *shown == code).unwrap_or_else(|| panic!("{code}"));
+            let (_, shown) = ran
+                .prints
+                .iter()
+                .find(|(shown, _)| *shown == code)
+                .unwrap_or_else(|| panic!("{code}"));
             near(*shown, row.value.unwrap(), 2e-4, &code);
             compared += 1;
         }
@@ -179,12 +280,28 @@ fn programs_compute_what_the_plan_says() {
     assert_eq!(machine.alarm, None, "{}", machine.message);
     let said = |name: &str, code: &str| {
         let word = format!("{name}.{code}=");
-        let line = machine.messages.iter().find_map(|line| line.split(&word).nth(1)).unwrap_or_else(|| panic!("{word}"));
-        let end = line.find(|c: char| !(c.is_ascii_digit() || ".-".contains(c))).unwrap_or(line.len());
+        let line = machine
+            .messages
+            .iter()
+            .find_map(|line| line.split(&word).nth(1))
+            .unwrap_or_else(|| panic!("{word}"));
+        let end = line
+            .find(|c: char| !(c.is_ascii_digit() || ".-".contains(c)))
+            .unwrap_or(line.len());
         line[..end].parse::<f64>().unwrap()
     };
-    near(said("AC", "rotation"), value(&plan, "AC", "rotation"), 2e-3, "sinumerik");
-    near(said("BCD", "diameter"), value(&plan, "BCD", "diameter"), 2e-3, "sinumerik");
+    near(
+        said("AC", "rotation"),
+        value(&plan, "AC", "rotation"),
+        2e-3,
+        "sinumerik",
+    );
+    near(
+        said("BCD", "diameter"),
+        value(&plan, "BCD", "diameter"),
+        2e-3,
+        "sinumerik",
+    );
 
     for post in skipping() {
         let plan = planned(&small(&displaced(post)));
@@ -193,15 +310,35 @@ fn programs_compute_what_the_plan_says() {
         control.run(&plan.program.text).unwrap();
         assert_eq!(control.alarm, None);
         let held = |code: &str| {
-            let lists =
-                plan.program.text.lines().filter_map(|line| line.strip_prefix('(')).map(|line| line.trim_end_matches(')'));
+            let lists = plan
+                .program
+                .text
+                .lines()
+                .filter_map(|line| line.strip_prefix('('))
+                .map(|line| line.trim_end_matches(')'));
             let entry = lists
                 .flat_map(|line| line.trim_start_matches("RESULTS: ").split(", "))
                 .find(|entry| entry.ends_with(&format!("= {code}")));
-            control.variables[&entry.unwrap_or_else(|| panic!("{code}")).split(' ').next().unwrap()[1..].parse().unwrap()]
+            control.variables[&entry
+                .unwrap_or_else(|| panic!("{code}"))
+                .split(' ')
+                .next()
+                .unwrap()[1..]
+                .parse()
+                .unwrap()]
         };
-        near(held("AC.ROTATION"), value(&plan, "AC", "rotation"), 2e-3, post);
-        near(held("TWIST.DISTANCE"), value(&plan, "TWIST", "distance"), 2e-3, post);
+        near(
+            held("AC.ROTATION"),
+            value(&plan, "AC", "rotation"),
+            2e-3,
+            post,
+        );
+        near(
+            held("TWIST.DISTANCE"),
+            value(&plan, "TWIST", "distance"),
+            2e-3,
+            post,
+        );
     }
 }
 
@@ -211,10 +348,30 @@ fn programs_compute_what_the_plan_says() {
 fn uncertainties_go_through_relations() {
     let job = with(&job(PLATE), "stylus.repeatability", Value::Number(0.001));
     let plan = planned(&job);
-    near(row(&plan, "AC", "distance").uncertainty.unwrap(), 0.001, 1e-6, "distance");
-    near(row(&plan, "AC", "rotation").uncertainty.unwrap(), (0.001f64 / 100.0).to_degrees(), 1e-8, "direction");
-    near(row(&plan, "BORES", "mean").uncertainty.unwrap(), 0.0005, 1e-6, "mean");
-    near(row(&plan, "MID", "center.x").uncertainty.unwrap(), 0.0005, 1e-6, "middle");
+    near(
+        row(&plan, "AC", "distance").uncertainty.unwrap(),
+        0.001,
+        1e-6,
+        "distance",
+    );
+    near(
+        row(&plan, "AC", "rotation").uncertainty.unwrap(),
+        (0.001f64 / 100.0).to_degrees(),
+        1e-8,
+        "direction",
+    );
+    near(
+        row(&plan, "BORES", "mean").uncertainty.unwrap(),
+        0.0005,
+        1e-6,
+        "mean",
+    );
+    near(
+        row(&plan, "MID", "center.x").uncertainty.unwrap(),
+        0.0005,
+        1e-6,
+        "middle",
+    );
 }
 
 /// Touches scattered along their directions, on a turned part: the spread of what lies between features is its stated uncertainty.
@@ -225,13 +382,20 @@ fn uncertainties_of_relations_agree_with_draws() {
     let (plan, spreads) = (planned(&job), drawn_spreads(&job, 5_000));
     // Those of the relations: the residual of a circle is no linear function.
     let between: Vec<usize> = (0..plan.results.len())
-        .filter(|i| plan.results[*i].cycle >= plan.cycles.len() && plan.results[*i].code != "residual")
+        .filter(|i| {
+            plan.results[*i].cycle >= plan.cycles.len() && plan.results[*i].code != "residual"
+        })
         .collect();
     for i in &between {
         let (row, spread) = (&plan.results[*i], spreads[*i].unwrap());
         let stated = row.uncertainty.unwrap();
         // Of 5,000 draws a spread is known to one percent.
-        assert!((spread / stated - 1.0).abs() < 0.04, "{} {}: drawn {spread}, stated {stated}", row.cycle, row.code);
+        assert!(
+            (spread / stated - 1.0).abs() < 0.04,
+            "{} {}: drawn {spread}, stated {stated}",
+            row.cycle,
+            row.code
+        );
     }
     assert_eq!(between.len(), 11);
 }
@@ -248,7 +412,10 @@ fn a_work_offset_is_written_from_relations() {
     let plan = planned(&job(text));
     assert_eq!(plan.program.writes, ["X", "Y", "rotation"]);
     let ran = interpret(&on_virtual_part(&plan)).unwrap();
-    let ([ox, oy, _], turn) = (*ran.offsets_after_moves.last().unwrap(), *ran.rotations_after_moves.last().unwrap());
+    let ([ox, oy, _], turn) = (
+        *ran.offsets_after_moves.last().unwrap(),
+        *ran.rotations_after_moves.last().unwrap(),
+    );
     near(turn, 0.8, 1e-4, "rotation");
     // Where the holes are on the part, by hand, and what the written system reads there.
     let (s, c) = 0.8f64.to_radians().sin_cos();
@@ -259,31 +426,69 @@ fn a_work_offset_is_written_from_relations() {
         near(dx * c - dy * s, x, 2e-4, "X of a hole");
         near(dx * s + dy * c, y, 2e-4, "Y of a hole");
     }
-    let choices = |axis: &str| plan.datum.iter().find(|row| row.axis == axis).unwrap().choices.clone();
-    assert_eq!(choices("x"), ["LEFT.center.x", "RIGHT.center.x", "MID.center.x"]);
+    let choices = |axis: &str| {
+        plan.datum
+            .iter()
+            .find(|row| row.axis == axis)
+            .unwrap()
+            .choices
+            .clone()
+    };
+    assert_eq!(
+        choices("x"),
+        ["LEFT.center.x", "RIGHT.center.x", "MID.center.x"]
+    );
     assert_eq!(choices("rotation"), ["ROW.rotation"]);
 }
 
 #[test]
 fn relations_take_tolerances_come_back_from_headers_and_from_measured_results() {
-    let tolerances =
-        r#"{ "AC.distance": { "tolerance": "±0.05", "action": "stop" }, "twist.distance": { "tolerance": "49.9..50.1" } }"#;
+    let tolerances = r#"{ "AC.distance": { "tolerance": "±0.05", "action": "stop" }, "twist.distance": { "tolerance": "49.9..50.1" } }"#;
     for post in computing() {
         let job = with(&small(&displaced(post)), "tolerances", job(tolerances));
         let plan = planned(&job);
-        assert_eq!(row(&plan, "AC", "distance").verdict.as_deref(), Some("good"), "{post}");
-        assert_eq!(row(&plan, "TWIST", "distance").verdict.as_deref(), Some("good"), "{post}");
+        assert_eq!(
+            row(&plan, "AC", "distance").verdict.as_deref(),
+            Some("good"),
+            "{post}"
+        );
+        assert_eq!(
+            row(&plan, "TWIST", "distance").verdict.as_deref(),
+            Some("good"),
+            "{post}"
+        );
         let back = import(&plan.program.text).unwrap();
-        assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+        assert!(
+            back.findings
+                .iter()
+                .all(|finding| finding.level != Level::Warning),
+            "{post}: {:?}",
+            back.findings
+        );
         assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
         let names: Vec<&String> = plan.cycles.iter().chain(&plan.relations).collect();
-        let said = plan.results.iter().filter_map(|row| Some(format!("{}.{}={}", names[row.cycle], row.code, row.value?)));
-        let said = said.map(|line| line.replace("AC.distance=100", "AC.distance=100.2")).collect::<Vec<_>>().join("\n");
+        let said = plan
+            .results
+            .iter()
+            .filter_map(|row| Some(format!("{}.{}={}", names[row.cycle], row.code, row.value?)));
+        let said = said
+            .map(|line| line.replace("AC.distance=100", "AC.distance=100.2"))
+            .collect::<Vec<_>>()
+            .join("\n");
         let rows = evaluate(&job, &Value::Text(said)).unwrap();
         let of = |name: &str, code: &str| {
-            rows.iter().find(|row| names[row.cycle].as_str() == name && row.code == code).unwrap().clone()
+            rows.iter()
+                .find(|row| names[row.cycle].as_str() == name && row.code == code)
+                .unwrap()
+                .clone()
         };
-        assert!(of("AC", "distance").verdict.as_deref().is_some_and(|verdict| verdict.starts_with("out")), "{post}");
+        assert!(
+            of("AC", "distance")
+                .verdict
+                .as_deref()
+                .is_some_and(|verdict| verdict.starts_with("out")),
+            "{post}"
+        );
         near(of("TWIST", "distance").value.unwrap(), 50.0, 2e-3, post);
     }
 }
@@ -299,17 +504,61 @@ fn what_is_no_relation_is_said_at_its_place() {
             .collect(),
     };
     for (relations, code, path) in [
-        (r#"[{ "name": "A", "type": "line", "of": ["A", "B"] }]"#, "cycle-name", "relations[0].name"),
-        (r#"[{ "name": "1X", "type": "line", "of": ["A", "B"] }]"#, "cycle-name", "relations[0].name"),
-        (r#"[{ "type": "line", "of": ["A", "B"] }]"#, "missing", "relations[0].name"),
-        (r#"[{ "name": "X", "of": ["A", "B"] }]"#, "missing", "relations[0].type"),
-        (r#"[{ "name": "X", "type": "ring", "of": ["A", "B"] }]"#, "unknown-value", "relations[0].type"),
-        (r#"[{ "name": "X", "type": "line", "of": ["A"] }]"#, "wrong-count", "relations[0].of"),
-        (r#"[{ "name": "X", "type": "line" }]"#, "wrong-count", "relations[0].of"),
-        (r#"[{ "name": "X", "type": "line", "of": ["A", "A"] }]"#, "relation-of", "relations[0].of[1]"),
-        (r#"[{ "name": "X", "type": "line", "of": ["A", "TOP"] }]"#, "relation-of", "relations[0].of[1]"),
-        (r#"[{ "name": "X", "type": "line", "of": ["A", "LATER"] }]"#, "relation-of", "relations[0].of[1]"),
-        (r#"[{ "name": "X", "type": "mean", "of": ["A", "B"] }]"#, "relation-of", "relations[0].of[0]"),
+        (
+            r#"[{ "name": "A", "type": "line", "of": ["A", "B"] }]"#,
+            "cycle-name",
+            "relations[0].name",
+        ),
+        (
+            r#"[{ "name": "1X", "type": "line", "of": ["A", "B"] }]"#,
+            "cycle-name",
+            "relations[0].name",
+        ),
+        (
+            r#"[{ "type": "line", "of": ["A", "B"] }]"#,
+            "missing",
+            "relations[0].name",
+        ),
+        (
+            r#"[{ "name": "X", "of": ["A", "B"] }]"#,
+            "missing",
+            "relations[0].type",
+        ),
+        (
+            r#"[{ "name": "X", "type": "ring", "of": ["A", "B"] }]"#,
+            "unknown-value",
+            "relations[0].type",
+        ),
+        (
+            r#"[{ "name": "X", "type": "line", "of": ["A"] }]"#,
+            "wrong-count",
+            "relations[0].of",
+        ),
+        (
+            r#"[{ "name": "X", "type": "line" }]"#,
+            "wrong-count",
+            "relations[0].of",
+        ),
+        (
+            r#"[{ "name": "X", "type": "line", "of": ["A", "A"] }]"#,
+            "relation-of",
+            "relations[0].of[1]",
+        ),
+        (
+            r#"[{ "name": "X", "type": "line", "of": ["A", "TOP"] }]"#,
+            "relation-of",
+            "relations[0].of[1]",
+        ),
+        (
+            r#"[{ "name": "X", "type": "line", "of": ["A", "LATER"] }]"#,
+            "relation-of",
+            "relations[0].of[1]",
+        ),
+        (
+            r#"[{ "name": "X", "type": "mean", "of": ["A", "B"] }]"#,
+            "relation-of",
+            "relations[0].of[0]",
+        ),
         (
             r#"[{ "name": "L", "type": "line", "of": ["A", "B"] }, { "name": "X", "type": "mean", "of": ["A.diameter", "L.rotation"] }]"#,
             "relation-of",
@@ -325,13 +574,24 @@ fn what_is_no_relation_is_said_at_its_place() {
             "relation-of",
             "relations[1].of",
         ),
-        (r#"[{ "name": "X", "type": "line", "of": ["A", 2] }]"#, "wrong-type", "relations[0].of[1]"),
-        (r#"[{ "name": "X", "type": "line", "of": ["A", "B"], "as": 1 }]"#, "unknown-key", "relations[0].as"),
+        (
+            r#"[{ "name": "X", "type": "line", "of": ["A", 2] }]"#,
+            "wrong-type",
+            "relations[0].of[1]",
+        ),
+        (
+            r#"[{ "name": "X", "type": "line", "of": ["A", "B"], "as": 1 }]"#,
+            "unknown-key",
+            "relations[0].as",
+        ),
         (r#"[7]"#, "wrong-type", "relations[0]"),
         (r#"{}"#, "wrong-type", "relations"),
     ] {
         let all: Vec<(String, String)> = found(relations);
-        assert!(all.contains(&(code.to_owned(), path.to_owned())), "{relations}: {all:?}");
+        assert!(
+            all.contains(&(code.to_owned(), path.to_owned())),
+            "{relations}: {all:?}"
+        );
     }
 }
 
@@ -353,9 +613,17 @@ fn directions_near_half_a_turn_are_compared_within_half_a_turn() {
         let plan = planned(&job(&text(post)));
         near(value(&plan, "APART", "difference.angle"), 180.0, 1e-3, post);
         near(value(&plan, "BOTH", "mean.angle"), 180.3, 1e-3, post);
-        near(row(&plan, "BOTH", "mean.angle").truth.unwrap(), 180.3, 1e-6, post);
+        near(
+            row(&plan, "BOTH", "mean.angle").truth.unwrap(),
+            180.3,
+            1e-6,
+            post,
+        );
         assert!(
-            plan.datum.iter().any(|row| row.axis == "rotation" && row.choices.contains(&"BOTH.mean.angle".to_owned())),
+            plan.datum
+                .iter()
+                .any(|row| row.axis == "rotation"
+                    && row.choices.contains(&"BOTH.mean.angle".to_owned())),
             "{post}"
         );
     }
@@ -363,7 +631,8 @@ fn directions_near_half_a_turn_are_compared_within_half_a_turn() {
 
 /// Two walls of a dovetail across half a turn: 179° and −179° are 2° apart, and their middle is 180°; by hand.
 #[test]
-fn directions_on_both_sides_of_half_a_turn_have_the_smaller_difference_and_the_middle_between_them() {
+fn directions_on_both_sides_of_half_a_turn_have_the_smaller_difference_and_the_middle_between_them()
+{
     let text = |post: &str, a: f64, b: f64| {
         format!(
             r#"{{ "format": 2, "control": {{ "post": "{post}" }}, "clear": 40, "limits": {{ "angle": 5 }},
@@ -376,20 +645,47 @@ fn directions_on_both_sides_of_half_a_turn_have_the_smaller_difference_and_the_m
         )
     };
     for post in of_moves() {
-        for (a, b, apart, middle) in
-            [(179.0, -179.0, -2.0, 180.0), (-179.0, 179.0, 2.0, 180.0), (170.0, -170.0, -20.0, 180.0), (10.0, 350.0, 20.0, 0.0)]
-        {
+        for (a, b, apart, middle) in [
+            (179.0, -179.0, -2.0, 180.0),
+            (-179.0, 179.0, 2.0, 180.0),
+            (170.0, -170.0, -20.0, 180.0),
+            (10.0, 350.0, 20.0, 0.0),
+        ] {
             let plan = planned(&job(&text(post, a, b)));
             let what = format!("{post} {a} {b}");
-            let near_turned = |x: f64, y: f64| near(((x - y + 540.0) % 360.0) - 180.0, 0.0, 2e-3, &what);
-            near(row(&plan, "APART", "difference.angle").nominal.unwrap(), apart, 1e-9, &what);
-            near(value(&plan, "APART", "difference.angle"), apart, 2e-3, &what);
-            near(row(&plan, "APART", "difference.angle").truth.unwrap(), apart, 1e-6, &what);
+            let near_turned =
+                |x: f64, y: f64| near(((x - y + 540.0) % 360.0) - 180.0, 0.0, 2e-3, &what);
+            near(
+                row(&plan, "APART", "difference.angle").nominal.unwrap(),
+                apart,
+                1e-9,
+                &what,
+            );
+            near(
+                value(&plan, "APART", "difference.angle"),
+                apart,
+                2e-3,
+                &what,
+            );
+            near(
+                row(&plan, "APART", "difference.angle").truth.unwrap(),
+                apart,
+                1e-6,
+                &what,
+            );
             near_turned(value(&plan, "BOTH", "mean.angle"), middle + 0.3);
-            near_turned(row(&plan, "BOTH", "mean.angle").truth.unwrap(), middle + 0.3);
+            near_turned(
+                row(&plan, "BOTH", "mean.angle").truth.unwrap(),
+                middle + 0.3,
+            );
             let back = import(&plan.program.text).unwrap().job;
             if computing().contains(&post) {
-                assert!(back.get("tolerances").and_then(|all| all.get("APART.difference.angle")).is_some(), "{what}");
+                assert!(
+                    back.get("tolerances")
+                        .and_then(|all| all.get("APART.difference.angle"))
+                        .is_some(),
+                    "{what}"
+                );
             }
         }
     }
@@ -403,25 +699,51 @@ fn a_set_up_of_one_cycle_names_its_results() {
       "tolerances": { "BORE.width1": { "tolerance": "±0.1" }, "D.difference": { "tolerance": "19.9..20.1" } } }"#;
     let plan = planned(&job(text));
     near(value(&plan, "D", "difference"), 20.0, 1e-6, "difference");
-    assert_eq!(plan.results.iter().filter(|row| row.verdict.as_deref() == Some("good")).count(), 2);
+    assert_eq!(
+        plan.results
+            .iter()
+            .filter(|row| row.verdict.as_deref() == Some("good"))
+            .count(),
+        2
+    );
     let one = r#"{ "format": 2, "cycles": [{ "name": "BORE", "type": "hole", "diameter": 25 }], "tolerances": { "bore.diameter": { "tolerance": "H7" } } }"#;
-    assert!(planned(&job(one)).results.iter().any(|row| row.limits.is_some()));
+    assert!(
+        planned(&job(one))
+            .results
+            .iter()
+            .any(|row| row.limits.is_some())
+    );
     let twice = with(
         &job(one),
         "tolerances",
         job(r#"{ "BORE.diameter": { "tolerance": "H7" }, "diameter": { "tolerance": "±0.3" } }"#),
     );
-    let Err(JobError { findings, .. }) = touchpath::job::plan(&twice) else { panic!("refused") };
-    assert!(findings.iter().any(|finding| finding.code == "tolerance-unknown"), "{findings:?}");
+    let Err(JobError { findings, .. }) = touchpath::job::plan(&twice) else {
+        panic!("refused")
+    };
+    assert!(
+        findings
+            .iter()
+            .any(|finding| finding.code == "tolerance-unknown"),
+        "{findings:?}"
+    );
 }
 
 /// One of four holes 1 mm off the circle of the others: a circle fits all four by a quarter of that, more than 0.1. A tenth of it does.
 #[test]
 fn a_pitch_circle_of_places_that_lie_on_none_is_refused() {
-    let moved = |y: &str| job(&PLATE.replace("\"origin\": [10, -45, -5]", &format!("\"origin\": [10, {y}, -5]")));
+    let moved = |y: &str| {
+        job(&PLATE.replace(
+            "\"origin\": [10, -45, -5]",
+            &format!("\"origin\": [10, {y}, -5]"),
+        ))
+    };
     let refused = plan(&moved("-46")).unwrap_err().findings;
-    let found: Vec<_> =
-        refused.iter().filter(|f| f.level == Level::Error).map(|f| (f.code.as_str(), f.path.as_str())).collect();
+    let found: Vec<_> = refused
+        .iter()
+        .filter(|f| f.level == Level::Error)
+        .map(|f| (f.code.as_str(), f.path.as_str()))
+        .collect();
     assert_eq!(found, [("relation-of", "relations[1].of")]);
     assert!(plan(&moved("-45.1")).is_ok());
     assert!(plan(&with(&moved("-46"), "limits.residual", Value::Null)).is_ok());

@@ -36,7 +36,11 @@ fn turned_by(job: &Value, angle: f64) -> Value {
 }
 
 fn holds(plan: &Plan) {
-    assert!(plan.safety.iter().any(|row| row.rule == "place-within-limit" && row.holds == Some(true)));
+    assert!(
+        plan.safety
+            .iter()
+            .any(|row| row.rule == "place-within-limit" && row.holds == Some(true))
+    );
 }
 
 /// Every place that the interpreter goes to (it says four decimals) is that of the drawing, turned by 0.7° about the hole and shifted with it.
@@ -52,22 +56,56 @@ fn the_interpreter_turns_a_cycle_with_the_part() {
     }
     let (sin, cos) = 0.7f64.to_radians().sin_cos();
     let by_hand = |[x, y, z]: [f64; 3]| [0.2 + x * cos - y * sin, 0.1 + y * cos + x * sin, z];
-    let printed = |code: &str| ran.prints.iter().find(|(known, _)| known == code).unwrap().1;
+    let printed = |code: &str| {
+        ran.prints
+            .iter()
+            .find(|(known, _)| known == code)
+            .unwrap()
+            .1
+    };
     let [x, y, _] = by_hand([100.0, 20.0, 0.0]);
-    near(printed("POCKET.center.x"), x, 2e-6, "100 mm and 20 mm beside the hole, turned");
-    near(printed("POCKET.center.y"), y, 2e-6, "100 mm and 20 mm beside the hole, turned");
-    near(printed("POCKET.width1"), 40.0, 2e-6, "no wider than it is, since it is touched square");
+    near(
+        printed("POCKET.center.x"),
+        x,
+        2e-6,
+        "100 mm and 20 mm beside the hole, turned",
+    );
+    near(
+        printed("POCKET.center.y"),
+        y,
+        2e-6,
+        "100 mm and 20 mm beside the hole, turned",
+    );
+    near(
+        printed("POCKET.width1"),
+        40.0,
+        2e-6,
+        "no wider than it is, since it is touched square",
+    );
     let mut compared = 0;
-    for step in plan.moves.iter().filter(|step| step.cycle == 2 && step.step > 0 && step.kind != "touch") {
+    for step in plan
+        .moves
+        .iter()
+        .filter(|step| step.cycle == 2 && step.step > 0 && step.kind != "touch")
+    {
         let wanted = by_hand(step.to);
-        let found = ran.moves.iter().any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 6e-5));
+        let found = ran
+            .moves
+            .iter()
+            .any(|made| (0..3).all(|axis| (made.to[axis] - wanted[axis]).abs() < 6e-5));
         assert!(found, "{wanted:?}");
         compared += 1;
     }
     assert!(compared > 5, "{compared}");
     // A pocket that is touched askew is wider by the cosine, and by what the ball does.
     let still = planned(&job(&TURNED.replace("\"=SIDE.rotation+90\"", "0")));
-    let wide = still.results.iter().find(|row| row.code == "width1").unwrap().value.unwrap();
+    let wide = still
+        .results
+        .iter()
+        .find(|row| row.code == "width1")
+        .unwrap()
+        .value
+        .unwrap();
     assert!(wide > 40.002, "{wide}");
 }
 
@@ -75,22 +113,45 @@ fn the_interpreter_turns_a_cycle_with_the_part() {
 #[test]
 fn a_rib_and_a_wall_are_read_at_their_place_on_the_turned_part() {
     let (sin, cos) = 0.7f64.to_radians().sin_cos();
-    let (x, y) = (0.2 + 100.0 * cos - 20.0 * sin, 0.1 + 20.0 * cos + 100.0 * sin);
+    let (x, y) = (
+        0.2 + 100.0 * cos - 20.0 * sin,
+        0.1 + 20.0 * cos + 100.0 * sin,
+    );
     for (cycle, turn, codes) in [
         (r#""type": "web", "width": 30"#, 90.0, &["center.x"][..]),
         (r#""type": "web", "width": 30"#, 180.0, &["center.y"]),
-        (r#""type": "web", "width": 30"#, 125.0, &["center.x", "center.y"]),
+        (
+            r#""type": "web", "width": 30"#,
+            125.0,
+            &["center.x", "center.y"],
+        ),
         (r#""type": "surface", "elevation": 0"#, 90.0, &["point.x"]),
-        (r#""type": "surface", "elevation": 0"#, 30.0, &["point.x", "point.y"]),
+        (
+            r#""type": "surface", "elevation": 0"#,
+            30.0,
+            &["point.x", "point.y"],
+        ),
     ] {
-        let text = TURNED.replace(r#""type": "internal-rectangle", "width1": 40, "width2": 30"#, cycle);
+        let text = TURNED.replace(
+            r#""type": "internal-rectangle", "width1": 40, "width2": 30"#,
+            cycle,
+        );
         let text = text.replace("=SIDE.rotation+90", &format!("=SIDE.rotation+{turn}"));
         let plan = planned(&job(&text));
         holds(&plan);
         let ran = interpret(&on_virtual_part(&plan)).unwrap();
         for code in codes {
-            let (_, printed) = ran.prints.iter().find(|(known, _)| *known == format!("POCKET.{code}")).unwrap();
-            near(*printed, if code.ends_with('x') { x } else { y }, 5e-6, &format!("{cycle} {turn} {code}"));
+            let (_, printed) = ran
+                .prints
+                .iter()
+                .find(|(known, _)| *known == format!("POCKET.{code}"))
+                .unwrap();
+            near(
+                *printed,
+                if code.ends_with('x') { x } else { y },
+                5e-6,
+                &format!("{cycle} {turn} {code}"),
+            );
         }
     }
 }
@@ -106,10 +167,18 @@ fn the_interpreter_touches_a_web_that_is_as_wide_as_the_groove_was() {
         near(*printed, value, 3e-6, code);
     }
     // The web's walls are 0.6 mm farther out, and so are the moves beside them.
-    let beside: Vec<f64> =
-        plan.moves.iter().filter(|step| step.cycle == 1 && step.step > 0).map(|step| step.to[0] - 90.0).collect();
+    let beside: Vec<f64> = plan
+        .moves
+        .iter()
+        .filter(|step| step.cycle == 1 && step.step > 0)
+        .map(|step| step.to[0] - 90.0)
+        .collect();
     let outmost = beside.iter().copied().fold(0.0, f64::max);
-    let gone = ran.moves.iter().map(|made| made.to[0] - 90.0).fold(0.0, f64::max);
+    let gone = ran
+        .moves
+        .iter()
+        .map(|made| made.to[0] - 90.0)
+        .fold(0.0, f64::max);
     near(gone, outmost + 0.6, 2e-6, "half of 1.2 mm farther out");
 }
 
@@ -124,35 +193,57 @@ fn what_a_turned_cycle_writes_is_listed_by_the_same_name() {
         r#""type": "surface", "elevation": 0"#,
     ];
     let places = (-200.0..200.0f64, -200.0..200.0f64);
-    law(60, 55, (places, 0..cycles.len(), 0..4, proptest::bool::ANY), |((x, y), cycle, quarter, inch)| {
-        let text = format!(
-            r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "workOffset": 1 }}, "cycles": [
+    law(
+        60,
+        55,
+        (places, 0..cycles.len(), 0..4, proptest::bool::ANY),
+        |((x, y), cycle, quarter, inch)| {
+            let text = format!(
+                r#"{{ "format": 2, "control": {{ "post": "linuxcnc", "workOffset": 1 }}, "cycles": [
                 {{ "name": "SIDE", "type": "wall-angle", "origin": [{x}, {}, -8], "rotation": -90 }},
                 {{ "name": "BORE", {}, "origin": [{x}, {y}, 0], "rotation": "=SIDE.rotation+{}" }} ] }}"#,
-            y - 60.0,
-            cycles[cycle],
-            90 * quarter,
-        );
-        let given = job(&text);
-        let given = if inch { convert_units(&given, "inch").unwrap() } else { given };
-        let Ok(plan) = plan(&given) else { return Ok(false) };
-        let block = plan.program.text.lines().find(|line| line.starts_with("G10 L20")).unwrap_or("");
-        // `X[#<_x>]` keeps what X reads: where the control turns its axes, both are named.
-        let written = ["x", "y", "z"].map(|axis| block.contains(&format!(" {}[#<_{axis}>-", axis.to_ascii_uppercase())));
-        prop_assert!(written.contains(&true), "{}", plan.program.text);
-        for (axis, written) in ["x", "y", "z"].into_iter().zip(written) {
-            let row = plan.datum.iter().find(|row| row.axis == axis).unwrap();
-            prop_assert_eq!(row.from.is_some(), written, "{} of {}", axis, text);
-            let shown = plan.results.iter().any(|row| row.code == format!("offset.{axis}"));
-            prop_assert_eq!(shown, written, "the row of {} of {}", axis, text);
-            if let Some(from) = &row.from {
-                let said = with(&given, &format!("datum.{axis}"), Value::Text(from.clone()));
-                let program = touchpath::job::plan(&said).map(|plan| plan.program.text).unwrap_or_default();
-                prop_assert!(program.contains(block), "{} said", from);
+                y - 60.0,
+                cycles[cycle],
+                90 * quarter,
+            );
+            let given = job(&text);
+            let given = if inch {
+                convert_units(&given, "inch").unwrap()
+            } else {
+                given
+            };
+            let Ok(plan) = plan(&given) else {
+                return Ok(false);
+            };
+            let block = plan
+                .program
+                .text
+                .lines()
+                .find(|line| line.starts_with("G10 L20"))
+                .unwrap_or("");
+            // `X[#<_x>]` keeps what X reads: where the control turns its axes, both are named.
+            let written = ["x", "y", "z"]
+                .map(|axis| block.contains(&format!(" {}[#<_{axis}>-", axis.to_ascii_uppercase())));
+            prop_assert!(written.contains(&true), "{}", plan.program.text);
+            for (axis, written) in ["x", "y", "z"].into_iter().zip(written) {
+                let row = plan.datum.iter().find(|row| row.axis == axis).unwrap();
+                prop_assert_eq!(row.from.is_some(), written, "{} of {}", axis, text);
+                let shown = plan
+                    .results
+                    .iter()
+                    .any(|row| row.code == format!("offset.{axis}"));
+                prop_assert_eq!(shown, written, "the row of {} of {}", axis, text);
+                if let Some(from) = &row.from {
+                    let said = with(&given, &format!("datum.{axis}"), Value::Text(from.clone()));
+                    let program = touchpath::job::plan(&said)
+                        .map(|plan| plan.program.text)
+                        .unwrap_or_default();
+                    prop_assert!(program.contains(block), "{} said", from);
+                }
             }
-        }
-        Ok(true)
-    });
+            Ok(true)
+        },
+    );
 }
 
 #[test]
@@ -169,16 +260,31 @@ fn the_other_controls_turn_and_grow_a_cycle_likewise() {
 #[test]
 fn beyond_the_limit_every_control_stops_before_the_cycle() {
     let wide = |post: &str| with(&on(GROWN, post), "limits.size", Value::Number(1.0));
-    for (post, how) in computing().into_iter().flat_map(|post| [(post, 1.6), (post, -1.6)]) {
-        for (job, result) in [(turned_by(&on(TURNED, post), how), "SIDE.rotation"), (wide(post), "SLOT.width")] {
+    for (post, how) in computing()
+        .into_iter()
+        .flat_map(|post| [(post, 1.6), (post, -1.6)])
+    {
+        for (job, result) in [
+            (turned_by(&on(TURNED, post), how), "SIDE.rotation"),
+            (wide(post), "SLOT.width"),
+        ] {
             let plan = planned(&job);
-            let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap_or_else(|| panic!("{post} {result}"));
+            let said = plan
+                .findings
+                .iter()
+                .find(|f| f.code == "place-too-far")
+                .unwrap_or_else(|| panic!("{post} {result}"));
             assert_eq!(values(said)[1], result, "{post}");
             stops_by(&plan, post, result);
         }
     }
     // A little within it all is measured.
-    assert!(planned(&turned_by(&job(TURNED), 1.49)).triggers.iter().all(Option::is_some));
+    assert!(
+        planned(&turned_by(&job(TURNED), 1.49))
+            .triggers
+            .iter()
+            .all(Option::is_some)
+    );
 }
 
 /// What a review found: the words of an angle, cycles behind a turned one, ways between cycles that go along with each other, long blocks.
@@ -187,8 +293,16 @@ fn angles_are_said_as_angles() {
     for units in ["mm", "inch"] {
         let job = convert_units(&turned_by(&job(TURNED), 2.0), units).unwrap();
         let plan = planned(&job);
-        let said = plan.findings.iter().find(|f| f.code == "place-too-far").unwrap();
-        assert_eq!(values(said)[1..], ["SIDE.rotation", "-88°", "1.5°", "-90°"], "{units}");
+        let said = plan
+            .findings
+            .iter()
+            .find(|f| f.code == "place-too-far")
+            .unwrap();
+        assert_eq!(
+            values(said)[1..],
+            ["SIDE.rotation", "-88°", "1.5°", "-90°"],
+            "{units}"
+        );
     }
 }
 
@@ -199,8 +313,14 @@ fn with_cycles(text: &str, more: &str) -> Value {
 #[test]
 fn a_cycle_may_follow_one_that_is_turned() {
     let next = r#"{ "name": "H2", "type": "hole", "diameter": 20, "origin": ["=POCKET.center.x+90", "=POCKET.center.y", 0] }"#;
-    for limits in [r#""position": 2, "angle": 1.5"#, r#""position": 1, "angle": 0.7"#, r#""position": 3, "angle": 1.5"#] {
-        let text = TURNED.replace(r#""position": 3, "angle": 1.5"#, limits).replace("\"rotation\": 0.7", "\"rotation\": 0.1");
+    for limits in [
+        r#""position": 2, "angle": 1.5"#,
+        r#""position": 1, "angle": 0.7"#,
+        r#""position": 3, "angle": 1.5"#,
+    ] {
+        let text = TURNED
+            .replace(r#""position": 3, "angle": 1.5"#, limits)
+            .replace("\"rotation\": 0.7", "\"rotation\": 0.1");
         let plan = plan(&with_cycles(&text, next)).unwrap_or_else(|e| panic!("{limits}: {e:?}"));
         holds(&plan);
         let ran = interpret(&on_virtual_part(&plan)).unwrap();
@@ -214,7 +334,12 @@ fn a_cycle_may_follow_one_that_is_turned() {
 /// Holes 25 mm apart that go with one part: they keep their distance, and share what leads them.
 #[test]
 fn cycles_that_follow_the_same_results_share_their_values() {
-    for (post, count) in [("linuxcnc", 12), ("sinumerik", 12), ("fanuc", 5), ("haas", 5)] {
+    for (post, count) in [
+        ("linuxcnc", 12),
+        ("sinumerik", 12),
+        ("fanuc", 5),
+        ("haas", 5),
+    ] {
         let holes: Vec<String> = (0..count)
             .map(|i| {
                 let x = 100 + 25 * i;
@@ -224,9 +349,19 @@ fn cycles_that_follow_the_same_results_share_their_values() {
             })
             .collect();
         let text = TURNED.replace(r#""position": 3"#, r#""position": 12"#);
-        let job = with(&with_cycles(&text, &holes.join(", ")), "control.post", Value::Text(post.to_owned()));
+        let job = with(
+            &with_cycles(&text, &holes.join(", ")),
+            "control.post",
+            Value::Text(post.to_owned()),
+        );
         let plan = plan(&job).unwrap_or_else(|e| {
-            panic!("{post}: {:?}", e.findings.iter().filter(|f| f.level == Level::Error).collect::<Vec<_>>())
+            panic!(
+                "{post}: {:?}",
+                e.findings
+                    .iter()
+                    .filter(|f| f.level == Level::Error)
+                    .collect::<Vec<_>>()
+            )
         });
         holds(&plan);
         assert!(plan.triggers.iter().all(Option::is_some), "{post}");
@@ -241,10 +376,20 @@ fn blocks_are_no_longer_than_the_interpreter_reads() {
         .replace("=LEFT.center.x+100", "=LEFT.center.x-100.1234")
         .replace("=LEFT.center.y+20", "=LEFT.center.y-120.5678")
         .replace("=SIDE.rotation+90", "=SIDE.rotation+127.3333")
-        .replace("\"name\": \"LEFT\",", "\"name\": \"LEFT\", \"origin\": [-223.4567, -198.7654, 0],");
+        .replace(
+            "\"name\": \"LEFT\",",
+            "\"name\": \"LEFT\", \"origin\": [-223.4567, -198.7654, 0],",
+        );
     for units in ["mm", "inch"] {
         let plan = planned(&convert_units(&job(&text), units).unwrap());
-        let longest = plan.program.text.lines().filter(|line| !line.starts_with('(')).map(str::len).max().unwrap();
+        let longest = plan
+            .program
+            .text
+            .lines()
+            .filter(|line| !line.starts_with('('))
+            .map(str::len)
+            .max()
+            .unwrap();
         assert!((150..=252).contains(&longest), "{longest}");
     }
     let plan = planned(&turned_by(&job(&text), 0.1));
@@ -255,33 +400,63 @@ fn blocks_are_no_longer_than_the_interpreter_reads() {
 /// A wall says how far it is off along the drawing's direction: of a turned one that means nothing, and no tolerance is taken.
 #[test]
 fn a_turned_wall_has_no_deviation() {
-    let wall =
-        TURNED.replace(r#""type": "internal-rectangle", "width1": 40, "width2": 30"#, r#""type": "surface", "elevation": 0"#);
+    let wall = TURNED.replace(
+        r#""type": "internal-rectangle", "width1": 40, "width2": 30"#,
+        r#""type": "surface", "elevation": 0"#,
+    );
     let plan = planned(&job(&wall));
-    let row = plan.results.iter().find(|row| row.code == "deviation").unwrap();
+    let row = plan
+        .results
+        .iter()
+        .find(|row| row.code == "deviation")
+        .unwrap();
     assert_eq!(row.value, None);
-    let judged = wall.replace("\"part\":", "\"tolerances\": { \"POCKET.deviation\": { \"tolerance\": \"±0.1\" } }, \"part\":");
+    let judged = wall.replace(
+        "\"part\":",
+        "\"tolerances\": { \"POCKET.deviation\": { \"tolerance\": \"±0.1\" } }, \"part\":",
+    );
     let found = check(&job(&judged));
-    assert!(found.iter().any(|f| f.code == "tolerance-unsupported" && f.level == Level::Error), "{found:?}");
+    assert!(
+        found
+            .iter()
+            .any(|f| f.code == "tolerance-unsupported" && f.level == Level::Error),
+        "{found:?}"
+    );
 }
 
 /// What a control states has the uncertainty of the part of the drawing, and its guard band.
 #[test]
 fn stated_results_of_a_turned_cycle_have_their_uncertainty() {
-    let text = TURNED.replace("\"part\":", "\"tolerances\": { \"POCKET.width1\": { \"tolerance\": \"±0.01\" } }, \"part\":");
+    let text = TURNED.replace(
+        "\"part\":",
+        "\"tolerances\": { \"POCKET.width1\": { \"tolerance\": \"±0.01\" } }, \"part\":",
+    );
     let stated = "POCKET.width1=40.0095";
-    let rows = touchpath::job::measure(&job(&text), &Value::Text(stated.to_owned())).unwrap().results;
+    let rows = touchpath::job::measure(&job(&text), &Value::Text(stated.to_owned()))
+        .unwrap()
+        .results;
     let row = rows.iter().find(|row| row.code == "width1").unwrap();
     assert_eq!(row.verdict.as_deref(), Some("good within ±"));
-    near(row.uncertainty.unwrap(), 0.001 * 2f64.sqrt(), 1e-6, "two touches of 1 µm");
+    near(
+        row.uncertainty.unwrap(),
+        0.001 * 2f64.sqrt(),
+        1e-6,
+        "two touches of 1 µm",
+    );
 }
 
 #[test]
 fn a_limit_that_a_turned_cycle_exceeds_is_said() {
     // 100 mm and 20 mm away: sin 1.5° · 101.98 mm = 2.67 mm.
     let found = |limit: f64| check(&with(&job(TURNED), "limits.position", Value::Number(limit)));
-    let said = found(2.6).into_iter().find(|f| f.code == "turn-beyond-limit").unwrap();
-    assert_eq!((said.path.as_str(), values(&said)[0].as_str()), ("cycles[2].rotation", "2.6695 mm"));
+    let said = found(2.6)
+        .into_iter()
+        .find(|f| f.code == "turn-beyond-limit")
+        .unwrap();
+    assert_eq!(
+        (said.path.as_str(), values(&said)[0].as_str()),
+        ("cycles[2].rotation", "2.6695 mm")
+    );
     assert!(found(2.7).iter().all(|f| f.code != "turn-beyond-limit"));
 }
 
@@ -292,7 +467,13 @@ fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
         for text in [TURNED, GROWN] {
             let plan = planned(&on(text, post));
             let back = import(&plan.program.text).unwrap();
-            assert!(back.findings.iter().all(|finding| finding.level != Level::Warning), "{post}: {:?}", back.findings);
+            assert!(
+                back.findings
+                    .iter()
+                    .all(|finding| finding.level != Level::Warning),
+                "{post}: {:?}",
+                back.findings
+            );
             assert_eq!(planned(&back.job).program.text, plan.program.text, "{post}");
         }
     }
@@ -301,14 +482,20 @@ fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
         _ => None,
     };
     let inch = convert_units(&job(TURNED), "inch").unwrap();
-    assert_eq!(key(&inch, 2, "rotation"), Some(Value::Text("=SIDE.rotation+90".to_owned())));
+    assert_eq!(
+        key(&inch, 2, "rotation"),
+        Some(Value::Text("=SIDE.rotation+90".to_owned()))
+    );
     let (mm, inch) = (planned(&job(TURNED)), planned(&inch));
     for (a, b) in mm.triggers.iter().zip(&inch.triggers) {
         let (a, b) = (a.unwrap(), b.unwrap());
         (0..3).for_each(|axis| near(a[axis], b[axis] * 25.4, 1e-4, "the same contacts"));
     }
     let inch = convert_units(&job(GROWN), "inch").unwrap();
-    assert_eq!(key(&inch, 1, "width"), Some(Value::Text("=SLOT.width-0.15748".to_owned())));
+    assert_eq!(
+        key(&inch, 1, "width"),
+        Some(Value::Text("=SLOT.width-0.15748".to_owned()))
+    );
     holds(&planned(&inch));
 }
 
@@ -316,7 +503,11 @@ fn rotations_and_sizes_that_follow_come_back_from_headers_and_units() {
 #[test]
 fn measured_points_are_turned_as_they_say() {
     let real = planned(&turned_by(&job(TURNED), -1.2));
-    let points: Vec<Value> = real.triggers.iter().map(|t| Value::List(t.unwrap().map(Value::Number).to_vec())).collect();
+    let points: Vec<Value> = real
+        .triggers
+        .iter()
+        .map(|t| Value::List(t.unwrap().map(Value::Number).to_vec()))
+        .collect();
     let rows = touchpath::job::evaluate(&job(TURNED), &Value::List(points)).unwrap();
     for (row, own) in rows.iter().zip(&real.results) {
         assert_eq!(row.code, own.code);
@@ -330,8 +521,12 @@ fn measured_points_are_turned_as_they_say() {
 #[test]
 fn what_cannot_follow_is_refused_at_its_place() {
     let errors = |text: &str| {
-        let errors = check(&job(text)).into_iter().filter(|f| f.level == Level::Error);
-        errors.map(|f| format!("{} {}", f.code, f.path)).collect::<Vec<_>>()
+        let errors = check(&job(text))
+            .into_iter()
+            .filter(|f| f.level == Level::Error);
+        errors
+            .map(|f| format!("{} {}", f.code, f.path))
+            .collect::<Vec<_>>()
     };
     let angle = |given: &str| TURNED.replace("=SIDE.rotation+90", given);
     for given in [
@@ -344,29 +539,69 @@ fn what_cannot_follow_is_refused_at_its_place() {
         "=SIDE.rotation+9O",
         "=NONE.rotation",
     ] {
-        assert_eq!(errors(&angle(given)), ["place-of-result cycles[2].rotation"], "{given}");
+        assert_eq!(
+            errors(&angle(given)),
+            ["place-of-result cycles[2].rotation"],
+            "{given}"
+        );
     }
-    assert_eq!(errors(&angle("SIDE.rotation")), ["wrong-type cycles[2].rotation"]);
+    assert_eq!(
+        errors(&angle("SIDE.rotation")),
+        ["wrong-type cycles[2].rotation"]
+    );
     let size = |given: &str| GROWN.replace("=SLOT.width-4", given);
-    for given in ["=", "=SLOT.center.x", "=WEB.width", "=SLOT.width/2", "=NONE.width", "=SLOT.width-4)\\nG0 Z-99"] {
-        assert_eq!(errors(&size(given)), ["place-of-result cycles[1].width"], "{given}");
+    for given in [
+        "=",
+        "=SLOT.center.x",
+        "=WEB.width",
+        "=SLOT.width/2",
+        "=NONE.width",
+        "=SLOT.width-4)\\nG0 Z-99",
+    ] {
+        assert_eq!(
+            errors(&size(given)),
+            ["place-of-result cycles[1].width"],
+            "{given}"
+        );
     }
     assert!(errors(&size("=slot.Width - 4,5")).is_empty());
-    assert_eq!(errors(&TURNED.replace("\"angle\": 1.5", "\"angle\": null")), ["place-of-result cycles[2].rotation"]);
-    assert_eq!(errors(&GROWN.replace("\"size\": 2", "\"size\": null")), ["place-of-result cycles[1].width"]);
+    assert_eq!(
+        errors(&TURNED.replace("\"angle\": 1.5", "\"angle\": null")),
+        ["place-of-result cycles[2].rotation"]
+    );
+    assert_eq!(
+        errors(&GROWN.replace("\"size\": 2", "\"size\": null")),
+        ["place-of-result cycles[1].width"]
+    );
     // A web that the smallest groove would make as wide as nothing.
-    assert_eq!(errors(&size("=SLOT.width-28")), ["place-of-result cycles[1].width"]);
+    assert_eq!(
+        errors(&size("=SLOT.width-28")),
+        ["place-of-result cycles[1].width"]
+    );
     // 1411 says its rotation by parameters of its own.
-    let own = TURNED.replace(r#""type": "internal-rectangle", "width1": 40, "width2": 30"#, r#""type": "probing-two-circles""#);
+    let own = TURNED.replace(
+        r#""type": "internal-rectangle", "width1": 40, "width2": 30"#,
+        r#""type": "probing-two-circles""#,
+    );
     assert!(!errors(&own).is_empty());
     let both = TURNED.replace("\"width1\": 40", "\"width1\": \"=LEFT.diameter+15\"");
     assert_eq!(errors(&both), ["place-of-result cycles[2].width1"]);
     for (text, path) in [(TURNED, "cycles[2].rotation"), (GROWN, "cycles[1].width")] {
-        let grbl = text.replace("linuxcnc", "grbl").replace("\"workOffset\": 1, ", "");
-        assert!(errors(&grbl).contains(&format!("set-up-unsupported {path}")), "{:?}", errors(&grbl));
+        let grbl = text
+            .replace("linuxcnc", "grbl")
+            .replace("\"workOffset\": 1, ", "");
+        assert!(
+            errors(&grbl).contains(&format!("set-up-unsupported {path}")),
+            "{:?}",
+            errors(&grbl)
+        );
     }
     let own = GROWN.replace("\"linuxcnc\"", "\"haas\", \"form\": \"cycle\"");
-    assert!(errors(&own).contains(&"set-up-unsupported cycles[1].width".to_owned()), "{:?}", errors(&own));
+    assert!(
+        errors(&own).contains(&"set-up-unsupported cycles[1].width".to_owned()),
+        "{:?}",
+        errors(&own)
+    );
     // A job of one cycle has none before it.
     let alone = r#"{ "format": 1, "cycle": { "type": "web", "width": "=SLOT.width" } }"#;
     assert_eq!(errors(alone), ["wrong-type cycle.width"]);
@@ -404,16 +639,33 @@ fn random_cycles_follow_an_angle_on_parts_that_are_turned() {
             "G18" => ["=BASE.center.y+40", "5", "=BASE.center.x+90"],
             _ => ["5", "=BASE.center.x+90", "=BASE.center.y+40"],
         };
-        let at = axes.map(|text| text.parse().map_or_else(|_| Value::Text(text.to_owned()), Value::Number));
-        let still = axes.map(|text| Value::Number(text.rsplit('+').next().unwrap().parse().unwrap()));
+        let at = axes.map(|text| {
+            text.parse()
+                .map_or_else(|_| Value::Text(text.to_owned()), Value::Number)
+        });
+        let still =
+            axes.map(|text| Value::Number(text.rsplit('+').next().unwrap().parse().unwrap()));
         let at = if draws.next() < 0.6 { at } else { still };
         let nominal = draws.of(-170.0, 170.0).round();
         let cycle = with(&cycle, "origin", Value::List(at.to_vec()));
-        let cycle = with(&cycle, "rotation", Value::Text(format!("=SIDE.rotation{:+}", nominal)));
-        let base = with(&super::cycle("hole", 0.0), "name", Value::Text("BASE".to_owned()));
-        let side = job(r#"{ "name": "SIDE", "type": "wall-angle", "rotation": 25, "distance": 40 }"#);
+        let cycle = with(
+            &cycle,
+            "rotation",
+            Value::Text(format!("=SIDE.rotation{:+}", nominal)),
+        );
+        let base = with(
+            &super::cycle("hole", 0.0),
+            "name",
+            Value::Text("BASE".to_owned()),
+        );
+        let side =
+            job(r#"{ "name": "SIDE", "type": "wall-angle", "rotation": 25, "distance": 40 }"#);
         let w = axes.iter().position(|text| *text == "5").unwrap();
-        let mut low = [Value::Number(-60.0), Value::Number(-60.0), Value::Number(-60.0)];
+        let mut low = [
+            Value::Number(-60.0),
+            Value::Number(-60.0),
+            Value::Number(-60.0),
+        ];
         low[w] = Value::Number(0.0);
         let side = with(&side, "origin", Value::List(low.to_vec()));
         let whole = with(&job(&text), "cycles", Value::List(vec![base, side, cycle]));
@@ -421,18 +673,32 @@ fn random_cycles_follow_an_angle_on_parts_that_are_turned() {
             Ok(plan) => plan,
             Err(e) => panic!("round {round} {key} {plane}: {e:?}"),
         };
-        if plan.findings.iter().any(|f| ["no-contact", "collision", "place-too-far"].contains(&f.code.as_str())) {
+        if plan
+            .findings
+            .iter()
+            .any(|f| ["no-contact", "collision", "place-too-far"].contains(&f.code.as_str()))
+        {
             continue;
         }
         holds(&plan);
         tried += 1;
-        let ran = interpret(&on_virtual_part(&plan)).unwrap_or_else(|e| panic!("round {round}: {e}"));
+        let ran =
+            interpret(&on_virtual_part(&plan)).unwrap_or_else(|e| panic!("round {round}: {e}"));
         for ((code, printed), (name, value)) in ran.prints.iter().zip(shown(&plan)) {
             assert_eq!(*code, name);
             near(*printed, value, 3e-6, code);
         }
-        for row in plan.results.iter().filter(|row| row.cycle == 2 && row.truth.is_some() && row.value.is_some()) {
-            near(row.value.unwrap(), row.truth.unwrap(), 2e-5, &format!("round {round} {key} {plane} {}", row.code));
+        for row in plan
+            .results
+            .iter()
+            .filter(|row| row.cycle == 2 && row.truth.is_some() && row.value.is_some())
+        {
+            near(
+                row.value.unwrap(),
+                row.truth.unwrap(),
+                2e-5,
+                &format!("round {round} {key} {plane} {}", row.code),
+            );
         }
     }
     assert!(tried > 15, "{tried}");

@@ -14,14 +14,33 @@ fn expression() -> impl Strategy<Value = String> {
     ];
     leaf.prop_recursive(4, 24, 3, |inner| {
         prop_oneof![
-            (inner.clone(), prop_oneof![Just("+"), Just("-"), Just("*")], inner.clone())
+            (
+                inner.clone(),
+                prop_oneof![Just("+"), Just("-"), Just("*")],
+                inner.clone()
+            )
                 .prop_map(|(a, operator, b)| format!("[{a} {operator} {b}]")),
-            (inner.clone(), inner.clone(), inner.clone()).prop_map(|(a, b, c)| format!("[{a} - {b} * {c} + 1]")),
-            (inner.clone(), prop_oneof![Just("ABS"), Just("SIN"), Just("COS"), Just("FIX"), Just("FUP"), Just("ROUND")])
+            (inner.clone(), inner.clone(), inner.clone())
+                .prop_map(|(a, b, c)| format!("[{a} - {b} * {c} + 1]")),
+            (
+                inner.clone(),
+                prop_oneof![
+                    Just("ABS"),
+                    Just("SIN"),
+                    Just("COS"),
+                    Just("FIX"),
+                    Just("FUP"),
+                    Just("ROUND")
+                ]
+            )
                 .prop_map(|(a, name)| format!("{name}[{a}]")),
             inner.clone().prop_map(|a| format!("SQRT[ABS[{a}]]")),
             (inner.clone(), inner.clone()).prop_map(|(a, b)| format!("ATAN[{a}]/[ABS[{b}] + 1]")),
-            (inner.clone(), prop_oneof![Just("GT"), Just("LE"), Just("NE")], inner)
+            (
+                inner.clone(),
+                prop_oneof![Just("GT"), Just("LE"), Just("NE")],
+                inner
+            )
                 .prop_map(|(a, operator, b)| format!("[[{a} * 3] {operator} [{b} + 0.4]]")),
         ]
     })
@@ -73,7 +92,9 @@ fn what_is_not_known_stays_unknown() {
         "#101=1.\nIF[#5061 GT 3.]THEN #101=2.\n",
     ] {
         let ends = places(&read_program(
-            &format!("O1\nG21 G90\nG0 X0. Y0. Z0.\n{body}G0 Y1.\nG1 X#101 F100.\nM30\nO9300\nN20 #103=1.\nM99\n"),
+            &format!(
+                "O1\nG21 G90\nG0 X0. Y0. Z0.\n{body}G0 Y1.\nG1 X#101 F100.\nM30\nO9300\nN20 #103=1.\nM99\n"
+            ),
             None,
         ));
         assert!(ends.last().unwrap()[0].is_nan(), "{body}{ends:?}");
@@ -89,7 +110,10 @@ fn what_is_not_known_stays_unknown() {
         "#1 = 1\no1 if [#5063]\n#1 = 2\no1 elseif [1]\n#1 = 3\no1 else\n#1 = 4\no1 endif\n",
         "#1 = 1\no1 if [0]\n#1 = 2\no1 elseif [#5063]\n#1 = 3\no1 else\n#1 = 4\no1 endif\n",
     ] {
-        let path = read_program(&format!("G21 G90\nG0 X0 Y0 Z0\n{body}G1 X#1 F100\nG1 Y1\nM2\n"), None);
+        let path = read_program(
+            &format!("G21 G90\nG0 X0 Y0 Z0\n{body}G1 X#1 F100\nG1 Y1\nM2\n"),
+            None,
+        );
         assert!(places(&path)[1][0].is_nan(), "{body}{:?}", places(&path));
     }
 }
@@ -109,12 +133,20 @@ fn hostile_macros_come_back() {
         "G65\nG65P\nG65P1A\nG65 P1 L1e9\nO1\n",
         &"o1 while [0]\n".repeat(60_000),
         &"o1 if [0]\no1 endif\n".repeat(40_000),
-        &format!("{}#1=0\nN7 #1=[#1+1]\nIF[#1 LT 90000]GOTO 7\n", "N8 X1\n".repeat(40_000)),
+        &format!(
+            "{}#1=0\nN7 #1=[#1+1]\nIF[#1 LT 90000]GOTO 7\n",
+            "N8 X1\n".repeat(40_000)
+        ),
         &"o<a> call\n".repeat(60_000),
-        &(0..30_000).map(|n| format!("o<{n}> sub\no<{n}> endsub\no<{n}> call\n")).collect::<String>(),
+        &(0..30_000)
+            .map(|n| format!("o<{n}> sub\no<{n}> endsub\no<{n}> call\n"))
+            .collect::<String>(),
         "X[1/0]\nX[SQRT[-1]]\nX[LN[0]]\nX[5 MOD 0]\nX[1**1e9]\nXEXISTS[#<a>]\n",
     ] {
         let path = read_program(text, Some("iso"));
-        assert!(path.to.iter().all(|x| x.is_nan() || x.is_finite()), "{text}");
+        assert!(
+            path.to.iter().all(|x| x.is_nan() || x.is_finite()),
+            "{text}"
+        );
     }
 }

@@ -26,7 +26,9 @@ fn kinds(path: &Toolpath) -> Vec<&'static str> {
 fn words_mean_what_the_interpreter_says() {
     let mut state = 0x5DEE_CE66u64;
     let mut random = |count: u64| {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         (state >> 33) % count
     };
     let (mut moves, mut arcs) = (0, 0);
@@ -35,36 +37,60 @@ fn words_mean_what_the_interpreter_says() {
         let plane = random(3) as usize;
         let axes = [["X", "Y", "Z"], ["Z", "X", "Y"], ["Y", "Z", "X"]][plane];
         let centers = [["I", "J"], ["K", "I"], ["J", "K"]][plane];
-        let mut text =
-            format!("{} {} G90 G94\nG0 X0 Y0 Z0\nF1000\n", if inch { "G20" } else { "g21" }, ["G17", "G18", "G19"][plane]);
+        let mut text = format!(
+            "{} {} G90 G94\nG0 X0 Y0 Z0\nF1000\n",
+            if inch { "G20" } else { "g21" },
+            ["G17", "G18", "G19"][plane]
+        );
         let mut place = [0i64; 3];
         let mut absolute = true;
         for line in 0..40 {
             if random(6) == 0 {
                 absolute = !absolute;
-                text.push_str(if absolute { "G90 (absolute)\n" } else { "N10 G91 ; from here\n" });
+                text.push_str(if absolute {
+                    "G90 (absolute)\n"
+                } else {
+                    "N10 G91 ; from here\n"
+                });
             }
             let mut target = place;
             let axis = random(3) as usize;
             target[axis] += random(200) as i64 - 100;
             target[2] += random(3) as i64;
             let word = |i: usize, target: [i64; 3]| {
-                let x = if absolute { target[i] } else { target[i] - place[i] };
+                let x = if absolute {
+                    target[i]
+                } else {
+                    target[i] - place[i]
+                };
                 format!(" {}{}", axes[i], x as f64 / 8.0)
             };
             let words = |target: [i64; 3]| (0..3).map(|i| word(i, target)).collect::<String>();
             match random(8) {
                 0 => text.push_str(&format!("G0{}\n", words(target))),
-                1 => text.push_str(&format!("g1{} F{}\n", words(target).to_lowercase().replace(' ', ""), 100 + random(900))),
+                1 => text.push_str(&format!(
+                    "g1{} F{}\n",
+                    words(target).to_lowercase().replace(' ', ""),
+                    100 + random(900)
+                )),
                 // Where the interpreter takes the ball to be after a probing move is its own: the next block names all axes.
                 2 if target != place && absolute => {
-                    let probe = format!("G38.{}{} F{}", 2 + random(2), words(target), 50 + random(100));
+                    let probe = format!(
+                        "G38.{}{} F{}",
+                        2 + random(2),
+                        words(target),
+                        50 + random(100)
+                    );
                     text.push_str(&format!("{probe} (a probing move)\nG1{}\n", words(target)));
                 }
                 // Half a circle about a centre, up along the third axis.
                 3 | 4 => {
                     let [a, o] = [8 * (1 + random(9) as i64), 8 * random(9) as i64];
-                    target = [place[0] + 2 * a, place[1] + 2 * o, place[2] + random(2) as i64];
+                    target = [
+                        place[0] + 2 * a,
+                        place[1] + 2 * o,
+                        place[2] + random(2) as i64,
+                    ];
                     let turn = ["G2", "G3"][random(2) as usize];
                     let middle = if random(2) == 0 {
                         format!(
@@ -76,7 +102,14 @@ fn words_mean_what_the_interpreter_says() {
                             (place[1] + o) as f64 / 8.0
                         )
                     } else {
-                        format!("{turn}{} {}{} {}{}", words(target), centers[0], a as f64 / 8.0, centers[1], o as f64 / 8.0)
+                        format!(
+                            "{turn}{} {}{} {}{}",
+                            words(target),
+                            centers[0],
+                            a as f64 / 8.0,
+                            centers[1],
+                            o as f64 / 8.0
+                        )
                     };
                     text.push_str(&format!("{middle}\n"));
                 }
@@ -94,7 +127,13 @@ fn words_mean_what_the_interpreter_says() {
                 // A whole circle.
                 _ => {
                     target = place;
-                    text.push_str(&format!("G3{} {}{} {}0\n", words(target), centers[0], 1 + random(20), centers[1]));
+                    text.push_str(&format!(
+                        "G3{} {}{} {}0\n",
+                        words(target),
+                        centers[0],
+                        1 + random(20),
+                        centers[1]
+                    ));
                 }
             }
             place = target;
@@ -117,12 +156,26 @@ T1 M5 S100
         for (i, wanted) in ran.moves.iter().enumerate() {
             let shown = format!("move {i}, line {}: {wanted:?}\n{text}", path.line[i] + 1);
             assert!(near(places(&path)[i], wanted.to), "{shown}");
-            assert_eq!(kinds(&path)[i], if wanted.kind == "arc" { "feed" } else { wanted.kind }, "{shown}");
-            assert!(wanted.kind == "rapid" || (path.feed[i] - wanted.feed).abs() < 1e-3, "{shown}");
+            assert_eq!(
+                kinds(&path)[i],
+                if wanted.kind == "arc" {
+                    "feed"
+                } else {
+                    wanted.kind
+                },
+                "{shown}"
+            );
+            assert!(
+                wanted.kind == "rapid" || (path.feed[i] - wanted.feed).abs() < 1e-3,
+                "{shown}"
+            );
             let arc = path.arcs.iter().find(|arc| arc[0] == i as f64);
             assert_eq!(arc.is_some(), wanted.arc.is_some(), "{shown}");
             if let (Some([_, x, y, z, sweep, own]), Some((center, counter))) = (arc, wanted.arc) {
-                assert!(near([*x, *y, *z], center) && (*sweep > 0.0) == counter, "{arc:?} {shown}");
+                assert!(
+                    near([*x, *y, *z], center) && (*sweep > 0.0) == counter,
+                    "{arc:?} {shown}"
+                );
                 assert_eq!(*own, 17.0 + plane as f64);
                 arcs += 1;
             }
@@ -143,15 +196,22 @@ fn programs_of_plans_are_their_plans() {
             assert!(path.is_empty(), "{name}: Klartext has no words");
             continue;
         }
-        assert_eq!(path.dialect == "sinumerik", plan.program.post == "sinumerik", "{name}");
+        assert_eq!(
+            path.dialect == "sinumerik",
+            plan.program.post == "sinumerik",
+            "{name}"
+        );
         for (step, line) in plan.moves.iter().zip(&plan.program.move_lines) {
-            let Some(i) = path.line.iter().position(|at| *at as i32 == *line) else { continue };
+            let Some(i) = path.line.iter().position(|at| *at as i32 == *line) else {
+                continue;
+            };
             let end = places(&path)[i];
             if step.kind == "touch" {
                 assert_eq!(kinds(&path)[i], "probe", "{name} line {line}");
             } else if step.arc.is_none() {
                 assert!(
-                    (0..3).all(|axis| end[axis].is_nan() || (end[axis] - step.to[axis]).abs() < 1e-4),
+                    (0..3)
+                        .all(|axis| end[axis].is_nan() || (end[axis] - step.to[axis]).abs() < 1e-4),
                     "{name} line {line}: {end:?} {step:?}"
                 );
             }
@@ -175,7 +235,16 @@ fn no_word_stays_for_the_next_block() {
         "G1 X1 F=",
         "G10 L2 X7",
     ];
-    for after in ["G2 X10 Y0 I-10", "G3 X10 Y0 J12", "G3 X10 I1", "G1 X2", "X4", "G38.2 Z-1 F50", "G2 X10 Y0 R10", "I-4"] {
+    for after in [
+        "G2 X10 Y0 I-10",
+        "G3 X10 Y0 J12",
+        "G3 X10 I1",
+        "G1 X2",
+        "X4",
+        "G38.2 Z-1 F50",
+        "G2 X10 Y0 R10",
+        "I-4",
+    ] {
         // To the same place, with the same feed and modes.
         let set = "G1 X10 Y0 Z0 F100\n";
         let alone = read_program(&format!("{begin}{set}{after}\n"), Some("iso"));
@@ -183,8 +252,17 @@ fn no_word_stays_for_the_next_block() {
             let both = read_program(&format!("{begin}{first}\n{set}{after}\n"), Some("iso"));
             let last = |path: &Toolpath| {
                 let index = path.len() - 1;
-                let arc = path.arcs.last().filter(|arc| arc[0] == index as f64).map(|arc| arc[1..].to_vec());
-                format!("{:?} {} {} {arc:?}", path.end(index), path.kind[index], path.feed[index])
+                let arc = path
+                    .arcs
+                    .last()
+                    .filter(|arc| arc[0] == index as f64)
+                    .map(|arc| arc[1..].to_vec());
+                format!(
+                    "{:?} {} {} {arc:?}",
+                    path.end(index),
+                    path.kind[index],
+                    path.feed[index]
+                )
             };
             assert_eq!(last(&both), last(&alone), "{first}, then {after}");
         }
@@ -223,7 +301,10 @@ fn hostile_texts_are_read() {
             assert!(path.to.iter().all(|x| !x.is_infinite()), "{text:.40}");
         }
     }
-    assert_eq!(said(&read_program("G91 G1 X1\n", None)), ["start-unknown", "no-units"]);
+    assert_eq!(
+        said(&read_program("G91 G1 X1\n", None)),
+        ["start-unknown", "no-units"]
+    );
     // Long lines of what is no word take no longer than they are long.
     for part in ["Xa1X1", "X1!", "#1=", "XSIN[", "_X1 ", "/N1"] {
         for dialect in ["iso", "sinumerik"] {
@@ -240,56 +321,196 @@ fn words_that_are_no_moves_were_read_as_moves() {
     type Case<'a> = (&'a str, usize, [f64; 3], &'a [&'a str]);
     let cases: &[Case<'_>] = &[
         // A macro's arguments, and where it leaves the ball.
-        ("G65 P9811 Z-5. F300\nG0 X10", 2, known(10.0, f64::NAN, f64::NAN), &["lines-skipped"]),
-        ("M98 P100\nG0 X10", 2, known(10.0, f64::NAN, f64::NAN), &["lines-skipped"]),
-        ("o<probe> call [1]\nG0 X10", 2, known(10.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        (
+            "G65 P9811 Z-5. F300\nG0 X10",
+            2,
+            known(10.0, f64::NAN, f64::NAN),
+            &["lines-skipped"],
+        ),
+        (
+            "M98 P100\nG0 X10",
+            2,
+            known(10.0, f64::NAN, f64::NAN),
+            &["lines-skipped"],
+        ),
+        (
+            "o<probe> call [1]\nG0 X10",
+            2,
+            known(10.0, f64::NAN, f64::NAN),
+            &["lines-skipped"],
+        ),
         // Other systems.
-        ("G68 X0 Y0 R45\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
-        ("G51.1 X0\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
-        ("G92 X0 Y0\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
-        ("G54\nX20\nG55\nX30", 3, known(30.0, 10.0, 10.0), &["places-transformed"]),
+        (
+            "G68 X0 Y0 R45\nX20",
+            2,
+            known(20.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
+        (
+            "G51.1 X0\nX20",
+            2,
+            known(20.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
+        (
+            "G92 X0 Y0\nX20",
+            2,
+            known(20.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
+        (
+            "G54\nX20\nG55\nX30",
+            3,
+            known(30.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
         ("G54\nX20\nG54\nX30", 3, known(30.0, 10.0, 10.0), &[]),
         // A cycle leaves the ball at its retract plane, wherever that is.
-        ("G81 X20 Y20 Z-5 R2 F100\nX25 Y5\nX27 Z-8\nG80\nG0 X30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
-        ("G81 X20 Y20 Z-5 R2 F100\nX25\nG1 X30", 2, known(30.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        (
+            "G81 X20 Y20 Z-5 R2 F100\nX25 Y5\nX27 Z-8\nG80\nG0 X30",
+            2,
+            known(30.0, f64::NAN, f64::NAN),
+            &["lines-skipped"],
+        ),
+        (
+            "G81 X20 Y20 Z-5 R2 F100\nX25\nG1 X30",
+            2,
+            known(30.0, f64::NAN, f64::NAN),
+            &["lines-skipped"],
+        ),
         // A tool's length, and planes that are turned.
-        ("G43.1 Z-1.5\nX2", 2, known(2.0, 10.0, f64::NAN), &["places-computed"]),
-        ("G68.2 X0 Y0 Z0 I0 J90 K0\nX2", 2, known(2.0, 10.0, 10.0), &["places-transformed"]),
+        (
+            "G43.1 Z-1.5\nX2",
+            2,
+            known(2.0, 10.0, f64::NAN),
+            &["places-computed"],
+        ),
+        (
+            "G68.2 X0 Y0 Z0 I0 J90 K0\nX2",
+            2,
+            known(2.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
         // Moves before any selection were in G54.
-        ("G55\nX30", 2, known(30.0, 10.0, 10.0), &["places-transformed"]),
-        ("G54.1 P1\nX30\nG54.1 P2\nX31", 3, known(31.0, 10.0, 10.0), &["places-transformed"]),
-        ("G10 L2 P2 X100\nX30", 2, known(30.0, 10.0, 10.0), &["places-transformed"]),
+        (
+            "G55\nX30",
+            2,
+            known(30.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
+        (
+            "G54.1 P1\nX30\nG54.1 P2\nX31",
+            3,
+            known(31.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
+        (
+            "G10 L2 P2 X100\nX30",
+            2,
+            known(30.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
         ("G10 L1 P2 Z100\nX30", 2, known(30.0, 10.0, 10.0), &[]),
         // A dwell beside a motion; a dwell alone, whose X is its time.
         ("G4 P0.001 G0 X20", 2, known(20.0, 10.0, 10.0), &[]),
         ("G4 X2.", 1, known(10.0, 10.0, 10.0), &[]),
         // A spline, and a tap that comes back.
-        ("G5 X20 Y20 I1 J1 P1 Q1", 2, known(20.0, 20.0, 10.0), &["arc-unsolved"]),
-        ("G33.1 Z-5 K1\nX2", 2, known(2.0, 10.0, 10.0), &["lines-skipped"]),
+        (
+            "G5 X20 Y20 I1 J1 P1 Q1",
+            2,
+            known(20.0, 20.0, 10.0),
+            &["arc-unsolved"],
+        ),
+        (
+            "G33.1 Z-5 K1\nX2",
+            2,
+            known(2.0, 10.0, 10.0),
+            &["lines-skipped"],
+        ),
         // The modes before an odd word count.
-        ("G91\nG90 G1 X50 ,R2 F100\nX60 Y30", 2, known(60.0, 30.0, 10.0), &["lines-skipped"]),
+        (
+            "G91\nG90 G1 X50 ,R2 F100\nX60 Y30",
+            2,
+            known(60.0, 30.0, 10.0),
+            &["lines-skipped"],
+        ),
         // Blanks mean nothing in O words.
-        ("o100 if[#1 EQ 1]\nM2\no100 endif\nG0 X5", 2, known(5.0, 10.0, 10.0), &["lines-skipped"]),
-        ("o100sub\nG0 X5\no100endsub", 1, known(10.0, 10.0, 10.0), &[]),
-        ("o<x>if[1 EQ 1]\nM2\no<x>endif\nG0 X5", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
+        (
+            "o100 if[#1 EQ 1]\nM2\no100 endif\nG0 X5",
+            2,
+            known(5.0, 10.0, 10.0),
+            &["lines-skipped"],
+        ),
+        (
+            "o100sub\nG0 X5\no100endsub",
+            1,
+            known(10.0, 10.0, 10.0),
+            &[],
+        ),
+        (
+            "o<x>if[1 EQ 1]\nM2\no<x>endif\nG0 X5",
+            1,
+            known(10.0, 10.0, 10.0),
+            &["lines-skipped"],
+        ),
         // Axes that are not drawn.
         ("G0 X20 A90", 2, known(20.0, 10.0, 10.0), &["lines-skipped"]),
         // To the reference point, all axes or those that are named.
-        ("G28\nX1", 2, known(1.0, f64::NAN, f64::NAN), &["machine-places"]),
-        ("G91 G28 Z0\nG90 X1", 3, known(1.0, 10.0, f64::NAN), &["machine-places"]),
+        (
+            "G28\nX1",
+            2,
+            known(1.0, f64::NAN, f64::NAN),
+            &["machine-places"],
+        ),
+        (
+            "G91 G28 Z0\nG90 X1",
+            3,
+            known(1.0, 10.0, f64::NAN),
+            &["machine-places"],
+        ),
         // A line that is not followed, with places in it.
-        ("Z-#5\nX2", 3, known(2.0, 10.0, f64::NAN), &["places-computed"]),
-        ("Z[#5+1] IF\nX2", 2, known(2.0, 10.0, f64::NAN), &["lines-skipped"]),
+        (
+            "Z-#5\nX2",
+            3,
+            known(2.0, 10.0, f64::NAN),
+            &["places-computed"],
+        ),
+        (
+            "Z[#5+1] IF\nX2",
+            2,
+            known(2.0, 10.0, f64::NAN),
+            &["lines-skipped"],
+        ),
         // What stands in a subroutine runs where it is called; what stands after the end does not run.
-        ("o<s> sub\nG1 Z-50\no<s> endsub\nX2", 2, known(2.0, 10.0, 10.0), &[]),
+        (
+            "o<s> sub\nG1 Z-50\no<s> endsub\nX2",
+            2,
+            known(2.0, 10.0, 10.0),
+            &[],
+        ),
         ("M30\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
         ("M99\nX99", 1, known(10.0, 10.0, 10.0), &["lines-skipped"]),
-        ("M99 P5\nX99", 2, known(99.0, f64::NAN, f64::NAN), &["lines-skipped"]),
+        (
+            "M99 P5\nX99",
+            2,
+            known(99.0, f64::NAN, f64::NAN),
+            &["lines-skipped"],
+        ),
         // Two motions or places in a block: LinuxCNC refuses them.
-        ("G0 X20 Y20 G1 X5 F100", 2, known(5.0, 20.0, 10.0), &["words-twice"]),
+        (
+            "G0 X20 Y20 G1 X5 F100",
+            2,
+            known(5.0, 20.0, 10.0),
+            &["words-twice"],
+        ),
         ("G0 G1 X5 F100", 2, known(5.0, 10.0, 10.0), &["words-twice"]),
         // A lathe calls the place where the tool is so.
-        ("G50 X5\nX20", 2, known(20.0, 10.0, 10.0), &["places-transformed"]),
+        (
+            "G50 X5\nX20",
+            2,
+            known(20.0, 10.0, 10.0),
+            &["places-transformed"],
+        ),
         ("G50 S2000\nG50\nX20", 2, known(20.0, 10.0, 10.0), &[]),
         // Blocks that may be left out, and main blocks.
         ("/2 X3", 2, known(3.0, 10.0, 10.0), &["lines-optional"]),
@@ -297,13 +518,19 @@ fn words_that_are_no_moves_were_read_as_moves() {
         ("/M5\n/T1", 1, known(10.0, 10.0, 10.0), &[]),
         (":10 X3", 2, known(3.0, 10.0, 10.0), &[]),
         // An end that is not on its circle.
-        ("G2 X20 Y10 I1 J0", 2, known(20.0, 10.0, 10.0), &["arc-unsolved"]),
+        (
+            "G2 X20 Y10 I1 J0",
+            2,
+            known(20.0, 10.0, 10.0),
+            &["arc-unsolved"],
+        ),
     ];
     for (text, moves, end, said_of_it) in cases {
         let path = read_program(&format!("G21 G90\nG0 X10 Y10 Z10\n{text}\n"), None);
         assert_eq!(path.len(), *moves, "{text}: {:?}", places(&path));
         let last = *places(&path).last().unwrap_or(&unknown);
-        let same = (0..3).all(|axis| last[axis] == end[axis] || (last[axis].is_nan() && end[axis].is_nan()));
+        let same = (0..3)
+            .all(|axis| last[axis] == end[axis] || (last[axis].is_nan() && end[axis].is_nan()));
         assert!(same, "{text}: {last:?}");
         assert_eq!(said(&path), *said_of_it, "{text}");
     }
@@ -312,11 +539,27 @@ fn words_that_are_no_moves_were_read_as_moves() {
 /// What real programs begin with, and what a SINUMERIK alone has not.
 #[test]
 fn a_dialect_is_that_of_its_words() {
-    for text in ["%_N_A_MPF\nG0 X1\n", "N5 R1=5\n", "n5 meas=1 g1 x5\n", "N5 MSG(\"x\")\n", "N1 IF $AC_MEA[1]==0 GOTOF E\n"] {
+    for text in [
+        "%_N_A_MPF\nG0 X1\n",
+        "N5 R1=5\n",
+        "n5 meas=1 g1 x5\n",
+        "N5 MSG(\"x\")\n",
+        "N1 IF $AC_MEA[1]==0 GOTOF E\n",
+    ] {
         assert_eq!(read_program(text, None).dialect, "sinumerik", "{text}");
     }
-    assert_eq!(kinds(&read_program("G71\nn5 meas=1 g1 x5\n", None)), ["probe"]);
-    for text in ["$Alarm/Send=3\nG21\n", "$P\nG21\n", "N5 G65 P9810 R1\n", "N5 (MSG)\n", "T1 M6\n", "#<meas>=1\n"] {
+    assert_eq!(
+        kinds(&read_program("G71\nn5 meas=1 g1 x5\n", None)),
+        ["probe"]
+    );
+    for text in [
+        "$Alarm/Send=3\nG21\n",
+        "$P\nG21\n",
+        "N5 G65 P9810 R1\n",
+        "N5 (MSG)\n",
+        "T1 M6\n",
+        "#<meas>=1\n",
+    ] {
         assert_eq!(read_program(text, None).dialect, "iso", "{text}");
     }
 }
@@ -349,8 +592,15 @@ fn a_frame_of_a_sinumerik_transforms_places() {
         ("ROT ; none", None),
         ("TRANSMIT", Some("lines-skipped")),
     ] {
-        let path = read_program(&format!("G71 G90\nG0 X1 Y2 Z3\n{line}\nX20\n"), Some("sinumerik"));
-        assert_eq!((said(&path), path.len()), (code.into_iter().collect(), 2), "{line}");
+        let path = read_program(
+            &format!("G71 G90\nG0 X1 Y2 Z3\n{line}\nX20\n"),
+            Some("sinumerik"),
+        );
+        assert_eq!(
+            (said(&path), path.len()),
+            (code.into_iter().collect(), 2),
+            "{line}"
+        );
         assert_eq!(path.end(1).to_array(), [20.0, 2.0, 3.0], "{line}");
     }
 }

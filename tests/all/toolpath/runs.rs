@@ -7,13 +7,19 @@ use touchpath::form::Value;
 use touchpath::import::toolpath::{DIALECTS, Feature, Known, RUN_RULES, Trip, run_program};
 
 fn met(at: f64) -> Known<'static> {
-    Known { touch: Trip::At(at), positioning: Trip::Never, ..Known::default() }
+    Known {
+        touch: Trip::At(at),
+        positioning: Trip::Never,
+        ..Known::default()
+    }
 }
 
 /// Where a job says that the stylus stands.
 fn start(job: &Value) -> Option<[f64; 3]> {
     let job = touchpath::job::resolved(job)?;
-    let Some(Value::List(place)) = job.get("cycle")?.get("start") else { return None };
+    let Some(Value::List(place)) = job.get("cycle")?.get("start") else {
+        return None;
+    };
     let axis = |i: usize| match place.get(i) {
         Some(Value::Number(x)) => *x,
         _ => f64::NAN,
@@ -30,19 +36,56 @@ fn every_program_that_is_made_here_runs_as_its_plan() {
         if plan.program.post == "heidenhain" || plan.program.proof.is_none() {
             continue;
         }
-        let run = run_program(&plan.program.text, &Known { start: start(&job), ..met(0.9) });
+        let run = run_program(
+            &plan.program.text,
+            &Known {
+                start: start(&job),
+                ..met(0.9)
+            },
+        );
         // The way to the first place is a subroutine's, in its own lines.
-        let called = |line: i32| plan.program.text.lines().nth(line as usize).is_some_and(|text| text.contains("call"));
+        let called = |line: i32| {
+            plan.program
+                .text
+                .lines()
+                .nth(line as usize)
+                .is_some_and(|text| text.contains("call"))
+        };
         let mut next = 0;
-        for (step, line) in plan.moves.iter().zip(&plan.program.move_lines).filter(|(_, line)| !called(**line)) {
-            let what = || format!("{name} for {}, line {}: {step:?}\n{:?}", plan.program.post, line + 1, run.findings);
-            let own = (next..run.len()).find(|i| run.line[*i] as i32 == *line).unwrap_or_else(|| panic!("{}", what()));
+        for (step, line) in plan
+            .moves
+            .iter()
+            .zip(&plan.program.move_lines)
+            .filter(|(_, line)| !called(**line))
+        {
+            let what = || {
+                format!(
+                    "{name} for {}, line {}: {step:?}\n{:?}",
+                    plan.program.post,
+                    line + 1,
+                    run.findings
+                )
+            };
+            let own = (next..run.len())
+                .find(|i| run.line[*i] as i32 == *line)
+                .unwrap_or_else(|| panic!("{}", what()));
             let end = places(&run)[own];
             let touch = step.kind == "touch";
             assert!(!touch || kinds(&run)[own] == "probe", "{}", what());
             // A touch runs on behind its contact.
-            let off = (0..3).map(|axis| (end[axis] - step.to[axis]).powi(2)).sum::<f64>().sqrt();
-            assert!(if touch { off > 0.0 && off < 100.0 } else { off < 1e-4 || step.arc.is_some() }, "{end:?} {}", what());
+            let off = (0..3)
+                .map(|axis| (end[axis] - step.to[axis]).powi(2))
+                .sum::<f64>()
+                .sqrt();
+            assert!(
+                if touch {
+                    off > 0.0 && off < 100.0
+                } else {
+                    off < 1e-4 || step.arc.is_some()
+                },
+                "{end:?} {}",
+                what()
+            );
             next = own + 1;
             seen += 1;
         }
@@ -58,23 +101,42 @@ fn the_rules_of_a_run_agree_with_those_of_the_proof() {
     let of_fanuc = jobs().into_iter().map(|(name, job)| {
         (
             name,
-            with(&with(&job, "control.post", Value::Text("fanuc".to_owned())), "control.form", Value::Text("moves".to_owned())),
+            with(
+                &with(&job, "control.post", Value::Text("fanuc".to_owned())),
+                "control.form",
+                Value::Text("moves".to_owned()),
+            ),
         )
     });
     for (name, job) in jobs().into_iter().chain(of_fanuc) {
-        let Ok(plan) = touchpath::job::plan(&job) else { continue };
+        let Ok(plan) = touchpath::job::plan(&job) else {
+            continue;
+        };
         if plan.program.proof.is_none() || plan.touches.is_empty() {
             continue;
         }
         // With contacts, and as a text of which nothing is known.
-        let runs = [met(0.9), Known::default()].map(|known| run_program(&plan.program.text, &known));
-        assert!(runs.iter().all(|run| run.rules.len() == RUN_RULES.len()), "{name}");
+        let runs =
+            [met(0.9), Known::default()].map(|known| run_program(&plan.program.text, &known));
+        assert!(
+            runs.iter().all(|run| run.rules.len() == RUN_RULES.len()),
+            "{name}"
+        );
         for rule in runs.iter().flat_map(|run| &run.rules) {
-            let proven = plan.safety.iter().find(|row| row.rule == rule.rule).map(|row| row.holds);
-            let what = || format!("{name} for {}: {rule:?}\n{}", plan.program.post, plan.program.text);
+            let proven = plan
+                .safety
+                .iter()
+                .find(|row| row.rule == rule.rule)
+                .map(|row| row.holds);
+            let what = || {
+                format!(
+                    "{name} for {}: {rule:?}\n{}",
+                    plan.program.post, plan.program.text
+                )
+            };
             // Where a job limits no result its program asks for none.
-            let unlimited =
-                rule.rule == "plausible-before-write" && !plan.program.text.to_ascii_lowercase().contains("more than");
+            let unlimited = rule.rule == "plausible-before-write"
+                && !plan.program.text.to_ascii_lowercase().contains("more than");
             if unlimited {
                 continue;
             }
@@ -100,19 +162,42 @@ fn a_place_that_was_kept_is_asked_by_its_name() {
     };
     let broken = |ask: &str| -> Vec<&'static str> {
         let run = run_program(&program(ask), &Known::default());
-        run.rules.iter().filter(|rule| rule.holds == Some(false)).map(|rule| rule.rule).collect()
+        run.rules
+            .iter()
+            .filter(|rule| rule.holds == Some(false))
+            .map(|rule| rule.rule)
+            .collect()
     };
-    assert_eq!(broken("IF [ABS[#148] LE 0.05] GOTO 1\nIF [ABS[#148-#100] GT 0.05] GOTO 9\nN1\n"), [""; 0]);
+    assert_eq!(
+        broken("IF [ABS[#148] LE 0.05] GOTO 1\nIF [ABS[#148-#100] GT 0.05] GOTO 9\nN1\n"),
+        [""; 0]
+    );
     assert_eq!(broken("IF [ABS[#148] GT 0.05] GOTO 9\n"), [""; 0]);
     // What it asks of another variable says nothing of the move.
-    assert_eq!(broken("IF [ABS[#1480] GT 0.05] GOTO 9\n"), ["missed-touch-stops"]);
+    assert_eq!(
+        broken("IF [ABS[#1480] GT 0.05] GOTO 9\n"),
+        ["missed-touch-stops"]
+    );
     assert_eq!(broken(""), ["missed-touch-stops"]);
 }
 
 /// Where moves end, to a ten-thousandth, and their lines from 1.
 fn shown(run: &Toolpath) -> Vec<String> {
-    let axis = |x: f64| if x.is_nan() { "?".to_owned() } else { format!("{}", (x * 1e4).round() / 1e4 + 0.0) };
-    let row = |i: usize| format!("{} {} {}", run.line[i] + 1, kinds(run)[i], places(run)[i].map(axis).join(" "));
+    let axis = |x: f64| {
+        if x.is_nan() {
+            "?".to_owned()
+        } else {
+            format!("{}", (x * 1e4).round() / 1e4 + 0.0)
+        }
+    };
+    let row = |i: usize| {
+        format!(
+            "{} {} {}",
+            run.line[i] + 1,
+            kinds(run)[i],
+            places(run)[i].map(axis).join(" ")
+        )
+    };
     (0..run.len()).map(row).collect()
 }
 
@@ -120,17 +205,32 @@ fn shown(run: &Toolpath) -> Vec<String> {
 #[test]
 fn a_rule_names_the_lines_that_break_it() {
     let broken = |text: &str| {
-        let run = run_program(text, &Known { start: Some([0.0, 0.0, 20.0]), ..met(0.5) });
+        let run = run_program(
+            text,
+            &Known {
+                start: Some([0.0, 0.0, 20.0]),
+                ..met(0.5)
+            },
+        );
         let rows = run.rules.iter().filter(|row| row.holds == Some(false));
-        rows.map(|row| format!("{} {:?}", row.rule, row.lines.iter().map(|line| line + 1).collect::<Vec<_>>()))
-            .collect::<Vec<_>>()
+        rows.map(|row| {
+            format!(
+                "{} {:?}",
+                row.rule,
+                row.lines.iter().map(|line| line + 1).collect::<Vec<_>>()
+            )
+        })
+        .collect::<Vec<_>>()
     };
     let good = "G21 G17 G90\nM5\nG38.3 X5 Y5 F900\no1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\nG38.2 Z-5 F60\n#<z> = #5063\nG1 Z20 F600\no2 if [#<z> GT 100]\n(ABORT, far)\no2 endif\nG10 L20 P1 Z0\nM2\n";
     assert_eq!(broken(good), Vec::<String>::new());
     // A touch that begins in contact is an error.
     let chain = good.replace("o1 if [#5070 NE 0]\n(ABORT, contact)\no1 endif\n", "");
     assert_eq!(broken(&chain), Vec::<String>::new());
-    assert_eq!(broken(&good.replace("M5\n", "M5\nG4 P0.5\nG4 X1\ng04 s1\n")), Vec::<String>::new());
+    assert_eq!(
+        broken(&good.replace("M5\n", "M5\nG4 P0.5\nG4 X1\ng04 s1\n")),
+        Vec::<String>::new()
+    );
     for (from, to, rule) in [
         ("G17 G90", "G90", "modes-stated [3]"),
         ("M5\n", "M3 S500\n", "spindle-off [2]"),
@@ -143,27 +243,54 @@ fn a_rule_names_the_lines_that_break_it() {
             "positioning-watched [3, 4]",
         ),
         ("G38.2 Z-5 F60", "G38.2 Z-5", "feeds-stated [7]"),
-        ("#<z> = #5063\nG1 Z20 F600\n", "G0 X9\nG38.2 Z-6 F60\n", "no-low-rapid [8]"),
-        ("G38.2 Z-5 F60\n", "G10 L20 P1 Z0\nG38.2 Z-5 F60\n", "offset-after-touches [7]"),
-        ("G10 L20 P1 Z0\nM2\n", "#9=0\no5 while [#9 LT 2]\nG10 L20 P1 Z0\n#9=[#9+1]\no5 endwhile\nM2\n", "one-write [15]"),
-        ("o2 if [#<z> GT 100]\n(ABORT, far)\no2 endif\n", "", "plausible-before-write [10]"),
+        (
+            "#<z> = #5063\nG1 Z20 F600\n",
+            "G0 X9\nG38.2 Z-6 F60\n",
+            "no-low-rapid [8]",
+        ),
+        (
+            "G38.2 Z-5 F60\n",
+            "G10 L20 P1 Z0\nG38.2 Z-5 F60\n",
+            "offset-after-touches [7]",
+        ),
+        (
+            "G10 L20 P1 Z0\nM2\n",
+            "#9=0\no5 while [#9 LT 2]\nG10 L20 P1 Z0\n#9=[#9+1]\no5 endwhile\nM2\n",
+            "one-write [15]",
+        ),
+        (
+            "o2 if [#<z> GT 100]\n(ABORT, far)\no2 endif\n",
+            "",
+            "plausible-before-write [10]",
+        ),
         ("M5\n", "M5\nG4\n", "waits-stated [3]"),
         ("M2\n", "G91\nM2\n", "modes-left []"),
     ] {
         let rows = broken(&good.replacen(from, to, 1));
-        assert!(rows.iter().any(|row| row == rule), "{from} → {to}: {rows:?}");
+        assert!(
+            rows.iter().any(|row| row == rule),
+            "{from} → {to}: {rows:?}"
+        );
     }
-    assert!(run_program("G21 G90\nG0 X1\nM2\n", &Known::default()).rules.is_empty());
+    assert!(
+        run_program("G21 G90\nG0 X1\nM2\n", &Known::default())
+            .rules
+            .is_empty()
+    );
 }
 
 /// What is handed over wrongly is said, all at once, and nothing runs.
 #[test]
 fn what_is_known_is_checked() {
     let json = r##"{ "dialect": "apt", "set": { "#5": "x", "5": 1, "R1": 2 }, "start": [1, 2], "part": { "at": 2, "positioning": null }, "files": { "a": 5 }, "more": 1 }"##;
-    let value = touchpath::form::Value::from(&serde_json::from_str::<serde_json::Value>(json).unwrap());
+    let value =
+        touchpath::form::Value::from(&serde_json::from_str::<serde_json::Value>(json).unwrap());
     let error = Known::of(&value).unwrap_err();
-    let found: Vec<(&str, &str)> =
-        error.findings.iter().map(|finding| (finding.code.as_str(), finding.path.as_str())).collect();
+    let found: Vec<(&str, &str)> = error
+        .findings
+        .iter()
+        .map(|finding| (finding.code.as_str(), finding.path.as_str()))
+        .collect();
     assert_eq!(
         found,
         [
@@ -181,9 +308,24 @@ fn what_is_known_is_checked() {
 /// A work offset that is written moves the system under the stylus: what stood before is not known in the new one.
 #[test]
 fn places_from_before_a_shift_are_not_known_after_it() {
-    let run = |text: &str| shown(&run_program(text, &Known { start: Some([0.0; 3]), ..met(0.5) }));
+    let run = |text: &str| {
+        shown(&run_program(
+            text,
+            &Known {
+                start: Some([0.0; 3]),
+                ..met(0.5)
+            },
+        ))
+    };
     let last = |text: &str| run(text).pop().unwrap();
-    for shift in ["G10 L20 P1 X0", "G10 L2 P1 X4", "G92 X1", "G55", "G68 X0 Y0 R30", "G52 X3"] {
+    for shift in [
+        "G10 L20 P1 X0",
+        "G10 L2 P1 X4",
+        "G92 X1",
+        "G55",
+        "G68 X0 Y0 R30",
+        "G52 X3",
+    ] {
         let text = format!("G21 G54 G90\nG0 X5\n{shift}\nG0 Y#<_x>\n");
         assert_eq!(last(&text), "4 rapid 5 ? 0", "{shift}");
         let text = format!("G21 G54 G90\nG0 X5\n{shift}\nG0 X7\nG0 Y#<_x>\n");
@@ -207,19 +349,41 @@ fn a_program_run_on_the_part_of_its_job_triggers_as_its_plan() {
             ))
             .unwrap();
             let job = with(&job, "part", part);
-            let (Some(planned), Ok(plan)) = (touchpath::job::planned(&job), touchpath::job::plan(&job)) else { continue };
-            if plan.program.proof.is_none() || plan.moves.is_empty() || planned.run.triggers.iter().any(Option::is_none) {
+            let (Some(planned), Ok(plan)) =
+                (touchpath::job::planned(&job), touchpath::job::plan(&job))
+            else {
+                continue;
+            };
+            if plan.program.proof.is_none()
+                || plan.moves.is_empty()
+                || planned.run.triggers.iter().any(Option::is_none)
+            {
                 continue;
             }
-            let known = Known { feature: Feature::of(&job), start: Some(plan.moves[0].to), ..Known::default() };
+            let known = Known {
+                feature: Feature::of(&job),
+                start: Some(plan.moves[0].to),
+                ..Known::default()
+            };
             let run = run_program(&plan.program.text, &known);
             let scale = planned.job.scale;
-            let touches: Vec<[f64; 3]> = run.contacts.iter().map(|contact| [contact[1], contact[2], contact[3]]).collect();
+            let touches: Vec<[f64; 3]> = run
+                .contacts
+                .iter()
+                .map(|contact| [contact[1], contact[2], contact[3]])
+                .collect();
             // An alarm, where a result is implausible, comes after the last touch.
-            assert_eq!(touches.len(), planned.run.triggers.len(), "{name} {offset:?}: {:?}", run.findings);
+            assert_eq!(
+                touches.len(),
+                planned.run.triggers.len(),
+                "{name} {offset:?}: {:?}",
+                run.findings
+            );
             for (own, trigger) in touches.iter().zip(&planned.run.triggers) {
                 let trigger = trigger.expect("checked").to_array();
-                let off = (0..3).map(|axis| (own[axis] * scale - trigger[axis]).abs()).fold(0.0, f64::max);
+                let off = (0..3)
+                    .map(|axis| (own[axis] * scale - trigger[axis]).abs())
+                    .fold(0.0, f64::max);
                 assert!(off < 2e-3, "{name} {offset:?}: {own:?} {trigger:?}");
                 seen += 1;
             }

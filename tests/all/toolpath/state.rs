@@ -4,11 +4,20 @@ use super::*;
 /// G53 alone only halts some controls: it was said to go to a place of the machine.
 #[test]
 fn a_code_of_the_machines_system_without_places_goes_nowhere() {
-    let codes = |text: &str| -> Vec<String> { read_program(text, None).findings.into_iter().map(|f| f.code).collect() };
+    let codes = |text: &str| -> Vec<String> {
+        read_program(text, None)
+            .findings
+            .into_iter()
+            .map(|f| f.code)
+            .collect()
+    };
     let program = |code: &str| format!("G21 G90\nG0 X0 Y0 Z5\n{code}\nG31 Z0 F100\nM30\n");
     assert!(!codes(&program("G53")).contains(&"machine-places".to_owned()));
     for code in ["G53 G0 Z0", "G28", "G28 Z0"] {
-        assert!(codes(&program(code)).contains(&"machine-places".to_owned()), "{code}");
+        assert!(
+            codes(&program(code)).contains(&"machine-places".to_owned()),
+            "{code}"
+        );
     }
 }
 
@@ -19,14 +28,24 @@ fn ends_as_interpreted(cases: &[(&str, &str, &[&str])]) {
         let text = format!("G21 G90 F100\nG0 X10 Y0 Z20\n{text}\nM2\n");
         let ran = interpret(&text).unwrap_or_else(|why| panic!("{why}\n{text}"));
         let path = read_program(&text, Some("iso"));
-        let (last, true_last) = (path.end(path.len() - 1).to_array(), ran.moves.last().expect("a move"));
+        let (last, true_last) = (
+            path.end(path.len() - 1).to_array(),
+            ran.moves.last().expect("a move"),
+        );
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
-            let right =
-                if unknown.contains(name) { last[axis].is_nan() } else { (last[axis] - true_last.to[axis]).abs() < 1e-3 };
+            let right = if unknown.contains(name) {
+                last[axis].is_nan()
+            } else {
+                (last[axis] - true_last.to[axis]).abs() < 1e-3
+            };
             assert!(right, "{text}{name}: {last:?}, truly {:?}", true_last.to);
         }
         let feed = path.feed[path.len() - 1];
-        let right = if unknown.contains('F') || true_last.kind == "rapid" { feed.is_nan() } else { feed == true_last.feed };
+        let right = if unknown.contains('F') || true_last.kind == "rapid" {
+            feed.is_nan()
+        } else {
+            feed == true_last.feed
+        };
         assert!(right, "{text}feed {feed}, truly {}", true_last.feed);
         assert_eq!(said(&path), *wanted, "{text}");
     }
@@ -60,7 +79,11 @@ fn an_o_word_may_stand_behind_a_number() {
     ends_as_interpreted(&[
         ("N5 o100 sub\nG1 X77\nN6 o100 endsub\nG1 X1", "", &[]),
         ("/o100 sub\nG1 X77\n/ N6 O100 endsub\nG1 X1", "", &[]),
-        ("n5o<s>sub\nG1 X77\nN6 o<s> endsub\nG1 X1\nN7 o<s> call\nG1 X2 Y3", "", &[]),
+        (
+            "n5o<s>sub\nG1 X77\nN6 o<s> endsub\nG1 X1\nN7 o<s> call\nG1 X2 Y3",
+            "",
+            &[],
+        ),
         ("N5 o1 if [0]\nM2\nN6 o1 endif\nG1 X5", "", &[]),
         ("G1 Y5\n/N5\nN6.5\nX4", "", &[]),
     ]);
@@ -130,13 +153,25 @@ fn an_arc_turns_as_often_as_p_says() {
             rest.split(", ").nth(4)?.parse::<f64>().ok()
         });
         let path = read_program(&text, None);
-        assert!((path.arcs[0][4] - sweep).abs() < 1e-9, "{arc}: {:?}", path.arcs);
-        assert_eq!(turns, Some((sweep / 360.0).abs().ceil().copysign(sweep)), "{arc}");
+        assert!(
+            (path.arcs[0][4] - sweep).abs() < 1e-9,
+            "{arc}: {:?}",
+            path.arcs
+        );
+        assert_eq!(
+            turns,
+            Some((sweep / 360.0).abs().ceil().copysign(sweep)),
+            "{arc}"
+        );
     }
     // How often is not known, or is more than can be drawn.
     for arc in ["G2 X-10 I-10 P#5", "G2 X-10 I-10 P1000000000"] {
         let path = read_program(&format!("G21 G90 F100\nG0 X10 Y0 Z0\n{arc}\n"), None);
-        assert_eq!((path.arcs.len(), said(&path)), (0, vec!["arc-unsolved"]), "{arc}");
+        assert_eq!(
+            (path.arcs.len(), said(&path)),
+            (0, vec!["arc-unsolved"]),
+            "{arc}"
+        );
     }
 }
 
@@ -150,7 +185,15 @@ fn rotations_diameters_and_radii_are_not_passed_over() {
         ("M70\nG7\nG0 X30\nM72\nX7", "", &[]),
         ("G10 L1 P1 R90\nG0 Z5", "", &[]),
     ]);
-    for code in ["G10 L2 P1 R90", "G10 L[1+1] P1 X7", "G10 L2 P1 R#5", "G41 D1", "G42 X5 D1", "G41.1 D6", "G42.1 D6"] {
+    for code in [
+        "G10 L2 P1 R90",
+        "G10 L[1+1] P1 X7",
+        "G10 L2 P1 R#5",
+        "G41 D1",
+        "G42 X5 D1",
+        "G41.1 D6",
+        "G42.1 D6",
+    ] {
         let path = read_program(&format!("G21 G90\nG0 X1 Y2 Z3\n{code}\nG1 X5 F100\n"), None);
         assert_eq!(said(&path), ["places-transformed"], "{code}");
     }
@@ -161,11 +204,31 @@ fn rotations_diameters_and_radii_are_not_passed_over() {
 fn a_loop_leaves_its_incremental_moves_somewhere() {
     ends_as_interpreted(&[
         ("o1 repeat [3]\nG91 G1 X5\no1 endrepeat\nG90 Y3", "", &[]),
-        ("#1=0\no1 while [#1 LT 3]\nG91 G1 X5\nG90 Y7\n#1=[#1+1]\no1 endwhile\nZ3", "", &[]),
-        ("#1=0\no1 do\nG91 G1 X5\n#1=[#1+1]\no1 while [#1 LT 3]\nG90 Y3", "", &[]),
-        ("#1=0\nG91 G1 X5\nG90\no1 while [#1 LT 3]\nY7\n#1=[#1+1]\no1 endwhile\nZ3", "", &[]),
-        ("o1 repeat [2]\nG91 G1 X5\nG90\no2 repeat [2]\nG91 Y5\nG90\no2 endrepeat\nG91 Z1\nG90\no1 endrepeat\nZ3", "", &[]),
-        ("o1 repeat [2]\nG91 G1 X5\nG90 X3\no1 endrepeat\nG1 Y6", "", &[]),
+        (
+            "#1=0\no1 while [#1 LT 3]\nG91 G1 X5\nG90 Y7\n#1=[#1+1]\no1 endwhile\nZ3",
+            "",
+            &[],
+        ),
+        (
+            "#1=0\no1 do\nG91 G1 X5\n#1=[#1+1]\no1 while [#1 LT 3]\nG90 Y3",
+            "",
+            &[],
+        ),
+        (
+            "#1=0\nG91 G1 X5\nG90\no1 while [#1 LT 3]\nY7\n#1=[#1+1]\no1 endwhile\nZ3",
+            "",
+            &[],
+        ),
+        (
+            "o1 repeat [2]\nG91 G1 X5\nG90\no2 repeat [2]\nG91 Y5\nG90\no2 endrepeat\nG91 Z1\nG90\no1 endrepeat\nZ3",
+            "",
+            &[],
+        ),
+        (
+            "o1 repeat [2]\nG91 G1 X5\nG90 X3\no1 endrepeat\nG1 Y6",
+            "",
+            &[],
+        ),
     ]);
     let unknown = |text: &str, dialect: &'static str| {
         let path = read_program(&format!("G90\nG1 X1 Y1 Z1 F100\n{text}\n"), Some(dialect));
@@ -185,9 +248,23 @@ fn a_loop_leaves_its_incremental_moves_somewhere() {
         ("REPEAT", "UNTIL R1>3", "sinumerik"),
         ("o1 do", "o1 while [#1 LT 3]", "iso"),
     ] {
-        assert_eq!(unknown(&format!("{begin}\n{body}\n{end}\nY6"), dialect), "X", "{begin}");
-        let (inner, ends) = (begin.replace("o1", "o2").replace("DO1", "DO2"), end.replace("o1", "o2").replace("END1", "END2"));
-        assert_eq!(unknown(&format!("{begin}\nG91\nX5\nG90\n{inner}\nZ4\n{ends}\n{body}\n{end}\nZ6"), dialect), "X", "{begin}");
+        assert_eq!(
+            unknown(&format!("{begin}\n{body}\n{end}\nY6"), dialect),
+            "X",
+            "{begin}"
+        );
+        let (inner, ends) = (
+            begin.replace("o1", "o2").replace("DO1", "DO2"),
+            end.replace("o1", "o2").replace("END1", "END2"),
+        );
+        assert_eq!(
+            unknown(
+                &format!("{begin}\nG91\nX5\nG90\n{inner}\nZ4\n{ends}\n{body}\n{end}\nZ6"),
+                dialect
+            ),
+            "X",
+            "{begin}"
+        );
     }
 }
 
@@ -197,6 +274,10 @@ fn an_end_that_may_be_left_out_ends_nothing() {
     for end in ["/M30", "/M99", "/ M2"] {
         let path = read_program(&format!("G21 G0 X0 Y0 Z0\n{end}\nG0 X5\nM30\n"), None);
         assert_eq!(places(&path).len(), 2, "{end}");
-        assert!(said(&path).contains(&"lines-optional"), "{end}: {:?}", said(&path));
+        assert!(
+            said(&path).contains(&"lines-optional"),
+            "{end}: {:?}",
+            said(&path)
+        );
     }
 }

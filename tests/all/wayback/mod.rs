@@ -10,25 +10,42 @@ use touchpath::job::{Measurement, measure};
 
 /// A pocket of 80 × 50 about the origin, 10 deep, a ball of 6: nominal contacts at X±37 and Y±22, Z−10; the path ends at X0 Y0 Z30.
 fn pocket() -> Value {
-    job(r#"{ "format": 1, "control": { "post": "grbl" }, "cycle": { "type": "internal-rectangle-protected" } }"#)
+    job(
+        r#"{ "format": 1, "control": { "post": "grbl" }, "cycle": { "type": "internal-rectangle-protected" } }"#,
+    )
 }
 
 fn measured(job: &Value, text: &str) -> Measurement {
-    measure(job, &Value::Text(text.to_owned())).unwrap_or_else(|error| panic!("{text}\n{:#?}", error.findings))
+    measure(job, &Value::Text(text.to_owned()))
+        .unwrap_or_else(|error| panic!("{text}\n{:#?}", error.findings))
 }
 
 /// The codes of what is wrong.
 fn errors(job: &Value, text: &str) -> Vec<String> {
     let error = measure(job, &Value::Text(text.to_owned())).expect_err(text);
-    error.findings.iter().filter(|f| f.level == Level::Error).map(|f| f.code.clone()).collect()
+    error
+        .findings
+        .iter()
+        .filter(|f| f.level == Level::Error)
+        .map(|f| f.code.clone())
+        .collect()
 }
 
 fn codes(measurement: &Measurement) -> Vec<&str> {
-    measurement.findings.iter().map(|f| f.code.as_str()).collect()
+    measurement
+        .findings
+        .iter()
+        .map(|f| f.code.as_str())
+        .collect()
 }
 
 fn value(measurement: &Measurement, code: &str) -> Option<f64> {
-    measurement.results.iter().find(|row| row.code == code).unwrap_or_else(|| panic!("no {code}")).value
+    measurement
+        .results
+        .iter()
+        .find(|row| row.code == code)
+        .unwrap_or_else(|| panic!("no {code}"))
+        .value
 }
 
 #[track_caller]
@@ -106,40 +123,77 @@ fn a_log_of_ugs_gives_results_and_the_block() {
 fn reports() -> Vec<(bool, String)> {
     let plan = planned(&pocket());
     let mut touches = PRB.iter();
-    let reports = plan.moves.iter().zip(&plan.program.move_lines).filter_map(|(step, line)| {
-        match plan.program.text.lines().nth(*line as usize)?.split(' ').next()? {
-            "G38.2" => Some((true, (*touches.next().unwrap()).to_owned())),
-            "G38.3" => {
-                let [x, y, z] = step.to;
-                Some((false, format!("[PRB:{:.3},{:.3},{:.3}:0]", x - 200.0, y - 150.0, z - 60.0)))
+    let reports = plan
+        .moves
+        .iter()
+        .zip(&plan.program.move_lines)
+        .filter_map(|(step, line)| {
+            match plan
+                .program
+                .text
+                .lines()
+                .nth(*line as usize)?
+                .split(' ')
+                .next()?
+            {
+                "G38.2" => Some((true, (*touches.next().unwrap()).to_owned())),
+                "G38.3" => {
+                    let [x, y, z] = step.to;
+                    Some((
+                        false,
+                        format!("[PRB:{:.3},{:.3},{:.3}:0]", x - 200.0, y - 150.0, z - 60.0),
+                    ))
+                }
+                _ => None,
             }
-            _ => None,
-        }
-    });
+        });
     reports.collect()
 }
 
 fn log_of<'a>(reports: impl IntoIterator<Item = &'a str>) -> String {
     let reports: Vec<&str> = reports.into_iter().collect();
-    format!("G54\nWCO:-200.000,-150.000,-60.000\n{}\n", reports.join("\nok\n"))
+    format!(
+        "G54\nWCO:-200.000,-150.000,-60.000\n{}\n",
+        reports.join("\nok\n")
+    )
 }
 
 /// Each positioning move is reported, too: a miss there is none.
 #[test]
 fn the_reports_of_watched_positioning_are_no_touches() {
     let reports = reports();
-    assert!(reports.iter().filter(|(touch, _)| !touch).count() > 4, "{reports:?}");
-    let found = measured(&pocket(), &log_of(reports.iter().map(|(_, report)| report.as_str())));
+    assert!(
+        reports.iter().filter(|(touch, _)| !touch).count() > 4,
+        "{reports:?}"
+    );
+    let found = measured(
+        &pocket(),
+        &log_of(reports.iter().map(|(_, report)| report.as_str())),
+    );
     is_the_pocket(&found);
     assert_eq!(codes(&found), ["converted", "block-to-type"]);
     // The last report is that of a touch that missed.
-    for (k, (at, _)) in reports.iter().enumerate().filter(|(_, (touch, _))| *touch).enumerate() {
+    for (k, (at, _)) in reports
+        .iter()
+        .enumerate()
+        .filter(|(_, (touch, _))| *touch)
+        .enumerate()
+    {
         let missed = reports[at].1.replace(":1]", ":0]");
-        let log = log_of(reports[..at].iter().map(|(_, report)| report.as_str()).chain([missed.as_str(), "ALARM:5"]));
+        let log = log_of(
+            reports[..at]
+                .iter()
+                .map(|(_, report)| report.as_str())
+                .chain([missed.as_str(), "ALARM:5"]),
+        );
         let found = measured(&pocket(), &log);
         assert_eq!(found.findings[1].code, "touch-missed", "{log}");
         assert_eq!(values(&found.findings[1])[0], (k + 1).to_string(), "{log}");
-        assert_eq!(found.points.iter().filter(|point| point.is_some()).count(), k, "{log}");
+        assert_eq!(
+            found.points.iter().filter(|point| point.is_some()).count(),
+            k,
+            "{log}"
+        );
     }
 }
 
@@ -149,15 +203,34 @@ fn a_contact_in_positioning_is_no_touch() {
     let reports = reports();
     for (at, _) in reports.iter().enumerate().filter(|(_, (touch, _))| !touch) {
         let met = reports[at].1.replace(":0]", ":1]");
-        let before = || reports[..at].iter().map(|(_, report)| report.as_str()).chain([met.as_str()]);
+        let before = || {
+            reports[..at]
+                .iter()
+                .map(|(_, report)| report.as_str())
+                .chain([met.as_str()])
+        };
         for log in [log_of(before()), log_of(before().chain(["ALARM:4"]))] {
             let refused = measure(&pocket(), &Value::Text(log.clone())).expect_err(&log);
-            let codes: Vec<&str> = refused.findings.iter().map(|finding| finding.code.as_str()).collect();
-            assert!(matches!(codes[..], ["unclear-line"] | ["wrong-count"]), "{log}{codes:?}");
+            let codes: Vec<&str> = refused
+                .findings
+                .iter()
+                .map(|finding| finding.code.as_str())
+                .collect();
+            assert!(
+                matches!(codes[..], ["unclear-line"] | ["wrong-count"]),
+                "{log}{codes:?}"
+            );
         }
         // A sender that keeps the contacts alone, and the alarm.
-        let contacts = log_of(before().filter(|report| report.ends_with(":1]")).chain(["ALARM:4"]));
-        assert!(measure(&pocket(), &Value::Text(contacts.clone())).is_err(), "{contacts}");
+        let contacts = log_of(
+            before()
+                .filter(|report| report.ends_with(":1]"))
+                .chain(["ALARM:4"]),
+        );
+        assert!(
+            measure(&pocket(), &Value::Text(contacts.clone())).is_err(),
+            "{contacts}"
+        );
     }
 }
 
@@ -165,10 +238,22 @@ fn a_contact_in_positioning_is_no_touch() {
 /// would be no block.
 #[test]
 fn a_status_in_work_coordinates_says_where_the_ball_stands() {
-    let at_the_end = measured(&pocket(), &format!("{UGS}<Idle|WPos:0.000,0.000,30.000|FS:0,0>\n"));
-    assert_eq!(at_the_end.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"));
-    let elsewhere = measured(&pocket(), &format!("{UGS}<Idle|WPos:-200.000,-150.000,-30.000|FS:0,0>\n"));
-    assert_eq!(elsewhere.block, None, "the place of the machine is none of the work system");
+    let at_the_end = measured(
+        &pocket(),
+        &format!("{UGS}<Idle|WPos:0.000,0.000,30.000|FS:0,0>\n"),
+    );
+    assert_eq!(
+        at_the_end.block.as_deref(),
+        Some("G21 G10 L20 P1 X-0.1 Y-0.2")
+    );
+    let elsewhere = measured(
+        &pocket(),
+        &format!("{UGS}<Idle|WPos:-200.000,-150.000,-30.000|FS:0,0>\n"),
+    );
+    assert_eq!(
+        elsewhere.block, None,
+        "the place of the machine is none of the work system"
+    );
 }
 
 /// Prompts and times as senders have them: cncjs `<`, bCNC times, Candle's answers behind the block, ioSender without prompts.
@@ -176,12 +261,20 @@ fn a_status_in_work_coordinates_says_where_the_ball_stands() {
 fn logs_of_other_senders() {
     let wco = "<Idle|MPos:0.000,0.000,0.000|FS:0,0|WCO:-200.000,-150.000,-60.000>";
     let with = |each: &dyn Fn(usize, &str) -> String| {
-        let lines: Vec<String> = PRB.iter().enumerate().map(|(i, line)| each(i, line)).collect();
+        let lines: Vec<String> = PRB
+            .iter()
+            .enumerate()
+            .map(|(i, line)| each(i, line))
+            .collect();
         format!("G54\n{wco}\n{}\n", lines.join("\n"))
     };
     let logs = [
         with(&|_, line| format!("cncjs> G38.2 X42 F150\n< {line}\n< ok")),
-        with(&|i, line| format!("1{i}:22:3{i} >>> G38.2 X4{i} F150\n1{i}:22:4{i} <<< {line}\n1{i}:22:4{i} <<< ok")),
+        with(&|i, line| {
+            format!(
+                "1{i}:22:3{i} >>> G38.2 X4{i} F150\n1{i}:22:4{i} <<< {line}\n1{i}:22:4{i} <<< ok"
+            )
+        }),
         with(&|_, line| format!("G38.2 X42 F150 < {line} / ok")),
         with(&|_, line| format!("[14:03:59.{:03}] {line}", 7)),
         with(&|_, line| line.trim_matches(['[', ']']).to_owned()),
@@ -193,34 +286,58 @@ fn logs_of_other_senders() {
     for log in logs {
         let found = measured(&pocket(), &log);
         is_the_pocket(&found);
-        assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P1 X-0.1 Y-0.2"), "{log}");
+        assert_eq!(
+            found.block.as_deref(),
+            Some("G21 G10 L20 P1 X-0.1 Y-0.2"),
+            "{log}"
+        );
     }
 }
 
 /// The sum of `$#`: G55 −203.5, −150, −50; G92 3, 0, 0; TLO −10 along Z, so −200.5, −150, −60. Its PRB line repeats the last touch.
 #[test]
 fn the_answer_to_settings_says_the_work_offset() {
-    let touches = PRB.join("\nok\n").replace("-162.900", "-163.400").replace("-236.900", "-237.400");
+    let touches = PRB
+        .join("\nok\n")
+        .replace("-162.900", "-163.400")
+        .replace("-236.900", "-237.400");
     let answer = "[G54:0.000,0.000,0.000]\n[G55:-203.500,-150.000,-50.000]\n[G56:1.000,2.000,3.000]\n[G57:0.000,0.000,0.000]\n\
         [G58:0.000,0.000,0.000]\n[G59:0.000,0.000,0.000]\n[G28:0.000,0.000,0.000]\n[G30:0.000,0.000,0.000]\n\
         [G92:3.000,0.000,0.000]\n[TLO:-10.000]\n[PRB:-200.000,-171.800,-70.000:1]\nok\n";
-    for log in [format!("G55\n{answer}{touches}"), format!("G55\n{touches}\nok\n{answer}")] {
+    for log in [
+        format!("G55\n{answer}{touches}"),
+        format!("G55\n{touches}\nok\n{answer}"),
+    ] {
         let found = measured(&pocket(), &log);
         is_the_pocket(&found);
-        assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P2 X-0.1 Y-0.2"), "{log}");
-        assert_eq!(values(&found.findings[0])[0], "G55", "made of it, G92 and TLO");
+        assert_eq!(
+            found.block.as_deref(),
+            Some("G21 G10 L20 P2 X-0.1 Y-0.2"),
+            "{log}"
+        );
+        assert_eq!(
+            values(&found.findings[0])[0],
+            "G55",
+            "made of it, G92 and TLO"
+        );
     }
     // grblHAL gives three axes of TLO, and says the active offset in its status reports.
     let hal = answer.replace("[TLO:-10.000]", "[TLO:0.000,0.000,-10.000]\n[TLR:0.000]");
     let status = "<Idle|MPos:0.000,0.000,0.000|WCS:G55>";
-    is_the_pocket(&measured(&pocket(), &format!("{status}\n{touches}\nok\n{hal}")));
+    is_the_pocket(&measured(
+        &pocket(),
+        &format!("{status}\n{touches}\nok\n{hal}"),
+    ));
     // WCO alone says no number; with $# it does: only G55 makes it.
     let wco = "<Idle|MPos:0.000,0.000,0.000|WCO:-200.500,-150.000,-60.000>";
     let found = measured(&pocket(), &format!("{wco}\n{touches}\nok\n{answer}"));
     assert_eq!(found.block.as_deref(), Some("G21 G10 L20 P2 X-0.1 Y-0.2"));
     let alone = measured(&pocket(), &format!("{wco}\n{touches}"));
     is_the_pocket(&alone);
-    assert_eq!((alone.block.as_deref(), codes(&alone)), (None, vec!["converted", "no-block"]));
+    assert_eq!(
+        (alone.block.as_deref(), codes(&alone)),
+        (None, vec!["converted", "no-block"])
+    );
 }
 
 /// After its end a program's work offset is G54's again: P0 would then write G54, and `WCO` is that of G54.
@@ -229,32 +346,73 @@ fn the_end_of_a_program_makes_g54_active() {
     let touches = PRB.join("\nok\n");
     let ended = "M2\nok\n[MSG:Pgm End]\n[GC:G1 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]\n\
         <Idle|MPos:-200.000,-150.000,-30.000|WCO:-200.000,-150.000,-60.000>\n";
-    assert_eq!(errors(&pocket(), &format!("{touches}\n{ended}")), ["work-offset-needed"]);
-    assert_eq!(errors(&pocket(), &format!("G55\n{touches}\n{ended}")), ["work-offset-needed"]);
+    assert_eq!(
+        errors(&pocket(), &format!("{touches}\n{ended}")),
+        ["work-offset-needed"]
+    );
+    assert_eq!(
+        errors(&pocket(), &format!("G55\n{touches}\n{ended}")),
+        ["work-offset-needed"]
+    );
     is_the_pocket(&measured(&pocket(), &format!("G54\n{touches}\n{ended}")));
     // A sender is some lines ahead: with one touch the end is sent before the touch is reported.
     let surface = with(&pocket(), "cycle", job(r#"{ "type": "surface" }"#));
     let contact = touchpath::job::plan(&surface).unwrap().triggers[0].unwrap();
-    let report = format!("[PRB:{},{},{}:1]", contact[0] - 200.0, contact[1] - 150.0, contact[2] - 60.0);
-    let ahead = format!("[GC:G0 G55]\nWCO:-200,-150,-60\n>>> G38.2 X9 F150\n>>> G1 Z50\n>>> M2\nok\n{report}\nok\nok\n");
-    assert!(measured(&surface, &ahead).block.unwrap().starts_with("G21 G10 L20 P2 "));
+    let report = format!(
+        "[PRB:{},{},{}:1]",
+        contact[0] - 200.0,
+        contact[1] - 150.0,
+        contact[2] - 60.0
+    );
+    let ahead = format!(
+        "[GC:G0 G55]\nWCO:-200,-150,-60\n>>> G38.2 X9 F150\n>>> G1 Z50\n>>> M2\nok\n{report}\nok\nok\n"
+    );
+    assert!(
+        measured(&surface, &ahead)
+            .block
+            .unwrap()
+            .starts_with("G21 G10 L20 P2 ")
+    );
     // A program that ran before ours has ended in G54 as well, on grbl; others keep the offset: so it is asked.
     let before = "[GC:G0 G55 G17 G21 G90]\nM30\nok\n<Idle|MPos:0.000,0.000,0.000|WCO:-200.000,-150.000,-60.000>\n";
     let found = measured(&pocket(), &format!("{before}{touches}"));
-    assert_eq!((found.block, found.findings.last().unwrap().code.as_str()), (None, "no-block"));
+    assert_eq!(
+        (found.block, found.findings.last().unwrap().code.as_str()),
+        (None, "no-block")
+    );
     // What the user then writes as the first line holds, a block of the log there does not.
-    assert!(measured(&pocket(), &format!("G55\n{before}{touches}")).block.unwrap().starts_with("G21 G10 L20 P2 "));
-    assert_eq!(measured(&pocket(), &format!("G55\nok\n{before}{touches}")).block, None);
+    assert!(
+        measured(&pocket(), &format!("G55\n{before}{touches}"))
+            .block
+            .unwrap()
+            .starts_with("G21 G10 L20 P2 ")
+    );
+    assert_eq!(
+        measured(&pocket(), &format!("G55\nok\n{before}{touches}")).block,
+        None
+    );
 }
 
 /// What the block does on a control: G10 L20 sets the offset to the machine's place less the value, so the measured datum reads its nominal.
 #[test]
 fn after_the_block_the_measured_place_reads_its_nominal() {
-    let off = with(&pocket(), "cycle.origin", Value::List([5.0, 7.0, 2.0].map(Value::Number).to_vec()));
+    let off = with(
+        &pocket(),
+        "cycle.origin",
+        Value::List([5.0, 7.0, 2.0].map(Value::Number).to_vec()),
+    );
     // The same part for this job: every touch 5, 7, 2 further; nominal centre 5, 7, and the path ends at X5 Y7 Z32.
     let shifted = PRB.map(|line| {
-        let numbers: Vec<f64> = line[5..line.len() - 3].split(',').map(|x| x.parse().unwrap()).collect();
-        format!("[PRB:{:.3},{:.3},{:.3}:1]", numbers[0] + 5.0, numbers[1] + 7.0, numbers[2] + 2.0)
+        let numbers: Vec<f64> = line[5..line.len() - 3]
+            .split(',')
+            .map(|x| x.parse().unwrap())
+            .collect();
+        format!(
+            "[PRB:{:.3},{:.3},{:.3}:1]",
+            numbers[0] + 5.0,
+            numbers[1] + 7.0,
+            numbers[2] + 2.0
+        )
     });
     let log = format!("G54\nWCO:-200,-150,-60\n{}\n", shifted.join("\n"));
     let found = measured(&off, &log);

@@ -158,11 +158,21 @@ pub fn read(text: &str) -> Result<Program, Vec<Trouble>> {
             continue;
         }
         match statement(code) {
-            Ok(statement) => program.blocks.push(Block { line: index + 1, statement }),
-            Err(message) => troubles.push(Trouble { line: index + 1, message }),
+            Ok(statement) => program.blocks.push(Block {
+                line: index + 1,
+                statement,
+            }),
+            Err(message) => troubles.push(Trouble {
+                line: index + 1,
+                message,
+            }),
         }
     }
-    if troubles.is_empty() { Ok(program) } else { Err(troubles) }
+    if troubles.is_empty() {
+        Ok(program)
+    } else {
+        Err(troubles)
+    }
 }
 
 /// `The stylus is taken to be at X0 Y0 Z100 before the start, …`
@@ -190,9 +200,15 @@ fn split_comment(line: &str) -> (&str, Option<&str>) {
 }
 
 fn without_number(code: &str) -> &str {
-    let Some(rest) = code.strip_prefix(['N', 'n']) else { return code };
+    let Some(rest) = code.strip_prefix(['N', 'n']) else {
+        return code;
+    };
     let text = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-    if text.len() < rest.len() && (text.is_empty() || text.starts_with(char::is_whitespace)) { text.trim_start() } else { code }
+    if text.len() < rest.len() && (text.is_empty() || text.starts_with(char::is_whitespace)) {
+        text.trim_start()
+    } else {
+        code
+    }
 }
 
 fn statement(code: &str) -> Result<Statement, String> {
@@ -200,15 +216,24 @@ fn statement(code: &str) -> Result<Statement, String> {
     let rest = rest.trim();
     match first.to_ascii_uppercase().as_str() {
         "DEF" => {
-            let name = rest.strip_prefix("INT ").or_else(|| rest.strip_prefix("REAL ")).map(str::trim);
+            let name = rest
+                .strip_prefix("INT ")
+                .or_else(|| rest.strip_prefix("REAL "))
+                .map(str::trim);
             return name
                 .filter(|n| is_name(n))
                 .map(|n| Statement::Declare(n.to_owned()))
                 .ok_or("a DEF without type and name".into());
         }
-        "GOTOF" => return is_name(rest).then(|| Statement::Jump(rest.to_owned())).ok_or("a jump without a label".into()),
+        "GOTOF" => {
+            return is_name(rest)
+                .then(|| Statement::Jump(rest.to_owned()))
+                .ok_or("a jump without a label".into());
+        }
         "IF" => {
-            let (condition, label) = rest.rsplit_once(" GOTOF ").ok_or("an IF without its jump")?;
+            let (condition, label) = rest
+                .rsplit_once(" GOTOF ")
+                .ok_or("an IF without its jump")?;
             let label = label.trim();
             if !is_name(label) {
                 return Err("a jump without a label".into());
@@ -223,7 +248,9 @@ fn statement(code: &str) -> Result<Statement, String> {
     if let Some((name, arguments)) = code.split_once('(')
         && is_name(name)
     {
-        let arguments = arguments.strip_suffix(')').ok_or("a bracket is not closed")?;
+        let arguments = arguments
+            .strip_suffix(')')
+            .ok_or("a bracket is not closed")?;
         return call(name, arguments);
     }
     if input_of(first).is_none()
@@ -242,7 +269,9 @@ fn statement(code: &str) -> Result<Statement, String> {
 fn assignment(code: &str) -> Option<usize> {
     let at = code.find('=')?;
     let place = code[..at].trim();
-    let register = place.strip_prefix('R').is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
+    let register = place
+        .strip_prefix('R')
+        .is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
     (register || place.starts_with('$') || (is_name(place) && place.len() > 1)).then_some(at)
 }
 
@@ -262,15 +291,26 @@ fn call(name: &str, arguments: &str) -> Result<Statement, String> {
         }
     }
     parts.push(&arguments[start..]);
-    let arguments: Result<Vec<Option<Term>>, String> =
-        parts.into_iter().map(|p| if p.trim().is_empty() { Ok(None) } else { term(p).map(Some) }).collect();
+    let arguments: Result<Vec<Option<Term>>, String> = parts
+        .into_iter()
+        .map(|p| {
+            if p.trim().is_empty() {
+                Ok(None)
+            } else {
+                term(p).map(Some)
+            }
+        })
+        .collect();
     Ok(Statement::Call(name.to_owned(), arguments?))
 }
 
 /// The probe input of `MEAS=1` and `MEAS=2`.
 fn input_of(word: &str) -> Option<u8> {
     let (name, input) = word.split_once('=')?;
-    input.parse().ok().filter(|input| name.eq_ignore_ascii_case("MEAS") && [1, 2].contains(input))
+    input
+        .parse()
+        .ok()
+        .filter(|input| name.eq_ignore_ascii_case("MEAS") && [1, 2].contains(input))
 }
 
 fn words(code: &str) -> Result<Statement, String> {
@@ -283,33 +323,54 @@ fn words(code: &str) -> Result<Statement, String> {
             continue;
         }
         let letter = &word[..word.chars().next().map_or(0, char::len_utf8)];
-        let number = || word[letter.len()..].trim_start_matches('=').parse::<f64>().ok().filter(|x| x.is_finite());
+        let number = || {
+            word[letter.len()..]
+                .trim_start_matches('=')
+                .parse::<f64>()
+                .ok()
+                .filter(|x| x.is_finite())
+        };
         match letter {
             "X" | "Y" | "Z" => {
-                let axis = AXIS_NAMES.iter().position(|name| *name == letter).unwrap_or(0);
+                let axis = AXIS_NAMES
+                    .iter()
+                    .position(|name| *name == letter)
+                    .unwrap_or(0);
                 let sum = word[1..].strip_prefix('=').map(term).transpose()?;
                 if let Some(Term::Binary("+" | "-", ..)) = &sum {
                     motion.axes[axis] = sum.as_ref().and_then(first_number);
                     motion.sums[axis] = sum;
                 }
-                let plain = motion.axes[axis].filter(|_| motion.sums[axis].is_some()).or_else(number);
+                let plain = motion.axes[axis]
+                    .filter(|_| motion.sums[axis].is_some())
+                    .or_else(number);
                 motion.axes[axis] = Some(plain.ok_or_else(|| format!("{word} is no axis word"))?);
                 moves = true;
             }
             "F" => motion.feed = Some(number().ok_or_else(|| format!("{word} is no feed"))?),
             "G" | "M" if number().is_some() => others.push(word.to_owned()),
             _ if matches!(word, "STOPRE" | "TRANS" | "DIAMOF") => others.push(word.to_owned()),
-            _ => return Err(format!("{} is not understood", word.chars().take(40).collect::<String>())),
+            _ => {
+                return Err(format!(
+                    "{} is not understood",
+                    word.chars().take(40).collect::<String>()
+                ));
+            }
         }
     }
     match (moves, others.as_slice()) {
-        (true, [one]) if one == "G1" || (one == "G0" && motion.measuring.is_none() && motion.feed.is_none()) => {
+        (true, [one])
+            if one == "G1"
+                || (one == "G0" && motion.measuring.is_none() && motion.feed.is_none()) =>
+        {
             motion.rapid = one == "G0";
             Ok(Statement::Motion(motion))
         }
         (true, _) => Err("a block with axis words must be a G1, or a G0 without a feed".into()),
         (false, []) => Err("nothing is in this block".into()),
-        (false, _) if motion.measuring.is_some() || motion.feed.is_some() => Err("a feed or MEAS without a motion".into()),
+        (false, _) if motion.measuring.is_some() || motion.feed.is_some() => {
+            Err("a feed or MEAS without a motion".into())
+        }
         (false, _) => Ok(Statement::Words(others)),
     }
 }
@@ -329,7 +390,9 @@ fn first_number(sum: &Term) -> Option<f64> {
 
 fn is_name(text: &str) -> bool {
     let mut letters = text.chars();
-    letters.next().is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
+    letters
+        .next()
+        .is_some_and(|c| c.is_ascii_alphabetic() || c == '_')
         && letters.all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
@@ -338,7 +401,12 @@ impl Program {
     /// check, moves that are not watched, units and absolute mode that are not stated.
     pub fn troubles(&self) -> Vec<Trouble> {
         let mut troubles = Vec::new();
-        let mut say = |line: usize, message: &str| troubles.push(Trouble { line, message: message.to_owned() });
+        let mut say = |line: usize, message: &str| {
+            troubles.push(Trouble {
+                line,
+                message: message.to_owned(),
+            })
+        };
         let mut at = self.start.map_or([None; 3], |start| start.map(Some));
         let mut before_touch: Option<[Option<f64>; 3]> = None;
         let (mut units, mut absolute, mut exits) = (false, false, false);
@@ -375,16 +443,31 @@ impl Program {
                     if motion.measuring.is_some() {
                         match self.check_after(i) {
                             Some(touches) => before_touch = touches.then_some(at),
-                            None => say(line, "this MEAS move is not checked: a contact in it would go unnoticed"),
+                            None => say(
+                                line,
+                                "this MEAS move is not checked: a contact in it would go unnoticed",
+                            ),
                         }
-                    } else if before_touch.take().is_none_or(|start| start != to) && !exits && !self.unwatched {
-                        say(line, "a move without MEAS that does not lead back from a touch");
+                    } else if before_touch.take().is_none_or(|start| start != to)
+                        && !exits
+                        && !self.unwatched
+                    {
+                        say(
+                            line,
+                            "a move without MEAS that does not lead back from a touch",
+                        );
                     }
                     at = to;
                 }
                 Statement::Call(name, arguments) => match (name.as_str(), arguments.len()) {
-                    ("CYCLE977", 28 | 29) | ("CYCLE978", 22) | ("MSG" | "SETAL", 1) | ("WRITE", 3) => {}
-                    _ => say(line, "this call is not known, or not with so many arguments"),
+                    ("CYCLE977", 28 | 29)
+                    | ("CYCLE978", 22)
+                    | ("MSG" | "SETAL", 1)
+                    | ("WRITE", 3) => {}
+                    _ => say(
+                        line,
+                        "this call is not known, or not with so many arguments",
+                    ),
                 },
                 Statement::Declare(_) | Statement::Label(_) | Statement::Assign(..) => {}
             }
@@ -395,11 +478,22 @@ impl Program {
     /// Whether the MEAS move of this block must touch, by the check that follows it; none where there is no check.
     fn check_after(&self, block: usize) -> Option<bool> {
         let stop = Statement::Words(vec!["STOPRE".to_owned()]);
-        let [stopped, check] = self.blocks.get(block + 1..block + 3)? else { return None };
-        let Statement::If(Term::Binary(operator, left, right), _) = &check.statement else { return None };
-        let Statement::Motion(Motion { measuring: Some(input), .. }) = &self.blocks.get(block)?.statement else { return None };
+        let [stopped, check] = self.blocks.get(block + 1..block + 3)? else {
+            return None;
+        };
+        let Statement::If(Term::Binary(operator, left, right), _) = &check.statement else {
+            return None;
+        };
+        let Statement::Motion(Motion {
+            measuring: Some(input),
+            ..
+        }) = &self.blocks.get(block)?.statement
+        else {
+            return None;
+        };
         let state = Term::System("$AC_MEA".to_owned(), vec![Term::Number(f64::from(*input))]);
-        (stopped.statement == stop && **left == state && **right == Term::Number(0.0)).then_some(*operator == "==")
+        (stopped.statement == stop && **left == state && **right == Term::Number(0.0))
+            .then_some(*operator == "==")
     }
 
     /// The path, up to the end of the program. To its first place the ball may come in steps, axis by axis: they are one step here, with the
@@ -410,7 +504,9 @@ impl Program {
         for (i, block) in self.blocks.iter().enumerate() {
             match &block.statement {
                 Statement::Words(words) if words.iter().any(|w| w == "M30") => break,
-                Statement::Assign(Term::Name(name), Term::Number(n)) if name == "TP_MOVE" => number = Some(*n as usize),
+                Statement::Assign(Term::Name(name), Term::Number(n)) if name == "TP_MOVE" => {
+                    number = Some(*n as usize)
+                }
                 Statement::Motion(motion) => {
                     let stood = at;
                     at = motion.after(at);
@@ -423,7 +519,10 @@ impl Program {
                         (true, Some(true)) => Purpose::Touch,
                         (true, _) => Purpose::Position,
                         // After a touch it leads back; else it is a positioning move that is not watched.
-                        (false, _) if self.unwatched && steps.last().is_none_or(|s| s.purpose != Purpose::Touch) => {
+                        (false, _)
+                            if self.unwatched
+                                && steps.last().is_none_or(|s| s.purpose != Purpose::Touch) =>
+                        {
                             Purpose::Position
                         }
                         (false, _) => Purpose::Back,
@@ -433,12 +532,26 @@ impl Program {
                             continue;
                         }
                         let message = "the first moves must name X, Y and Z".to_owned();
-                        return Err(Trouble { line: block.line, message });
+                        return Err(Trouble {
+                            line: block.line,
+                            message,
+                        });
                     };
                     let number = number.filter(|_| purpose != Purpose::Back);
-                    let step = Step { line: block.line, number, purpose, to: [x, y, z], feed };
+                    let step = Step {
+                        line: block.line,
+                        number,
+                        purpose,
+                        to: [x, y, z],
+                        feed,
+                    };
                     match steps.last_mut() {
-                        Some(first) if i > 0 && first.number == number && first.to == step.to && purpose != Purpose::Touch => {
+                        Some(first)
+                            if i > 0
+                                && first.number == number
+                                && first.to == step.to
+                                && purpose != Purpose::Touch =>
+                        {
                             *first = step;
                         }
                         _ => steps.push(step),

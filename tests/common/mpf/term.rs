@@ -4,17 +4,30 @@ use super::*;
 
 /// Reads an expression.
 pub fn term(text: &str) -> Result<Term, String> {
-    let mut parser = Parser { rest: text.trim(), depth: 0, operators: 0 };
+    let mut parser = Parser {
+        rest: text.trim(),
+        depth: 0,
+        operators: 0,
+    };
     let term = parser.level(0)?;
     if parser.rest.is_empty() {
         Ok(term)
     } else {
-        Err(format!("{} is left over", parser.rest.chars().take(40).collect::<String>()))
+        Err(format!(
+            "{} is left over",
+            parser.rest.chars().take(40).collect::<String>()
+        ))
     }
 }
 
 /// Operators by how loosely they bind.
-const LEVELS: [&[&str]; 5] = [&["<<"], &["OR"], &["==", "<>", ">=", "<="], &["+", "-"], &["*", "/"]];
+const LEVELS: [&[&str]; 5] = [
+    &["<<"],
+    &["OR"],
+    &["==", "<>", ">=", "<="],
+    &["+", "-"],
+    &["*", "/"],
+];
 
 struct Parser<'a> {
     rest: &'a str,
@@ -24,7 +37,9 @@ struct Parser<'a> {
 
 impl Parser<'_> {
     fn level(&mut self, level: usize) -> Result<Term, String> {
-        let Some(operators) = LEVELS.get(level) else { return self.operand() };
+        let Some(operators) = LEVELS.get(level) else {
+            return self.operand();
+        };
         let mut left = self.level(level + 1)?;
         while let Some(operator) = operators.iter().find(|op| self.rest.starts_with(**op)) {
             self.take(operator.len());
@@ -68,8 +83,15 @@ impl Parser<'_> {
                 Ok(Term::Text(text))
             }
             '0'..='9' | '.' => {
-                let end = self.rest.find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(self.rest.len());
-                let number = self.rest[..end].parse::<f64>().ok().filter(|x| x.is_finite()).ok_or("not a number")?;
+                let end = self
+                    .rest
+                    .find(|c: char| !(c.is_ascii_digit() || c == '.'))
+                    .unwrap_or(self.rest.len());
+                let number = self.rest[..end]
+                    .parse::<f64>()
+                    .ok()
+                    .filter(|x| x.is_finite())
+                    .ok_or("not a number")?;
                 self.take(end);
                 Ok(Term::Number(number))
             }
@@ -102,9 +124,14 @@ impl Parser<'_> {
     /// A name after `sign` characters that belong to it. `$MN_…` stands without brackets.
     fn name(&mut self, sign: usize) -> Result<String, String> {
         let body = &self.rest[sign..];
-        let end = body.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(body.len());
+        let end = body
+            .find(|c: char| !(c.is_ascii_alphanumeric() || c == '_'))
+            .unwrap_or(body.len());
         if !is_name(&body[..end]) {
-            return Err(format!("{} is not understood", self.rest.chars().take(40).collect::<String>()));
+            return Err(format!(
+                "{} is not understood",
+                self.rest.chars().take(40).collect::<String>()
+            ));
         }
         let name = self.rest[..sign + end].to_owned();
         self.take(sign + end);

@@ -19,7 +19,13 @@ function apart(one: string, other: string): number {
   for (const [i, letter] of [...one].entries()) {
     const next = [i + 1];
     for (const [j, wanted] of [...other].entries())
-      next.push(Math.min((row[j] ?? 0) + Number(letter !== wanted), (row[j + 1] ?? 0) + 1, (next[j] ?? 0) + 1));
+      next.push(
+        Math.min(
+          (row[j] ?? 0) + Number(letter !== wanted),
+          (row[j + 1] ?? 0) + 1,
+          (next[j] ?? 0) + 1,
+        ),
+      );
     row = next;
   }
   return row.at(-1) ?? 0;
@@ -27,39 +33,58 @@ function apart(one: string, other: string): number {
 
 /** `. Did you mean check?`, where a word of the list is near; else nothing. */
 export function meant(word: string, list: readonly string[]): string {
-  const near = list.map((known) => ({ known, off: apart(word.toLowerCase(), known) }));
+  const near = list.map((known) => ({
+    known,
+    off: apart(word.toLowerCase(), known),
+  }));
   const best = near.sort((a, b) => a.off - b.off)[0];
-  return best && best.off <= Math.max(1, Math.floor(word.length / 4)) ? `. Did you mean ${best.known}?` : "";
+  return best && best.off <= Math.max(1, Math.floor(word.length / 4))
+    ? `. Did you mean ${best.known}?`
+    : "";
 }
 
 /** What a code of a finding or a safety rule means. */
 export function explain(code: string, json: boolean): string {
   const word = code.toLowerCase();
-  const own = <T>(table: Record<string, T>) => (Object.hasOwn(table, word) ? table[word] : undefined);
+  const own = <T>(table: Record<string, T>) =>
+    Object.hasOwn(table, word) ? table[word] : undefined;
   const [rule, meaning] = [own(RULES), own(CODES)];
   if (rule === undefined && meaning === undefined)
     throw new Refused(
       `There is no finding and no rule ${code}${meant(word, [...Object.keys(CODES), ...Object.keys(RULES)])}`,
     );
-  const said = rule ? { rule: word, asks: rule[0], why: rule[1] } : { code: word, meaning };
+  const said = rule
+    ? { rule: word, asks: rule[0], why: rule[1] }
+    : { code: word, meaning };
   if (json) return `${JSON.stringify(said)}\n`;
-  return rule ? `${word} (safety rule)\n\n${rule[0]}\n${rule[1]}\n` : `${word}\n\n${meaning}\n`;
+  return rule
+    ? `${word} (safety rule)\n\n${rule[0]}\n${rule[1]}\n`
+    : `${word}\n\n${meaning}\n`;
 }
 
 /** A job of a cycle with every value, ready to be changed. */
-export function newJob(type: string, given: { post?: string; form?: string; units?: string }): string {
+export function newJob(
+  type: string,
+  given: { post?: string; form?: string; units?: string },
+): string {
   const types = catalog().cycles.map((cycle) => cycle.type as string);
   const known = types.find((one) => one === type);
-  if (!known) throw new Refused(`There is no cycle ${type} (touchpath catalog lists them)${meant(type, types)}`);
+  if (!known)
+    throw new Refused(
+      `There is no cycle ${type} (touchpath catalog lists them)${meant(type, types)}`,
+    );
   const { units = "mm" } = given;
-  if (units !== "mm" && units !== "inch") throw new Refused(`--units is mm or inch, not ${units}`);
+  if (units !== "mm" && units !== "inch")
+    throw new Refused(`--units is mm or inch, not ${units}`);
   const job = defaultJob(known as "hole", units);
   const post = given.post ?? job.control.post;
   const forms =
     catalog()
       .posts.find(({ id }) => id === post)
       ?.cycles.filter(({ type }) => type === known) ?? [];
-  const wanted = forms.filter(({ form }) => given.form === undefined || form === given.form);
+  const wanted = forms.filter(
+    ({ form }) => given.form === undefined || form === given.form,
+  );
   const taken = wanted.find(({ supported }) => supported);
   if (!taken)
     throw new Refused(
@@ -72,7 +97,8 @@ export function newJob(type: string, given: { post?: string; form?: string; unit
 /** Which tool length acts on which axis of a SINUMERIK. */
 export function toolLengths(text: string | undefined, json: boolean): string {
   try {
-    const query = text === undefined ? undefined : (objectOf(text) as LentoaxQuery);
+    const query =
+      text === undefined ? undefined : (objectOf(text) as LentoaxQuery);
     const answer = lentoax(query);
     if (json) return `${JSON.stringify(answer)}\n`;
     const { sentence, program } = lentoaxWords(query);
@@ -84,12 +110,16 @@ export function toolLengths(text: string | undefined, json: boolean): string {
 
 /** A job in other units. */
 export function converted(text: string, units: string): string {
-  if (units !== "mm" && units !== "inch") throw new Refused(`--units is mm or inch, not ${units}`);
+  if (units !== "mm" && units !== "inch")
+    throw new Refused(`--units is mm or inch, not ${units}`);
   try {
     const job = objectOf(text) as Job;
     if (![undefined, "mm", "inch"].includes(job.units))
       throw new Refused(`The job's units are ${job.units}: mm or inch`);
-    if (!isWritable(job)) throw new Refused("The job has a number that is too large to be written again");
+    if (!isWritable(job))
+      throw new Refused(
+        "The job has a number that is too large to be written again",
+      );
     return `${JSON.stringify(convertUnits(job, units), null, 2)}\n`;
   } catch (thrown) {
     throw refused(thrown);
@@ -110,4 +140,6 @@ const isWritable = (value: unknown): boolean =>
     : typeof value !== "number" || Number.isFinite(value);
 
 const refused = (thrown: unknown) =>
-  thrown instanceof JobError ? new Refused(thrown.findings.map((finding) => finding.message).join("; ")) : thrown;
+  thrown instanceof JobError
+    ? new Refused(thrown.findings.map((finding) => finding.message).join("; "))
+    : thrown;

@@ -18,7 +18,9 @@ const SHELLS = { bash, zsh, fish };
 export function completion(shell: string, completed: Completed): string {
   const names = Object.keys(SHELLS);
   if (!Object.hasOwn(SHELLS, shell))
-    throw new Refused(`completion takes ${names.join(", ")}, not ${shell || "nothing"}${meant(shell, names)}`);
+    throw new Refused(
+      `completion takes ${names.join(", ")}, not ${shell || "nothing"}${meant(shell, names)}`,
+    );
   return SHELLS[shell as keyof typeof SHELLS](completed, {
     new: catalog().cycles.map(({ type }) => type),
     explain: [...Object.keys(CODES), ...Object.keys(RULES)].sort(),
@@ -31,13 +33,25 @@ type Behind = Record<string, readonly string[]>;
 /** Words, in order, one by one: the shell takes them apart again. */
 const joined = (words: readonly string[]) => `"${words.join(" ")}"`;
 
-function bash({ about, options, formats, values }: Completed, behind: Behind): string {
+function bash(
+  { about, options, formats, values }: Completed,
+  behind: Behind,
+): string {
   const after = [
-    ...Object.entries(values).map(([flag, words]): [string, readonly string[]] => [`*" ${flag}"`, words]),
-    ...Object.entries(formats).map(([name, words]): [string, readonly string[]] => [`"${name} --format"`, words]),
+    ...Object.entries(values).map(
+      ([flag, words]): [string, readonly string[]] => [`*" ${flag}"`, words],
+    ),
+    ...Object.entries(formats).map(
+      ([name, words]): [string, readonly string[]] => [
+        `"${name} --format"`,
+        words,
+      ],
+    ),
   ];
-  const cases = (of: [string, readonly string[]][], then: (words: readonly string[]) => string) =>
-    of.map(([name, words]) => `    ${name}) ${then(words)} ;;`).join("\n");
+  const cases = (
+    of: [string, readonly string[]][],
+    then: (words: readonly string[]) => string,
+  ) => of.map(([name, words]) => `    ${name}) ${then(words)} ;;`).join("\n");
   const list = (words: readonly string[]) => `words=${joined(words)}`;
   return `# touchpath completion bash > /etc/bash_completion.d/touchpath, or: source <(touchpath completion bash)
 _touchpath() {
@@ -72,11 +86,19 @@ ${bash(completed, behind)
   .replace("    compopt -o filenames 2>/dev/null\n", "")}`;
 }
 
-function fish({ about, options, formats, values }: Completed, behind: Behind): string {
-  const quoted = (text: string) => `'${text.replaceAll("\\", "\\\\").replaceAll("'", "\\'")}'`;
-  const lines = ["# touchpath completion fish > ~/.config/fish/completions/touchpath.fish"];
+function fish(
+  { about, options, formats, values }: Completed,
+  behind: Behind,
+): string {
+  const quoted = (text: string) =>
+    `'${text.replaceAll("\\", "\\\\").replaceAll("'", "\\'")}'`;
+  const lines = [
+    "# touchpath completion fish > ~/.config/fish/completions/touchpath.fish",
+  ];
   for (const [name, says] of Object.entries(about))
-    lines.push(`complete -c touchpath -n __fish_use_subcommand -f -a ${name} -d ${quoted(says)}`);
+    lines.push(
+      `complete -c touchpath -n __fish_use_subcommand -f -a ${name} -d ${quoted(says)}`,
+    );
   for (const [name, words] of Object.entries(behind))
     lines.push(
       `complete -c touchpath -n 'test (count (commandline -opc)) -eq 2; and __fish_seen_subcommand_from ${name}' -f -a ${joined(words)}`,

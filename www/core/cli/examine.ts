@@ -1,5 +1,10 @@
 // What the command says of a program that someone else wrote: its safety rules, what it asks for, the cycles that it calls.
-import { type ProgramKnown, type ProgramRun, runProgram, version } from "../node.js";
+import {
+  type ProgramKnown,
+  type ProgramRun,
+  runProgram,
+  version,
+} from "../node.js";
 
 /** How a report is written. */
 export type ReportFormat = "text" | "json" | "sarif";
@@ -12,10 +17,16 @@ export interface Report {
 }
 
 /** Runs a program and reports on it. */
-export function examined(text: string, known: ProgramKnown, format: ReportFormat, source: string): Report {
+export function examined(
+  text: string,
+  known: ProgramKnown,
+  format: ReportFormat,
+  source: string,
+): Report {
   const run = runProgram(text, known);
   const broken =
-    run.rules.some(({ holds }) => holds === false) || run.calls.some((call) => call.contradictions.length > 0);
+    run.rules.some(({ holds }) => holds === false) ||
+    run.calls.some((call) => call.contradictions.length > 0);
   const write = { text: asText, json: asJson, sarif: asResults }[format];
   return { run, text: write(run, source), broken };
 }
@@ -24,7 +35,9 @@ export function examined(text: string, known: ProgramKnown, format: ReportFormat
 function listed(lines: number[]): string {
   const shown = lines.slice(0, 12).map((line) => line + 1);
   const more = lines.length > shown.length ? ", …" : "";
-  return shown.length === 0 ? "" : ` [${shown.length === 1 ? "line" : "lines"} ${shown.join(", ")}${more}]`;
+  return shown.length === 0
+    ? ""
+    : ` [${shown.length === 1 ? "line" : "lines"} ${shown.join(", ")}${more}]`;
 }
 
 const VERDICTS = { true: "keeps", false: "BREAKS", null: "unknown" } as const;
@@ -35,20 +48,36 @@ function asText(run: ProgramRun, source: string): string {
   const head = `${source}: ${run.dialect}, ${run.units ?? "units not stated"}, ${kind.length} moves, ${probing} of them probing\n`;
   const rule = ({ rule, holds, message, lines }: ProgramRun["rules"][number]) =>
     `  ${VERDICTS[`${holds}`].padEnd(8)}${rule.padEnd(22)}${message}${listed(lines)}\n`;
-  const call = ({ line, name, title, mark, arguments: given, contradictions }: ProgramRun["calls"][number]) => {
+  const call = ({
+    line,
+    name,
+    title,
+    mark,
+    arguments: given,
+    contradictions,
+  }: ProgramRun["calls"][number]) => {
     const words = given.map(
-      ({ name, value, meaning }) => `${name} ${value ?? "?"}${meaning === null ? "" : ` (${meaning})`}`,
+      ({ name, value, meaning }) =>
+        `${name} ${value ?? "?"}${meaning === null ? "" : ` (${meaning})`}`,
     );
     const what =
-      title === null ? "not known here" : `${title}${mark === "recalled" ? ", not verified on a control" : ""}`;
+      title === null
+        ? "not known here"
+        : `${title}${mark === "recalled" ? ", not verified on a control" : ""}`;
     const wrong = contradictions.map((why) => `; REFUSED: ${why}`).join("");
     return `  calls   line ${line + 1}: ${name}, ${what}${words.length === 0 ? "" : `: ${words.join(", ")}`}${wrong}\n`;
   };
-  const ask = ({ name, lines }: ProgramRun["asks"][number]) => `  asks    --set ${name}=…${listed(lines)}\n`;
-  return [head, ...rules.map(rule), ...calls.map(call), ...asks.map(ask)].join("");
+  const ask = ({ name, lines }: ProgramRun["asks"][number]) =>
+    `  asks    --set ${name}=…${listed(lines)}\n`;
+  return [head, ...rules.map(rule), ...calls.map(call), ...asks.map(ask)].join(
+    "",
+  );
 }
 
-function asJson({ dialect, units, plane, rules, asks, calls, findings, kind }: ProgramRun, source: string): string {
+function asJson(
+  { dialect, units, plane, rules, asks, calls, findings, kind }: ProgramRun,
+  source: string,
+): string {
   return `${JSON.stringify({ source, dialect, units, plane, moves: kind.length, rules, asks, calls, findings })}\n`;
 }
 
@@ -61,13 +90,27 @@ function asResults(run: ProgramRun, source: string): string {
         ...(line === null ? {} : { region: { startLine: line + 1 } }),
       },
     }));
-  const result = (ruleId: string, level: string, text: string, lines: number[]) =>
-    places(lines).map((place) => ({ ruleId, level, message: { text }, locations: [place] }));
+  const result = (
+    ruleId: string,
+    level: string,
+    text: string,
+    lines: number[],
+  ) =>
+    places(lines).map((place) => ({
+      ruleId,
+      level,
+      message: { text },
+      locations: [place],
+    }));
   const rules = run.rules
     .filter(({ holds }) => holds !== true)
-    .flatMap(({ rule, holds, message, lines }) => result(rule, holds === false ? "error" : "note", message, lines));
+    .flatMap(({ rule, holds, message, lines }) =>
+      result(rule, holds === false ? "error" : "note", message, lines),
+    );
   const calls = run.calls.flatMap(({ line, name, contradictions }) =>
-    contradictions.flatMap((why) => result("call-unsound", "error", `${name}: ${why}`, [line])),
+    contradictions.flatMap((why) =>
+      result("call-unsound", "error", `${name}: ${why}`, [line]),
+    ),
   );
   const levels = { error: "error", warning: "warning", info: "note" } as const;
   const findings = run.findings.flatMap(({ level, code, message, lines }) =>
@@ -78,9 +121,15 @@ function asResults(run: ProgramRun, source: string): string {
 
 /** One SARIF log (2.1.0) of the results of every program. */
 export function sarif(lists: string[]): string {
-  const results = lists.flatMap((list) => JSON.parse(list) as { ruleId: string }[]);
+  const results = lists.flatMap(
+    (list) => JSON.parse(list) as { ruleId: string }[],
+  );
   const ids = [...new Set(results.map(({ ruleId }) => ruleId))].sort();
-  const driver = { name: "Touchpath", version: version(), rules: ids.map((id) => ({ id })) };
+  const driver = {
+    name: "Touchpath",
+    version: version(),
+    rules: ids.map((id) => ({ id })),
+  };
   const log = {
     $schema: "https://json.schemastore.org/sarif-2.1.0.json",
     version: "2.1.0",

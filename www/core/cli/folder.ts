@@ -72,10 +72,13 @@ export class Folder {
     if (this.aside) return;
     try {
       this.made = await mkdir(this.folder, { recursive: true });
-      for (const name of await readdir(this.folder)) if (name.startsWith(ASIDE)) await this.removeStale(name);
+      for (const name of await readdir(this.folder))
+        if (name.startsWith(ASIDE)) await this.removeStale(name);
       this.aside = await mkdtemp(join(this.folder, ASIDE));
     } catch (thrown) {
-      throw new Refused(`${this.folder} cannot be made: ${(thrown as Error).message}`);
+      throw new Refused(
+        `${this.folder} cannot be made: ${(thrown as Error).message}`,
+      );
     }
   }
 
@@ -85,25 +88,37 @@ export class Folder {
     place: string,
     { name, ending, text }: NonNullable<Outcome["output"]>,
   ): Promise<[string, string]> {
-    const file = join(this.flat ? "" : place, `${programStem(name, text)}${ending}`);
+    const file = join(
+      this.flat ? "" : place,
+      `${programStem(name, text)}${ending}`,
+    );
     const key = file.normalize("NFC").toLowerCase();
     const other = this.taken.get(key);
-    if (other) this.clashes.push(`${other.source} and ${source} would both be ${file}`);
+    if (other)
+      this.clashes.push(`${other.source} and ${source} would both be ${file}`);
     else this.taken.set(key, { source, file });
     const bytes = Buffer.from(text);
     await this.refusing(file, async () => {
-      const handle = await open(join(this.aside, String(this.waiting.length)), "wx");
+      const handle = await open(
+        join(this.aside, String(this.waiting.length)),
+        "wx",
+      );
       await handle.writeFile(bytes).finally(() => handle.close());
     });
     this.waiting.push({ source, file });
-    return [join(this.folder, file), createHash("sha256").update(bytes).digest("hex")];
+    return [
+      join(this.folder, file),
+      createHash("sha256").update(bytes).digest("hex"),
+    ];
   }
 
   /** Keeps a line for the end. */
   async note(line: string): Promise<void> {
     this.lines += line;
     if (this.lines.length < MOST_LINES) return;
-    await this.refusing(LINES, () => appendFile(join(this.aside, LINES), this.lines));
+    await this.refusing(LINES, () =>
+      appendFile(join(this.aside, LINES), this.lines),
+    );
     this.lines = "";
   }
 
@@ -122,22 +137,34 @@ export class Folder {
       const target = join(this.folder, file);
       const there = await stat(target).catch(() => null);
       const found = there && (await fileAt(target));
-      if (there?.isDirectory() || this.leadsThrough(file)) refusals.push(`${file} would be a file and a folder`);
-      else if (found && this.inputs.has(found)) refusals.push(`${file} would be written over the file that was read`);
+      if (there?.isDirectory() || this.leadsThrough(file))
+        refusals.push(`${file} would be a file and a folder`);
+      else if (found && this.inputs.has(found))
+        refusals.push(`${file} would be written over the file that was read`);
     }
     if (refusals.length > 0) {
       const more = refusals.length - MOST_NAMED;
       const named = refusals.slice(0, MOST_NAMED).join("; ");
-      throw new Refused(`${named}${more > 0 ? `; and ${more} more` : ""}: nothing was written`);
+      throw new Refused(
+        `${named}${more > 0 ? `; and ${more} more` : ""}: nothing was written`,
+      );
     }
     for (const folder of new Set(this.waiting.map(({ file }) => dirname(file))))
-      await this.refusing(folder, () => mkdir(join(this.folder, folder), { recursive: true }));
+      await this.refusing(folder, () =>
+        mkdir(join(this.folder, folder), { recursive: true }),
+      );
     for (let i = 0; i < this.waiting.length; i += AT_ONCE)
       await Promise.all(
-        this.waiting.slice(i, i + AT_ONCE).map(({ file }, n) => this.refusing(file, () => this.sync(i + n))),
+        this.waiting
+          .slice(i, i + AT_ONCE)
+          .map(({ file }, n) => this.refusing(file, () => this.sync(i + n))),
       );
     for (const [i, { file }] of this.waiting.entries())
-      await this.refusing(file, () => this.place(join(this.aside, String(i)), join(this.folder, file)), i);
+      await this.refusing(
+        file,
+        () => this.place(join(this.aside, String(i)), join(this.folder, file)),
+        i,
+      );
     this.made = undefined;
   }
 
@@ -158,7 +185,10 @@ export class Folder {
   private leadsThrough(file: string): boolean {
     const folder = dirname(file);
     if (folder === "." || folder === file) return false;
-    return this.taken.has(folder.normalize("NFC").toLowerCase()) || this.leadsThrough(folder);
+    return (
+      this.taken.has(folder.normalize("NFC").toLowerCase()) ||
+      this.leadsThrough(folder)
+    );
   }
 
   /** Brings a file to the disk, so that even after a power failure it is whole in its place. */
@@ -190,16 +220,26 @@ export class Folder {
   private async removeStale(name: string): Promise<void> {
     const path = join(this.folder, name);
     const there = await stat(path).catch(() => null);
-    if (there && Date.now() - there.mtimeMs > STALE) await rm(path, { recursive: true, force: true });
+    if (there && Date.now() - there.mtimeMs > STALE)
+      await rm(path, { recursive: true, force: true });
   }
 
   /** Does what the system may refuse. `before`: how many files are in their places. */
-  private async refusing(file: string, work: () => Promise<unknown>, before = 0): Promise<void> {
+  private async refusing(
+    file: string,
+    work: () => Promise<unknown>,
+    before = 0,
+  ): Promise<void> {
     try {
       await work();
     } catch (thrown) {
-      const rest = before === 0 ? "nothing was written" : `${before} of ${this.waiting.length} files were written`;
-      throw new Refused(`${file} cannot be written: ${(thrown as Error).message}: ${rest}`);
+      const rest =
+        before === 0
+          ? "nothing was written"
+          : `${before} of ${this.waiting.length} files were written`;
+      throw new Refused(
+        `${file} cannot be written: ${(thrown as Error).message}: ${rest}`,
+      );
     }
   }
 }

@@ -9,4 +9,9 @@ export interface Limits {
   /** Milliseconds for a request to come, for an answer, and for what is under way when the service ends. */
   wait: number;
 }
-export const LIMITS: Limits = { body: 2_000_000, requests: 64, connections: 1024, wait: 10_000 };
+export const LIMITS: Limits = {
+  body: 2_000_000,
+  requests: 64,
+  connections: 1024,
+  wait: 10_000,
+};

@@ -9,13 +9,18 @@ export interface Line {
   tooLong: boolean;
 }
 
-export async function* linesOf(stream: AsyncIterable<Buffer | string>, longest: number): AsyncGenerator<Line> {
+export async function* linesOf(
+  stream: AsyncIterable<Buffer | string>,
+  longest: number,
+): AsyncGenerator<Line> {
   const decoder = new StringDecoder("utf8");
   let text = "";
   let number = 1;
   let tooLong = false;
   for await (const chunk of stream) {
-    const parts = (text + (typeof chunk === "string" ? chunk : decoder.write(chunk))).split("\n");
+    const parts = (
+      text + (typeof chunk === "string" ? chunk : decoder.write(chunk))
+    ).split("\n");
     text = parts.pop() as string;
     for (const part of parts) {
       const over = tooLong || part.length > longest;
@@ -28,5 +33,6 @@ export async function* linesOf(stream: AsyncIterable<Buffer | string>, longest: 
     }
   }
   text += decoder.end();
-  if (text !== "" || tooLong) yield { number, text: tooLong ? "" : text, tooLong };
+  if (text !== "" || tooLong)
+    yield { number, text: tooLong ? "" : text, tooLong };
 }

@@ -26,19 +26,34 @@ interface Manifest {
 export const LIST = { name: "manifest", ending: ".json" };
 const MANIFEST = `${LIST.name}${LIST.ending}`;
 
-const hashOf = (text: string | Uint8Array) => createHash("sha256").update(text).digest("hex");
+const hashOf = (text: string | Uint8Array) =>
+  createHash("sha256").update(text).digest("hex");
 const posix = (path: string) => path.split(sep).join("/");
 const byName = (a: string, b: string) => (a < b ? -1 : Number(a > b));
 
 /** The list of what was written into a folder, as text. */
-export function manifestOf(folder: string, made: { outcome: Outcome; file: string; hash: string }[]): string {
-  const from = (path: string) => posix(relative(resolve(folder), resolve(path)));
-  const files = made.map(({ outcome: { source, row, given, control }, file, hash }): Listed => {
-    const own = row === undefined ? source : source.slice(0, -`:${row}`.length);
-    const job = { file: own === "standard input" ? null : from(own), line: row ?? null, sha256: given ?? "" };
-    return { file: from(file), sha256: hash, control, job };
-  });
-  const list: Manifest = { touchpath: version(), files: files.sort((a, b) => byName(a.file, b.file)) };
+export function manifestOf(
+  folder: string,
+  made: { outcome: Outcome; file: string; hash: string }[],
+): string {
+  const from = (path: string) =>
+    posix(relative(resolve(folder), resolve(path)));
+  const files = made.map(
+    ({ outcome: { source, row, given, control }, file, hash }): Listed => {
+      const own =
+        row === undefined ? source : source.slice(0, -`:${row}`.length);
+      const job = {
+        file: own === "standard input" ? null : from(own),
+        line: row ?? null,
+        sha256: given ?? "",
+      };
+      return { file: from(file), sha256: hash, control, job };
+    },
+  );
+  const list: Manifest = {
+    touchpath: version(),
+    files: files.sort((a, b) => byName(a.file, b.file)),
+  };
   return `${JSON.stringify(list, null, 2)}\n`;
 }
 
@@ -52,9 +67,11 @@ async function listOf(folder: string): Promise<Listed[]> {
     throw new Refused(`${path} cannot be read: ${(thrown as Error).message}`);
   }
   const { files } = (list ?? {}) as Partial<Manifest>;
-  if (!Array.isArray(files) || !files.every(isListed)) throw new Refused(`${path} is not a list of programs`);
+  if (!Array.isArray(files) || !files.every(isListed))
+    throw new Refused(`${path} is not a list of programs`);
   const names = files.map(({ file }) => file.normalize("NFC").toLowerCase());
-  if (new Set(names).size < names.length) throw new Refused(`${path} names a file twice`);
+  if (new Set(names).size < names.length)
+    throw new Refused(`${path} names a file twice`);
   return files;
 }
 
@@ -62,25 +79,42 @@ async function listOf(folder: string): Promise<Listed[]> {
 function isListed(one: unknown): one is Listed {
   const { file, sha256, control, job } = (one ?? {}) as Partial<Listed>;
   const isText = (value: unknown) => typeof value === "string";
-  const isInside = isText(file) && !isAbsolute(String(file)) && !String(file).split(/[/\\]/).includes("..");
+  const isInside =
+    isText(file) &&
+    !isAbsolute(String(file)) &&
+    !String(file).split(/[/\\]/).includes("..");
   const isLine = job?.line === null || Number.isSafeInteger(job?.line);
-  const isJob = (job?.file === null || isText(job?.file)) && isText(job?.sha256) && isLine;
-  return isInside && isText(sha256) && (control === null || isText(control)) && isJob;
+  const isJob =
+    (job?.file === null || isText(job?.file)) && isText(job?.sha256) && isLine;
+  return (
+    isInside && isText(sha256) && (control === null || isText(control)) && isJob
+  );
 }
 
 /** The bytes of a plain file that is no longer than a program may be; null where there is none. */
 async function bytesOf(path: string): Promise<Buffer | null> {
   const there = await stat(path).catch(() => null);
-  return there?.isFile() && there.size <= 4 * catalog().longestProgram ? readFile(path).catch(() => null) : null;
+  return there?.isFile() && there.size <= 4 * catalog().longestProgram
+    ? readFile(path).catch(() => null)
+    : null;
 }
 
 /** Holds a folder against its list: every file of it, its job, and what is not on it. */
-export async function* heldAgainst(folder: string, task: Task): AsyncGenerator<Outcome> {
+export async function* heldAgainst(
+  folder: string,
+  task: Task,
+): AsyncGenerator<Outcome> {
   const list = await listOf(folder);
-  const outcome = (source: string, state: Verified["state"], said: string): Outcome => {
+  const outcome = (
+    source: string,
+    state: Verified["state"],
+    said: string,
+  ): Outcome => {
     const verified: Verified = { state, said, lines: [], findings: [] };
     const text =
-      task.format === "json" ? `${JSON.stringify({ source, ...verified })}\n` : verifiedText(source, verified);
+      task.format === "json"
+        ? `${JSON.stringify({ source, ...verified })}\n`
+        : verifiedText(source, verified);
     return {
       source,
       place: "",
@@ -94,30 +128,49 @@ export async function* heldAgainst(folder: string, task: Task): AsyncGenerator<O
   for (const { file, sha256, job } of list) {
     const source = join(folder, file);
     const bytes = await textOf(file);
-    if (!bytes) yield outcome(source, "missing", "is on the list and not there");
-    else if (hashOf(bytes) !== sha256) yield outcome(source, "changed", "has changed since it was listed");
+    if (!bytes)
+      yield outcome(source, "missing", "is on the list and not there");
+    else if (hashOf(bytes) !== sha256)
+      yield outcome(source, "changed", "has changed since it was listed");
     else {
       // As whoever asks would name it.
-      const named = job.file === null ? "" : relative(process.cwd(), resolve(folder, job.file));
-      const of = job.file === null ? undefined : await jobOf(await textOf(job.file), job.line);
-      if (of === null) yield outcome(source, "job-missing", `its job ${named} is not there`);
+      const named =
+        job.file === null
+          ? ""
+          : relative(process.cwd(), resolve(folder, job.file));
+      const of =
+        job.file === null
+          ? undefined
+          : await jobOf(await textOf(job.file), job.line);
+      if (of === null)
+        yield outcome(source, "job-missing", `its job ${named} is not there`);
       else if (of !== undefined && hashOf(of) !== job.sha256)
         yield outcome(
           source,
           "job-changed",
           `its job ${named} was changed since: the program is that of the job before`,
         );
-      else yield perform(task, { source, place: "", text: bytes.toString("utf8") });
+      else
+        yield perform(task, {
+          source,
+          place: "",
+          text: bytes.toString("utf8"),
+        });
     }
   }
   const known = new Set(list.map(({ file }) => file));
-  for (const file of (await glob("**/*", { cwd: folder, dot: true, onlyFiles: true })).sort(byName))
+  for (const file of (
+    await glob("**/*", { cwd: folder, dot: true, onlyFiles: true })
+  ).sort(byName))
     if (!known.has(posix(file)) && file !== MANIFEST)
       yield outcome(join(folder, file), "unlisted", "is not on the list");
 }
 
 /** The text of a job in its file; null where it is not there. */
-async function jobOf(bytes: Buffer | null, line: number | null): Promise<string | null> {
+async function jobOf(
+  bytes: Buffer | null,
+  line: number | null,
+): Promise<string | null> {
   if (!bytes) return null;
   const text = bytes.toString("utf8");
   return line === null ? text : (text.split("\n")[line - 1] ?? null);

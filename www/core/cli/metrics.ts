@@ -19,8 +19,13 @@ export class Metrics {
     const path = route === "*" || route === "/*" ? "other" : route;
     const key = `route="${path}",status="${status}"`;
     this.requests.set(key, (this.requests.get(key) ?? 0) + 1);
-    const own = this.times.get(path) ?? { within: ENDS.map(() => 0), sum: 0, count: 0 };
-    for (const [i, end] of ENDS.entries()) if (seconds <= end) own.within[i] = (own.within[i] ?? 0) + 1;
+    const own = this.times.get(path) ?? {
+      within: ENDS.map(() => 0),
+      sum: 0,
+      count: 0,
+    };
+    for (const [i, end] of ENDS.entries())
+      if (seconds <= end) own.within[i] = (own.within[i] ?? 0) + 1;
     own.sum += seconds;
     own.count++;
     this.times.set(path, own);
@@ -30,14 +35,18 @@ export class Metrics {
     const lines = [
       "# HELP touchpath_requests_total Requests that were answered.",
       "# TYPE touchpath_requests_total counter",
-      ...[...this.requests].map(([labels, count]) => `touchpath_requests_total{${labels}} ${count}`),
+      ...[...this.requests].map(
+        ([labels, count]) => `touchpath_requests_total{${labels}} ${count}`,
+      ),
       "# HELP touchpath_request_seconds From the start of a request to its answer.",
       "# TYPE touchpath_request_seconds histogram",
     ];
     for (const [path, { within, sum, count }] of this.times) {
       const of = `route="${path}"`;
       for (const [i, end] of ENDS.entries())
-        lines.push(`touchpath_request_seconds_bucket{${of},le="${end}"} ${within[i]}`);
+        lines.push(
+          `touchpath_request_seconds_bucket{${of},le="${end}"} ${within[i]}`,
+        );
       lines.push(
         `touchpath_request_seconds_bucket{${of},le="+Inf"} ${count}`,
         `touchpath_request_seconds_sum{${of}} ${sum.toFixed(6)}`,
@@ -45,10 +54,22 @@ export class Metrics {
       );
     }
     const gauge = (name: string, about: string, value: number) =>
-      lines.push(`# HELP ${name} ${about}`, `# TYPE ${name} gauge`, `${name} ${value}`);
-    gauge("touchpath_requests_under_way", "Requests that are worked on.", underWay);
+      lines.push(
+        `# HELP ${name} ${about}`,
+        `# TYPE ${name} gauge`,
+        `${name} ${value}`,
+      );
+    gauge(
+      "touchpath_requests_under_way",
+      "Requests that are worked on.",
+      underWay,
+    );
     gauge("touchpath_threads", "Threads that work on requests.", threads);
-    gauge("process_resident_memory_bytes", "Memory of the process.", process.memoryUsage.rss());
+    gauge(
+      "process_resident_memory_bytes",
+      "Memory of the process.",
+      process.memoryUsage.rss(),
+    );
     return `${lines.join("\n")}\n`;
   }
 }

@@ -2,11 +2,19 @@
 import { jobSchema, version } from "../node.js";
 import type { Route } from "./routes.js";
 
-const JOB = { format: 1, name: "BORE", cycle: { type: "hole", diameter: 32 }, control: { post: "haas" } };
+const JOB = {
+  format: 1,
+  name: "BORE",
+  cycle: { type: "hole", diameter: 32 },
+  control: { post: "haas" },
+};
 
 const named = (name: string) => ({ $ref: `#/components/schemas/${name}` });
 const text = { type: "string" };
-const object = (properties: Record<string, object>, required = Object.keys(properties)) => ({
+const object = (
+  properties: Record<string, object>,
+  required = Object.keys(properties),
+) => ({
   type: "object",
   required,
   properties,
@@ -14,7 +22,10 @@ const object = (properties: Record<string, object>, required = Object.keys(prope
 const content = (type: string, schema: object, example?: unknown) => ({
   [type]: { schema, ...(example === undefined ? {} : { example }) },
 });
-const answer = (description: string, type: string, schema: object) => ({ description, content: content(type, schema) });
+const answer = (description: string, type: string, schema: object) => ({
+  description,
+  content: content(type, schema),
+});
 
 /** What may go wrong with a request. */
 const FAULTS: readonly [string, string][] = [
@@ -30,7 +41,11 @@ const FAULTS: readonly [string, string][] = [
 
 /** The answer of a route that is good. */
 function good({ path, gives, id }: Route) {
-  if (path === "/check") return answer("Good", gives.type, { type: "array", items: named("Finding") });
+  if (path === "/check")
+    return answer("Good", gives.type, {
+      type: "array",
+      items: named("Finding"),
+    });
   if (path === "/table")
     return {
       description: "Good",
@@ -41,43 +56,87 @@ function good({ path, gives, id }: Route) {
       },
     };
   if (gives.schema) return answer("Good", gives.type, named(gives.schema));
-  return answer("Good", gives.type, gives.type === "application/json" ? { title: id } : text);
+  return answer(
+    "Good",
+    gives.type,
+    gives.type === "application/json" ? { title: id } : text,
+  );
 }
 
 function takes(route: Route) {
   if (route.takes === "text") return content("text/plain", text);
   // What is wrong with a job is a finding, so that any job may be sent.
-  if (route.takes === "job") return content("application/json", route.path === "/check" ? {} : named("Job"), JOB);
-  return content("application/json", object({ job: named("Job"), measured: text }), {
-    job: JOB,
-    measured: "center.x=0.01",
-  });
+  if (route.takes === "job")
+    return content(
+      "application/json",
+      route.path === "/check" ? {} : named("Job"),
+      JOB,
+    );
+  return content(
+    "application/json",
+    object({ job: named("Job"), measured: text }),
+    {
+      job: JOB,
+      measured: "center.x=0.01",
+    },
+  );
 }
 
 /** The description of a service. `answers` is the schema of what comes out. */
-export function openapi(routes: readonly Route[], answers: Record<string, unknown>): object {
-  const failed = object({ error: text, findings: { type: "array", items: named("Finding") } }, ["error"]);
+export function openapi(
+  routes: readonly Route[],
+  answers: Record<string, unknown>,
+): object {
+  const failed = object(
+    { error: text, findings: { type: "array", items: named("Finding") } },
+    ["error"],
+  );
   const others = Object.fromEntries(
-    FAULTS.map(([status, about]) => [status, answer(about, "application/json", failed)]),
+    FAULTS.map(([status, about]) => [
+      status,
+      answer(about, "application/json", failed),
+    ]),
   );
   const paths: Record<string, object> = {};
   for (const route of routes) {
     const [word, forms] = route.query ?? [];
-    const parameters = word ? [{ name: word, in: "query", schema: { enum: forms } }] : [];
+    const parameters = word
+      ? [{ name: word, in: "query", schema: { enum: forms } }]
+      : [];
     const responses = { 200: good(route), ...others };
     const body = { required: true, content: takes(route) };
-    const post = { operationId: route.id, summary: route.about, parameters, requestBody: body, responses };
-    const job = { name: "job", in: "query", required: true, content: content("application/json", named("Job"), JOB) };
+    const post = {
+      operationId: route.id,
+      summary: route.about,
+      parameters,
+      requestBody: body,
+      responses,
+    };
+    const job = {
+      name: "job",
+      in: "query",
+      required: true,
+      content: content("application/json", named("Job"), JOB),
+    };
     const get = {
       operationId: `${route.id}Of`,
       summary: `${route.about}, of a job in the address`,
       parameters: [job, ...parameters],
-      responses: { ...responses, 304: { description: "The answer is the one whose ETag If-None-Match says" } },
+      responses: {
+        ...responses,
+        304: {
+          description: "The answer is the one whose ETag If-None-Match says",
+        },
+      },
     };
     paths[route.path] = { post, ...(route.takes === "job" ? { get } : {}) };
   }
   const lines = "application/x-ndjson";
-  const ndjson = answer("A line a job: its line, its program or null, its findings", lines, text);
+  const ndjson = answer(
+    "A line a job: its line, its program or null, its findings",
+    lines,
+    text,
+  );
   paths["/programs"] = {
     post: {
       operationId: "programs",
@@ -90,18 +149,43 @@ export function openapi(routes: readonly Route[], answers: Record<string, unknow
   const documents: [string, string, string, object][] = [
     ["/catalog", "catalog", "Cycles, fields and controls", named("Catalog")],
     ["/schema", "schema", "The JSON Schema of a job", { type: "object" }],
-    ["/answers.schema", "answersSchema", "The JSON Schema of what comes out", { type: "object" }],
-    ["/health", "health", "Whether the service lives", object({ good: { type: "boolean" }, version: text })],
-    ["/ready", "ready", "Whether it takes requests; 503 where it does not", flag],
+    [
+      "/answers.schema",
+      "answersSchema",
+      "The JSON Schema of what comes out",
+      { type: "object" },
+    ],
+    [
+      "/health",
+      "health",
+      "Whether the service lives",
+      object({ good: { type: "boolean" }, version: text }),
+    ],
+    [
+      "/ready",
+      "ready",
+      "Whether it takes requests; 503 where it does not",
+      flag,
+    ],
   ];
   for (const [path, operationId, summary, schema] of documents) {
-    const late = path === "/ready" ? { 503: answer("It does not", "application/json", schema) } : {};
-    const responses = { 200: answer("Good", "application/json", schema), ...late };
+    const late =
+      path === "/ready"
+        ? { 503: answer("It does not", "application/json", schema) }
+        : {};
+    const responses = {
+      200: answer("Good", "application/json", schema),
+      ...late,
+    };
     paths[path] = { get: { operationId, summary, responses } };
   }
   const metrics = { 200: answer("Good", "text/plain", text) };
   paths["/metrics"] = {
-    get: { operationId: "metrics", summary: "Counters, as Prometheus reads them", responses: metrics },
+    get: {
+      operationId: "metrics",
+      summary: "Counters, as Prometheus reads them",
+      responses: metrics,
+    },
   };
   // The definitions stand here under components, and the job beside them.
   const here = JSON.stringify(answers.$defs)

@@ -8,24 +8,32 @@ export interface Place {
 }
 
 /** The entry of an object or a list that a path leads into, and the rest of the path. Of a key that is there twice the last one counts. */
-function step({ type, children = [] }: Node, path: string): { at: Node; value: Node; rest: string } | null {
+function step(
+  { type, children = [] }: Node,
+  path: string,
+): { at: Node; value: Node; rest: string } | null {
   if (type === "array") {
     const [whole, index] = /^\[(\d+)\]\.?/.exec(path) ?? [];
     const value = children[Number(index)];
-    return whole && value ? { at: value, value, rest: path.slice(whole.length) } : null;
+    return whole && value
+      ? { at: value, value, rest: path.slice(whole.length) }
+      : null;
   }
   // A key may have dots in it: the longest that fits is meant.
   let longest = "";
   let found: Node | null = null;
   for (const property of children) {
     const key = String(property.children?.[0]?.value ?? "");
-    const fits = path === key || path.startsWith(`${key}.`) || path.startsWith(`${key}[`);
+    const fits =
+      path === key || path.startsWith(`${key}.`) || path.startsWith(`${key}[`);
     if (key === "" || !fits || key.length < longest.length) continue;
     longest = key;
     found = property;
   }
   const value = found?.children?.[1];
-  return found && value ? { at: found, value, rest: path.slice(longest.length).replace(/^\./, "") } : null;
+  return found && value
+    ? { at: found, value, rest: path.slice(longest.length).replace(/^\./, "") }
+    : null;
 }
 
 /** Says where paths such as `cycles[1].origin[0]` stand in a JSON text: what is missing at the object in which it is missing. Nothing of a text that is no JSON. */
@@ -38,8 +46,12 @@ export function placesIn(text: string): (path: string) => Place | null {
     let at = tree;
     let value = tree;
     let rest = path;
-    for (let next = step(value, rest); next; next = step(value, rest)) ({ at, value, rest } = next);
+    for (let next = step(value, rest); next; next = step(value, rest))
+      ({ at, value, rest } = next);
     const before = ends.filter((end) => end < at.offset);
-    return { line: before.length + 1, column: at.offset - (before.at(-1) ?? -1) };
+    return {
+      line: before.length + 1,
+      column: at.offset - (before.at(-1) ?? -1),
+    };
   };
 }

@@ -20,8 +20,12 @@ export class Thread {
 
   constructor() {
     this.worker = new Worker(new URL("./worker.js", import.meta.url));
-    this.worker.on("message", (outcomes: Outcome[]) => this.waiting.shift()?.done(outcomes));
-    this.worker.on("error", (why) => this.die(why instanceof Error ? why : new Error(String(why))));
+    this.worker.on("message", (outcomes: Outcome[]) =>
+      this.waiting.shift()?.done(outcomes),
+    );
+    this.worker.on("error", (why) =>
+      this.die(why instanceof Error ? why : new Error(String(why))),
+    );
     this.worker.on("exit", () => this.die(new Error("A thread has ended")));
   }
 
@@ -53,14 +57,19 @@ export interface Workers {
 }
 
 /** Does the task with every item, on so many threads. */
-export async function* performAll(task: Task, items: AsyncIterable<Item>, threads: number): AsyncGenerator<Outcome> {
+export async function* performAll(
+  task: Task,
+  items: AsyncIterable<Item>,
+  threads: number,
+): AsyncGenerator<Outcome> {
   if (threads <= 1) {
     for await (const item of items) yield perform(task, item);
     return;
   }
   const pool = Array.from({ length: threads }, () => new Thread());
   let turn = 0;
-  const ask = (task: Task, bunch: Item[]) => (pool[turn++ % threads] as Thread).ask(task, bunch);
+  const ask = (task: Task, bunch: Item[]) =>
+    (pool[turn++ % threads] as Thread).ask(task, bunch);
   try {
     yield* performOn({ width: threads, ask }, task, items);
   } finally {
@@ -69,7 +78,11 @@ export async function* performAll(task: Task, items: AsyncIterable<Item>, thread
 }
 
 /** Does the task with every item. Where no more items can be had, what is under way is handed on before that is said. */
-export async function* performOn(workers: Workers, task: Task, items: AsyncIterable<Item>): AsyncGenerator<Outcome> {
+export async function* performOn(
+  workers: Workers,
+  task: Task,
+  items: AsyncIterable<Item>,
+): AsyncGenerator<Outcome> {
   const source = bunches(items);
   let next: Promise<IteratorResult<Item[]>> | null = started(source.next());
   /** What was asked and has not been handed on, in order. */
@@ -123,7 +136,9 @@ async function* bunches(items: AsyncIterable<Item>): AsyncGenerator<Item[]> {
   next.catch(() => undefined);
   for (;;) {
     if (bunch.length > 0) {
-      const soon = new Promise<"wait">((done) => setImmediate(() => done("wait")));
+      const soon = new Promise<"wait">((done) =>
+        setImmediate(() => done("wait")),
+      );
       const there = await Promise.race([
         next.then(
           () => "there",
@@ -143,7 +158,8 @@ async function* bunches(items: AsyncIterable<Item>): AsyncGenerator<Item[]> {
     if (result.done) break;
     bunch.push(result.value);
     characters += result.value.text.length;
-    if (bunch.length === BUNCH.jobs || characters >= BUNCH.characters) yield take();
+    if (bunch.length === BUNCH.jobs || characters >= BUNCH.characters)
+      yield take();
     next = source.next();
     next.catch(() => undefined);
   }

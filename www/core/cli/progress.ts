@@ -25,7 +25,9 @@ export class Progress {
   }
 
   /** The same stream, with its bytes counted. */
-  async *through(stream: AsyncIterable<Buffer | string>): AsyncGenerator<Buffer | string> {
+  async *through(
+    stream: AsyncIterable<Buffer | string>,
+  ): AsyncGenerator<Buffer | string> {
     for await (const chunk of stream) {
       this.read += chunk.length;
       yield chunk;
@@ -39,8 +41,12 @@ export class Progress {
     if (!this.shows || now - this.drawn < PAUSE) return;
     this.drawn = now;
     const rate = Math.round(this.done / ((now - this.start) / 1000));
-    const share = this.expected > 0 ? Math.min(this.read / this.expected, 1) : null;
-    const bar = share === null ? "" : `[${"#".repeat(Math.round(share * WIDTH)).padEnd(WIDTH)}] `;
+    const share =
+      this.expected > 0 ? Math.min(this.read / this.expected, 1) : null;
+    const bar =
+      share === null
+        ? ""
+        : `[${"#".repeat(Math.round(share * WIDTH)).padEnd(WIDTH)}] `;
     this.terminal.write(`\r${bar}${this.done} jobs, ${rate} a second\u001b[K`);
   }
 

@@ -4,18 +4,26 @@ import type { Outcome, PlacedFinding } from "./tasks.js";
 const LEVELS = { error: "error", warning: "warning", info: "notice" } as const;
 
 /** The text of a finding, with its path. */
-const saidOf = ({ path, message }: PlacedFinding) => (path ? `${path}: ${message}` : message);
+const saidOf = ({ path, message }: PlacedFinding) =>
+  path ? `${path}: ${message}` : message;
 
 /** What failed although no finding says it: a program that is not that of its job. */
 const unsaid = ({ failed, findings, output }: Outcome) =>
-  failed && !findings.some(({ level }) => level === "error") ? (output?.text.trim() ?? "failed") : null;
+  failed && !findings.some(({ level }) => level === "error")
+    ? (output?.text.trim() ?? "failed")
+    : null;
 
 /** Workflow commands of GitHub: annotations at the file and the line. */
 export function github(outcome: Outcome): string {
-  const value = (text: string) => text.replaceAll("%", "%25").replaceAll("\r", "%0D").replaceAll("\n", "%0A");
-  const property = (text: string) => value(text).replaceAll(":", "%3A").replaceAll(",", "%2C");
+  const value = (text: string) =>
+    text.replaceAll("%", "%25").replaceAll("\r", "%0D").replaceAll("\n", "%0A");
+  const property = (text: string) =>
+    value(text).replaceAll(":", "%3A").replaceAll(",", "%2C");
   const { row } = outcome;
-  const own = row === undefined ? outcome.source : outcome.source.replace(new RegExp(`:${row}$`), "");
+  const own =
+    row === undefined
+      ? outcome.source
+      : outcome.source.replace(new RegExp(`:${row}$`), "");
   const file = own === "standard input" ? [] : [`file=${property(own)}`];
   const at = row === undefined ? [] : [`line=${row}`];
   const of = (finding: PlacedFinding) => {
@@ -28,10 +36,15 @@ export function github(outcome: Outcome): string {
 }
 
 /** Whether a character may stand in XML: most control characters may not, not even escaped. */
-const isXml = (sign: string) => (sign >= " " ? sign !== "\ufffe" && sign !== "\uffff" : "\t\n\r".includes(sign));
+const isXml = (sign: string) =>
+  sign >= " "
+    ? sign !== "\ufffe" && sign !== "\uffff"
+    : "\t\n\r".includes(sign);
 
 const xml = (text: string) =>
-  Array.from(text, (sign) => (isXml(sign) && (sign.codePointAt(0) ?? 0) >> 11 !== 0x1b ? sign : "\ufffd"))
+  Array.from(text, (sign) =>
+    isXml(sign) && (sign.codePointAt(0) ?? 0) >> 11 !== 0x1b ? sign : "\ufffd",
+  )
     .join("")
     .replaceAll("&", "&amp;")
     .replaceAll("<", "&lt;")
@@ -39,12 +52,19 @@ const xml = (text: string) =>
     .replaceAll('"', "&quot;");
 
 /** A report as JUnit writes it, a test case a job or a program; `denied`: a warning is a failure, too. */
-export function junit(command: string, outcomes: Outcome[], denied: boolean): string {
+export function junit(
+  command: string,
+  outcomes: Outcome[],
+  denied: boolean,
+): string {
   let failures = 0;
   const cases = outcomes.map((outcome) => {
-    const fails = ({ level }: PlacedFinding) => level === "error" || (denied && level === "warning");
-    const at = ({ line, column }: PlacedFinding) => (line === undefined ? "" : `:${line}:${column}`);
-    const text = (f: PlacedFinding) => `${outcome.source}${at(f)}: ${f.level}: ${saidOf(f)} [${f.code}]`;
+    const fails = ({ level }: PlacedFinding) =>
+      level === "error" || (denied && level === "warning");
+    const at = ({ line, column }: PlacedFinding) =>
+      line === undefined ? "" : `:${line}:${column}`;
+    const text = (f: PlacedFinding) =>
+      `${outcome.source}${at(f)}: ${f.level}: ${saidOf(f)} [${f.code}]`;
     const bad = outcome.findings.filter(fails);
     const other = unsaid(outcome);
     const said = [...(other === null ? [] : [other]), ...bad.map(text)];
@@ -54,7 +74,10 @@ export function junit(command: string, outcomes: Outcome[], denied: boolean): st
       said.length === 0
         ? ""
         : `<failure message="${xml(bad[0] ? saidOf(bad[0]) : (other ?? ""))}" type="${xml(bad[0]?.code ?? "failed")}">${xml(said.join("\n"))}</failure>`;
-    const out = rest.length === 0 ? "" : `<system-out>${xml(rest.join("\n"))}</system-out>`;
+    const out =
+      rest.length === 0
+        ? ""
+        : `<system-out>${xml(rest.join("\n"))}</system-out>`;
     return `    <testcase name="${xml(outcome.source)}" classname="touchpath.${command}">${failure}${out}</testcase>\n`;
   });
   const counts = `tests="${outcomes.length}" failures="${failures}"`;

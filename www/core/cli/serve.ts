@@ -29,13 +29,19 @@ interface Settings {
 }
 
 /** The content types of the forms of a table. */
-const FORMATS: Record<string, string> = { json: JSON_TYPE, csv: "text/csv", text: "text/plain" };
+const FORMATS: Record<string, string> = {
+  json: JSON_TYPE,
+  csv: "text/csv",
+  text: "text/plain",
+};
 
 type Env = { Bindings: HttpBindings };
 
 /** A refusal: a status and why. */
-const refused = (status: 400 | 404 | 412 | 413 | 415 | 503 | 504, message: string) =>
-  new HTTPException(status, { message });
+const refused = (
+  status: 400 | 404 | 412 | 413 | 415 | 503 | 504,
+  message: string,
+) => new HTTPException(status, { message });
 
 /** What waits for a thread. */
 interface Waiting {
@@ -74,8 +80,14 @@ class Crew implements Workers {
 
   /** Has every thread load the module. */
   async warm(): Promise<void> {
-    const item: Item = { source: "", place: "", text: '{"format":1,"cycle":{"type":"hole"}}' };
-    await Promise.all(this.threads.map(() => this.perform({ command: "check" }, item)));
+    const item: Item = {
+      source: "",
+      place: "",
+      text: '{"format":1,"cycle":{"type":"hole"}}',
+    };
+    await Promise.all(
+      this.threads.map(() => this.perform({ command: "check" }, item)),
+    );
   }
 
   async end(): Promise<void> {
@@ -83,7 +95,11 @@ class Crew implements Workers {
     await Promise.all(this.threads.map((thread) => thread.end()));
   }
 
-  private queued(queue: Waiting[], task: Task, bunch: Item[]): Promise<Outcome[]> {
+  private queued(
+    queue: Waiting[],
+    task: Task,
+    bunch: Item[],
+  ): Promise<Outcome[]> {
     return new Promise((done, fail) => {
       queue.push({ task, bunch, done, fail });
       this.next();
@@ -99,12 +115,18 @@ class Crew implements Workers {
     }
   }
 
-  private async work(i: number, { task, bunch, done, fail }: Waiting): Promise<void> {
+  private async work(
+    i: number,
+    { task, bunch, done, fail }: Waiting,
+  ): Promise<void> {
     const thread = this.threads[i] as Thread;
     this.busy[i] = true;
     let late: NodeJS.Timeout | undefined;
     const over = new Promise<never>((_, fail) => {
-      late = setTimeout(() => fail(refused(504, "the answer took too long")), this.wait);
+      late = setTimeout(
+        () => fail(refused(504, "the answer took too long")),
+        this.wait,
+      );
     });
     try {
       done(await Promise.race([thread.ask(task, bunch), over]));
@@ -121,14 +143,19 @@ class Crew implements Workers {
 }
 
 /** The body of a request: no more than so many bytes are read, and no longer than so many milliseconds are waited. */
-async function bodyOf(incoming: IncomingMessage, most: number, wait: number): Promise<string> {
+async function bodyOf(
+  incoming: IncomingMessage,
+  most: number,
+  wait: number,
+): Promise<string> {
   const chunks: Buffer[] = [];
   let size = 0;
   const late = setTimeout(() => incoming.destroy(), wait);
   try {
     for await (const chunk of incoming) {
       size += (chunk as Buffer).length;
-      if (size > most) throw refused(413, `the body is longer than ${most} bytes`);
+      if (size > most)
+        throw refused(413, `the body is longer than ${most} bytes`);
       chunks.push(chunk as Buffer);
     }
   } catch (thrown) {
@@ -143,7 +170,9 @@ async function bodyOf(incoming: IncomingMessage, most: number, wait: number): Pr
 
 /** Whether If-None-Match names a tag. A proxy that compresses makes it a weak one. */
 const isKnown = (header: string | undefined, tag: string) =>
-  (header ?? "").split(",").some((one) => one.trim().replace(/^W\//, "") === tag);
+  (header ?? "")
+    .split(",")
+    .some((one) => one.trim().replace(/^W\//, "") === tag);
 
 function json(text: string): unknown {
   try {
@@ -158,10 +187,19 @@ function asked(route: Route, text: string): { task: Task; text: string } {
   if (route.takes === "text") return { task: route.task, text };
   const given = json(text);
   if (route.takes === "job") return { task: route.task, text };
-  const { job, measured } = (given ?? {}) as { job?: unknown; measured?: unknown };
+  const { job, measured } = (given ?? {}) as {
+    job?: unknown;
+    measured?: unknown;
+  };
   if (job === undefined || typeof measured !== "string")
-    throw refused(400, 'this route takes { "job": …, "measured": "what the machine printed" }');
-  return { task: { ...route.task, points: measured }, text: JSON.stringify(job) };
+    throw refused(
+      400,
+      'this route takes { "job": …, "measured": "what the machine printed" }',
+    );
+  return {
+    task: { ...route.task, points: measured },
+    text: JSON.stringify(job),
+  };
 }
 
 /** The app and what ends it. */
@@ -202,7 +240,9 @@ export class Service {
       await once(this.server, "listening");
     } catch (thrown) {
       await this.crew.end();
-      throw new Refused(`${host}:${port} cannot be listened at: ${(thrown as Error).message}`);
+      throw new Refused(
+        `${host}:${port} cannot be listened at: ${(thrown as Error).message}`,
+      );
     }
     this.crew.warm().then(
       () => {
@@ -213,7 +253,9 @@ export class Service {
       },
     );
     const address = this.server.address() as { address: string; port: number };
-    const name = address.address.includes(":") ? `[${address.address}]` : address.address;
+    const name = address.address.includes(":")
+      ? `[${address.address}]`
+      : address.address;
     return `http://${name}:${address.port}`;
   }
 
@@ -223,7 +265,10 @@ export class Service {
     const closed = once(this.server, "close");
     this.server.close();
     this.server.closeIdleConnections();
-    const late = setTimeout(() => this.server.closeAllConnections(), this.settings.limits.wait);
+    const late = setTimeout(
+      () => this.server.closeAllConnections(),
+      this.settings.limits.wait,
+    );
     await closed;
     clearTimeout(late);
     await this.crew.end();
@@ -236,35 +281,67 @@ export class Service {
       const begin = performance.now();
       if (this.closing) c.header("connection", "close");
       await next();
-      this.metrics.count(c.req.routePath, c.res.status, (performance.now() - begin) / 1000);
+      this.metrics.count(
+        c.req.routePath,
+        c.res.status,
+        (performance.now() - begin) / 1000,
+      );
     });
     app.onError((error, c) => {
       const status = error instanceof HTTPException ? error.status : 500;
-      if (status === 500) console.error(`${c.get("requestId")}: ${error.stack ?? error}`);
+      if (status === 500)
+        console.error(`${c.get("requestId")}: ${error.stack ?? error}`);
       if (status === 503) c.header("retry-after", "1");
       // The rest of a body that is too long is not waited for.
       if (status === 413) c.header("connection", "close");
-      return c.json({ error: status === 500 ? "this should not have happened" : error.message }, status);
+      return c.json(
+        {
+          error:
+            status === 500 ? "this should not have happened" : error.message,
+        },
+        status,
+      );
     });
-    app.notFound((c) => c.json({ error: `there is no ${c.req.method} ${c.req.path.slice(0, 100)}` }, 404));
+    app.notFound((c) =>
+      c.json(
+        { error: `there is no ${c.req.method} ${c.req.path.slice(0, 100)}` },
+        404,
+      ),
+    );
     for (const route of ROUTES) {
       app.post(route.path, async (c) => {
-        const type = c.req.header("content-type")?.split(";")[0]?.trim().toLowerCase();
+        const type = c.req
+          .header("content-type")
+          ?.split(";")[0]
+          ?.trim()
+          .toLowerCase();
         const wanted = route.takes === "text" ? "text/plain" : JSON_TYPE;
-        if (type !== wanted) throw refused(415, `the body of this route is ${wanted}`);
+        if (type !== wanted)
+          throw refused(415, `the body of this route is ${wanted}`);
         if ((c.req.header("content-encoding") ?? "identity") !== "identity")
-          throw refused(415, "the body comes as it is, without content-encoding");
-        const text = await bodyOf(c.env.incoming, settings.limits.body, settings.limits.wait);
+          throw refused(
+            415,
+            "the body comes as it is, without content-encoding",
+          );
+        const text = await bodyOf(
+          c.env.incoming,
+          settings.limits.body,
+          settings.limits.wait,
+        );
         return this.answer(c, route, text);
       });
       // A job in the address, so that what stands between may keep the answer.
       if (route.takes === "job")
         app.get(route.path, async (c) => {
           const job = c.req.query("job");
-          if (job === undefined) throw refused(400, "the query has no job: ?job=, as JSON");
+          if (job === undefined)
+            throw refused(400, "the query has no job: ?job=, as JSON");
           return this.answer(c, route, job);
         });
-      this.others(route.path, route.takes === "job" ? "GET, HEAD, POST" : "POST");
+      this.others(
+        route.path,
+        route.takes === "job" ? "GET, HEAD, POST" : "POST",
+      );
     }
     app.post("/programs", (c) => this.programs(c));
     this.others("/programs", "POST");
@@ -277,7 +354,8 @@ export class Service {
     for (const [path, make] of Object.entries(documents)) {
       app.get(path, (c) => {
         const tag = this.tag(path, "");
-        if (isKnown(c.req.header("if-none-match"), tag)) return c.body(null, 304, { etag: tag });
+        if (isKnown(c.req.header("if-none-match"), tag))
+          return c.body(null, 304, { etag: tag });
         return c.json(make(), 200, { etag: tag });
       });
       this.others(path, "GET, HEAD");
@@ -296,12 +374,16 @@ export class Service {
 
   /** Refuses the methods that a path does not have. */
   private others(path: string, allowed: string): void {
-    this.app.all(path, (c) => c.json({ error: `${path} takes ${allowed}` }, 405, { allow: allowed }));
+    this.app.all(path, (c) =>
+      c.json({ error: `${path} takes ${allowed}` }, 405, { allow: allowed }),
+    );
   }
 
   /** The key of an answer: version, rules, route with its query, and what was sent. */
   private tag(asked: string, text: string): string {
-    const hash = createHash("sha256").update(JSON.stringify([this.salt, asked, text]));
+    const hash = createHash("sha256").update(
+      JSON.stringify([this.salt, asked, text]),
+    );
     return `"${hash.digest("base64url")}"`;
   }
 
@@ -310,7 +392,8 @@ export class Service {
     const { socket } = incoming;
     // Of a connection that is gone already there will be no end to hear of.
     if (socket.destroyed) return;
-    if (this.underWay >= this.settings.limits.requests) throw refused(503, "too many requests at once");
+    if (this.underWay >= this.settings.limits.requests)
+      throw refused(503, "too many requests at once");
     this.underWay++;
     // An answer that waits behind another one on its connection never closes where the connection does.
     socket.setMaxListeners(0);
@@ -325,21 +408,36 @@ export class Service {
     socket.once("close", end);
   }
 
-  private async answer(c: Context<Env>, route: Route, body: string): Promise<Response> {
+  private async answer(
+    c: Context<Env>,
+    route: Route,
+    body: string,
+  ): Promise<Response> {
     const [word = "", forms = []] = route.query ?? [];
     const form = word === "" ? undefined : c.req.query(word);
-    if (form !== undefined && !forms.includes(form)) throw refused(400, `${word} is one of ${forms.join(", ")}`);
+    if (form !== undefined && !forms.includes(form))
+      throw refused(400, `${word} is one of ${forms.join(", ")}`);
     const { task, text } = asked(route, body);
     const tag = this.tag(`${route.path} ${form ?? ""}`, body);
     const reads = c.req.method !== "POST";
     if (isKnown(c.req.header("if-none-match"), tag))
       return reads
         ? c.body(null, 304, { etag: tag })
-        : c.json({ error: "the answer is the one that you have" }, 412, { etag: tag });
+        : c.json({ error: "the answer is the one that you have" }, 412, {
+            etag: tag,
+          });
     this.enter(c.env);
     const { config } = this.settings;
-    const own: Task = { ...task, ...(config ? { config } : {}), ...(form === undefined ? {} : { [word]: form }) };
-    const outcome = await this.crew.perform(own, { source: route.path, place: "", text });
+    const own: Task = {
+      ...task,
+      ...(config ? { config } : {}),
+      ...(form === undefined ? {} : { [word]: form }),
+    };
+    const outcome = await this.crew.perform(own, {
+      source: route.path,
+      place: "",
+      text,
+    });
     const isGood = outcome.output !== null || route.task.command === "check";
     // An answer that is not good is asked for anew, and costs its plan.
     if (isGood) c.header("etag", tag);
@@ -348,10 +446,19 @@ export class Service {
     if (route.task.command === "check") return c.json(outcome.findings);
     if (!outcome.output) {
       const [first] = outcome.findings.filter(({ level }) => level === "error");
-      return c.json({ error: first?.message ?? "there is no answer", findings: outcome.findings }, 422);
+      return c.json(
+        {
+          error: first?.message ?? "there is no answer",
+          findings: outcome.findings,
+        },
+        422,
+      );
     }
-    const type = (route.path === "/table" && FORMATS[form ?? "json"]) || route.gives.type;
-    return c.body(outcome.output.text, 200, { "content-type": `${type}; charset=utf-8` });
+    const type =
+      (route.path === "/table" && FORMATS[form ?? "json"]) || route.gives.type;
+    return c.body(outcome.output.text, 200, {
+      "content-type": `${type}; charset=utf-8`,
+    });
   }
 
   /** A job a line in, an outcome a line out, as they come. */
@@ -363,31 +470,49 @@ export class Service {
     const task: Task = { command: "plan", ...(config ? { config } : {}) };
     const crew = this.crew;
     async function* items(): AsyncGenerator<Item> {
-      for await (const { number, text, tooLong } of linesOf(c.env.incoming, limits.body)) {
+      for await (const { number, text, tooLong } of linesOf(
+        c.env.incoming,
+        limits.body,
+      )) {
         if (text.trim() === "" && !tooLong) continue;
-        const long = tooLong ? { refused: `a line is longer than ${limits.body} characters` } : {};
+        const long = tooLong
+          ? { refused: `a line is longer than ${limits.body} characters` }
+          : {};
         yield { source: String(number), row: number, place: "", text, ...long };
       }
     }
     async function* lines(): AsyncGenerator<string> {
-      for await (const { row, output, findings } of performOn(crew, task, items()))
+      for await (const { row, output, findings } of performOn(
+        crew,
+        task,
+        items(),
+      ))
         yield `${JSON.stringify({ line: row, program: output?.text ?? null, findings })}\n`;
     }
-    const stream = Readable.toWeb(Readable.from(lines(), { objectMode: false })) as ReadableStream;
-    return c.body(stream, 200, { "content-type": "application/x-ndjson; charset=utf-8" });
+    const stream = Readable.toWeb(
+      Readable.from(lines(), { objectMode: false }),
+    ) as ReadableStream;
+    return c.body(stream, 200, {
+      "content-type": "application/x-ndjson; charset=utf-8",
+    });
   }
 }
 
 /** The schema of what comes out, as the package has it. */
 function answers(): Record<string, unknown> {
-  const file = join(dirname(fileURLToPath(import.meta.url)), "..", "answers.schema.json");
+  const file = join(
+    dirname(fileURLToPath(import.meta.url)),
+    "..",
+    "answers.schema.json",
+  );
   return JSON.parse(readFileSync(file, "utf8"));
 }
 
 /** Serves until a signal ends it. */
 export async function serve(settings: Settings): Promise<void> {
   const told = new Promise<void>((done) => {
-    for (const signal of ["SIGTERM", "SIGINT"] as const) process.once(signal, () => done());
+    for (const signal of ["SIGTERM", "SIGINT"] as const)
+      process.once(signal, () => done());
   });
   const service = new Service(settings);
   const address = await service.listen();

@@ -25,7 +25,13 @@ import {
   runProgram,
   svg,
 } from "../node.js";
-import { type ReportOf, report, reportCsv, reportHtml, runsOf } from "../report.js";
+import {
+  type ReportOf,
+  report,
+  reportCsv,
+  reportHtml,
+  runsOf,
+} from "../report.js";
 import { codeOf, isBad, isWritten } from "../results.js";
 import { examined, type ReportFormat } from "./examine.js";
 import { type Place, placesIn } from "./place.js";
@@ -33,7 +39,17 @@ import { verified, verifiedText } from "./verify.js";
 
 /** What is done with every job. */
 export interface Task {
-  command: "plan" | "check" | "table" | "import" | "moves" | "examine" | "verify" | "evaluate" | "report" | "svg";
+  command:
+    | "plan"
+    | "check"
+    | "table"
+    | "import"
+    | "moves"
+    | "examine"
+    | "verify"
+    | "evaluate"
+    | "report"
+    | "svg";
   /** The control and the form of the program, in the place of the job's own. */
   post?: string;
   form?: string;
@@ -93,7 +109,11 @@ type Done = Omit<Outcome, "source" | "place">;
 function placed(text: string, findings: Finding[]): PlacedFinding[] {
   try {
     const place = placesIn(text);
-    return findings.map((f) => (f.path === "" || f.path.startsWith("measured") ? f : { ...f, ...place(f.path) }));
+    return findings.map((f) =>
+      f.path === "" || f.path.startsWith("measured")
+        ? f
+        : { ...f, ...place(f.path) },
+    );
   } catch {
     // Nested more deeply than the parser follows.
     return findings;
@@ -105,38 +125,67 @@ export function perform(task: Task, { source, place, ...item }: Item): Outcome {
   try {
     const outcome: Outcome = { source, place, ...done(task, source, item) };
     if (item.row !== undefined) outcome.row = item.row;
-    if (task.hashes) outcome.given = createHash("sha256").update(item.text).digest("hex");
+    if (task.hashes)
+      outcome.given = createHash("sha256").update(item.text).digest("hex");
     if (task.places) outcome.findings = placed(item.text, outcome.findings);
     return outcome;
   } catch (thrown) {
     const message = thrown instanceof Error ? thrown.message : String(thrown);
     const findings =
-      thrown instanceof JobError && thrown.findings.length > 0 ? thrown.findings : [problem("unreadable", message)];
+      thrown instanceof JobError && thrown.findings.length > 0
+        ? thrown.findings
+        : [problem("unreadable", message)];
     const { row } = item;
-    const none = { source, place, output: null, control: null, findings, failed: true };
+    const none = {
+      source,
+      place,
+      output: null,
+      control: null,
+      findings,
+      failed: true,
+    };
     return row === undefined ? none : { ...none, row };
   }
 }
 
-function done(task: Task, source: string, { text, refused }: Pick<Item, "text" | "refused">): Done {
-  if (refused !== undefined) throw new JobError(refused, [problem("too-long", refused)]);
+function done(
+  task: Task,
+  source: string,
+  { text, refused }: Pick<Item, "text" | "refused">,
+): Done {
+  if (refused !== undefined)
+    throw new JobError(refused, [problem("too-long", refused)]);
   if (task.command === "import") return imported(text);
   if (task.command === "moves") return moves(text, task, source);
   if (task.command === "verify") {
     const said = verified(text);
-    const out = task.format === "json" ? `${JSON.stringify({ source, ...said })}\n` : verifiedText(source, said);
+    const out =
+      task.format === "json"
+        ? `${JSON.stringify({ source, ...said })}\n`
+        : verifiedText(source, said);
     const failed = !["same", "version"].includes(said.state);
     const { findings } = said;
     const output = { name: nameOf(source), ending: "-verified.txt", text: out };
     const [first] = said.lines;
-    return { output, control: null, findings, failed, ...(first ? { row: first.line } : {}) };
+    return {
+      output,
+      control: null,
+      findings,
+      failed,
+      ...(first ? { row: first.line } : {}),
+    };
   }
   if (task.command === "examine") {
     const {
       run,
       text: report,
       broken,
-    } = examined(text, task.known ?? {}, (task.format ?? "text") as ReportFormat, source);
+    } = examined(
+      text,
+      task.known ?? {},
+      (task.format ?? "text") as ReportFormat,
+      source,
+    );
     const { findings } = run;
     return {
       output: { name: nameOf(source), ending: "-report.txt", text: report },
@@ -148,19 +197,37 @@ function done(task: Task, source: string, { text, refused }: Pick<Item, "text" |
   const { config } = task;
   const given = read(text, task);
   const job = config ? configured(given.job, config) : given.job;
-  const overruled = [...given.overruled, ...(config ? judged(job, config) : [])];
+  const overruled = [
+    ...given.overruled,
+    ...(config ? judged(job, config) : []),
+  ];
   const control = controlOf(job);
   if (task.command === "check" || overruled.some((f) => f.level === "error")) {
     const findings = [...check(job), ...overruled];
-    return { output: null, control, findings, failed: findings.some((f) => f.level === "error") };
+    return {
+      output: null,
+      control,
+      findings,
+      failed: findings.some((f) => f.level === "error"),
+    };
   }
   try {
     const { ending, out, findings, bad = false } = made(task, job as Job);
     const name = String((job as Job).name ?? "");
-    return { output: { name, ending, text: out }, control, findings: [...findings, ...overruled], failed: bad };
+    return {
+      output: { name, ending, text: out },
+      control,
+      findings: [...findings, ...overruled],
+      failed: bad,
+    };
   } catch (thrown) {
     if (!(thrown instanceof JobError)) throw thrown;
-    return { output: null, control, findings: [...thrown.findings, ...overruled], failed: true };
+    return {
+      output: null,
+      control,
+      findings: [...thrown.findings, ...overruled],
+      failed: true,
+    };
   }
 }
 
@@ -178,7 +245,8 @@ let usualControl: string | null = null;
 /** The control of a job that names none. */
 function usual(): string {
   if (usualControl === null) {
-    const fields = catalog().sections.find(({ path }) => path === "control")?.fields ?? [];
+    const fields =
+      catalog().sections.find(({ path }) => path === "control")?.fields ?? [];
     usualControl = String(fields.find(({ key }) => key === "post")?.default);
   }
   return usualControl;
@@ -193,10 +261,17 @@ const problem = (code: FindingCode, message: string): Finding => ({
 });
 
 /** What a command makes of a job; `bad`: a part that is reported is not good. */
-function made(task: Task, job: Job): { ending: string; out: string; findings: Finding[]; bad?: boolean } {
+function made(
+  task: Task,
+  job: Job,
+): { ending: string; out: string; findings: Finding[]; bad?: boolean } {
   if (task.command === "plan" && task.whole) {
     const own = plan(job);
-    return { ending: ".json", out: `${JSON.stringify(own)}\n`, findings: own.findings };
+    return {
+      ending: ".json",
+      out: `${JSON.stringify(own)}\n`,
+      findings: own.findings,
+    };
   }
   if (task.command === "plan") {
     // Program and findings of one plan.
@@ -204,7 +279,8 @@ function made(task: Task, job: Job): { ending: string; out: string; findings: Fi
     if (!program) throw new JobError("", findings);
     return { ending: `.${program.extension}`, out: program.text, findings };
   }
-  if (task.command === "svg") return { ending: ".svg", out: svg(job, task.view), findings: check(job) };
+  if (task.command === "svg")
+    return { ending: ".svg", out: svg(job, task.view), findings: check(job) };
   if (task.command === "table") {
     const format = (task.format ?? "text") as "csv" | "json" | "text";
     return {
@@ -216,29 +292,56 @@ function made(task: Task, job: Job): { ending: string; out: string; findings: Fi
   if (task.command === "report") return reported(task, job);
   const measured = measure(job, task.points ?? "");
   const planned = plan(job);
-  const out = task.format === "json" ? `${JSON.stringify(measured.results, null, 2)}\n` : printed(measured, planned);
+  const out =
+    task.format === "json"
+      ? `${JSON.stringify(measured.results, null, 2)}\n`
+      : printed(measured, planned);
   const findings = [...planned.findings, ...measured.findings];
-  return { ending: `-results.${task.format === "json" ? "json" : "txt"}`, out, findings };
+  return {
+    ending: `-results.${task.format === "json" ? "json" : "txt"}`,
+    out,
+    findings,
+  };
 }
 
 /** The inspection report of one part or of a series. */
 function reported({ parts = [], about = {}, format = "html" }: Task, job: Job) {
   const planned = plan(job);
-  const runs = parts.flatMap((text) => runsOf(text, planned)).map((text) => measure(job, text));
-  const of = report({ plan: planned, parts: runs, name: String(job.name ?? ""), ...about });
+  const runs = parts
+    .flatMap((text) => runsOf(text, planned))
+    .map((text) => measure(job, text));
+  const of = report({
+    plan: planned,
+    parts: runs,
+    name: String(job.name ?? ""),
+    ...about,
+  });
   const out = {
     csv: () => reportCsv(of),
     json: () => `${JSON.stringify(of, null, 2)}\n`,
     html: () => reportHtml(of, svg(job, "top")),
   }[format as "csv" | "json" | "html"]();
-  const findings = [...planned.findings, ...runs.flatMap((run) => run.findings)];
+  const findings = [
+    ...planned.findings,
+    ...runs.flatMap((run) => run.findings),
+  ];
   return { ending: `-report.${format}`, out, findings, bad: isBad(of.verdict) };
 }
 
 /** Results as columns for people, how the text was read, and the block that is to be typed. */
-function printed({ results, block, findings }: Measurement, plan: Plan): string {
-  const notes = findings.filter((f) => f.level === "info").map((f) => `${f.message}\n`);
-  return [listed(results, plan), notes.length > 0 ? "\n" : "", ...notes, block === null ? "" : `\n${block}\n`].join("");
+function printed(
+  { results, block, findings }: Measurement,
+  plan: Plan,
+): string {
+  const notes = findings
+    .filter((f) => f.level === "info")
+    .map((f) => `${f.message}\n`);
+  return [
+    listed(results, plan),
+    notes.length > 0 ? "\n" : "",
+    ...notes,
+    block === null ? "" : `\n${block}\n`,
+  ].join("");
 }
 
 /** The value of a JSON text; throws `JobError` if it is not JSON. */
@@ -252,20 +355,41 @@ export function parsed(text: string): unknown {
 }
 
 /** The job of a text, for the control that the task says. */
-function read(text: string, { post, form }: Task): { job: unknown; overruled: Finding[] } {
+function read(
+  text: string,
+  { post, form }: Task,
+): { job: unknown; overruled: Finding[] } {
   const job = parsed(text);
-  if (typeof job !== "object" || job === null || (post === undefined && form === undefined))
+  if (
+    typeof job !== "object" ||
+    job === null ||
+    (post === undefined && form === undefined)
+  )
     return { job, overruled: [] };
   const { control } = job as { control?: unknown };
   // What is no section is left to the check.
-  if (control !== undefined && control !== null && (typeof control !== "object" || Array.isArray(control)))
+  if (
+    control !== undefined &&
+    control !== null &&
+    (typeof control !== "object" || Array.isArray(control))
+  )
     return { job, overruled: [] };
   const own = (control ?? {}) as { post?: unknown };
-  const wanted = { ...(post === undefined ? {} : { post }), ...(form === undefined ? {} : { form }) };
-  const names = post !== undefined && own.post !== undefined && own.post !== post;
+  const wanted = {
+    ...(post === undefined ? {} : { post }),
+    ...(form === undefined ? {} : { form }),
+  };
+  const names =
+    post !== undefined && own.post !== undefined && own.post !== post;
   const message = `The job names the control ${String(own.post)}: --post makes it for ${post}`;
   const overruled: Finding[] = names
-    ? [{ ...problem("other-control", message), level: "warning", path: "control.post" }]
+    ? [
+        {
+          ...problem("other-control", message),
+          level: "warning",
+          path: "control.post",
+        },
+      ]
     : [];
   return { job: { ...job, control: { ...own, ...wanted } }, overruled };
 }
@@ -273,12 +397,22 @@ function read(text: string, { post, form }: Task): { job: unknown; overruled: Fi
 function imported(text: string): Done {
   const { job, findings } = importJob(text);
   if (job === null) {
-    const none = "This program says no job, only moves: there is no job to write. touchpath moves lists them";
-    return { output: null, control: null, findings: [problem("nothing-to-import", none), ...findings], failed: true };
+    const none =
+      "This program says no job, only moves: there is no job to write. touchpath moves lists them";
+    return {
+      output: null,
+      control: null,
+      findings: [problem("nothing-to-import", none), ...findings],
+      failed: true,
+    };
   }
   const name = typeof job.name === "string" ? job.name : "";
   return {
-    output: { name, ending: ".json", text: `${JSON.stringify(job, null, 2)}\n` },
+    output: {
+      name,
+      ending: ".json",
+      text: `${JSON.stringify(job, null, 2)}\n`,
+    },
     control: controlOf(job),
     findings,
     failed: findings.some((f) => f.level === "error"),
@@ -286,14 +420,24 @@ function imported(text: string): Done {
 }
 
 /** What the output of a program is called after it. */
-const nameOf = (source: string) => (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
+const nameOf = (source: string) =>
+  (source.split(/[/\\]/).pop() ?? "").replace(/\.[^.]*$/, "");
 
 /** The moves of a program, line by line as an editor counts them. A text without any is a failure: there is nothing to list. */
-function moves(text: string, { format = "text", known }: Task, source: string): Done {
+function moves(
+  text: string,
+  { format = "text", known }: Task,
+  source: string,
+): Done {
   const read = known ? runProgram(text, known) : readProgram(text);
   const name = nameOf(source);
   const ending = `-moves.${format === "text" ? "txt" : format}`;
-  const out = format === "json" ? movesAsJson(read) : format === "csv" ? movesAsCsv(read) : movesAsText(read);
+  const out =
+    format === "json"
+      ? movesAsJson(read)
+      : format === "csv"
+        ? movesAsCsv(read)
+        : movesAsText(read);
   return {
     output: { name, ending, text: out },
     control: null,
@@ -303,9 +447,19 @@ function moves(text: string, { format = "text", known }: Task, source: string): 
 }
 
 /** One move as a row: what is not known is NaN. */
-function* rowsOf({ line, kind, kinds, to, feed }: ProgramMoves): Generator<[number, string, number[]]> {
+function* rowsOf({
+  line,
+  kind,
+  kinds,
+  to,
+  feed,
+}: ProgramMoves): Generator<[number, string, number[]]> {
   for (const [i, at] of line.entries())
-    yield [at + 1, kinds[kind[i] as number] as string, [...to.subarray(3 * i, 3 * i + 3), feed[i] as number]];
+    yield [
+      at + 1,
+      kinds[kind[i] as number] as string,
+      [...to.subarray(3 * i, 3 * i + 3), feed[i] as number],
+    ];
 }
 
 function movesAsJson(read: ProgramMoves): string {
@@ -319,14 +473,10 @@ function movesAsJson(read: ProgramMoves): string {
     arc: null as { center: number[]; sweep: number; plane: string } | null,
   }));
   for (let i = 0; i < arcs.length; i += 6) {
-    const [move, x, y, z, sweep, plane] = arcs.subarray(i, i + 6) as unknown as [
-      number,
-      number,
-      number,
-      number,
-      number,
-      number,
-    ];
+    const [move, x, y, z, sweep, plane] = arcs.subarray(
+      i,
+      i + 6,
+    ) as unknown as [number, number, number, number, number, number];
     const own = list[move];
     if (own) own.arc = { center: [x, y, z], sweep, plane: `G${plane}` };
   }
@@ -345,13 +495,18 @@ function movesAsText(read: ProgramMoves): string {
     `${(line as string).padStart(7)}  ${(kind as string).padEnd(5)}${numbers.map((x) => `  ${x.padStart(11)}`).join("")}\n`;
   let out = row(["line", "kind", "X", "Y", "Z", "feed"]);
   for (const [line, kind, numbers] of rowsOf(read))
-    out += row([String(line), kind, ...numbers.map((x) => (Number.isNaN(x) ? "-" : x.toFixed(4)))]);
+    out += row([
+      String(line),
+      kind,
+      ...numbers.map((x) => (Number.isNaN(x) ? "-" : x.toFixed(4))),
+    ]);
   return out;
 }
 
 /** Results as columns for people. */
 function listed(rows: ResultRow[], plan: Plan): string {
-  const number = (x: number | string | null) => (typeof x === "number" ? x.toFixed(4) : (x ?? "-"));
+  const number = (x: number | string | null) =>
+    typeof x === "number" ? x.toFixed(4) : (x ?? "-");
   const lines = rows.map((row) => [
     isWritten(row) ? row.code : codeOf(plan, row.cycle, row.code),
     number(row.nominal),
@@ -361,10 +516,19 @@ function listed(rows: ResultRow[], plan: Plan): string {
     row.unit,
     row.verdict ?? "",
   ]);
-  const table = [["result", "nominal", "value", "deviation", "sigma", "unit", "verdict"], ...lines];
-  const widths = (table[0] as string[]).map((_, i) => Math.max(...table.map((line) => (line[i] as string).length)));
+  const table = [
+    ["result", "nominal", "value", "deviation", "sigma", "unit", "verdict"],
+    ...lines,
+  ];
+  const widths = (table[0] as string[]).map((_, i) =>
+    Math.max(...table.map((line) => (line[i] as string).length)),
+  );
   const right = (i: number) => i > 0 && i < 5;
   const cell = (text: string, i: number) =>
-    right(i) ? text.padStart(widths[i] as number) : text.padEnd(widths[i] as number);
-  return table.map((line) => `${line.map(cell).join("  ").trimEnd()}\n`).join("");
+    right(i)
+      ? text.padStart(widths[i] as number)
+      : text.padEnd(widths[i] as number);
+  return table
+    .map((line) => `${line.map(cell).join("  ").trimEnd()}\n`)
+    .join("");
 }

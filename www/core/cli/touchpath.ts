@@ -3,10 +3,26 @@
 import { createReadStream } from "node:fs";
 import { stat } from "node:fs/promises";
 import { availableParallelism, constants } from "node:os";
-import { basename, dirname, extname, join, relative, resolve, sep } from "node:path";
+import {
+  basename,
+  dirname,
+  extname,
+  join,
+  relative,
+  resolve,
+  sep,
+} from "node:path";
 import { parseArgs } from "node:util";
 import { glob, isDynamicPattern } from "tinyglobby";
-import { type Config, catalog, checkConfig, type Finding, jobSchema, type ProgramKnown, version } from "../node.js";
+import {
+  type Config,
+  catalog,
+  checkConfig,
+  type Finding,
+  jobSchema,
+  type ProgramKnown,
+  version,
+} from "../node.js";
 import { clock } from "../report.js";
 import { converted, explain, meant, newJob, toolLengths } from "./about.js";
 import { completion } from "./completion.js";
@@ -28,7 +44,11 @@ const COMMANDS = {
   svg: ["JOB…", "the picture"],
   import: ["TEXT…", "a job from a dump or a program"],
   moves: ["PROGRAM…", "the moves of any program", "text|csv|json"],
-  examine: ["PROGRAM…", "what a program of anyone's does: safety rules, cycles, what it asks for", "text|json|sarif"],
+  examine: [
+    "PROGRAM…",
+    "what a program of anyone's does: safety rules, cycles, what it asks for",
+    "text|json|sarif",
+  ],
   verify: [
     "PROGRAM…",
     "whether programs, or all in a folder, still are those of the jobs in their headers",
@@ -51,8 +71,14 @@ const COMMANDS = {
     "SINUMERIK's LENTOAX: which tool length acts on which axis; a query as in the reference, as JSON or in a file",
   ],
   explain: ["CODE", "what the code of a finding, or a safety rule, means"],
-  completion: ["SHELL", "a script that completes this command in bash, zsh or fish"],
-  serve: ["", "jobs over HTTP: plans, programs, tables, pictures, results; OpenAPI, metrics"],
+  completion: [
+    "SHELL",
+    "a script that completes this command in bash, zsh or fish",
+  ],
+  serve: [
+    "",
+    "jobs over HTTP: plans, programs, tables, pictures, results; OpenAPI, metrics",
+  ],
   schema: ["", "the JSON Schema of a job"],
   catalog: ["", "cycles, fields and controls"],
 } as const satisfies Record<string, readonly [string, string, string?]>;
@@ -67,15 +93,31 @@ const FILES = [...JOBS, "import", "moves", "examine", "verify"];
 const CONFIG_FILE = "touchpath.config.json";
 
 /** The options: as they are typed, what they do, the commands that take them. */
-const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[] = [
-  ["--post P", "for this control, in the place of the job's own", [...JOBS, "new"]],
-  ["--form F", "moves or cycle, in the place of the job's own", [...JOBS, "new"]],
+const HELP_OF_OPTIONS: readonly (readonly [
+  string,
+  string,
+  readonly string[],
+])[] = [
+  [
+    "--post P",
+    "for this control, in the place of the job's own",
+    [...JOBS, "new"],
+  ],
+  [
+    "--form F",
+    "moves or cycle, in the place of the job's own",
+    [...JOBS, "new"],
+  ],
   [
     "--config FILE",
     `the rules of a portal or a shop: jobs are filled in and judged by them; if left out, those of the nearest ${CONFIG_FILE} in this folder or above`,
     [...JOBS, "serve"],
   ],
-  ["--no-config", `no rules, whatever ${CONFIG_FILE} there is`, [...JOBS, "serve"]],
+  [
+    "--no-config",
+    `no rules, whatever ${CONFIG_FILE} there is`,
+    [...JOBS, "serve"],
+  ],
   ["--units U", "mm or inch", ["new", "convert"]],
   ["--view V", "isometric, top, front or side", ["svg"]],
   [
@@ -83,10 +125,26 @@ const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[]
     "the value of a variable, as often as there are some: --set '#3014=5' --set R1=2",
     ["moves", "examine"],
   ],
-  ["--start X,Y,Z", "where the stylus stands before the program", ["moves", "examine"]],
-  ["--at F", "touches trigger at this fraction of their way, 0 to 1; none: never", ["moves", "examine"]],
-  ["--positioning F", "the same of positioning moves that are watched", ["moves", "examine"]],
-  ["--with FILE", "a file with subprograms, as often as there are some", ["moves", "examine"]],
+  [
+    "--start X,Y,Z",
+    "where the stylus stands before the program",
+    ["moves", "examine"],
+  ],
+  [
+    "--at F",
+    "touches trigger at this fraction of their way, 0 to 1; none: never",
+    ["moves", "examine"],
+  ],
+  [
+    "--positioning F",
+    "the same of positioning moves that are watched",
+    ["moves", "examine"],
+  ],
+  [
+    "--with FILE",
+    "a file with subprograms, as often as there are some",
+    ["moves", "examine"],
+  ],
   [
     "--by, --machine, --when, --note TEXT",
     "who measured, where, when (now, if left out), and what else to say",
@@ -102,18 +160,42 @@ const HELP_OF_OPTIONS: readonly (readonly [string, string, readonly string[]])[]
     "plan -o: lists the files in manifest.json there, each with its job and their hashes; verify DIR: holds the folder against that list",
     ["plan", "verify"],
   ],
-  ["--flat", "with -o: all files into DIR itself", ["plan", "table", "svg", "import", "moves", "evaluate", "report"]],
+  [
+    "--flat",
+    "with -o: all files into DIR itself",
+    ["plan", "table", "svg", "import", "moves", "evaluate", "report"],
+  ],
   ["--ndjson", "one job per line in, one outcome per line out", FILES],
-  ["--jobs N", "on N threads; by default one per core for jobs by the line and serve, else 1", [...FILES, "serve"]],
-  ["--port N", "listens there: 3000, if left out; 0 takes a free one", ["serve"]],
-  ["--host H", "at this address: 127.0.0.1, if left out; 0.0.0.0 for all", ["serve"]],
+  [
+    "--jobs N",
+    "on N threads; by default one per core for jobs by the line and serve, else 1",
+    [...FILES, "serve"],
+  ],
+  [
+    "--port N",
+    "listens there: 3000, if left out; 0 takes a free one",
+    ["serve"],
+  ],
+  [
+    "--host H",
+    "at this address: 127.0.0.1, if left out; 0.0.0.0 for all",
+    ["serve"],
+  ],
   [
     "--limit NAME=N",
     `body (bytes, ${LIMITS.body}), requests (at once, ${LIMITS.requests}), connections (${LIMITS.connections}), wait (ms, ${LIMITS.wait}); as often as there are some`,
     ["serve"],
   ],
-  ["--reporter R", "text, github (annotations) or junit, for a build", ["check", "verify"]],
-  ["--deny-warnings", "a warning ends with exit code 1, as an error does", FILES],
+  [
+    "--reporter R",
+    "text, github (annotations) or junit, for a build",
+    ["check", "verify"],
+  ],
+  [
+    "--deny-warnings",
+    "a warning ends with exit code 1, as an error does",
+    FILES,
+  ],
   [
     "--json",
     "findings, answers and errors as JSON; plan: the whole plan, with -o a line a file",
@@ -131,7 +213,8 @@ program without moves, one that breaks a rule or is not that of its job, or a re
 
 /** A line of the help for each command, and what it gives. */
 function usage(command: Command): string {
-  const [after, about, formats]: readonly [string, string, string?] = COMMANDS[command];
+  const [after, about, formats]: readonly [string, string, string?] =
+    COMMANDS[command];
   const head = `  touchpath ${`${command} ${after}`.trim()}`;
   return `${head.padEnd(34)} ${about}${formats ? `   --format ${formats}` : ""}`;
 }
@@ -142,11 +225,17 @@ const options = (list: typeof HELP_OF_OPTIONS) =>
 /** The help: of one command with the options that it takes, or of all. */
 function help(command?: Command): string {
   if (command) {
-    const own = HELP_OF_OPTIONS.filter(([, , commands]) => commands.includes(command));
+    const own = HELP_OF_OPTIONS.filter(([, , commands]) =>
+      commands.includes(command),
+    );
     return `${usage(command)}\n\n${JOBS.includes(command) ? `${INPUT}\n\n` : ""}${options(own)}\n`;
   }
-  const of = (commands: readonly string[]) => (commands.length < 5 ? `of ${commands.join(", ")}: ` : "");
-  const all = HELP_OF_OPTIONS.map(([flag, about, commands]) => [flag, of(commands) + about, commands] as const);
+  const of = (commands: readonly string[]) =>
+    commands.length < 5 ? `of ${commands.join(", ")}: ` : "";
+  const all = HELP_OF_OPTIONS.map(
+    ([flag, about, commands]) =>
+      [flag, of(commands) + about, commands] as const,
+  );
   return `touchpath ${version()}: touch-probe cycles as programs, tables and pictures
 
 ${NAMES.map(usage).join("\n")}
@@ -163,17 +252,25 @@ ${ENDS}
 /** What a shell completes. */
 function completed(): Parameters<typeof completion>[1] {
   const flags = (command: Command) =>
-    HELP_OF_OPTIONS.filter(([, , commands]) => commands.includes(command)).flatMap(([typed]) =>
+    HELP_OF_OPTIONS.filter(([, , commands]) =>
+      commands.includes(command),
+    ).flatMap(([typed]) =>
       [...typed.matchAll(/(?<=^|, )--?[a-z-]+/g)].map(([flag]) => flag),
     );
   const formats = NAMES.flatMap((name) => {
     const [, , list]: readonly [string, string, string?] = COMMANDS[name];
     return list ? [[name, list.split("|")] as const] : [];
   });
-  const withFormat = (name: Command) => (formats.some(([own]) => own === name) ? ["--format"] : []);
+  const withFormat = (name: Command) =>
+    formats.some(([own]) => own === name) ? ["--format"] : [];
   return {
     about: Object.fromEntries(NAMES.map((name) => [name, COMMANDS[name][1]])),
-    options: Object.fromEntries(NAMES.map((name) => [name, [...flags(name), ...withFormat(name), "--help"]])),
+    options: Object.fromEntries(
+      NAMES.map((name) => [
+        name,
+        [...flags(name), ...withFormat(name), "--help"],
+      ]),
+    ),
     formats: Object.fromEntries(formats),
     values: {
       "--post": catalog().posts.map(({ id }) => id),
@@ -222,12 +319,21 @@ const OPTIONS = {
   version: { type: "boolean", short: "V" },
 } as const;
 
-type Values = ReturnType<typeof parseArgs<{ options: typeof OPTIONS }>>["values"];
+type Values = ReturnType<
+  typeof parseArgs<{ options: typeof OPTIONS }>
+>["values"];
 
 /** One of a list, or wrong use. */
-function oneOf<T extends string>(what: string, value: string, list: readonly T[]): T {
+function oneOf<T extends string>(
+  what: string,
+  value: string,
+  list: readonly T[],
+): T {
   const found = list.find((one) => one === value);
-  if (!found) throw new Refused(`${what} is one of ${list.join(", ")}, not ${value}${meant(value, list)}`);
+  if (!found)
+    throw new Refused(
+      `${what} is one of ${list.join(", ")}, not ${value}${meant(value, list)}`,
+    );
   return found;
 }
 
@@ -239,14 +345,17 @@ function taskOf(command: Task["command"], values: Values): Task {
       throw new Refused(`--${option} is for ${commands.join(", ")}`);
   };
   only("out", "plan", "table", "svg", "import", "moves", "evaluate", "report");
-  if (values.flat && values.out === undefined) throw new Refused("--flat is for files in a folder (-o)");
+  if (values.flat && values.out === undefined)
+    throw new Refused("--flat is for files in a folder (-o)");
   only("manifest", "plan", "verify");
   if (values.manifest && command === "plan" && values.out === undefined)
     throw new Refused("--manifest is for programs in a folder (-o)");
   task.hashes = values.manifest === true && command === "plan";
   only("format", "table", "moves", "examine", "verify", "evaluate", "report");
-  for (const option of ["by", "machine", "when", "note"] as const) only(option, "report");
-  for (const option of ["set", "start", "at", "positioning", "with"] as const) only(option, "moves", "examine");
+  for (const option of ["by", "machine", "when", "note"] as const)
+    only(option, "report");
+  for (const option of ["set", "start", "at", "positioning", "with"] as const)
+    only(option, "moves", "examine");
   only("view", "svg");
   only("post", ...JOBS);
   only("form", ...JOBS);
@@ -255,17 +364,21 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("reporter", "check", "verify");
   if (values.reporter !== undefined && values.json)
     throw new Refused("--reporter and --json are two forms of one output");
-  if (values.reporter !== undefined) oneOf("--reporter", values.reporter, REPORTERS);
+  if (values.reporter !== undefined)
+    oneOf("--reporter", values.reporter, REPORTERS);
   only("units", "new", "convert");
-  for (const option of ["port", "host", "limit"] as const) only(option, "serve");
+  for (const option of ["port", "host", "limit"] as const)
+    only(option, "serve");
   if (values.post !== undefined)
     task.post = oneOf(
       "--post",
       values.post,
       catalog().posts.map((p) => p.id as string),
     );
-  if (values.form !== undefined) task.form = oneOf("--form", values.form, FORMS);
-  if (values.view !== undefined) task.view = oneOf("--view", values.view, VIEWS);
+  if (values.form !== undefined)
+    task.form = oneOf("--form", values.form, FORMS);
+  if (values.view !== undefined)
+    task.view = oneOf("--view", values.view, VIEWS);
   if (values.format !== undefined)
     task.format = oneOf<NonNullable<Task["format"]>>(
       "--format",
@@ -278,7 +391,14 @@ function taskOf(command: Task["command"], values: Values): Task {
             ? ["csv", "html", "json"]
             : ["json", "text"],
     );
-  if (command === "examine" || values.set || values.start || values.at || values.positioning || values.with)
+  if (
+    command === "examine" ||
+    values.set ||
+    values.start ||
+    values.at ||
+    values.positioning ||
+    values.with
+  )
     task.known = knownOf(values);
   return task;
 }
@@ -287,18 +407,23 @@ function taskOf(command: Task["command"], values: Values): Task {
 function knownOf(values: Values): ProgramKnown {
   const number = (option: string, text: string) => {
     const value = Number(text);
-    if (text.trim() === "" || !Number.isFinite(value)) throw new Refused(`${option} takes numbers, not ${text}`);
+    if (text.trim() === "" || !Number.isFinite(value))
+      throw new Refused(`${option} takes numbers, not ${text}`);
     return value;
   };
   const known: ProgramKnown = {};
   for (const given of values.set ?? []) {
     const [, name, value] = /^(.+?)=([^=]*)$/.exec(given) ?? [];
-    if (name === undefined || value === undefined) throw new Refused(`--set takes NAME=VALUE, not ${given}`);
+    if (name === undefined || value === undefined)
+      throw new Refused(`--set takes NAME=VALUE, not ${given}`);
     known.set = { ...known.set, [name.trim()]: number("--set", value) };
   }
   if (values.start !== undefined) {
-    const place = values.start.split(",").map((part) => number("--start", part));
-    if (place.length !== 3) throw new Refused(`--start takes X,Y,Z, not ${values.start}`);
+    const place = values.start
+      .split(",")
+      .map((part) => number("--start", part));
+    if (place.length !== 3)
+      throw new Refused(`--start takes X,Y,Z, not ${values.start}`);
     known.start = place as [number, number, number];
   }
   const part = (option: "at" | "positioning") => {
@@ -317,15 +442,22 @@ async function filesOf(names: string[], folders = false): Promise<string[]> {
   for (const name of names) {
     const there = name === "-" ? undefined : await stat(name).catch(() => null);
     if (there?.isDirectory() && folders) {
-      const found = await glob("**/*", { cwd: name, dot: false, onlyFiles: true });
+      const found = await glob("**/*", {
+        cwd: name,
+        dot: false,
+        onlyFiles: true,
+      });
       if (found.length === 0) throw new Refused(`There is no file in ${name}`);
       files.push(...found.sort().map((file) => join(name, file)));
       continue;
     }
     if (there?.isDirectory())
-      throw new Refused(`${name} is a folder: name its files, as '${name.replace(/[/\\]+$/, "")}/**/*.json'`);
+      throw new Refused(
+        `${name} is a folder: name its files, as '${name.replace(/[/\\]+$/, "")}/**/*.json'`,
+      );
     if (there !== null) files.push(name);
-    else if (!isDynamicPattern(name)) throw new Refused(`There is no file ${name}`);
+    else if (!isDynamicPattern(name))
+      throw new Refused(`There is no file ${name}`);
     else {
       const found = await glob(name, { dot: false, expandDirectories: false });
       if (found.length === 0) throw new Refused(`No file matches ${name}`);
@@ -339,29 +471,54 @@ async function filesOf(names: string[], folders = false): Promise<string[]> {
 function placeOf(file: string): string {
   if (file === "-") return "";
   const folders = relative(process.cwd(), dirname(resolve(file))).split(sep);
-  const isDrive = (folder: string) => process.platform === "win32" && folder.endsWith(":");
-  return folders.filter((folder) => folder !== ".." && !isDrive(folder)).join(sep);
+  const isDrive = (folder: string) =>
+    process.platform === "win32" && folder.endsWith(":");
+  return folders
+    .filter((folder) => folder !== ".." && !isDrive(folder))
+    .join(sep);
 }
 
 const isLines = (file: string, values: Values) =>
   values.ndjson === true || [".ndjson", ".jsonl"].includes(extname(file));
-const streamOf = (file: string) => (file === "-" ? process.stdin : createReadStream(file));
+const streamOf = (file: string) =>
+  file === "-" ? process.stdin : createReadStream(file);
 
 /** Every job of the files, one after the other, never more than are asked for. */
-async function* itemsOf(files: string[], values: Values, longest: number, progress: Progress): AsyncGenerator<Item> {
+async function* itemsOf(
+  files: string[],
+  values: Values,
+  longest: number,
+  progress: Progress,
+): AsyncGenerator<Item> {
   const refused = `At most ${longest} characters are read`;
   for (const file of files) {
     const source = file === "-" ? "standard input" : file;
     const place = placeOf(file);
     try {
       if (isLines(file, values)) {
-        for await (const { number, text, tooLong } of linesOf(progress.through(streamOf(file)), longest)) {
+        for await (const { number, text, tooLong } of linesOf(
+          progress.through(streamOf(file)),
+          longest,
+        )) {
           if (text.trim() === "" && !tooLong) continue;
-          yield { source: `${source}:${number}`, row: number, place, text, ...(tooLong ? { refused } : {}) };
+          yield {
+            source: `${source}:${number}`,
+            row: number,
+            place,
+            text,
+            ...(tooLong ? { refused } : {}),
+          };
         }
-      } else yield { source, place, ...(await whole(file, longest, refused, progress)) };
+      } else
+        yield {
+          source,
+          place,
+          ...(await whole(file, longest, refused, progress)),
+        };
     } catch (thrown) {
-      throw new Refused(`${source} cannot be read: ${(thrown as Error).message}`);
+      throw new Refused(
+        `${source} cannot be read: ${(thrown as Error).message}`,
+      );
     }
   }
 }
@@ -375,7 +532,8 @@ async function whole(
 ): Promise<Omit<Item, "source" | "place">> {
   const chunks: Buffer[] = [];
   let size = 0;
-  for await (const chunk of progress?.through(streamOf(file)) ?? streamOf(file)) {
+  for await (const chunk of progress?.through(streamOf(file)) ??
+    streamOf(file)) {
     const bytes = Buffer.from(chunk);
     size += bytes.length;
     // A character has four bytes at most.
@@ -396,7 +554,11 @@ async function write(stream: NodeJS.WriteStream, text: string): Promise<void> {
 async function textOf(file: string): Promise<string> {
   const longest = catalog().longestText;
   try {
-    const { text, refused } = await whole(file, longest, `At most ${longest} characters are read`);
+    const { text, refused } = await whole(
+      file,
+      longest,
+      `At most ${longest} characters are read`,
+    );
     if (refused) throw new Error(refused);
     return text;
   } catch (thrown) {
@@ -412,7 +574,8 @@ async function configFor(values: Values): Promise<Config | undefined> {
   if (values["no-config"]) return undefined;
   for (let folder = process.cwd(); ; folder = dirname(folder)) {
     const file = join(folder, CONFIG_FILE);
-    if ((await stat(file).catch(() => null))?.isFile()) return configOf(relative(process.cwd(), file));
+    if ((await stat(file).catch(() => null))?.isFile())
+      return configOf(relative(process.cwd(), file));
     if (folder === dirname(folder)) return undefined;
   }
 }
@@ -428,11 +591,16 @@ async function configOf(file: string): Promise<Config> {
   }
   const faults = checkConfig(config).filter(({ level }) => level === "error");
   if (faults.length === 0) return config as Config;
-  throw new Refused(`${file}: ${faults.map(({ path, message }) => `${path}: ${message}`).join("; ")}`);
+  throw new Refused(
+    `${file}: ${faults.map(({ path, message }) => `${path}: ${message}`).join("; ")}`,
+  );
 }
 
 /** A finding for people. */
-const said = (source: string, { level, path, message, code, line, column }: PlacedFinding) =>
+const said = (
+  source: string,
+  { level, path, message, code, line, column }: PlacedFinding,
+) =>
   `${source}${line === undefined ? "" : `:${line}:${column}`}: ${level}: ${path ? `${path}: ` : ""}${message} [${code}]\n`;
 
 /** How many findings there are of each level that matters, for people. */
@@ -441,7 +609,9 @@ function counted(findings: Finding[]): string {
     const { length } = findings.filter((finding) => finding.level === level);
     return length === 0 ? [] : [`${length} ${level}${length === 1 ? "" : "s"}`];
   };
-  return [...count("error"), ...count("warning")].map((words) => `, ${words}`).join("");
+  return [...count("error"), ...count("warning")]
+    .map((words) => `, ${words}`)
+    .join("");
 }
 
 /** What became of a job, in one line: its file, with the SHA-256 of it, the control and the findings. */
@@ -451,28 +621,42 @@ function outcomeLine(
   hash: string | null,
   json: boolean,
 ): string {
-  if (json) return `${JSON.stringify({ source, file, hash, control, findings })}\n`;
-  const made = file === null ? "no file" : `${file} (${control ?? "no control"}, sha256 ${hash})`;
+  if (json)
+    return `${JSON.stringify({ source, file, hash, control, findings })}\n`;
+  const made =
+    file === null
+      ? "no file"
+      : `${file} (${control ?? "no control"}, sha256 ${hash})`;
   return `${source}: ${made}${counted(findings)}\n`;
 }
 
 /** The findings of a job, for people or as JSON. */
-async function report(task: Task, values: Values, { source, output, findings, failed }: Outcome): Promise<void> {
+async function report(
+  task: Task,
+  values: Values,
+  { source, output, findings, failed }: Outcome,
+): Promise<void> {
   const to = task.command === "check" ? process.stdout : process.stderr;
   // A whole plan has its findings in it.
   if (task.command === "plan" && task.whole && output) return;
   if (values.json) {
-    if (task.command === "check" || findings.length > 0) await write(to, `${JSON.stringify({ source, findings })}\n`);
+    if (task.command === "check" || findings.length > 0)
+      await write(to, `${JSON.stringify({ source, findings })}\n`);
     return;
   }
   for (const finding of findings)
-    if (task.command === "check" || finding.level !== "info" || (failed && !output))
+    if (
+      task.command === "check" ||
+      finding.level !== "info" ||
+      (failed && !output)
+    )
       await write(to, said(source, finding));
 }
 
 /** Whether a warning counts as an error, and there is one. */
 const isDenied = (values: Values, { findings }: Outcome) =>
-  values["deny-warnings"] === true && findings.some(({ level }) => level === "warning");
+  values["deny-warnings"] === true &&
+  findings.some(({ level }) => level === "warning");
 
 /** Hands out what became of every job; whether there was an error in any. */
 async function handOut(
@@ -506,18 +690,30 @@ async function handOut(
     const { source, output, findings } = outcome;
     if (byLine) {
       const text =
-        task.command === "check" ? {} : { [task.command === "plan" ? "program" : "output"]: output?.text ?? null };
-      await write(process.stdout, `${JSON.stringify({ source, ...text, findings })}\n`);
+        task.command === "check"
+          ? {}
+          : {
+              [task.command === "plan" ? "program" : "output"]:
+                output?.text ?? null,
+            };
+      await write(
+        process.stdout,
+        `${JSON.stringify({ source, ...text, findings })}\n`,
+      );
       continue;
     }
     if (output) await write(process.stdout, output.text);
     // A report has its findings in it, but as text.
     const within = task.command === "examine" || task.command === "verify";
-    if (!within || (task.format ?? "text") === "text") await report(task, values, outcome);
+    if (!within || (task.format ?? "text") === "text")
+      await report(task, values, outcome);
   }
   if (task.format === "sarif") await write(process.stdout, sarif(results));
   if (values.reporter === "junit")
-    await write(process.stdout, junit(task.command, reported, values["deny-warnings"] === true));
+    await write(
+      process.stdout,
+      junit(task.command, reported, values["deny-warnings"] === true),
+    );
   return failed;
 }
 
@@ -538,7 +734,9 @@ async function fileAway(
     await folder.make();
     progress.count();
     const { source, place, output, findings } = outcome;
-    const [file, hash] = output ? await folder.put(source, place, output) : [null, null];
+    const [file, hash] = output
+      ? await folder.put(source, place, output)
+      : [null, null];
     if (values.manifest && file !== null && hash !== null)
       made.push({ outcome: { ...outcome, output: null }, file, hash });
     await folder.note(outcomeLine(outcome, file, hash, json));
@@ -546,7 +744,11 @@ async function fileAway(
     progress.clear();
     await report(task, values, outcome);
   }
-  if (values.manifest) await folder.put("the list", "", { ...LIST, text: manifestOf(values.out as string, made) });
+  if (values.manifest)
+    await folder.put("the list", "", {
+      ...LIST,
+      text: manifestOf(values.out as string, made),
+    });
   await folder.finish();
   progress.clear();
   for await (const lines of folder.noted()) await write(process.stdout, lines);
@@ -564,7 +766,8 @@ async function main(args: string[]): Promise<number> {
   const [word, ...names] = positionals;
   if (values.version) await write(process.stdout, `${version()}\n`);
   else if (values.help || word === undefined) {
-    const command = word === undefined ? undefined : oneOf("The command", word, NAMES);
+    const command =
+      word === undefined ? undefined : oneOf("The command", word, NAMES);
     await write(values.help ? process.stdout : process.stderr, help(command));
     return values.help ? 0 : 2;
   } else return run(oneOf("The command", word, NAMES), names, values);
@@ -572,11 +775,23 @@ async function main(args: string[]): Promise<number> {
 }
 
 /** What is answered at once, without jobs to work through; undefined of the other commands. */
-async function answered(command: Command, names: string[], values: Values): Promise<string | undefined> {
-  const takes = (count: [number, number], what: string, ...allowed: string[]) => {
-    const other = Object.keys(values).find((option) => !["json", ...allowed].includes(option));
-    if (other !== undefined) throw new Refused(`--${other} is not for ${command}`);
-    if (names.length < count[0] || names.length > count[1]) throw new Refused(`${command} takes ${what}`);
+async function answered(
+  command: Command,
+  names: string[],
+  values: Values,
+): Promise<string | undefined> {
+  const takes = (
+    count: [number, number],
+    what: string,
+    ...allowed: string[]
+  ) => {
+    const other = Object.keys(values).find(
+      (option) => !["json", ...allowed].includes(option),
+    );
+    if (other !== undefined)
+      throw new Refused(`--${other} is not for ${command}`);
+    if (names.length < count[0] || names.length > count[1])
+      throw new Refused(`${command} takes ${what}`);
   };
   const [given = ""] = names;
   switch (command) {
@@ -595,18 +810,27 @@ async function answered(command: Command, names: string[], values: Values): Prom
     }
     case "convert":
       takes([1, 1], "a job", "units");
-      if (values.units === undefined) throw new Refused("convert takes --units mm or --units inch");
+      if (values.units === undefined)
+        throw new Refused("convert takes --units mm or --units inch");
       return converted(await textOf(given), values.units);
     case "lentoax":
       takes([0, 1], "nothing, a query as JSON, or a file with one");
-      if (names.length === 0) return toolLengths(undefined, values.json === true);
-      return toolLengths(given.trimStart().startsWith("{") ? given : await textOf(given), values.json === true);
+      if (names.length === 0)
+        return toolLengths(undefined, values.json === true);
+      return toolLengths(
+        given.trimStart().startsWith("{") ? given : await textOf(given),
+        values.json === true,
+      );
     default:
       return undefined;
   }
 }
 
-async function run(command: Command, names: string[], values: Values): Promise<number> {
+async function run(
+  command: Command,
+  names: string[],
+  values: Values,
+): Promise<number> {
   const answer = await answered(command, names, values);
   if (answer !== undefined) {
     await write(process.stdout, answer);
@@ -615,8 +839,12 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   if (command === "serve") return served(names, values);
   if (command === "schema" || command === "catalog") {
     const given = Object.keys(values).find((option) => option !== "json");
-    if (names.length > 0 || given) throw new Refused(`${command} takes no files and no options`);
-    await write(process.stdout, `${JSON.stringify(command === "schema" ? jobSchema() : catalog(), null, 2)}\n`);
+    if (names.length > 0 || given)
+      throw new Refused(`${command} takes no files and no options`);
+    await write(
+      process.stdout,
+      `${JSON.stringify(command === "schema" ? jobSchema() : catalog(), null, 2)}\n`,
+    );
     return 0;
   }
   judging = true;
@@ -627,29 +855,56 @@ async function run(command: Command, names: string[], values: Values): Promise<n
   }
   if (command === "evaluate") {
     const [, points] = names;
-    if (names.length !== 2 || points === undefined || (names[0] === "-" && points === "-"))
-      throw new Refused("evaluate takes a job and a file with what was measured");
+    if (
+      names.length !== 2 ||
+      points === undefined ||
+      (names[0] === "-" && points === "-")
+    )
+      throw new Refused(
+        "evaluate takes a job and a file with what was measured",
+      );
     task.points = await textOf(points);
     names.length = 1;
   }
   if (command === "report") {
     const measured = names.splice(1);
-    if (measured.length === 0) throw new Refused("report takes a job and a file with what was measured of each part");
+    if (measured.length === 0)
+      throw new Refused(
+        "report takes a job and a file with what was measured of each part",
+      );
     task.parts = await Promise.all((await filesOf(measured)).map(textOf));
     const { by, machine, note, when = clock(new Date()) } = values;
-    task.about = { when, ...(by ? { by } : {}), ...(machine ? { machine } : {}), ...(note ? { note } : {}) };
+    task.about = {
+      when,
+      ...(by ? { by } : {}),
+      ...(machine ? { machine } : {}),
+      ...(note ? { note } : {}),
+    };
   }
-  if (names.length === 0) throw new Refused(`${command} takes files; - is the standard input`);
+  if (names.length === 0)
+    throw new Refused(`${command} takes files; - is the standard input`);
   if (command === "verify" && values.manifest) {
     const [folder] = names;
-    if (names.length !== 1 || !folder || !(await stat(folder).catch(() => null))?.isDirectory())
-      throw new Refused("verify --manifest takes a folder with a list, as plan -o DIR --manifest writes it");
+    if (
+      names.length !== 1 ||
+      !folder ||
+      !(await stat(folder).catch(() => null))?.isDirectory()
+    )
+      throw new Refused(
+        "verify --manifest takes a folder with a list, as plan -o DIR --manifest writes it",
+      );
     const silent = new Progress(process.stderr, false);
-    return Number(await handOut(task, values, heldAgainst(folder, task), false, silent));
+    return Number(
+      await handOut(task, values, heldAgainst(folder, task), false, silent),
+    );
   }
   if (task.known && values.with)
     task.known.files = Object.fromEntries(
-      await Promise.all(values.with.map(async (file) => [basename(file), await textOf(file)] as const)),
+      await Promise.all(
+        values.with.map(
+          async (file) => [basename(file), await textOf(file)] as const,
+        ),
+      ),
     );
   const files = await filesOf(names, command === "verify");
   const byLine = files.some((file) => isLines(file, values));
@@ -659,18 +914,30 @@ async function run(command: Command, names: string[], values: Values): Promise<n
     values.out === undefined &&
     !["check", "import", "examine", "verify"].includes(command)
   )
-    throw new Refused("Several jobs need a folder (-o): one after the other they are no program");
+    throw new Refused(
+      "Several jobs need a folder (-o): one after the other they are no program",
+    );
   if (JOBS.includes(command) && !byLine) task.places = true;
   task.whole = values.json === true && !byLine && values.out === undefined;
   const cores = byLine ? Math.min(availableParallelism(), 8) : 1;
   const threads = threadsOf(values, cores);
   const { longestText, longestProgram } = catalog();
-  const longest = ["moves", "examine", "verify"].includes(command) ? longestProgram : longestText;
+  const longest = ["moves", "examine", "verify"].includes(command)
+    ? longestProgram
+    : longestText;
   const progress = new Progress(process.stderr, byLine || files.length > 1);
-  for (const file of files) if (file !== "-") progress.expect((await stat(file)).size);
-  const folder = values.out === undefined ? null : await folderOf(values.out, files, values.flat === true);
+  for (const file of files)
+    if (file !== "-") progress.expect((await stat(file)).size);
+  const folder =
+    values.out === undefined
+      ? null
+      : await folderOf(values.out, files, values.flat === true);
   try {
-    const outcomes = performAll(task, itemsOf(files, values, longest, progress), threads);
+    const outcomes = performAll(
+      task,
+      itemsOf(files, values, longest, progress),
+      threads,
+    );
     const failed = folder
       ? await fileAway(task, values, outcomes, byLine, folder, progress)
       : await handOut(task, values, outcomes, byLine, progress);
@@ -682,43 +949,75 @@ async function run(command: Command, names: string[], values: Values): Promise<n
 }
 
 /** A whole number of an option. */
-function countOf(option: string, text: string, least: number, most: number): number {
+function countOf(
+  option: string,
+  text: string,
+  least: number,
+  most: number,
+): number {
   const value = Number(text);
   if (!/^\d+$/.test(text) || value < least || value > most)
-    throw new Refused(`${option} is a whole number from ${least} to ${most}, not ${text}`);
+    throw new Refused(
+      `${option} is a whole number from ${least} to ${most}, not ${text}`,
+    );
   return value;
 }
 
 /** Serves until a signal ends the process. */
 async function served(names: string[], values: Values): Promise<number> {
   const other = Object.keys(values).find(
-    (option) => !["port", "host", "jobs", "limit", "config", "no-config"].includes(option),
+    (option) =>
+      !["port", "host", "jobs", "limit", "config", "no-config"].includes(
+        option,
+      ),
   );
   if (other !== undefined) throw new Refused(`--${other} is not for serve`);
   if (names.length > 0) throw new Refused("serve takes no files");
   const limits = { ...LIMITS };
   for (const given of values.limit ?? []) {
     const [name = "", number = ""] = given.split(/=(.*)/s);
-    const known = oneOf("--limit", name, Object.keys(LIMITS) as (keyof typeof LIMITS)[]);
+    const known = oneOf(
+      "--limit",
+      name,
+      Object.keys(LIMITS) as (keyof typeof LIMITS)[],
+    );
     limits[known] = countOf(`--limit ${known}`, number, 1, 1_000_000_000);
   }
   const config = await configFor(values);
   const threads = threadsOf(values, Math.min(availableParallelism(), 8));
   const { serve } = await import("./serve.js");
   const port = countOf("--port", values.port ?? "3000", 0, 65_535);
-  await serve({ port, host: values.host ?? "127.0.0.1", threads, limits, config });
+  await serve({
+    port,
+    host: values.host ?? "127.0.0.1",
+    threads,
+    limits,
+    config,
+  });
   return 0;
 }
 
 /** On how many threads. */
 function threadsOf(values: Values, usual: number): number {
-  return values.jobs === undefined ? usual : countOf("--jobs", values.jobs, 1, 64);
+  return values.jobs === undefined
+    ? usual
+    : countOf("--jobs", values.jobs, 1, 64);
 }
 
 /** The folder of the outputs. However the process ends, but for a kill that cannot be seen, nothing is left aside. */
-async function folderOf(out: string, files: string[], flat: boolean): Promise<Folder> {
-  const inputs = await Promise.all(files.filter((file) => file !== "-").map(fileAt));
-  const folder = new Folder(out, new Set(inputs.filter((input) => input !== null)), flat);
+async function folderOf(
+  out: string,
+  files: string[],
+  flat: boolean,
+): Promise<Folder> {
+  const inputs = await Promise.all(
+    files.filter((file) => file !== "-").map(fileAt),
+  );
+  const folder = new Folder(
+    out,
+    new Set(inputs.filter((input) => input !== null)),
+    flat,
+  );
   process.on("exit", () => folder.leave());
   for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"] as const)
     process.on(signal, () => process.exit(128 + constants.signals[signal]));
@@ -728,7 +1027,9 @@ async function folderOf(out: string, files: string[], flat: boolean): Promise<Fo
 /** Ends with one line about what went wrong. */
 function refuse(why: string, json: boolean): never {
   const name = basename(process.argv[1] ?? "touchpath", ".js");
-  process.stderr.write(json ? `${JSON.stringify({ error: why })}\n` : `${name}: ${why}\n`);
+  process.stderr.write(
+    json ? `${JSON.stringify({ error: why })}\n` : `${name}: ${why}\n`,
+  );
   process.exit(2);
 }
 
@@ -745,5 +1046,10 @@ for (const stream of [process.stdout, process.stderr])
 try {
   process.exitCode = await main(process.argv.slice(2));
 } catch (thrown) {
-  refuse(thrown instanceof Refused ? thrown.message : `This should not have happened: ${thrown}`, json);
+  refuse(
+    thrown instanceof Refused
+      ? thrown.message
+      : `This should not have happened: ${thrown}`,
+    json,
+  );
 }

@@ -1,5 +1,11 @@
 // Whether a program still is the program of the job that its header says.
-import { type Finding, importJob, type Job, JobError, program } from "../node.js";
+import {
+  type Finding,
+  importJob,
+  type Job,
+  JobError,
+  program,
+} from "../node.js";
 
 /** What became of a program. What its lines break of the safety rules is a finding, `unsafe-program`. */
 export interface Verified {
@@ -7,7 +13,16 @@ export interface Verified {
    * `same`, `version` where only another version wrote it, `changed`, `refused` where its job has no program any longer, `no-job`; by the list of a folder also `missing`,
    * `unlisted`, `job-changed`, `job-missing`.
    */
-  state: "same" | "version" | "changed" | "refused" | "no-job" | "missing" | "unlisted" | "job-changed" | "job-missing";
+  state:
+    | "same"
+    | "version"
+    | "changed"
+    | "refused"
+    | "no-job"
+    | "missing"
+    | "unlisted"
+    | "job-changed"
+    | "job-missing";
   said: string;
   /** The first lines that differ, from 1, as they are and as they should be. */
   lines: { line: number; is: string | null; wanted: string | null }[];
@@ -19,33 +34,56 @@ const LISTED = 5;
 /** What every version writes by itself. */
 const STAMP = /Made by Touchpath |Blocks below: |^\s*$/i;
 
-const linesOf = (text: string) => text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
+const linesOf = (text: string) =>
+  text.replace(/^\uFEFF/, "").split(/\r\n|\r|\n/);
 /** The blocks below the header, each with its line; all of them where there is no header. */
 function blocks(text: string): { line: number; text: string }[] {
-  const all = linesOf(text).map((text, i) => ({ line: i + 1, text: text.trimEnd() }));
-  const end = all.findIndex(({ text }) => /Blocks below: [0-9A-F]+/i.test(text));
+  const all = linesOf(text).map((text, i) => ({
+    line: i + 1,
+    text: text.trimEnd(),
+  }));
+  const end = all.findIndex(({ text }) =>
+    /Blocks below: [0-9A-F]+/i.test(text),
+  );
   return all.slice(end + 1).filter(({ text }) => !STAMP.test(text));
 }
 
 /** The lines that differ: those between what both begin and end with alike. */
-function differing(is: { line: number; text: string }[], wanted: { text: string }[]): Verified["lines"] {
+function differing(
+  is: { line: number; text: string }[],
+  wanted: { text: string }[],
+): Verified["lines"] {
   const same = (i: number, j: number) => is[i]?.text === wanted[j]?.text;
   let begin = 0;
-  while (begin < Math.min(is.length, wanted.length) && same(begin, begin)) begin++;
+  while (begin < Math.min(is.length, wanted.length) && same(begin, begin))
+    begin++;
   let end = 0;
   const most = Math.min(is.length, wanted.length) - begin;
-  while (end < most && same(is.length - 1 - end, wanted.length - 1 - end)) end++;
-  const [mine, theirs] = [is.slice(begin, is.length - end), wanted.slice(begin, wanted.length - end)];
-  return Array.from({ length: Math.max(mine.length, theirs.length) }, (_, i) => ({
-    line: mine[i]?.line ?? (mine.at(-1)?.line ?? is[begin - 1]?.line ?? 0) + 1,
-    is: mine[i]?.text ?? null,
-    wanted: theirs[i]?.text ?? null,
-  }));
+  while (end < most && same(is.length - 1 - end, wanted.length - 1 - end))
+    end++;
+  const [mine, theirs] = [
+    is.slice(begin, is.length - end),
+    wanted.slice(begin, wanted.length - end),
+  ];
+  return Array.from(
+    { length: Math.max(mine.length, theirs.length) },
+    (_, i) => ({
+      line:
+        mine[i]?.line ?? (mine.at(-1)?.line ?? is[begin - 1]?.line ?? 0) + 1,
+      is: mine[i]?.text ?? null,
+      wanted: theirs[i]?.text ?? null,
+    }),
+  );
 }
 
 /** Holds a program against its job. */
 export function verified(text: string): Verified {
-  const done = (state: Verified["state"], said: string, findings: Finding[], lines: Verified["lines"] = []) => ({
+  const done = (
+    state: Verified["state"],
+    said: string,
+    findings: Finding[],
+    lines: Verified["lines"] = [],
+  ) => ({
     state,
     said,
     lines,
@@ -57,7 +95,11 @@ export function verified(text: string): Verified {
   } catch (thrown) {
     if (!(thrown instanceof JobError)) throw thrown;
     if (thrown.findings.some(({ code }) => code === "not-understood"))
-      return done("changed", "has lines that are not of its job's program", thrown.findings);
+      return done(
+        "changed",
+        "has lines that are not of its job's program",
+        thrown.findings,
+      );
     return done("no-job", "its header says no job", thrown.findings);
   }
   const { job, findings } = read;
@@ -71,18 +113,31 @@ export function verified(text: string): Verified {
   }
   const lines = differing(blocks(text), blocks(wanted));
   if (lines.length > 0) {
-    const many = lines.length === 1 ? "a line differs" : `${lines.length} lines differ`;
-    return done("changed", `${many} from its job's program`, findings, lines.slice(0, LISTED));
+    const many =
+      lines.length === 1 ? "a line differs" : `${lines.length} lines differ`;
+    return done(
+      "changed",
+      `${many} from its job's program`,
+      findings,
+      lines.slice(0, LISTED),
+    );
   }
   const version = /Made by Touchpath (\S+)/i.exec(text)?.[1];
   const now = /Made by Touchpath (\S+)/i.exec(wanted)?.[1];
   if (version !== undefined && version.toLowerCase() !== now?.toLowerCase())
-    return done("version", `is its job's program; version ${version} wrote it`, findings);
+    return done(
+      "version",
+      `is its job's program; version ${version} wrote it`,
+      findings,
+    );
   return done("same", "is its job's program", findings);
 }
 
 /** The same for people. */
-export function verifiedText(source: string, { said, lines }: Verified): string {
+export function verifiedText(
+  source: string,
+  { said, lines }: Verified,
+): string {
   const differ = lines.map(
     ({ line, is, wanted }) =>
       `  line ${line}: ${is ?? "(missing)"}\n${" ".repeat(9)}should be: ${wanted ?? "(nothing)"}\n`,

@@ -23,8 +23,18 @@ enum Probe {
 
 /// What a program comes to whose probe is deflected from the start: followed to its first probing move and on from there.
 pub fn deflected(script: &Script<'_>, run: Run) -> Result<Ending, Trouble> {
-    let mut machine = Machine::new(script, Run { deflected: true, ..run });
-    machine.ending(usize::MAX, 20 * script.blocks.len() + LONGEST_EXIT, Probe::Deflected)
+    let mut machine = Machine::new(
+        script,
+        Run {
+            deflected: true,
+            ..run
+        },
+    );
+    machine.ending(
+        usize::MAX,
+        20 * script.blocks.len() + LONGEST_EXIT,
+        Probe::Deflected,
+    )
 }
 
 /// An exit computes less than so many values. What the results of someone else's program should be is not known: an alarm after them does not belong to the
@@ -33,7 +43,12 @@ const COMPUTES: usize = 2;
 
 impl Machine<'_, '_> {
     /// What a probing move leads to that meets this, without making it.
-    pub(super) fn other_way(&mut self, to: Place, met: Option<(Place, Place)>, scratch: &mut State) -> Result<Ending, Trouble> {
+    pub(super) fn other_way(
+        &mut self,
+        to: Place,
+        met: Option<(Place, Place)>,
+        scratch: &mut State,
+    ) -> Result<Ending, Trouble> {
         scratch.become_like(&self.state);
         let written = self.slots.mark();
         self.arrive(to, met);
@@ -62,12 +77,19 @@ impl Machine<'_, '_> {
     }
 
     /// Follows the program until it stops, or until it clearly continues.
-    fn ending(&mut self, most_moves: usize, most_blocks: usize, probe: Probe) -> Result<Ending, Trouble> {
+    fn ending(
+        &mut self,
+        most_moves: usize,
+        most_blocks: usize,
+        probe: Probe,
+    ) -> Result<Ending, Trouble> {
         let (mut lifts, mut strays, mut writes, mut moves) = (false, false, false, 0);
         let (deflected, mut probes) = (probe != Probe::Free, 0);
         let mut computed = 0;
         for _ in 0..most_blocks {
-            let Some(block) = self.script.blocks.get(self.state.pc) else { break };
+            let Some(block) = self.script.blocks.get(self.state.pc) else {
+                break;
+            };
             let line = block.line;
             if let BlockKind::Set(_, value) = block.kind {
                 computed += usize::from(self.script.number(value).is_none());
@@ -83,8 +105,17 @@ impl Machine<'_, '_> {
                 // The program ends before another move is made.
                 Flow::End if self.in_contact() && moves == 0 => return Ok(Ending::ControlStops),
                 Flow::Native | Flow::End => return Ok(Ending::GoesOn),
-                Flow::Alarm if !self.run.strict && computed >= COMPUTES => return Ok(Ending::GoesOn),
-                Flow::Alarm => return Ok(Ending::Exit { line, lifts, strays, writes }),
+                Flow::Alarm if !self.run.strict && computed >= COMPUTES => {
+                    return Ok(Ending::GoesOn);
+                }
+                Flow::Alarm => {
+                    return Ok(Ending::Exit {
+                        line,
+                        lifts,
+                        strays,
+                        writes,
+                    });
+                }
                 Flow::Moved(words, motion) => {
                     let from = self.state.at;
                     // An exit moves in the modes of the program.
@@ -96,25 +127,36 @@ impl Machine<'_, '_> {
                     let up = self.tool_axis();
                     self.state.ahead = self.runs_on(motion);
                     match motion {
-                        Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => return Ok(Ending::ControlStops),
-                        Motion::MayTouch if deflected && self.script.begins_free => return Ok(Ending::ControlStops),
+                        Motion::MustTouch | Motion::MustBeFree if deflected && probes == 0 => {
+                            return Ok(Ending::ControlStops);
+                        }
+                        Motion::MayTouch if deflected && self.script.begins_free => {
+                            return Ok(Ending::ControlStops);
+                        }
                         Motion::MustTouch | Motion::MayTouch if self.in_contact() && moves == 0 => {
                             return Ok(Ending::ControlStops);
                         }
                         // A deflected probe ends every probing move where it begins, or is not seen at all: then the move is made.
-                        Motion::MayTouch if deflected && probes < MOST_LIFTS && !self.script.sees_edges => {
+                        Motion::MayTouch
+                            if deflected && probes < MOST_LIFTS && !self.script.sees_edges =>
+                        {
                             self.arrive(from, Some((from, from)));
                             probes += 1;
                         }
-                        Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => return Ok(Ending::GoesOn),
+                        Motion::MustTouch | Motion::MustBeFree | Motion::MayTouch => {
+                            return Ok(Ending::GoesOn);
+                        }
                         Motion::Rapid | Motion::Straight | Motion::Clockwise | Motion::Counter => {
                             moves += 1;
-                            let across = (0..3).any(|axis| axis != up && step.to[axis] != from[axis]);
+                            let across =
+                                (0..3).any(|axis| axis != up && step.to[axis] != from[axis]);
                             let rises = step.to[up] > from[up];
                             // From the start up to the first probing move the program does as it does with a free probe.
                             if probe != Probe::Deflected || probes > 0 {
                                 lifts |= rises && !across;
-                                strays |= across || step.to[up] < from[up] || step.to[up] > self.run.highest;
+                                strays |= across
+                                    || step.to[up] < from[up]
+                                    || step.to[up] > self.run.highest;
                             }
                             if moves > most_moves {
                                 return Ok(Ending::GoesOn);

@@ -11,7 +11,9 @@ pub use tail::{Endings, Outcome, Tail, restarted};
 
 use std::cell::{Cell, OnceCell};
 
-use crate::control::iso::script::{Ahead, Block, BlockKind, Modes, Motion, NodeId, Part, Script, Slot, Trouble, Words};
+use crate::control::iso::script::{
+    Ahead, Block, BlockKind, Modes, Motion, NodeId, Part, Script, Slot, Trouble, Words,
+};
 use crate::control::trace::{Ending, Kind, Place, Step, Trace};
 use crate::geom::Plane;
 use crate::text::{Text, text};
@@ -85,12 +87,33 @@ struct State {
 impl State {
     /// Becomes another one. What it has room for is used again: this is done at every probing move.
     fn become_like(&mut self, other: &State) {
-        let Self { pc, written, stack, at, stated, trigger, contact, deflected, feed, modes, origins, reading, warned, ahead } =
-            self;
+        let Self {
+            pc,
+            written,
+            stack,
+            at,
+            stated,
+            trigger,
+            contact,
+            deflected,
+            feed,
+            modes,
+            origins,
+            reading,
+            warned,
+            ahead,
+        } = self;
         stack.clone_from(&other.stack);
         origins.clone_from(&other.origins);
-        (*pc, *written, *at, *stated, *trigger) = (other.pc, other.written, other.at, other.stated, other.trigger);
-        (*contact, *deflected, *feed, *modes) = (other.contact, other.deflected, other.feed, other.modes);
+        (*pc, *written, *at, *stated, *trigger) = (
+            other.pc,
+            other.written,
+            other.at,
+            other.stated,
+            other.trigger,
+        );
+        (*contact, *deflected, *feed, *modes) =
+            (other.contact, other.deflected, other.feed, other.modes);
         (*reading, *warned, *ahead) = (other.reading, other.warned, other.ahead);
     }
 }
@@ -165,7 +188,12 @@ pub fn run(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Result<Trace
 }
 
 /// The same, and where it stands when the last of the marked variables has its value and the last motion is made.
-pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &[Slot]) -> Result<(Trace, Tail), Trouble> {
+pub fn run_marked(
+    script: &Script<'_>,
+    run: Run,
+    world: &mut World<'_>,
+    marks: &[Slot],
+) -> Result<(Trace, Tail), Trouble> {
     let mut machine = Machine::new(script, run);
     let mut trace = Trace::default();
     let mut scratch = State::default();
@@ -186,7 +214,11 @@ pub fn run_marked(script: &Script<'_>, run: Run, world: &mut World<'_>, marks: &
             }
             BlockKind::JumpIf(_, target) | BlockKind::JumpUnless(_, target) => {
                 machine.spend(1 + script.slots / 8);
-                let other = if machine.state.pc == at + 1 { *target } else { at + 1 };
+                let other = if machine.state.pc == at + 1 {
+                    *target
+                } else {
+                    at + 1
+                };
                 fork.opens(&machine.state, machine.slots.mark(), other);
             }
             _ => {}
@@ -254,9 +286,16 @@ pub fn until_alarm(script: &Script<'_>, run: Run, world: &mut World<'_>) -> Opti
         match machine.step().ok()? {
             Flow::Next | Flow::Output(..) => {}
             Flow::Wrote(..) => stopped.writes = true,
-            Flow::Alarm => return Some(Stopped { at: machine.state.at, ..stopped }),
+            Flow::Alarm => {
+                return Some(Stopped {
+                    at: machine.state.at,
+                    ..stopped
+                });
+            }
             Flow::Moved(words, motion) => {
-                let step = machine.moved(line, words, motion, &mut trace, world, &mut scratch).ok()?;
+                let step = machine
+                    .moved(line, words, motion, &mut trace, world, &mut scratch)
+                    .ok()?;
                 let touch = step.kind == Kind::Touch;
                 stopped.touches += usize::from(touch);
                 stopped.since = if touch { 0 } else { stopped.since + 1 };
@@ -283,7 +322,11 @@ fn reads_ahead() -> Text {
 }
 
 fn trouble(line: usize, message: Text) -> Trouble {
-    Trouble { line, message, understood: true }
+    Trouble {
+        line,
+        message,
+        understood: true,
+    }
 }
 
 /// Whether two places are as near as this along every axis.
@@ -345,7 +388,9 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// Whether it is where the run is to end.
     fn is_there(&self) -> bool {
-        self.run.until.is_some_and(|(place, off)| near(place, self.state.at, off))
+        self.run
+            .until
+            .is_some_and(|(place, off)| near(place, self.state.at, off))
     }
 
     /// What is known at the end.
@@ -376,7 +421,10 @@ impl<'s, 't> Machine<'s, 't> {
         let block = &script.blocks[self.state.pc];
         self.spend(1);
         if self.left.get() == 0 {
-            return Err(trouble(block.line, text!("the program does not come to an end")));
+            return Err(trouble(
+                block.line,
+                text!("the program does not come to an end"),
+            ));
         }
         self.state.pc += 1;
         let flow = self.carry_out(block)?;
@@ -406,7 +454,10 @@ impl<'s, 't> Machine<'s, 't> {
     fn holds(&self, condition: NodeId, line: usize) -> Result<bool, Trouble> {
         let value = self.value(condition);
         if value.is_nan() && self.run.strict {
-            return Err(self.refuse(line, text!("this condition depends on a variable without a value")));
+            return Err(self.refuse(
+                line,
+                text!("this condition depends on a variable without a value"),
+            ));
         }
         Ok(value != 0.0)
     }
@@ -431,13 +482,17 @@ impl<'s, 't> Machine<'s, 't> {
             }
             BlockKind::SetOther(slot, node) => self.write(*slot, *node),
             BlockKind::Elsewhere(axes) => {
-                (0..3).filter(|axis| axes[*axis]).for_each(|axis| self.state.stated[axis] = false);
+                (0..3)
+                    .filter(|axis| axes[*axis])
+                    .for_each(|axis| self.state.stated[axis] = false);
             }
             BlockKind::SetOffset(part, node) => {
                 let value = self.value(*node);
                 self.set_part(*part, value);
                 return Ok(match part {
-                    Part::Origin(number, axis) => Flow::Wrote(*number, [0, 1, 2].map(|i| i == *axis), false),
+                    Part::Origin(number, axis) => {
+                        Flow::Wrote(*number, [0, 1, 2].map(|i| i == *axis), false)
+                    }
                     Part::Turn(number, _) => Flow::Wrote(*number, [false; 3], true),
                 });
             }
@@ -461,7 +516,11 @@ impl<'s, 't> Machine<'s, 't> {
             }
             BlockKind::Origin(number, axes, turn) => {
                 self.set_origin(*number, axes, *turn);
-                return Ok(Flow::Wrote(*number, axes.map(|node| node.is_some()), turn.is_some()));
+                return Ok(Flow::Wrote(
+                    *number,
+                    axes.map(|node| node.is_some()),
+                    turn.is_some(),
+                ));
             }
             BlockKind::Alarm => return Ok(Flow::Alarm),
             BlockKind::Warned => self.state.warned = true,
@@ -481,27 +540,48 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// Goes into a subroutine with these arguments.
     fn call(&mut self, line: usize, target: usize, arguments: &[NodeId]) -> Result<(), Trouble> {
-        let slots = *self.arguments.get_or_init(|| ARGUMENTS.map(|name| self.script.find(name)));
+        let slots = *self
+            .arguments
+            .get_or_init(|| ARGUMENTS.map(|name| self.script.find(name)));
         let values: Vec<(usize, f64)> = arguments
             .iter()
             .enumerate()
             .filter_map(|(i, node)| Some(((*slots.get(i)?)? as usize, self.value(*node))))
             .collect();
-        let before = values.iter().map(|(slot, _)| (*slot, self.slots.get(*slot))).collect();
+        let before = values
+            .iter()
+            .map(|(slot, _)| (*slot, self.slots.get(*slot)))
+            .collect();
         if self.state.stack.len() >= ARGUMENTS.len() {
-            return Err(trouble(line, text!("subroutines call each other too deeply")));
+            return Err(trouble(
+                line,
+                text!("subroutines call each other too deeply"),
+            ));
         }
-        let called = Called { back: self.state.pc, line: self.line(line), arguments: before };
+        let called = Called {
+            back: self.state.pc,
+            line: self.line(line),
+            arguments: before,
+        };
         self.state.stack.push(called);
-        values.into_iter().for_each(|(slot, value)| self.slots.set(slot, value));
+        values
+            .into_iter()
+            .for_each(|(slot, value)| self.slots.set(slot, value));
         self.state.pc = target;
         Ok(())
     }
 
     /// Comes back from a subroutine.
     fn give_back(&mut self, line: usize) -> Result<(), Trouble> {
-        let called = self.state.stack.pop().ok_or_else(|| trouble(line, text!("a subroutine ends that was not called")))?;
-        called.arguments.into_iter().for_each(|(slot, value)| self.slots.set(slot, value));
+        let called = self
+            .state
+            .stack
+            .pop()
+            .ok_or_else(|| trouble(line, text!("a subroutine ends that was not called")))?;
+        called
+            .arguments
+            .into_iter()
+            .for_each(|(slot, value)| self.slots.set(slot, value));
         self.state.pc = called.back;
         Ok(())
     }
@@ -521,7 +601,13 @@ impl<'s, 't> Machine<'s, 't> {
 
     /// A motion from where the ball is.
     fn motion(&mut self, line: usize, words: &Words, motion: Motion) -> Result<Step, Trouble> {
-        let from = [0, 1, 2].map(|axis| if self.state.stated[axis] { self.state.at[axis] } else { f64::NAN });
+        let from = [0, 1, 2].map(|axis| {
+            if self.state.stated[axis] {
+                self.state.at[axis]
+            } else {
+                f64::NAN
+            }
+        });
         let mut to = self.state.at;
         for (axis, node) in words.to.iter().enumerate() {
             if let Some(node) = node {
@@ -530,31 +616,61 @@ impl<'s, 't> Machine<'s, 't> {
             }
         }
         if to.iter().any(|x| !x.is_finite()) {
-            return Err(trouble(line, text!("this motion has a position that is not a number")));
+            return Err(trouble(
+                line,
+                text!("this motion has a position that is not a number"),
+            ));
         }
         if let Some(node) = words.feed {
             self.state.feed = Some(self.value(node));
         }
-        let feed = if motion == Motion::Rapid { None } else { self.state.feed };
+        let feed = if motion == Motion::Rapid {
+            None
+        } else {
+            self.state.feed
+        };
         if feed.is_some_and(|feed| feed.is_nan() || feed <= 0.0) {
             return Err(trouble(line, text!("a feed must be more than 0")));
         }
         let arc = match motion {
             Motion::Clockwise | Motion::Counter => {
-                let center =
-                    [0, 1, 2].map(|axis| self.state.at[axis] + words.center[axis].map_or(0.0, |node| self.value(node)));
+                let center = [0, 1, 2].map(|axis| {
+                    self.state.at[axis] + words.center[axis].map_or(0.0, |node| self.value(node))
+                });
                 Some((center, motion == Motion::Clockwise))
             }
             _ => None,
         };
-        let kind = if motion == Motion::Rapid { Kind::Rapid } else { Kind::Feed };
+        let kind = if motion == Motion::Rapid {
+            Kind::Rapid
+        } else {
+            Kind::Feed
+        };
         let (contact, miss) = (Ending::GoesOn, Ending::GoesOn);
         let known = self.state.stated;
-        Ok(Step { line, from, to, known, kind, feed, own_feed: words.feed.is_some(), arc, contact, miss, stuck: None })
+        Ok(Step {
+            line,
+            from,
+            to,
+            known,
+            kind,
+            feed,
+            own_feed: words.feed.is_some(),
+            arc,
+            contact,
+            miss,
+            stuck: None,
+        })
     }
 
     /// Makes a motion. Of a probing one the way that it does not take is followed, too.
-    fn go(&mut self, step: &mut Step, motion: Motion, world: &mut World<'_>, scratch: &mut State) -> Result<(), Trouble> {
+    fn go(
+        &mut self,
+        step: &mut Step,
+        motion: Motion,
+        world: &mut World<'_>,
+        scratch: &mut State,
+    ) -> Result<(), Trouble> {
         self.state.ahead = self.runs_on(motion);
         if !motion.probes() {
             self.state.at = step.to;
@@ -573,12 +689,18 @@ impl<'s, 't> Machine<'s, 't> {
             (Met::Something(stops, reads), _) => Some((stops, reads)),
             (Met::Nothing, _) | (Met::Unknown, Motion::MustBeFree) => None,
             (Met::Unknown, Motion::MayTouch) => {
-                let free = self.other_way(step.to, Some((half, half)), scratch)?.stops();
+                let free = self
+                    .other_way(step.to, Some((half, half)), scratch)?
+                    .stops();
                 (!free).then_some((half, half))
             }
             (Met::Unknown, _) => Some((half, half)),
         };
-        let other = if met.is_some() { None } else { Some((half, half)) };
+        let other = if met.is_some() {
+            None
+        } else {
+            Some((half, half))
+        };
         let ending = match (motion, other) {
             (Motion::MustTouch, None) | (Motion::MustBeFree, Some(_)) => Ending::ControlStops,
             _ => self.other_way(step.to, other, scratch)?,
@@ -589,8 +711,12 @@ impl<'s, 't> Machine<'s, 't> {
             (None, _) => (Kind::Watched, ending, Ending::GoesOn),
         };
         match (motion, met) {
-            (Motion::MustTouch, None) => return Err(trouble(step.line, text!("this touch makes no contact"))),
-            (Motion::MustBeFree, Some(_)) => return Err(trouble(step.line, text!("this move hits something"))),
+            (Motion::MustTouch, None) => {
+                return Err(trouble(step.line, text!("this touch makes no contact")));
+            }
+            (Motion::MustBeFree, Some(_)) => {
+                return Err(trouble(step.line, text!("this move hits something")));
+            }
             _ => self.arrive(step.to, met),
         }
         Ok(())
@@ -613,4 +739,6 @@ impl<'s, 't> Machine<'s, 't> {
 }
 
 /// The arguments of a subroutine.
-const ARGUMENTS: [&[u8]; 9] = [b"#1", b"#2", b"#3", b"#4", b"#5", b"#6", b"#7", b"#8", b"#9"];
+const ARGUMENTS: [&[u8]; 9] = [
+    b"#1", b"#2", b"#3", b"#4", b"#5", b"#6", b"#7", b"#8", b"#9",
+];

@@ -18,7 +18,10 @@ pub struct Redo(Vec<(u32, f64)>);
 
 impl Slots {
     pub fn of(values: Vec<f64>) -> Self {
-        Slots { now: values, replaced: Vec::new() }
+        Slots {
+            now: values,
+            replaced: Vec::new(),
+        }
     }
 
     pub fn get(&self, slot: usize) -> f64 {
@@ -45,12 +48,19 @@ impl Slots {
     pub fn undo(&mut self, to: Mark) -> Redo {
         let now = &mut self.now;
         let undone = self.replaced.drain(to.0..).rev();
-        Redo(undone.map(|(slot, before)| (slot, std::mem::replace(&mut now[slot as usize], before))).collect())
+        Redo(
+            undone
+                .map(|(slot, before)| (slot, std::mem::replace(&mut now[slot as usize], before)))
+                .collect(),
+        )
     }
 
     /// Makes writes again that were taken back: marks among them hold again.
     pub fn redo(&mut self, Redo(undone): Redo) {
-        undone.into_iter().rev().for_each(|(slot, value)| self.set(slot as usize, value));
+        undone
+            .into_iter()
+            .rev()
+            .for_each(|(slot, value)| self.set(slot as usize, value));
     }
 
     /// The values at a mark.

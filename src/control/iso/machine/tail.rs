@@ -66,7 +66,10 @@ impl Tail {
         let values = self.values.as_ref().filter(|_| self.begun)?;
         let mut machine = Machine::new(script, run);
         machine.slots = Slots::of(values.clone());
-        Some(Endings { begin: &self.state, machine })
+        Some(Endings {
+            begin: &self.state,
+            machine,
+        })
     }
 }
 
@@ -98,8 +101,18 @@ impl Machine<'_, '_> {
             match machine.step() {
                 Ok(Flow::Next | Flow::Output(..)) => {}
                 Ok(Flow::Wrote(..)) => outcome.writes = true,
-                Ok(Flow::Alarm) => return Outcome { stops: true, ..outcome },
-                Ok(Flow::End) => return Outcome { ends: true, ..outcome },
+                Ok(Flow::Alarm) => {
+                    return Outcome {
+                        stops: true,
+                        ..outcome
+                    };
+                }
+                Ok(Flow::End) => {
+                    return Outcome {
+                        ends: true,
+                        ..outcome
+                    };
+                }
                 // Results come after every motion.
                 Ok(Flow::Moved(..) | Flow::Native) | Err(_) => return outcome,
             }
@@ -117,7 +130,14 @@ pub fn restarted(
     (block, values): (usize, &[f64]),
     left: &mut usize,
 ) -> bool {
-    let mut machine = Machine::new(script, Run { strict: true, known: true, ..run });
+    let mut machine = Machine::new(
+        script,
+        Run {
+            strict: true,
+            known: true,
+            ..run
+        },
+    );
     machine.slots = Slots::of(values.to_vec());
     machine.state.pc = block;
     machine.state.modes = trace.modes;
@@ -149,10 +169,13 @@ impl Machine<'_, '_> {
                 Ok(Flow::Wrote(..)) if touched < wanted && machine.changed() => return true,
                 Ok(Flow::Wrote(..)) => {}
                 Ok(Flow::Moved(words, motion)) => {
-                    let Ok(step) = machine.motion(line, words, motion) else { return false };
+                    let Ok(step) = machine.motion(line, words, motion) else {
+                        return false;
+                    };
                     let touches = motion.probes() && touch_lines.binary_search(&line).is_ok();
                     touched += usize::from(touches);
-                    let middle: Place = [0, 1, 2].map(|axis| (machine.state.at[axis] + step.to[axis]) / 2.0);
+                    let middle: Place =
+                        [0, 1, 2].map(|axis| (machine.state.at[axis] + step.to[axis]) / 2.0);
                     let met = (touches && motion != Motion::MustBeFree).then_some((middle, middle));
                     machine.arrive(step.to, met);
                 }

@@ -24,7 +24,12 @@ impl Machine<'_, '_> {
     }
 
     pub(super) fn set_part(&mut self, part: Part, value: f64) {
-        match self.state.origins.iter_mut().find(|(known, _)| *known == part) {
+        match self
+            .state
+            .origins
+            .iter_mut()
+            .find(|(known, _)| *known == part)
+        {
             Some((_, place)) => *place = value,
             None => self.state.origins.push((part, value)),
         }
@@ -32,9 +37,14 @@ impl Machine<'_, '_> {
 
     /// Whether a work offset is another one than before the program, or reads a place otherwise. What is no number stops the control.
     pub(super) fn changed(&self) -> bool {
-        let moved = |(part, value): &(Part, f64)| (value - before(*part, self.script.straight)).abs() > 1e-9;
+        let moved = |(part, value): &(Part, f64)| {
+            (value - before(*part, self.script.straight)).abs() > 1e-9
+        };
         self.state.origins.iter().any(moved)
-            || self.state.reading.is_some_and(|reading| reading.iter().flatten().all(|x| x.is_finite()))
+            || self
+                .state
+                .reading
+                .is_some_and(|reading| reading.iter().flatten().all(|x| x.is_finite()))
     }
 
     /// What the written work offset comes to, for the place where the ball is.
@@ -51,7 +61,9 @@ impl Machine<'_, '_> {
             let (sin, cos) = degrees.to_radians().sin_cos();
             (x * cos - y * sin, x * sin + y * cos)
         };
-        let shift = |axis: usize| before(Part::Origin(number, axis)) - self.part(Part::Origin(number, axis));
+        let shift = |axis: usize| {
+            before(Part::Origin(number, axis)) - self.part(Part::Origin(number, axis))
+        };
         let (x, y) = turned(was, place[a], place[o]);
         let mut reading = place;
         (reading[a], reading[o]) = turned(-is, x + shift(a), y + shift(o));
@@ -61,7 +73,11 @@ impl Machine<'_, '_> {
                 reading[axis] = stated[axis].unwrap_or(reading[axis]);
             }
         }
-        Some(Written { place, reading, turn: is - was })
+        Some(Written {
+            place,
+            reading,
+            turn: is - was,
+        })
     }
 
     pub(super) fn value(&self, node: NodeId) -> f64 {
@@ -83,7 +99,13 @@ impl Machine<'_, '_> {
             Node::Binary(binary, left, right) => {
                 let (x, y) = (self.value(left), self.value(right));
                 let unknown = self.run.strict && (x.is_nan() || y.is_nan());
-                let truth = |is: bool| if unknown { f64::NAN } else { f64::from(u8::from(is)) };
+                let truth = |is: bool| {
+                    if unknown {
+                        f64::NAN
+                    } else {
+                        f64::from(u8::from(is))
+                    }
+                };
                 match binary {
                     Binary::Add => x + y,
                     Binary::Subtract => x - y,
@@ -91,7 +113,11 @@ impl Machine<'_, '_> {
                     Binary::Divide => x / y,
                     Binary::Atan => {
                         let angle = x.atan2(y).to_degrees();
-                        if self.script.full_circle { angle.rem_euclid(360.0) } else { angle }
+                        if self.script.full_circle {
+                            angle.rem_euclid(360.0)
+                        } else {
+                            angle
+                        }
                     }
                     Binary::Equal => truth(x == y),
                     Binary::Unequal => truth(x != y),
@@ -107,12 +133,25 @@ impl Machine<'_, '_> {
     }
 
     fn system(&self, system: System) -> f64 {
-        let length = |axis: usize| if axis == self.tool_axis() { TOOL_LENGTH } else { 0.0 };
+        let length = |axis: usize| {
+            if axis == self.tool_axis() {
+                TOOL_LENGTH
+            } else {
+                0.0
+            }
+        };
         let truth = |is: bool| f64::from(u8::from(is));
         let tells_of_the_ball = match system {
-            System::Place(_) | System::Trigger(_) | System::PlaceWithLength(_) | System::TriggerWithLength(_) => true,
+            System::Place(_)
+            | System::Trigger(_)
+            | System::PlaceWithLength(_)
+            | System::TriggerWithLength(_) => true,
             System::Contact | System::Deflected => true,
-            System::Length | System::Metric | System::UnitsCode | System::Fixed(_) | System::Offset(_) => false,
+            System::Length
+            | System::Metric
+            | System::UnitsCode
+            | System::Fixed(_)
+            | System::Offset(_) => false,
         };
         if self.run.strict
             && tells_of_the_ball

@@ -5,7 +5,9 @@
 //! mirrored at the u axis.
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
-use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, flat, lift, touch_count_rule};
+use crate::cycle::ency::shape::{
+    Placed, Probed, Seated, Shape, begin, clearance_rule, constant, flat, lift, touch_count_rule,
+};
 use crate::form::Checker;
 use crate::formula::{Datum, Draft, Expr, Formula, Name, Role, Value};
 use crate::geom::{Frame, Plane, Vec3};
@@ -16,8 +18,16 @@ pub const ANGLE: &str = "cycle.angle";
 
 /// The fields of the two walls.
 pub const WALLS: [Touched; 2] = [
-    Touched { clearance: "cycle.clearance1", step: Some("cycle.step1"), distance: Some("cycle.distance1") },
-    Touched { clearance: "cycle.clearance2", step: Some("cycle.step2"), distance: Some("cycle.distance2") },
+    Touched {
+        clearance: "cycle.clearance1",
+        step: Some("cycle.step1"),
+        distance: Some("cycle.distance1"),
+    },
+    Touched {
+        clearance: "cycle.clearance2",
+        step: Some("cycle.step2"),
+        distance: Some("cycle.distance2"),
+    },
 ];
 
 /// The angle between two walls: inside an internal corner, in the material of an external one.
@@ -32,12 +42,19 @@ pub struct CornerAngle {
 impl CornerAngle {
     /// As a form says it.
     pub fn of(degrees: f64) -> Self {
-        CornerAngle { degrees, mirrored: false }
+        CornerAngle {
+            degrees,
+            mirrored: false,
+        }
     }
 
     /// Degrees from wall 1 to wall 2, clockwise positive.
     pub fn signed(self) -> f64 {
-        if self.mirrored { -self.degrees } else { self.degrees }
+        if self.mirrored {
+            -self.degrees
+        } else {
+            self.degrees
+        }
     }
 }
 
@@ -71,7 +88,12 @@ pub struct Side {
 /// The directions of the two walls, and the start: `clearances` from both. With wall 1 on the v axis that is, inside,
 /// u = c1, v = (c2 + c1·cos A) / sin A; by symmetry its foot on wall 2 is (c1 + c2·cos A) / sin A from the corner. Outside it is
 /// the same point on the other side of the corner.
-pub fn walls(internal: bool, angle: CornerAngle, clearances: [f64; 2], distances: Option<[f64; 2]>) -> ([Side; 2], (f64, f64)) {
+pub fn walls(
+    internal: bool,
+    angle: CornerAngle,
+    clearances: [f64; 2],
+    distances: Option<[f64; 2]>,
+) -> ([Side; 2], (f64, f64)) {
     let (sin, cos) = angle.signed().to_radians().sin_cos();
     let [c1, c2] = clearances;
     let side = if internal { 1.0 } else { -1.0 };
@@ -79,8 +101,16 @@ pub fn walls(internal: bool, angle: CornerAngle, clearances: [f64; 2], distances
     let feet = [(c2 + c1 * cos) / sin, (c1 + c2 * cos) / sin];
     let first = distances.unwrap_or(feet.map(|foot| foot * hand));
     let sides = [
-        Side { along: (0.0, hand), normal: (side, 0.0), first: first[0] },
-        Side { along: (sin * hand, cos * hand), normal: (-cos * side, sin * side), first: first[1] },
+        Side {
+            along: (0.0, hand),
+            normal: (side, 0.0),
+            first: first[0],
+        },
+        Side {
+            along: (sin * hand, cos * hand),
+            normal: (-cos * side, sin * side),
+            first: first[1],
+        },
     ];
     (sides, (c1 * side, feet[0] * side))
 }
@@ -88,7 +118,11 @@ pub fn walls(internal: bool, angle: CornerAngle, clearances: [f64; 2], distances
 /// The direction along a wall, away from the corner, from its outward normal.
 fn along(internal: bool, mirrored: bool, wall: usize, normal: (f64, f64)) -> (f64, f64) {
     // Counter-clockwise from the normal of wall 1 inside, clockwise from that of wall 2; outside, and mirrored, the other way round.
-    if (internal == (wall == 0)) != mirrored { (-normal.1, normal.0) } else { (normal.1, -normal.0) }
+    if (internal == (wall == 0)) != mirrored {
+        (-normal.1, normal.0)
+    } else {
+        (normal.1, -normal.0)
+    }
 }
 
 /// The corner's direction (degrees) and angle from the normals of its walls.
@@ -102,7 +136,13 @@ pub fn from_normals(internal: bool, plane: Plane, normals: [Vec3; 2]) -> (f64, C
     // n2 = (−cos A, sin A) with n1 as the first direction.
     let (x, y) = (n2.0 * n1.0 + n2.1 * n1.1, n2.1 * n1.0 - n2.0 * n1.1);
     let degrees = y.atan2(-x).to_degrees();
-    (rotation, CornerAngle { degrees: degrees.abs(), mirrored: degrees < 0.0 })
+    (
+        rotation,
+        CornerAngle {
+            degrees: degrees.abs(),
+            mirrored: degrees < 0.0,
+        },
+    )
 }
 
 /// Where two walls meet, at the level of the first touch.
@@ -140,8 +180,15 @@ impl Corner {
             sizes.extend([("cycle.distance1", first), ("cycle.distance2", second)]);
         }
         // One touch has no step.
-        let steps = ["cycle.step1", "cycle.step2"].into_iter().zip(&mut self.steps);
-        sizes.extend(steps.zip(self.counts).filter(|(_, count)| *count > 1).map(|(step, _)| step));
+        let steps = ["cycle.step1", "cycle.step2"]
+            .into_iter()
+            .zip(&mut self.steps);
+        sizes.extend(
+            steps
+                .zip(self.counts)
+                .filter(|(_, count)| *count > 1)
+                .map(|(step, _)| step),
+        );
         sizes
     }
 
@@ -162,7 +209,11 @@ impl Probed for Corner {
             let direction = frame.direction(side.along.0, side.along.1);
             let vector = frame.direction(side.normal.0, side.normal.1);
             for i in 0..self.counts[wall] {
-                touches.push((frame.origin + direction * (side.first + i as f64 * self.steps[wall]), vector, wall));
+                touches.push((
+                    frame.origin + direction * (side.first + i as f64 * self.steps[wall]),
+                    vector,
+                    wall,
+                ));
             }
         }
         touches
@@ -176,13 +227,34 @@ impl Probed for Corner {
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
-        clearance_rule(checker, setup, "Clearance 1", self.clearances[0], "cycle.clearance1");
-        clearance_rule(checker, setup, "Clearance 2", self.clearances[1], "cycle.clearance2");
+        clearance_rule(
+            checker,
+            setup,
+            "Clearance 1",
+            self.clearances[0],
+            "cycle.clearance1",
+        );
+        clearance_rule(
+            checker,
+            setup,
+            "Clearance 2",
+            self.clearances[1],
+            "cycle.clearance2",
+        );
         if checker.is_clean(&["cycle.count1", "cycle.count2"]) {
-            let path = if self.counts[0] >= self.counts[1] { "cycle.count1" } else { "cycle.count2" };
+            let path = if self.counts[0] >= self.counts[1] {
+                "cycle.count1"
+            } else {
+                "cycle.count2"
+            };
             touch_count_rule(checker, self.counts[0] + self.counts[1], path);
         }
-        let paths = ["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"];
+        let paths = [
+            "cycle.clearance1",
+            "cycle.clearance2",
+            "cycle.angle",
+            "stylus.diameter",
+        ];
         if !self.internal || !checker.is_clean(&paths) {
             return;
         }
@@ -214,7 +286,11 @@ impl Probed for Corner {
             } else {
                 continue;
             };
-            checker.error("touch-beyond-corner", format!("cycle.clearance{other1}"), message);
+            checker.error(
+                "touch-beyond-corner",
+                format!("cycle.clearance{other1}"),
+                message,
+            );
         }
     }
 
@@ -231,15 +307,25 @@ impl Probed for Corner {
             let away = pick.point - first.point;
             // A vector may be off by a thousandth: over a distance that is so much.
             let off = away.dot(first.vector).abs();
-            let same = (pick.vector - first.vector).length() <= 2.0 * NEAR && off <= NEAR * (1.0 + 2.0 * away.length());
-            if same && picks[firsts[self.wall_of(k)]..k].iter().any(|p| p.point.distance(pick.point) < NEAR / 2.0) {
-                let message =
-                    text!("Touch {touch} coincides with another of its wall: only touches apart give its direction", k + 1);
+            let same = (pick.vector - first.vector).length() <= 2.0 * NEAR
+                && off <= NEAR * (1.0 + 2.0 * away.length());
+            if same
+                && picks[firsts[self.wall_of(k)]..k]
+                    .iter()
+                    .any(|p| p.point.distance(pick.point) < NEAR / 2.0)
+            {
+                let message = text!(
+                    "Touch {touch} coincides with another of its wall: only touches apart give its direction",
+                    k + 1
+                );
                 checker.error("touches-coincide", format!("cycle.touches[{k}]"), message);
             }
             if !same {
-                let message =
-                    text!("Touch {touch} does not lie on the same wall as touch {other}", k + 1, firsts[self.wall_of(k)] + 1);
+                let message = text!(
+                    "Touch {touch} does not lie on the same wall as touch {other}",
+                    k + 1,
+                    firsts[self.wall_of(k)] + 1
+                );
                 checker.error("not-on-one-wall", format!("cycle.touches[{k}]"), message);
             }
         }
@@ -248,13 +334,30 @@ impl Probed for Corner {
         }
         let [one, two] = firsts.map(|k| picks[k]);
         if meeting(plane, &one, &two).is_none() {
-            checker.error("walls-parallel", "cycle.touches", text!("The two walls are parallel: they make no corner"));
+            checker.error(
+                "walls-parallel",
+                "cycle.touches",
+                text!("The two walls are parallel: they make no corner"),
+            );
             return;
         }
-        sides_rule(self.internal, &[(firsts[0], one), (firsts[1], two)], checker);
+        sides_rule(
+            self.internal,
+            &[(firsts[0], one), (firsts[1], two)],
+            checker,
+        );
         if self.internal && checker.is_clean(&["cycle.touches"]) {
-            let reading = |i: usize| (firsts[i], picks[firsts[i]].point + picks[firsts[i]].vector * self.clearances[i]);
-            picked_touches::one_start(&[reading(0), reading(1)], self.clearances[0].max(self.clearances[1]), checker);
+            let reading = |i: usize| {
+                (
+                    firsts[i],
+                    picks[firsts[i]].point + picks[firsts[i]].vector * self.clearances[i],
+                )
+            };
+            picked_touches::one_start(
+                &[reading(0), reading(1)],
+                self.clearances[0].max(self.clearances[1]),
+                checker,
+            );
         }
     }
 
@@ -265,7 +368,10 @@ impl Probed for Corner {
         let distances = self.distances.map(|_| {
             let level = plane.basis()[2];
             let away = two.point - origin;
-            [(one.point - origin).length(), (away - level * away.dot(level)).length()]
+            [
+                (one.point - origin).length(),
+                (away - level * away.dot(level)).length(),
+            ]
         });
         let mut steps = self.steps;
         let (first, second) = picks.split_at(self.counts[0].min(picks.len()));
@@ -274,7 +380,16 @@ impl Probed for Corner {
                 *step = a.point.distance(b.point);
             }
         }
-        Placed { origin, rotation, shape: Shape::Corner(Corner { angle, distances, steps, ..*self }) }
+        Placed {
+            origin,
+            rotation,
+            shape: Shape::Corner(Corner {
+                angle,
+                distances,
+                steps,
+                ..*self
+            }),
+        }
     }
 
     fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
@@ -283,11 +398,19 @@ impl Probed for Corner {
         begin(on, tracer, start, 1);
         // Step numbers of each side: first touch, further touches, back to the start.
         for (wall, [first, further, back]) in [[2, 3, 5], [6, 7, 9]].into_iter().enumerate() {
-            let touches = on.touches.iter().enumerate().filter(|(_, t)| t.group == wall);
+            let touches = on
+                .touches
+                .iter()
+                .enumerate()
+                .filter(|(_, t)| t.group == wall);
             for (i, (k, touch)) in touches.enumerate() {
                 let step = if i == 0 { first } else { further };
                 if i > 0 || !self.internal {
-                    tracer.position(touch.point + touch.vector * self.clearances[wall], Feed::LongLink, step);
+                    tracer.position(
+                        touch.point + touch.vector * self.clearances[wall],
+                        Feed::LongLink,
+                        step,
+                    );
                 }
                 tracer.touch(k, touch, Feed::LongLink, step);
             }
@@ -316,7 +439,10 @@ impl Probed for Corner {
             line.fit(&f, (a, o), on.setup.radius)
         });
         // Cramer's rule on n1·p = q1, n2·p = q2.
-        let det = f.set("det", one.normal.0 * two.normal.1 - one.normal.1 * two.normal.0);
+        let det = f.set(
+            "det",
+            one.normal.0 * two.normal.1 - one.normal.1 * two.normal.0,
+        );
         let x = (one.offset * two.normal.1 - two.offset * one.normal.1) / det;
         let y = (two.offset * one.normal.0 - one.offset * two.normal.0) / det;
         let x = f.set("corner_x", x);
@@ -325,19 +451,64 @@ impl Probed for Corner {
         // its free side to the right of its direction, and turns clockwise; outside, or mirrored, the other way round.
         let tilts = one.tilt.zip(two.tilt);
         let clockwise = self.internal != self.angle.mirrored;
-        let rotation = one.tilt.map(|tilt| f.set("rotation", if clockwise { f.number(0.0) - tilt } else { tilt.into() }));
+        let rotation = one.tilt.map(|tilt| {
+            f.set(
+                "rotation",
+                if clockwise {
+                    f.number(0.0) - tilt
+                } else {
+                    tilt.into()
+                },
+            )
+        });
         let nominal = self.angle.degrees;
         let angle = tilts.map(|(t1, t2)| {
-            let sum = if self.internal { f.number(nominal) - t1 - t2 } else { f.number(nominal) + t1 + t2 };
+            let sum = if self.internal {
+                f.number(nominal) - t1 - t2
+            } else {
+                f.number(nominal) + t1 + t2
+            };
             f.set("angle", sum)
         });
-        f.result("corner.x", Role::Abscissa, words!("Corner, abscissa"), origin[a], Some(x));
-        f.result("corner.y", Role::Ordinate, words!("Corner, ordinate"), origin[o], Some(y));
-        f.result("angle", Role::Angle, words!("Angle between the walls"), nominal, angle);
-        f.result("rotation", Role::Direction, words!("Wall 1 against its nominal direction"), 0.0, rotation);
+        f.result(
+            "corner.x",
+            Role::Abscissa,
+            words!("Corner, abscissa"),
+            origin[a],
+            Some(x),
+        );
+        f.result(
+            "corner.y",
+            Role::Ordinate,
+            words!("Corner, ordinate"),
+            origin[o],
+            Some(y),
+        );
+        f.result(
+            "angle",
+            Role::Angle,
+            words!("Angle between the walls"),
+            nominal,
+            angle,
+        );
+        f.result(
+            "rotation",
+            Role::Direction,
+            words!("Wall 1 against its nominal direction"),
+            0.0,
+            rotation,
+        );
         for (residual, code, meaning) in [
-            (one.residual, "residual1", words!("Residual of wall 1, root mean square")),
-            (two.residual, "residual2", words!("Residual of wall 2, root mean square")),
+            (
+                one.residual,
+                "residual1",
+                words!("Residual of wall 1, root mean square"),
+            ),
+            (
+                two.residual,
+                "residual2",
+                words!("Residual of wall 2, root mean square"),
+            ),
         ] {
             if residual.is_some() {
                 f.result(code, Role::Residual, meaning, 0.0, residual);
@@ -354,7 +525,8 @@ impl Probed for Corner {
             .iter()
             .enumerate()
             .map(|(wall, side)| {
-                let last = side.first.max(0.0) + (self.counts[wall].max(1) - 1) as f64 * self.steps[wall];
+                let last =
+                    side.first.max(0.0) + (self.counts[wall].max(1) - 1) as f64 * self.steps[wall];
                 Surface::Flat(Wall {
                     point: on.frame.origin,
                     normal: on.frame.direction(side.normal.0, side.normal.1),
@@ -369,8 +541,16 @@ impl Probed for Corner {
     }
 
     fn feature(&self) -> Feature {
-        let angle = Entry { field: ANGLE, value: self.angle.degrees };
-        Feature::Corner(path::Corner { outside: !self.internal, angle, walls: WALLS.to_vec(), top: None })
+        let angle = Entry {
+            field: ANGLE,
+            value: self.angle.degrees,
+        };
+        Feature::Corner(path::Corner {
+            outside: !self.internal,
+            angle,
+            walls: WALLS.to_vec(),
+            top: None,
+        })
     }
 
     fn top(&self, _on: &Seated<'_>) -> Option<f64> {
@@ -407,12 +587,19 @@ impl Line {
     fn fit<'f>(&self, f: &'f Draft, (a, o): (usize, usize), radius: f64) -> FittedWall<'f> {
         let n = self.number;
         let touches = self.first..self.first + self.count;
-        let place = |touch: usize, direction| f.project(f.trigger(touch, a), f.trigger(touch, o), direction);
+        let place = |touch: usize, direction| {
+            f.project(f.trigger(touch, a), f.trigger(touch, o), direction)
+        };
         if self.count == 1 {
             let height = place(self.first, self.normal) - f.length(radius);
             let offset = f.set(Name::new("q", n), height);
             let normal = (constant(f, self.normal.0), constant(f, self.normal.1));
-            return FittedWall { normal, offset, tilt: None, residual: None };
+            return FittedWall {
+                normal,
+                offset,
+                tilt: None,
+                residual: None,
+            };
         }
         let places: Vec<(Value<'_>, Value<'_>)> = touches
             .map(|touch| {
@@ -422,8 +609,14 @@ impl Line {
             })
             .collect();
         let count = f.number(self.count as f64);
-        let mean_s = f.set(Name::new("mean_s", n), f.sum(places.iter().map(|p| p.0)) / count);
-        let mean_h = f.set(Name::new("mean_h", n), f.sum(places.iter().map(|p| p.1)) / count);
+        let mean_s = f.set(
+            Name::new("mean_s", n),
+            f.sum(places.iter().map(|p| p.0)) / count,
+        );
+        let mean_h = f.set(
+            Name::new("mean_h", n),
+            f.sum(places.iter().map(|p| p.1)) / count,
+        );
         let scatter = (self.count > 2).then(|| self.scatter(f, &places, (mean_s, mean_h)));
         let tilt = match (scatter, places.as_slice()) {
             (Some(scatter), _) => scatter.direction(f),
@@ -435,11 +628,25 @@ impl Line {
         let cos = f.set(Name::new("cos", n), tilt.cos());
         let offset = mean_h * cos - mean_s * sin - f.length(radius);
         let offset = f.set(Name::new("q", n), offset);
-        let turned =
-            |name: &'static str, along: f64, normal: f64| f.set(Name::new(name, n), f.project(cos, sin, (normal, -along)));
-        let normal = (turned("na", self.along.0, self.normal.0).into(), turned("no", self.along.1, self.normal.1).into());
-        let residual = scatter.map(|scatter| f.set(Name::new("residual", n), scatter.residual(f, (sin, cos), self.count)));
-        FittedWall { normal, offset, tilt: Some(tilt), residual }
+        let turned = |name: &'static str, along: f64, normal: f64| {
+            f.set(Name::new(name, n), f.project(cos, sin, (normal, -along)))
+        };
+        let normal = (
+            turned("na", self.along.0, self.normal.0).into(),
+            turned("no", self.along.1, self.normal.1).into(),
+        );
+        let residual = scatter.map(|scatter| {
+            f.set(
+                Name::new("residual", n),
+                scatter.residual(f, (sin, cos), self.count),
+            )
+        });
+        FittedWall {
+            normal,
+            offset,
+            tilt: Some(tilt),
+            residual,
+        }
     }
 
     /// The scatter of the places about their mean.
@@ -455,9 +662,15 @@ impl Line {
             let touch = self.first + i + 1;
             let ds = f.set(Name::new("ds", touch), s - mean_s);
             let dh = f.set(Name::new("dh", touch), h - mean_h);
-            ss = f.set(Name::new("ss", n).and("_").at(i + 1), ss + ds * ds).into();
-            hh = f.set(Name::new("hh", n).and("_").at(i + 1), hh + dh * dh).into();
-            sh = f.set(Name::new("sh", n).and("_").at(i + 1), sh + ds * dh).into();
+            ss = f
+                .set(Name::new("ss", n).and("_").at(i + 1), ss + ds * ds)
+                .into();
+            hh = f
+                .set(Name::new("hh", n).and("_").at(i + 1), hh + dh * dh)
+                .into();
+            sh = f
+                .set(Name::new("sh", n).and("_").at(i + 1), sh + ds * dh)
+                .into();
         }
         Scatter { ss, hh, sh }
     }
@@ -479,7 +692,8 @@ impl<'f> Scatter<'f> {
 
     /// The root mean square distance from the line in a direction: a place is h·cos t − s·sin t off it.
     fn residual(self, f: &'f Draft, (sin, cos): (Value<'f>, Value<'f>), count: usize) -> Expr<'f> {
-        let square = self.hh * cos * cos - f.number(2.0) * self.sh * sin * cos + self.ss * sin * sin;
+        let square =
+            self.hh * cos * cos - f.number(2.0) * self.sh * sin * cos + self.ss * sin * sin;
         // Rounding may leave less than nothing of it.
         (square.abs() / f.number(count as f64)).sqrt()
     }

@@ -199,8 +199,16 @@ pub fn flat(plane: Plane, v: Vec3) -> (f64, f64) {
 
 /// A clearance must be larger than the ball radius, or the ball touches before it sets out. Lengths are from the surface
 /// to the ball centre.
-pub fn clearance_rule(checker: &mut Checker, setup: &Setup, label: &'static str, clearance: f64, path: &str) {
-    if checker.is_clean(&[path, "stylus.diameter"]) && clearance < setup.radius + SHORTEST_TOUCH - 1e-6 {
+pub fn clearance_rule(
+    checker: &mut Checker,
+    setup: &Setup,
+    label: &'static str,
+    clearance: f64,
+    path: &str,
+) {
+    if checker.is_clean(&[path, "stylus.diameter"])
+        && clearance < setup.radius + SHORTEST_TOUCH - 1e-6
+    {
         let message = text!(
             "{label} ({clearance}) must be at least the ball radius ({radius}) plus {least}: it is measured from the surface to the ball centre, and the touch would begin in contact",
             label,
@@ -228,7 +236,13 @@ pub fn touch_count_rule(checker: &mut Checker, count: usize, path: &str) {
 }
 
 /// A ball that is touched above its middle, and crossings that are too low. `outside` is whether the part itself stands in the way.
-pub fn level_rules(checker: &mut Checker, setup: &Setup, depth: f64, crossing: Option<f64>, outside: bool) {
+pub fn level_rules(
+    checker: &mut Checker,
+    setup: &Setup,
+    depth: f64,
+    crossing: Option<f64>,
+    outside: bool,
+) {
     if checker.is_clean(&["cycle.depth", "stylus.diameter"]) && depth < setup.radius {
         let message = text!(
             "At a depth of {depth} part of the ball (radius {radius}) is still above the top side: an edge break or burr there is part of the touch",

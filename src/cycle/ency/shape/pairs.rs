@@ -2,12 +2,15 @@
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::{
-    Placed, Probed, Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, lift, protected,
+    Placed, Probed, Seated, Shape, begin, clearance_rule, flat, from_middle, level_rules, lift,
+    protected,
 };
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
-use crate::path::{self, Entry, Feature, Feed, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall};
+use crate::path::{
+    self, Entry, Feature, Feed, SHORTEST_TOUCH, Setup, Surface, Touch, Tracer, Wall,
+};
 use crate::text::{Text, text, words};
 
 /// One pair of walls.
@@ -26,12 +29,21 @@ struct Names {
 }
 
 /// Of a single pair.
-const ONE: [Names; 1] = [Names { width: ("Width", "cycle.width"), clearance: ("Side clearance", "cycle.sideClearance") }];
+const ONE: [Names; 1] = [Names {
+    width: ("Width", "cycle.width"),
+    clearance: ("Side clearance", "cycle.sideClearance"),
+}];
 
 /// Of the two of a rectangle.
 const TWO: [Names; 2] = [
-    Names { width: ("Width 1", "cycle.width1"), clearance: ("Side clearance 1", "cycle.sideClearance1") },
-    Names { width: ("Width 2", "cycle.width2"), clearance: ("Side clearance 2", "cycle.sideClearance2") },
+    Names {
+        width: ("Width 1", "cycle.width1"),
+        clearance: ("Side clearance 1", "cycle.sideClearance1"),
+    },
+    Names {
+        width: ("Width 2", "cycle.width2"),
+        clearance: ("Side clearance 2", "cycle.sideClearance2"),
+    },
 ];
 
 /// One or two pairs of walls, the first along the first direction of the frame.
@@ -48,14 +60,22 @@ pub struct Pairs {
     pub middle: Option<f64>,
 }
 
-const ORDINALS: [&str; 4] = [words!("First"), words!("Second"), words!("Third"), words!("Fourth")];
+const ORDINALS: [&str; 4] = [
+    words!("First"),
+    words!("Second"),
+    words!("Third"),
+    words!("Fourth"),
+];
 const THREE: [&str; 3] = [words!("Left"), words!("Right"), words!("Middle")];
 
 impl Pairs {
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
         let names = self.names();
-        let mut sizes: Vec<_> =
-            names.iter().zip(&mut self.sides).map(|(names, side)| (names.width.1, &mut side.width)).collect();
+        let mut sizes: Vec<_> = names
+            .iter()
+            .zip(&mut self.sides)
+            .map(|(names, side)| (names.width.1, &mut side.width))
+            .collect();
         if self.middle.is_some() {
             sizes.push(("cycle.depth", &mut self.depth));
         }
@@ -72,7 +92,8 @@ impl Pairs {
 
     /// How far above the top side the ball crosses. Where the middle is touched, that is at its clearance, which has a rule of its own.
     fn crossing(&self) -> Option<f64> {
-        self.top.filter(|_| self.protected() && self.middle.is_none())
+        self.top
+            .filter(|_| self.protected() && self.middle.is_none())
     }
 
     /// 1 where walls face outwards, −1 where they face the middle.
@@ -99,7 +120,8 @@ impl Probed for Pairs {
         let mut touches = Vec::new();
         for (k, (u, v)) in self.directions().into_iter().take(self.walls()).enumerate() {
             let outwards = frame.direction(u, v);
-            let point = frame.origin + outwards * (self.sides[k / 2].width / 2.0) - frame.w * self.depth;
+            let point =
+                frame.origin + outwards * (self.sides[k / 2].width / 2.0) - frame.w * self.depth;
             touches.push((point, outwards * self.sign(), k));
         }
         if self.middle.is_some() {
@@ -109,19 +131,26 @@ impl Probed for Pairs {
     }
 
     fn name(&self, k: usize) -> Text {
-        Text::words(if self.middle.is_some() { THREE[k] } else { ORDINALS[k] })
+        Text::words(if self.middle.is_some() {
+            THREE[k]
+        } else {
+            ORDINALS[k]
+        })
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
         for (side, names) in self.sides.iter().zip(self.names()) {
-            let ((label, width_path), (clearance_label, clearance_path)) = (names.width, names.clearance);
+            let ((label, width_path), (clearance_label, clearance_path)) =
+                (names.width, names.clearance);
             if let Some(clearance) = side.clearance {
                 clearance_rule(checker, setup, clearance_label, clearance, clearance_path);
             }
             if !self.internal {
                 continue;
             }
-            if checker.is_clean(&[width_path, "stylus.diameter"]) && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
+            if checker.is_clean(&[width_path, "stylus.diameter"])
+                && side.width < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6
+            {
                 let message = text!(
                     "{label} ({width}) must be at least {least}: {room} more than the ball ({ball}), so that a touch begins clear of the wall",
                     label,
@@ -148,7 +177,13 @@ impl Probed for Pairs {
         }
         level_rules(checker, setup, self.depth, self.crossing(), !self.internal);
         if let Some(middle) = self.middle {
-            clearance_rule(checker, setup, "Middle clearance", middle, "cycle.middleClearance");
+            clearance_rule(
+                checker,
+                setup,
+                "Middle clearance",
+                middle,
+                "cycle.middleClearance",
+            );
         }
     }
 
@@ -166,9 +201,16 @@ impl Probed for Pairs {
         for (i, pair) in picks[..walls].chunks(2).enumerate() {
             let (first, second) = (2 * i, 2 * i + 1);
             if (pair[0].vector + pair[1].vector).length() > NEAR {
-                let message =
-                    text!("Touches {first} and {second} must be opposite: their target vectors are not", first + 1, second + 1);
-                checker.error("vectors-not-opposite", format!("cycle.touches[{second}].vector"), message);
+                let message = text!(
+                    "Touches {first} and {second} must be opposite: their target vectors are not",
+                    first + 1,
+                    second + 1
+                );
+                checker.error(
+                    "vectors-not-opposite",
+                    format!("cycle.touches[{second}].vector"),
+                    message,
+                );
                 continue;
             }
             if (pair[0].point - pair[1].point).dot(pair[0].vector) * self.sign() <= 0.0 {
@@ -187,7 +229,9 @@ impl Probed for Pairs {
             picked_touches::in_front(picks, origin - plane.basis()[2] * self.depth, checker);
         }
         if self.middle.is_some() && (picks[2].vector - plane.basis()[2]).length() > NEAR {
-            let message = text!("The middle touch is on the top side: its target vector must be along the tool axis");
+            let message = text!(
+                "The middle touch is on the top side: its target vector must be along the tool axis"
+            );
             checker.error("vector-not-upwards", "cycle.touches[2].vector", message);
         }
     }
@@ -202,9 +246,15 @@ impl Probed for Pairs {
             origin += across * (other - origin).dot(across);
         }
         // The top side: above the first touch by the depth, or where it is touched itself.
-        let level = if self.middle.is_some() { picks[2].point.dot(up) } else { picks[0].point.dot(up) + self.depth };
+        let level = if self.middle.is_some() {
+            picks[2].point.dot(up)
+        } else {
+            picks[0].point.dot(up) + self.depth
+        };
         origin += up * (level - origin.dot(up));
-        let widths = picks[..self.walls()].chunks(2).map(|p| (p[0].point - p[1].point).dot(p[0].vector).abs());
+        let widths = picks[..self.walls()]
+            .chunks(2)
+            .map(|p| (p[0].point - p[1].point).dot(p[0].vector).abs());
         let mut pairs = self.clone();
         for (side, width) in pairs.sides.iter_mut().zip(widths) {
             side.width = width;
@@ -213,7 +263,11 @@ impl Probed for Pairs {
             pairs.depth = (picks[2].point - picks[0].point).dot(up);
         }
         let rotation = picked_touches::heading(plane, outwards * self.directions()[0].0);
-        Placed { origin, rotation, shape: Shape::Pairs(pairs) }
+        Placed {
+            origin,
+            rotation,
+            shape: Shape::Pairs(pairs),
+        }
     }
 
     fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
@@ -226,7 +280,13 @@ impl Probed for Pairs {
         };
         begin(on, tracer, start, 1);
         for k in 0..self.walls() {
-            protected(on, tracer, k, start, self.sides[k / 2].clearance.unwrap_or(0.0));
+            protected(
+                on,
+                tracer,
+                k,
+                start,
+                self.sides[k / 2].clearance.unwrap_or(0.0),
+            );
         }
         let mut last = 8;
         if self.middle.is_some() {
@@ -260,11 +320,41 @@ impl Probed for Pairs {
             let (across, width2, v) = pair(2, ["width2", "middle_v"]);
             let x = f.set("center_x", f.project(u, v, (along.0, across.0)));
             let y = f.set("center_y", f.project(u, v, (along.1, across.1)));
-            f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], Some(x));
-            f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], Some(y));
-            f.result("width1", Role::Size, words!("Width 1"), self.sides[0].width, Some(width1));
-            f.result("width2", Role::Size, words!("Width 2"), self.sides[1].width, Some(width2));
-            f.result("rotation", Role::Direction, words!("Rotation: one touch a wall gives no angle"), 0.0, None);
+            f.result(
+                "center.x",
+                Role::Abscissa,
+                words!("Centre, abscissa"),
+                origin[a],
+                Some(x),
+            );
+            f.result(
+                "center.y",
+                Role::Ordinate,
+                words!("Centre, ordinate"),
+                origin[o],
+                Some(y),
+            );
+            f.result(
+                "width1",
+                Role::Size,
+                words!("Width 1"),
+                self.sides[0].width,
+                Some(width1),
+            );
+            f.result(
+                "width2",
+                Role::Size,
+                words!("Width 2"),
+                self.sides[1].width,
+                Some(width2),
+            );
+            f.result(
+                "rotation",
+                Role::Direction,
+                words!("Rotation: one touch a wall gives no angle"),
+                0.0,
+                None,
+            );
             let datum = Datum::point((x, origin[a]), (y, origin[o]));
             return f.finish(Some(datum));
         }
@@ -272,22 +362,56 @@ impl Probed for Pairs {
         // Along the walls the middle stands where it nominally is.
         let across = (-along.1, along.0);
         let rest = origin[a] * across.0 + origin[o] * across.1;
-        let place = |name: &'static str, code: &'static str, meaning: &'static str, nominal: f64, c: f64, s: f64| {
+        let place = |name: &'static str,
+                     code: &'static str,
+                     meaning: &'static str,
+                     nominal: f64,
+                     c: f64,
+                     s: f64| {
             if crate::num::tidy(c) == 0.0 {
-                return Coordinate { measured: None, nominal };
+                return Coordinate {
+                    measured: None,
+                    nominal,
+                };
             }
             let along = f.project(u, f.number(0.0), (c, 0.0));
             let value = f.set(name, along + f.length(s * rest));
             f.result(code, Role::Reading, meaning, nominal, Some(value));
             Coordinate::measured(value, nominal)
         };
-        let x = place("center_x", "center.x", words!("Middle, abscissa"), origin[a], along.0, across.0);
-        let y = place("center_y", "center.y", words!("Middle, ordinate"), origin[o], along.1, across.1);
-        f.result("width", Role::Size, words!("Width"), self.sides[0].width, Some(width));
+        let x = place(
+            "center_x",
+            "center.x",
+            words!("Middle, abscissa"),
+            origin[a],
+            along.0,
+            across.0,
+        );
+        let y = place(
+            "center_y",
+            "center.y",
+            words!("Middle, ordinate"),
+            origin[o],
+            along.1,
+            across.1,
+        );
+        f.result(
+            "width",
+            Role::Size,
+            words!("Width"),
+            self.sides[0].width,
+            Some(width),
+        );
         let mut datum = Datum::of([Some(x), Some(y), None]);
         if self.middle.is_some() {
             let top = f.set("top", f.trigger(2, w) - f.length(on.setup.radius));
-            f.result("height", Role::Level, words!("Height of the top side"), on.touches[2].point[w], Some(top));
+            f.result(
+                "height",
+                Role::Level,
+                words!("Height of the top side"),
+                on.touches[2].point[w],
+                Some(top),
+            );
             datum.place[2] = Some(Coordinate::measured(top, on.touches[2].point[w]));
         }
         f.finish(Some(datum))
@@ -299,9 +423,15 @@ impl Probed for Pairs {
         let half = crate::num::within(widths[0] / 2.0, 10.0, 40.0);
         // A wall of a rectangle goes from one wall of the other pair to the other one, wherever it is touched.
         let reach = |touch: &Touch, along: Vec3, k: usize| {
-            let meets = |other: &Touch| (other.point - touch.point).dot(other.vector) / along.dot(other.vector);
+            let meets = |other: &Touch| {
+                (other.point - touch.point).dot(other.vector) / along.dot(other.vector)
+            };
             let [a, b] = if k < 2 { [2, 3] } else { [0, 1] }.map(|k| meets(&on.touches[k]));
-            if (a - b).is_finite() { (a.min(b), a.max(b)) } else { (-half, half) }
+            if (a - b).is_finite() {
+                (a.min(b), a.max(b))
+            } else {
+                (-half, half)
+            }
         };
         let top = on.frame.origin.dot(on.frame.w);
         on.touches
@@ -309,7 +439,11 @@ impl Probed for Pairs {
             .enumerate()
             .map(|(k, touch)| {
                 let is_top = k == 2 && self.middle.is_some();
-                let along = if is_top { on.frame.u } else { on.frame.w.cross(touch.vector) };
+                let along = if is_top {
+                    on.frame.u
+                } else {
+                    on.frame.w.cross(touch.vector)
+                };
                 let extent = match (is_top, widths.len()) {
                     (true, _) => (-widths[0] / 2.0, widths[0] / 2.0),
                     (false, 2) => reach(touch, along, k),
@@ -320,7 +454,11 @@ impl Probed for Pairs {
                     normal: touch.vector,
                     along,
                     extent,
-                    drawn_depth: if is_top { half } else { self.depth + on.setup.radius },
+                    drawn_depth: if is_top {
+                        half
+                    } else {
+                        self.depth + on.setup.radius
+                    },
                     has_top: !is_top,
                     body: if self.internal { k } else { 0 },
                 })
@@ -332,7 +470,9 @@ impl Probed for Pairs {
         let entry = |field, value| Entry { field, value };
         let side = |(side, names): (&Side, &Names)| path::Side {
             width: entry(names.width.1, side.width),
-            clearance: side.clearance.map(|clearance| entry(names.clearance.1, clearance)),
+            clearance: side
+                .clearance
+                .map(|clearance| entry(names.clearance.1, clearance)),
         };
         Feature::Pairs(path::Pairs {
             internal: self.internal,

@@ -1,7 +1,9 @@
 //! A single point on a surface.
 
 use crate::cycle::ency::picked_touches::{self, Pick};
-use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, lift};
+use crate::cycle::ency::shape::{
+    Placed, Probed, Seated, Shape, begin, clearance_rule, constant, lift,
+};
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Role};
 use crate::geom::{Frame, Plane, Vec3};
@@ -40,7 +42,13 @@ impl Probed for Point {
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
-        clearance_rule(checker, setup, "Clearance", self.clearance, "cycle.clearance");
+        clearance_rule(
+            checker,
+            setup,
+            "Clearance",
+            self.clearance,
+            "cycle.clearance",
+        );
     }
 
     fn check(&self, picks: &[Pick], plane: Plane, checker: &mut Checker) {
@@ -51,10 +59,23 @@ impl Probed for Point {
 
     fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let vector = picks[0].vector;
-        let elevation = crate::num::within(vector.dot(plane.basis()[2]), -1.0, 1.0).asin().to_degrees();
-        let rotation = if elevation > 89.999_999 { 0.0 } else { picked_touches::heading(plane, vector) };
-        let shape = Shape::Point(Point { elevation: elevation.max(0.0), ..*self });
-        Placed { origin: picks[0].point, rotation, shape }
+        let elevation = crate::num::within(vector.dot(plane.basis()[2]), -1.0, 1.0)
+            .asin()
+            .to_degrees();
+        let rotation = if elevation > 89.999_999 {
+            0.0
+        } else {
+            picked_touches::heading(plane, vector)
+        };
+        let shape = Shape::Point(Point {
+            elevation: elevation.max(0.0),
+            ..*self
+        });
+        Placed {
+            origin: picks[0].point,
+            rotation,
+            shape,
+        }
     }
 
     fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
@@ -71,12 +92,27 @@ impl Probed for Point {
         let touch = &on.touches[0];
         let (n, nominal) = (touch.vector, touch.contact(on.setup.radius));
         let f = Draft::with_room_for(on.touches.len());
-        let reach = f.sum(axes.iter().map(|&axis| constant(&f, n[axis]) * f.trigger(0, axis)));
+        let reach = f.sum(
+            axes.iter()
+                .map(|&axis| constant(&f, n[axis]) * f.trigger(0, axis)),
+        );
         let off = f.set("off", reach - f.length(n.dot(nominal)));
         let codes = [
-            ("point.x", "point_x", words!("Point on the surface, abscissa")),
-            ("point.y", "point_y", words!("Point on the surface, ordinate")),
-            ("point.z", "point_z", words!("Point on the surface, along the tool axis")),
+            (
+                "point.x",
+                "point_x",
+                words!("Point on the surface, abscissa"),
+            ),
+            (
+                "point.y",
+                "point_y",
+                words!("Point on the surface, ordinate"),
+            ),
+            (
+                "point.z",
+                "point_z",
+                words!("Point on the surface, along the tool axis"),
+            ),
         ];
         let mut place = [None, None, None];
         for (i, (code, name, meaning)) in codes.into_iter().enumerate() {
@@ -84,16 +120,26 @@ impl Probed for Point {
             let measured = crate::num::tidy(n[axis]) != 0.0;
             let value = f.set(name, constant(&f, n[axis]) * off + f.length(at));
             f.result(code, Role::Reading, meaning, at, Some(value));
-            place[i] = Some(Coordinate { measured: measured.then_some(value.variable), nominal: at });
+            place[i] = Some(Coordinate {
+                measured: measured.then_some(value.variable),
+                nominal: at,
+            });
         }
-        let nothing = |place: Option<Coordinate>| place.is_none_or(|place| place.measured.is_none());
+        let nothing =
+            |place: Option<Coordinate>| place.is_none_or(|place| place.measured.is_none());
         if nothing(place[2]) {
             place[2] = None;
         }
         if nothing(place[0]) && nothing(place[1]) {
             (place[0], place[1]) = (None, None);
         }
-        f.result("deviation", Role::Shift, words!("How far the surface is displaced along the target vector"), 0.0, Some(off));
+        f.result(
+            "deviation",
+            Role::Shift,
+            words!("How far the surface is displaced along the target vector"),
+            0.0,
+            Some(off),
+        );
         f.finish(Some(Datum::of(place)))
     }
 
@@ -113,7 +159,10 @@ impl Probed for Point {
 
     /// A top side is its own top; of a wall or a slope the source knows none.
     fn feature(&self) -> Feature {
-        Feature::Surface(path::Point { clearance: "cycle.clearance", elevation: ELEVATION })
+        Feature::Surface(path::Point {
+            clearance: "cycle.clearance",
+            elevation: ELEVATION,
+        })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

@@ -29,7 +29,11 @@ impl Variant {
     pub fn of(number: i32, start: f64, step: f64, count: i32) -> Self {
         match number {
             0 => Variant::Rectangular,
-            _ => Variant::Angular { start, step, count: count.max(1) as usize },
+            _ => Variant::Angular {
+                start,
+                step,
+                count: count.max(1) as usize,
+            },
         }
     }
 }
@@ -53,7 +57,10 @@ pub struct Circle {
 impl Circle {
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
         let mut sizes = vec![("cycle.diameter", &mut self.diameter)];
-        if let Variant::Angular { step, count: 2.., .. } = &mut self.variant {
+        if let Variant::Angular {
+            step, count: 2.., ..
+        } = &mut self.variant
+        {
             sizes.push(("cycle.angularStep", step));
         }
         sizes
@@ -62,7 +69,9 @@ impl Circle {
     fn angles(&self) -> Vec<f64> {
         match self.variant {
             Variant::Rectangular => vec![0.0, 180.0, 90.0, 270.0],
-            Variant::Angular { start, step, count } => (0..count).map(|k| start + k as f64 * step).collect(),
+            Variant::Angular { start, step, count } => {
+                (0..count).map(|k| start + k as f64 * step).collect()
+            }
         }
     }
 
@@ -95,7 +104,11 @@ impl Probed for Circle {
                 angle => angle.to_radians().sin_cos(),
             };
             let outwards = frame.direction(cos, sin);
-            (frame.origin + outwards * (self.diameter / 2.0) - frame.w * self.depth, outwards * self.sign(), 0)
+            (
+                frame.origin + outwards * (self.diameter / 2.0) - frame.w * self.depth,
+                outwards * self.sign(),
+                0,
+            )
         };
         self.angles().into_iter().map(touch).collect()
     }
@@ -106,7 +119,13 @@ impl Probed for Circle {
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
         if let Some(clearance) = self.clearance {
-            clearance_rule(checker, setup, "Side clearance", clearance, "cycle.sideClearance");
+            clearance_rule(
+                checker,
+                setup,
+                "Side clearance",
+                clearance,
+                "cycle.sideClearance",
+            );
         }
         if self.internal && checker.is_clean(&["cycle.diameter", "stylus.diameter"]) {
             let ball = 2.0 * setup.radius;
@@ -132,10 +151,21 @@ impl Probed for Circle {
                 checker.error("approach-beyond-wall", "cycle.sideClearance", message);
             }
         }
-        level_rules(checker, setup, self.depth, self.top.filter(|_| self.clearance.is_some()), !self.internal);
-        let apart = |degrees: f64| Vec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
-        if checker.is_clean(&["cycle.stepCount", "cycle.angularStep"]) && !gives_circle(self.angles().into_iter().map(apart)) {
-            let message = text!("Fewer than three distinct touches give no circle: centre and diameter are not known");
+        level_rules(
+            checker,
+            setup,
+            self.depth,
+            self.top.filter(|_| self.clearance.is_some()),
+            !self.internal,
+        );
+        let apart =
+            |degrees: f64| Vec3::new(degrees.to_radians().cos(), degrees.to_radians().sin(), 0.0);
+        if checker.is_clean(&["cycle.stepCount", "cycle.angularStep"])
+            && !gives_circle(self.angles().into_iter().map(apart))
+        {
+            let message = text!(
+                "Fewer than three distinct touches give no circle: centre and diameter are not known"
+            );
             checker.warning("no-circle", "cycle.stepCount", message);
         }
     }
@@ -159,7 +189,11 @@ impl Probed for Circle {
                     "In the rectangular variant touch 2 is opposite touch 1, touch 3 a quarter turn counter-clockwise from touch 1, and touch 4 opposite touch 3: touch {touch} is not. The angular variant takes any touches",
                     k + 1
                 );
-                checker.error("not-rectangular", format!("cycle.touches[{k}].vector"), message);
+                checker.error(
+                    "not-rectangular",
+                    format!("cycle.touches[{k}].vector"),
+                    message,
+                );
                 return;
             }
         }
@@ -175,13 +209,20 @@ impl Probed for Circle {
             let radius = self.radius(picks, center, plane);
             let aside = (out.normalize_or_zero() * self.sign() - pick.vector).length();
             if (out.length() - radius).abs() > NEAR || aside > NEAR * 10.0 {
-                let message = text!("Touch {touch} is not on the circle of the others, or not square to it", k + 1);
+                let message = text!(
+                    "Touch {touch} is not on the circle of the others, or not square to it",
+                    k + 1
+                );
                 checker.error("not-on-one-circle", format!("cycle.touches[{k}]"), message);
             }
         }
         if self.clearance.is_none() && checker.is_clean(&["cycle.touches"]) {
             let up = plane.basis()[2];
-            picked_touches::in_front(picks, center + up * (picks[0].point - center).dot(up), checker);
+            picked_touches::in_front(
+                picks,
+                center + up * (picks[0].point - center).dot(up),
+                checker,
+            );
         }
     }
 
@@ -189,15 +230,29 @@ impl Probed for Circle {
         let up = plane.basis()[2];
         let center = self.center(picks, plane);
         let origin = center + up * (picks[0].point.dot(up) + self.depth - center.dot(up));
-        let start = if let Variant::Angular { start, .. } = self.variant { start } else { 0.0 };
-        let rotation = crate::num::wrap_degrees(picked_touches::heading(plane, picks[0].vector * self.sign()) - start);
-        let mut circle = Circle { diameter: 2.0 * self.radius(picks, center, plane), ..*self };
+        let start = if let Variant::Angular { start, .. } = self.variant {
+            start
+        } else {
+            0.0
+        };
+        let rotation = crate::num::wrap_degrees(
+            picked_touches::heading(plane, picks[0].vector * self.sign()) - start,
+        );
+        let mut circle = Circle {
+            diameter: 2.0 * self.radius(picks, center, plane),
+            ..*self
+        };
         if let (Variant::Angular { step, .. }, [first, second, ..]) = (&mut circle.variant, picks) {
             // Of the angles that mean the same direction, the one the form means.
-            let turn = picked_touches::heading(plane, second.vector) - picked_touches::heading(plane, first.vector);
+            let turn = picked_touches::heading(plane, second.vector)
+                - picked_touches::heading(plane, first.vector);
             *step += crate::num::wrap_degrees(turn - *step);
         }
-        Placed { origin, rotation, shape: Shape::Circle(circle) }
+        Placed {
+            origin,
+            rotation,
+            shape: Shape::Circle(circle),
+        }
     }
 
     fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
@@ -224,14 +279,40 @@ impl Probed for Circle {
         let y = value("center_y", part(CirclePart::Ordinate));
         let wall = part(CirclePart::Radius) + f.length(-self.sign() * on.setup.radius);
         let diameter = value("diameter", f.number(2.0) * wall);
-        f.result("center.x", Role::Abscissa, words!("Centre, abscissa"), origin[a], x);
-        f.result("center.y", Role::Ordinate, words!("Centre, ordinate"), origin[o], y);
-        f.result("diameter", Role::Size, words!("Diameter"), self.diameter, diameter);
+        f.result(
+            "center.x",
+            Role::Abscissa,
+            words!("Centre, abscissa"),
+            origin[a],
+            x,
+        );
+        f.result(
+            "center.y",
+            Role::Ordinate,
+            words!("Centre, ordinate"),
+            origin[o],
+            y,
+        );
+        f.result(
+            "diameter",
+            Role::Size,
+            words!("Diameter"),
+            self.diameter,
+            diameter,
+        );
         if known && on.touches.len() > 3 {
             let residual = f.set("residual", part(CirclePart::Residual));
-            f.result("residual", Role::Residual, words!("Residual of the circle, root mean square"), 0.0, Some(residual));
+            f.result(
+                "residual",
+                Role::Residual,
+                words!("Residual of the circle, root mean square"),
+                0.0,
+                Some(residual),
+            );
         }
-        let datum = x.zip(y).map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
+        let datum = x
+            .zip(y)
+            .map(|(x, y)| Datum::point((x, origin[a]), (y, origin[o])));
         f.finish(datum)
     }
 
@@ -251,8 +332,13 @@ impl Probed for Circle {
         Feature::Bore(Bore {
             diameter: entry("cycle.diameter", self.diameter),
             depth: entry("cycle.depth", self.depth),
-            clearance: self.clearance.map(|clearance| entry("cycle.sideClearance", clearance)),
-            crossing: self.top.filter(|_| self.clearance.is_some()).map(|top| entry("cycle.topClearance", top)),
+            clearance: self
+                .clearance
+                .map(|clearance| entry("cycle.sideClearance", clearance)),
+            crossing: self
+                .top
+                .filter(|_| self.clearance.is_some())
+                .map(|top| entry("cycle.topClearance", top)),
         })
     }
 
@@ -267,10 +353,15 @@ impl Circle {
     fn center(&self, picks: &[Pick], plane: Plane) -> Vec3 {
         let [a, o, _] = plane.axes();
         let mut center = picks[0].point - picks[0].vector * (self.sign() * self.diameter / 2.0);
-        let places: Vec<Vec2> = picks.iter().map(|p| Vec2::new(p.point[a], p.point[o])).collect();
+        let places: Vec<Vec2> = picks
+            .iter()
+            .map(|p| Vec2::new(p.point[a], p.point[o]))
+            .collect();
         if self.variant == Variant::Rectangular {
             center = (picks[0].point + picks[1].point) / 2.0;
-        } else if let Some(fit) = fit_circle(&places).filter(|_| gives_circle(picks.iter().map(|p| p.vector))) {
+        } else if let Some(fit) =
+            fit_circle(&places).filter(|_| gives_circle(picks.iter().map(|p| p.vector)))
+        {
             (center[a], center[o]) = (fit.center.x, fit.center.y);
         }
         center

@@ -2,7 +2,9 @@
 
 use crate::cycle::ency::picked_touches::{self, NEAR, Pick};
 use crate::cycle::ency::shape::corner::{self, ANGLE, CornerAngle, WALLS, sides_rule};
-use crate::cycle::ency::shape::{Placed, Probed, Seated, Shape, begin, clearance_rule, constant, level_rules, lift};
+use crate::cycle::ency::shape::{
+    Placed, Probed, Seated, Shape, begin, clearance_rule, constant, level_rules, lift,
+};
 use crate::form::Checker;
 use crate::formula::{Coordinate, Datum, Draft, Formula, Name, Role};
 use crate::geom::{Frame, Plane, Vec3};
@@ -34,7 +36,12 @@ pub struct Outside {
 impl Triple {
     pub fn sizes(&mut self) -> Vec<(&'static str, &mut f64)> {
         let mut sizes = vec![(ANGLE, &mut self.angle.degrees)];
-        if let Some(Outside { depth, distances: [first, second], inwards: [top1, top2] }) = &mut self.outside {
+        if let Some(Outside {
+            depth,
+            distances: [first, second],
+            inwards: [top1, top2],
+        }) = &mut self.outside
+        {
             let outside = [
                 ("cycle.depth", depth),
                 ("cycle.distance1", first),
@@ -53,7 +60,12 @@ impl Triple {
 
     /// The start in the plane, and the two walls.
     fn walls(&self) -> ([corner::Side; 2], (f64, f64)) {
-        corner::walls(self.internal(), self.angle, [self.clearances[0], self.clearances[1]], self.outside.map(|o| o.distances))
+        corner::walls(
+            self.internal(),
+            self.angle,
+            [self.clearances[0], self.clearances[1]],
+            self.outside.map(|o| o.distances),
+        )
     }
 
     /// Where the planes of three touches meet.
@@ -77,13 +89,16 @@ impl Probed for Triple {
                 // From the start straight to each surface.
                 let start = frame.point(u, v, self.clearances[2]);
                 let surfaces = [normals[0], normals[1], frame.w];
-                (0..3).map(|k| (start - surfaces[k] * self.clearances[k], surfaces[k], k)).collect()
+                (0..3)
+                    .map(|k| (start - surfaces[k] * self.clearances[k], surfaces[k], k))
+                    .collect()
             }
             Some(outside) => {
                 let mut touches: Vec<(Vec3, Vec3, usize)> = (0..2)
                     .map(|k| {
                         let along = frame.direction(sides[k].along.0, sides[k].along.1);
-                        let point = frame.origin + along * outside.distances[k] - frame.w * outside.depth;
+                        let point =
+                            frame.origin + along * outside.distances[k] - frame.w * outside.depth;
                         (point, normals[k], k)
                     })
                     .collect();
@@ -105,8 +120,16 @@ impl Probed for Triple {
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
-        let third = if self.internal() { ("Clearance 3", "cycle.clearance3") } else { ("Top clearance", "cycle.topClearance") };
-        let names = [("Clearance 1", "cycle.clearance1"), ("Clearance 2", "cycle.clearance2"), third];
+        let third = if self.internal() {
+            ("Clearance 3", "cycle.clearance3")
+        } else {
+            ("Top clearance", "cycle.topClearance")
+        };
+        let names = [
+            ("Clearance 1", "cycle.clearance1"),
+            ("Clearance 2", "cycle.clearance2"),
+            third,
+        ];
         for ((label, path), clearance) in names.into_iter().zip(self.clearances) {
             clearance_rule(checker, setup, label, clearance, path);
         }
@@ -114,7 +137,12 @@ impl Probed for Triple {
             level_rules(checker, setup, outside.depth, None, true);
             return;
         }
-        if !checker.is_clean(&["cycle.clearance1", "cycle.clearance2", "cycle.angle", "stylus.diameter"]) {
+        if !checker.is_clean(&[
+            "cycle.clearance1",
+            "cycle.clearance2",
+            "cycle.angle",
+            "stylus.diameter",
+        ]) {
             return;
         }
         let cos = self.angle.signed().to_radians().cos();
@@ -129,7 +157,11 @@ impl Probed for Triple {
                     other + 1,
                     checker.length(setup.radius - (self.clearances[n] - setup.radius) * cos)
                 );
-                checker.error("touch-beyond-corner", format!("cycle.clearance{}", other + 1), message);
+                checker.error(
+                    "touch-beyond-corner",
+                    format!("cycle.clearance{}", other + 1),
+                    message,
+                );
             }
         }
     }
@@ -154,15 +186,22 @@ impl Probed for Triple {
         let up = plane.basis()[2];
         if self.internal() {
             picked_touches::none_overhangs(picks, plane, checker);
-            let readings: Vec<(usize, Vec3)> =
-                (0..3).map(|k| (k, picks[k].point + picks[k].vector * self.clearances[k])).collect();
-            picked_touches::one_start(&readings, self.clearances.iter().copied().fold(0.0, f64::max), checker);
+            let readings: Vec<(usize, Vec3)> = (0..3)
+                .map(|k| (k, picks[k].point + picks[k].vector * self.clearances[k]))
+                .collect();
+            picked_touches::one_start(
+                &readings,
+                self.clearances.iter().copied().fold(0.0, f64::max),
+                checker,
+            );
         } else {
             picked_touches::levelled(picks, &[0, 1], plane, checker);
             picked_touches::one_level(picks, &[0, 1], plane, checker);
             picked_touches::below_top(picks, &[0, 1], 2, plane, checker);
             if (picks[2].vector - up).length() > NEAR {
-                let message = text!("The third touch is on the top side: its target vector must be along the tool axis");
+                let message = text!(
+                    "The third touch is on the top side: its target vector must be along the tool axis"
+                );
                 checker.error("vector-not-upwards", "cycle.touches[2].vector", message);
             }
         }
@@ -170,7 +209,8 @@ impl Probed for Triple {
 
     fn place(&self, picks: &[Pick], plane: Plane) -> Placed {
         let origin = Self::meeting(picks).unwrap_or(picks[0].point);
-        let (rotation, angle) = corner::from_normals(self.internal(), plane, [picks[0].vector, picks[1].vector]);
+        let (rotation, angle) =
+            corner::from_normals(self.internal(), plane, [picks[0].vector, picks[1].vector]);
         let outside = self.outside.map(|_| {
             let up = plane.basis()[2];
             let in_plane = |pick: &Pick| {
@@ -183,7 +223,15 @@ impl Probed for Triple {
                 inwards: [0, 1].map(|k| -(picks[2].point - origin).dot(picks[k].vector)),
             }
         });
-        Placed { origin, rotation, shape: Shape::Triple(Triple { angle, outside, ..*self }) }
+        Placed {
+            origin,
+            rotation,
+            shape: Shape::Triple(Triple {
+                angle,
+                outside,
+                ..*self
+            }),
+        }
     }
 
     fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
@@ -200,7 +248,11 @@ impl Probed for Triple {
                 continue;
             }
             let step = 2 * k as u8 + 2;
-            tracer.position(touch.point + touch.vector * self.clearances[k], Feed::LongLink, step);
+            tracer.position(
+                touch.point + touch.vector * self.clearances[k],
+                Feed::LongLink,
+                step,
+            );
             tracer.touch(k, touch, Feed::LongLink, step);
             tracer.position(start, Feed::LongLink, step + 1);
         }
@@ -216,20 +268,47 @@ impl Probed for Triple {
         let det = n[0].dot(n[1].cross(n[2]));
         let f = Draft::with_room_for(on.touches.len());
         let q = [0, 1, 2].map(|k| {
-            let sum = f.sum(axes.iter().map(|&axis| f.trigger(k, axis) * constant(&f, n[k][axis])));
+            let sum = f.sum(
+                axes.iter()
+                    .map(|&axis| f.trigger(k, axis) * constant(&f, n[k][axis])),
+            );
             f.set(Name::new("q", k + 1), sum - f.length(on.setup.radius))
         });
-        let weights = [n[1].cross(n[2]) / det, n[2].cross(n[0]) / det, n[0].cross(n[1]) / det];
-        let nominal: Vec3 = (0..3).map(|k| weights[k] * n[k].dot(on.touches[k].point)).sum();
+        let weights = [
+            n[1].cross(n[2]) / det,
+            n[2].cross(n[0]) / det,
+            n[0].cross(n[1]) / det,
+        ];
+        let nominal: Vec3 = (0..3)
+            .map(|k| weights[k] * n[k].dot(on.touches[k].point))
+            .sum();
         let codes = [
-            ("corner.x", "corner_x", words!("Corner, abscissa"), Role::Abscissa),
-            ("corner.y", "corner_y", words!("Corner, ordinate"), Role::Ordinate),
-            ("corner.z", "corner_z", words!("Corner, along the tool axis"), Role::Level),
+            (
+                "corner.x",
+                "corner_x",
+                words!("Corner, abscissa"),
+                Role::Abscissa,
+            ),
+            (
+                "corner.y",
+                "corner_y",
+                words!("Corner, ordinate"),
+                Role::Ordinate,
+            ),
+            (
+                "corner.z",
+                "corner_z",
+                words!("Corner, along the tool axis"),
+                Role::Level,
+            ),
         ];
         let mut place = [None, None, None];
         for (i, (code, name, meaning, role)) in codes.into_iter().enumerate() {
             let axis = axes[i];
-            let value = f.set(name, f.sum((0..3).map(|k| q[k] * constant(&f, weights[k][axis]))));
+            let value = f.set(
+                name,
+                f.sum((0..3).map(|k| q[k] * constant(&f, weights[k][axis]))),
+            );
             f.result(code, role, meaning, nominal[axis], Some(value));
             place[i] = Some(Coordinate::measured(value, crate::num::tidy(nominal[axis])));
         }
@@ -240,7 +319,12 @@ impl Probed for Triple {
         let margin = 3.0 * on.setup.radius.max(2.0);
         let (sides, _) = self.walls();
         // All as long: they meet at their ends.
-        let length = on.touches.iter().map(|touch| touch.point.distance(on.frame.origin)).fold(0.0, f64::max) + margin;
+        let length = on
+            .touches
+            .iter()
+            .map(|touch| touch.point.distance(on.frame.origin))
+            .fold(0.0, f64::max)
+            + margin;
         on.touches
             .iter()
             .enumerate()
@@ -259,7 +343,13 @@ impl Probed for Triple {
                 } else if self.internal() {
                     // So is a wall without a top: it ends where it meets the floor.
                     let across = touch.vector.cross(along).normalize_or(on.frame.w);
-                    point += across * (drawn_depth * if across.dot(on.frame.w) < 0.0 { -1.0 } else { 1.0 });
+                    point += across
+                        * (drawn_depth
+                            * if across.dot(on.frame.w) < 0.0 {
+                                -1.0
+                            } else {
+                                1.0
+                            });
                 }
                 Surface::Flat(Wall {
                     point,
@@ -277,15 +367,27 @@ impl Probed for Triple {
     fn feature(&self) -> Feature {
         let mut walls = WALLS.to_vec();
         if self.internal() {
-            walls.push(Touched { clearance: "cycle.clearance3", step: None, distance: None });
+            walls.push(Touched {
+                clearance: "cycle.clearance3",
+                step: None,
+                distance: None,
+            });
         }
         let top = self.outside.map(|_| Top {
             depth: "cycle.depth",
             clearance: "cycle.topClearance",
             inwards: ["cycle.topDistance1", "cycle.topDistance2"],
         });
-        let angle = Entry { field: ANGLE, value: self.angle.degrees };
-        Feature::Corner(Corner { outside: !self.internal(), angle, walls, top })
+        let angle = Entry {
+            field: ANGLE,
+            value: self.angle.degrees,
+        };
+        Feature::Corner(Corner {
+            outside: !self.internal(),
+            angle,
+            walls,
+            top,
+        })
     }
 
     fn top(&self, on: &Seated<'_>) -> Option<f64> {

@@ -33,11 +33,17 @@ impl TwoTouches {
 
 impl Probed for TwoTouches {
     fn touches(&self, frame: &Frame) -> Vec<(Vec3, Vec3, usize)> {
-        self.places().map(|along| (frame.point(0.0, along, 0.0), frame.u, 0)).to_vec()
+        self.places()
+            .map(|along| (frame.point(0.0, along, 0.0), frame.u, 0))
+            .to_vec()
     }
 
     fn name(&self, k: usize) -> Text {
-        Text::words(if k == 0 { words!("First") } else { words!("Second") })
+        Text::words(if k == 0 {
+            words!("First")
+        } else {
+            words!("Second")
+        })
     }
 
     fn rules(&self, setup: &Setup, checker: &mut Checker) {
@@ -50,7 +56,11 @@ impl Probed for TwoTouches {
 
     /// Its touches are not picked.
     fn place(&self, picks: &[Pick], _plane: Plane) -> Placed {
-        Placed { origin: picks[0].point, rotation: 0.0, shape: Shape::Wall(*self) }
+        Placed {
+            origin: picks[0].point,
+            rotation: 0.0,
+            shape: Shape::Wall(*self),
+        }
     }
 
     fn walk(&self, on: &Seated<'_>, tracer: &mut Tracer) {
@@ -67,19 +77,38 @@ impl Probed for TwoTouches {
     /// The line through both ball centres is parallel to the wall.
     fn formula(&self, on: &Seated<'_>) -> Formula {
         let [a, o, _] = on.setup.plane.axes();
-        let (normal, along) = (flat(on.setup.plane, on.frame.u), flat(on.setup.plane, on.frame.v));
+        let (normal, along) = (
+            flat(on.setup.plane, on.frame.u),
+            flat(on.setup.plane, on.frame.v),
+        );
         let f = Draft::with_room_for(2);
-        let place = |touch: usize, direction| f.project(f.trigger(touch, a), f.trigger(touch, o), direction);
+        let place = |touch: usize, direction| {
+            f.project(f.trigger(touch, a), f.trigger(touch, o), direction)
+        };
         let [s1, s2] = [("s1", 0), ("s2", 1)].map(|(name, touch)| f.set(name, place(touch, along)));
-        let [h1, h2] = [("h1", 0), ("h2", 1)].map(|(name, touch)| f.set(name, place(touch, normal)));
+        let [h1, h2] =
+            [("h1", 0), ("h2", 1)].map(|(name, touch)| f.set(name, place(touch, normal)));
         // A wall that turns counter-clockwise leads the second touch deeper.
         let turn = f.set("turn", ((h1 - h2) / (s2 - s1)).atan2(f.number(1.0)));
         let nominal = crate::num::wrap_degrees(
-            on.frame.u.dot(on.setup.plane.basis()[1]).atan2(on.frame.u.dot(on.setup.plane.basis()[0])).to_degrees(),
+            on.frame
+                .u
+                .dot(on.setup.plane.basis()[1])
+                .atan2(on.frame.u.dot(on.setup.plane.basis()[0]))
+                .to_degrees(),
         );
         let rotation = f.set("rotation", turn + f.number(crate::num::tidy(nominal)));
-        f.result("rotation", Role::Direction, words!("Direction of the wall's target vector"), nominal, Some(rotation));
-        let datum = Datum { rotation: Some(turn.variable), ..Datum::of([None; 3]) };
+        f.result(
+            "rotation",
+            Role::Direction,
+            words!("Direction of the wall's target vector"),
+            nominal,
+            Some(rotation),
+        );
+        let datum = Datum {
+            rotation: Some(turn.variable),
+            ..Datum::of([None; 3])
+        };
         f.finish(Some(datum))
     }
 
@@ -97,6 +126,12 @@ impl Probed for TwoTouches {
     }
 
     fn feature(&self) -> Feature {
-        Feature::Wall(Straight { distance: Entry { field: DISTANCE, value: self.distance }, clearance: CLEARANCE })
+        Feature::Wall(Straight {
+            distance: Entry {
+                field: DISTANCE,
+                value: self.distance,
+            },
+            clearance: CLEARANCE,
+        })
     }
 }

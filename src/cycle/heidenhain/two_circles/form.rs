@@ -5,44 +5,136 @@ use crate::geom::Vec3;
 use crate::tolerance::Nominal;
 
 const GEOMETRY: &[Code] = &[
-    Code { value: 0, label: "hole and hole" },
-    Code { value: 1, label: "stud and stud" },
-    Code { value: 2, label: "hole and stud" },
-    Code { value: 3, label: "stud and hole" },
+    Code {
+        value: 0,
+        label: "hole and hole",
+    },
+    Code {
+        value: 1,
+        label: "stud and stud",
+    },
+    Code {
+        value: 2,
+        label: "hole and stud",
+    },
+    Code {
+        value: 3,
+        label: "stud and hole",
+    },
 ];
 const HEIGHT_MODE: &[Code] = &[
-    Code { value: -1, label: "never to the clearance height" },
-    Code { value: 0, label: "before and after the cycle" },
-    Code { value: 1, label: "before and after each object" },
-    Code { value: 2, label: "before and after each touch" },
+    Code {
+        value: -1,
+        label: "never to the clearance height",
+    },
+    Code {
+        value: 0,
+        label: "before and after the cycle",
+    },
+    Code {
+        value: 1,
+        label: "before and after each object",
+    },
+    Code {
+        value: 2,
+        label: "before and after each touch",
+    },
 ];
 const REACTION: &[Code] = &[
-    Code { value: 0, label: "never stop" },
-    Code { value: 1, label: "stop and show when out of tolerance" },
-    Code { value: 2, label: "stop and show only for scrap" },
+    Code {
+        value: 0,
+        label: "never stop",
+    },
+    Code {
+        value: 1,
+        label: "stop and show when out of tolerance",
+    },
+    Code {
+        value: 2,
+        label: "stop and show only for scrap",
+    },
 ];
 const ALIGN: &[Code] = &[
-    Code { value: 0, label: "no" },
-    Code { value: 1, label: "yes, the tip follows (MOVE)" },
-    Code { value: 2, label: "yes, the tip stays (TURN)" },
+    Code {
+        value: 0,
+        label: "no",
+    },
+    Code {
+        value: 1,
+        label: "yes, the tip follows (MOVE)",
+    },
+    Code {
+        value: 2,
+        label: "yes, the tip stays (TURN)",
+    },
 ];
 const TRANSFER: &[Code] = &[
-    Code { value: 0, label: "no correction" },
-    Code { value: 1, label: "by circle 1" },
-    Code { value: 2, label: "by circle 2" },
-    Code { value: 3, label: "by the mean of both" },
+    Code {
+        value: 0,
+        label: "no correction",
+    },
+    Code {
+        value: 1,
+        label: "by circle 1",
+    },
+    Code {
+        value: 2,
+        label: "by circle 2",
+    },
+    Code {
+        value: 3,
+        label: "by the mean of both",
+    },
 ];
 const CONFIRM: &[Code] = &[
-    Code { value: 0, label: "no basic rotation" },
-    Code { value: 1, label: "set as basic rotation" },
-    Code { value: 2, label: "set as offset of the rotary table" },
+    Code {
+        value: 0,
+        label: "no basic rotation",
+    },
+    Code {
+        value: 1,
+        label: "set as basic rotation",
+    },
+    Code {
+        value: 2,
+        label: "set as offset of the rotary table",
+    },
 ];
-const DIRECTION: &[Code] =
-    &[Code { value: 1, label: "main axis" }, Code { value: 2, label: "minor axis" }, Code { value: 3, label: "tool axis" }];
-const MODAL: &[Code] = &[Code { value: 0, label: "for the next cycle" }, Code { value: 1, label: "to the end of the program" }];
+const DIRECTION: &[Code] = &[
+    Code {
+        value: 1,
+        label: "main axis",
+    },
+    Code {
+        value: 2,
+        label: "minor axis",
+    },
+    Code {
+        value: 3,
+        label: "tool axis",
+    },
+];
+const MODAL: &[Code] = &[
+    Code {
+        value: 0,
+        label: "for the next cycle",
+    },
+    Code {
+        value: 1,
+        label: "to the end of the program",
+    },
+];
 
-pub(super) const PROBE: SubForm = SubForm { key: "probe", fields: Probe::FIELDS, optional: false };
-pub(super) const EXTRUSION: SubForm = SubForm { key: "extrusion", fields: Extrusion::FIELDS, optional: true };
+pub(super) const PROBE: SubForm = SubForm {
+    key: "probe",
+    fields: Probe::FIELDS,
+    optional: false,
+};
+pub(super) const EXTRUSION: SubForm = SubForm {
+    key: "extrusion",
+    fields: Extrusion::FIELDS,
+    optional: true,
+};
 
 form! {
     /// The form of 1411, in the order of its block.

@@ -30,13 +30,24 @@ const OFFSETS: [[(&str, &str); 3]; 2] = [
         ("Q985", words!("Deviation of centre 2, tool axis")),
     ],
 ];
-const DIAMETERS: [(&str, &str); 2] = [("Q966", words!("Measured diameter 1")), ("Q967", words!("Measured diameter 2"))];
-const DIAMETER_OFFSETS: [(&str, &str); 2] =
-    [("Q996", words!("Deviation of diameter 1")), ("Q997", words!("Deviation of diameter 2"))];
+const DIAMETERS: [(&str, &str); 2] = [
+    ("Q966", words!("Measured diameter 1")),
+    ("Q967", words!("Measured diameter 2")),
+];
+const DIAMETER_OFFSETS: [(&str, &str); 2] = [
+    ("Q996", words!("Deviation of diameter 1")),
+    ("Q997", words!("Deviation of diameter 2")),
+];
 
 const RESIDUALS: [(&str, &str); 2] = [
-    ("residual1", words!("Residual of circle 1, root mean square")),
-    ("residual2", words!("Residual of circle 2, root mean square")),
+    (
+        "residual1",
+        words!("Residual of circle 1, root mean square"),
+    ),
+    (
+        "residual2",
+        words!("Residual of circle 2, root mean square"),
+    ),
 ];
 
 /// What is known of one object: centre and diameter, each where it is.
@@ -74,10 +85,28 @@ impl TwoCircles {
             }
         }
         let turned = rotation.map(|r| f.set("q965", f.number(0.0) - r));
-        f.result("Q964", Role::Direction, words!("Measured basic rotation"), 0.0, rotation);
-        f.result("Q965", Role::Turn, words!("Measured table rotation"), 0.0, turned);
+        f.result(
+            "Q964",
+            Role::Direction,
+            words!("Measured basic rotation"),
+            0.0,
+            rotation,
+        );
+        f.result(
+            "Q965",
+            Role::Turn,
+            words!("Measured table rotation"),
+            0.0,
+            turned,
+        );
         for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETERS) {
-            f.result(code, Role::Size, meaning, object.nominal_diameter(), known.diameter);
+            f.result(
+                code,
+                Role::Size,
+                meaning,
+                object.nominal_diameter(),
+                known.diameter,
+            );
             f.referred_to(object.diameter.reference().unwrap_or(f64::NAN));
         }
         for ((object, known), codes) in objects.iter().zip(&measured).zip(OFFSETS) {
@@ -88,9 +117,23 @@ impl TwoCircles {
                 f.result(code, Role::Shift, meaning, 0.0, off);
             }
         }
-        f.result("Q994", Role::Turn, words!("Angle deviation of the basic rotation"), 0.0, rotation);
-        f.result("Q995", Role::Turn, words!("Angle deviation of the table rotation"), 0.0, turned);
-        for ((object, known), (code, meaning)) in objects.iter().zip(&measured).zip(DIAMETER_OFFSETS) {
+        f.result(
+            "Q994",
+            Role::Turn,
+            words!("Angle deviation of the basic rotation"),
+            0.0,
+            rotation,
+        );
+        f.result(
+            "Q995",
+            Role::Turn,
+            words!("Angle deviation of the table rotation"),
+            0.0,
+            turned,
+        );
+        for ((object, known), (code, meaning)) in
+            objects.iter().zip(&measured).zip(DIAMETER_OFFSETS)
+        {
             let off = known.diameter.zip(object.diameter.reference());
             let off = off.map(|(value, reference)| f.set(q(code), value - f.length(reference)));
             f.result(code, Role::Shift, meaning, 0.0, off);
@@ -104,16 +147,33 @@ impl TwoCircles {
         f.finish(Some(datum))
     }
 
-    fn measured<'f>(&self, f: &'f Draft, object: &Object, first: usize, setup: &Setup) -> Measured<'f> {
+    fn measured<'f>(
+        &self,
+        f: &'f Draft,
+        object: &Object,
+        first: usize,
+        setup: &Setup,
+    ) -> Measured<'f> {
         let number = object.number;
         match object.state {
-            State::Semi => Measured { centre: [None, None, None], diameter: None, residual: None },
+            State::Semi => Measured {
+                centre: [None, None, None],
+                diameter: None,
+                residual: None,
+            },
             State::Given => {
                 let at = |axis: usize| {
                     let actual = object.point[axis].actual?;
-                    Some(f.set(Name::new("given", number).and("_").at(axis), f.length(actual)))
+                    Some(f.set(
+                        Name::new("given", number).and("_").at(axis),
+                        f.length(actual),
+                    ))
                 };
-                Measured { centre: [at(0), at(1), at(2)], diameter: None, residual: None }
+                Measured {
+                    centre: [at(0), at(1), at(2)],
+                    diameter: None,
+                    residual: None,
+                }
             }
             State::Probed => {
                 let [a, o, _] = setup.plane.axes();
@@ -127,15 +187,25 @@ impl TwoCircles {
                 let wall = part(CirclePart::Radius) + f.length(object.outward() * setup.radius);
                 let diameter = f.set(q(DIAMETERS[number - 1].0), f.number(2.0) * wall);
                 // Three touches lie on a circle, whatever they are.
-                let residual = (count > 3).then(|| f.set(Name::new("residual", number), part(CirclePart::Residual)));
-                Measured { centre: [Some(x), Some(y), Some(z)], diameter: Some(diameter), residual }
+                let residual = (count > 3)
+                    .then(|| f.set(Name::new("residual", number), part(CirclePart::Residual)));
+                Measured {
+                    centre: [Some(x), Some(y), Some(z)],
+                    diameter: Some(diameter),
+                    residual,
+                }
             }
         }
     }
 
     /// The turn of the measured line against the nominal one, wrapped to (−180, 180], counter-clockwise positive: the angle of
     /// the measured vector in axes along and across the nominal one.
-    fn rotation<'f>(&self, f: &'f Draft, objects: &[Object; 2], measured: &[Measured<'f>; 2]) -> Option<Value<'f>> {
+    fn rotation<'f>(
+        &self,
+        f: &'f Draft,
+        objects: &[Object; 2],
+        measured: &[Measured<'f>; 2],
+    ) -> Option<Value<'f>> {
         let (p, q) = (objects[0].place()?, objects[1].place()?);
         let length = (q[0] - p[0]).hypot(q[1] - p[1]);
         let (cos, sin) = ((q[0] - p[0]) / length, (q[1] - p[1]) / length);
@@ -173,17 +243,42 @@ impl TwoCircles {
                 let shift = f.set(preset, value - f.length(nominal));
                 Some((value, nominal, shift))
             };
-            let (x, y) = (axis(0, ["mean_a", "preset_a"]), axis(1, ["mean_o", "preset_o"]));
+            let (x, y) = (
+                axis(0, ["mean_a", "preset_a"]),
+                axis(1, ["mean_o", "preset_o"]),
+            );
             let shift = |axis: Option<(Value<'f>, f64, Value<'f>)>| axis.map(|a| a.2);
-            f.result("preset.x", Role::Shift, words!("Shift of the preset in the main axis (Q1120)"), 0.0, shift(x));
-            f.result("preset.y", Role::Shift, words!("Shift of the preset in the minor axis (Q1120)"), 0.0, shift(y));
+            f.result(
+                "preset.x",
+                Role::Shift,
+                words!("Shift of the preset in the main axis (Q1120)"),
+                0.0,
+                shift(x),
+            );
+            f.result(
+                "preset.y",
+                Role::Shift,
+                words!("Shift of the preset in the minor axis (Q1120)"),
+                0.0,
+                shift(y),
+            );
             if let Some((x, y)) = x.zip(y) {
-                place = [Some(Coordinate::measured(x.0, x.1)), Some(Coordinate::measured(y.0, y.1)), None];
+                place = [
+                    Some(Coordinate::measured(x.0, x.1)),
+                    Some(Coordinate::measured(y.0, y.1)),
+                    None,
+                ];
             }
         }
         let turned = |r: Value<'f>| f.number(0.0) - r;
         match form.confirm_rotation {
-            1 => f.result("preset.rotation", Role::Turn, words!("Basic rotation written to the preset (Q1121)"), 0.0, rotation),
+            1 => f.result(
+                "preset.rotation",
+                Role::Turn,
+                words!("Basic rotation written to the preset (Q1121)"),
+                0.0,
+                rotation,
+            ),
             2 => {
                 let offset = rotation.map(|r| f.set("table_offset", turned(r)));
                 f.result(
@@ -198,9 +293,21 @@ impl TwoCircles {
         }
         if form.align_rotary_axis != 0 {
             let turn = rotation.map(|r| f.set("table_turn", turned(r)));
-            f.result("table.turn", Role::Turn, words!("Turn of the rotary table (Q1126)"), 0.0, turn);
+            f.result(
+                "table.turn",
+                Role::Turn,
+                words!("Turn of the rotary table (Q1126)"),
+                0.0,
+                turn,
+            );
         }
-        let rotation = rotation.filter(|_| form.confirm_rotation == 1).map(|value| value.variable);
-        Datum { place, in_results: true, rotation }
+        let rotation = rotation
+            .filter(|_| form.confirm_rotation == 1)
+            .map(|value| value.variable);
+        Datum {
+            place,
+            in_results: true,
+            rotation,
+        }
     }
 }

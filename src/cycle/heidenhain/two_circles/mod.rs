@@ -18,8 +18,8 @@ use crate::form::Checker;
 use crate::formula::{Formula, ResultRow};
 use crate::geom::{Frame, Vec3};
 use crate::path::{
-    self, DatumSource, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH, Setting, Setup, Spread, Subject,
-    Surface, Touch,
+    self, DatumSource, Feature, Feeds, Parameter, ParameterValue, Path, Round, SHORTEST_TOUCH,
+    Setting, Setup, Spread, Subject, Surface, Touch,
 };
 use crate::text::words;
 use crate::tolerance::Nominal;
@@ -88,9 +88,18 @@ pub static DEF: CycleDef = CycleDef {
     ],
     read: |_, section| {
         let form = Form::read(section);
-        let probe = section.sub(&PROBE, Probe::read).expect("the probe is never left out");
+        let probe = section
+            .sub(&PROBE, Probe::read)
+            .expect("the probe is never left out");
         let extrusion = section.sub(&EXTRUSION, Extrusion::read);
-        Box::new(TwoCircles { form, probe, extrusion }.with_stand_ins())
+        Box::new(
+            TwoCircles {
+                form,
+                probe,
+                extrusion,
+            }
+            .with_stand_ins(),
+        )
     },
 };
 
@@ -137,7 +146,11 @@ impl Object {
     /// What the deviation of a coordinate is measured from. The tool axis of a probed object is not measured: its value is the
     /// nominal one, and its deviation 0.
     fn reference(&self, axis: usize) -> Option<f64> {
-        if self.measures(axis) { self.point[axis].reference() } else { self.point[axis].nominal }
+        if self.measures(axis) {
+            self.point[axis].reference()
+        } else {
+            self.point[axis].nominal
+        }
     }
 
     /// Whether a coordinate is measured or given.
@@ -158,7 +171,10 @@ impl Object {
 impl TwoCircles {
     fn objects(&self) -> [Object; 2] {
         let form = &self.form;
-        let holes = [matches!(form.geometry_type, 0 | 2), matches!(form.geometry_type, 0 | 3)];
+        let holes = [
+            matches!(form.geometry_type, 0 | 2),
+            matches!(form.geometry_type, 0 | 3),
+        ];
         let object = |number: usize, point: &[Nominal; 3], diameter: &Nominal| {
             let state = if point.iter().any(|v| v.unknown) {
                 State::Semi
@@ -167,9 +183,18 @@ impl TwoCircles {
             } else {
                 State::Probed
             };
-            Object { number, point: point.clone(), diameter: diameter.clone(), hole: holes[number - 1], state }
+            Object {
+                number,
+                point: point.clone(),
+                diameter: diameter.clone(),
+                hole: holes[number - 1],
+                state,
+            }
         };
-        [object(1, &form.point1, &form.diameter1), object(2, &form.point2, &form.diameter2)]
+        [
+            object(1, &form.point1, &form.diameter1),
+            object(2, &form.point2, &form.diameter2),
+        ]
     }
 
     /// What the control takes from GLOBAL DEF is not known here: the form's number stands in, moved to where moves can be shown.
@@ -181,9 +206,16 @@ impl TwoCircles {
             self.form.set_up_clearance = self.form.set_up_clearance.min(most).max(least).max(0.0);
         }
         if self.form.clearance_height_predef {
-            let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
-            let touches =
-                self.objects().iter().filter_map(Object::place).map(|[_, _, w]| w + extrusion).fold(f64::MIN, f64::max);
+            let extrusion = self
+                .repeats()
+                .iter()
+                .fold(0f64, |most, shift| most.max(shift[2]));
+            let touches = self
+                .objects()
+                .iter()
+                .filter_map(Object::place)
+                .map(|[_, _, w]| w + extrusion)
+                .fold(f64::MIN, f64::max);
             if self.form.clearance_height <= touches {
                 self.form.clearance_height = touches + ROOM;
             }
@@ -207,7 +239,10 @@ impl TwoCircles {
             return self.form.clearance_height;
         }
         let [_, _, w] = setup.plane.axes();
-        self.objects().iter().filter_map(|o| o.place()).fold(self.form.start[w], |most, place| most.max(place[2]))
+        self.objects()
+            .iter()
+            .filter_map(|o| o.place())
+            .fold(self.form.start[w], |most, place| most.max(place[2]))
     }
 
     /// The angles of the touches of one circle, radians.
@@ -216,18 +251,23 @@ impl TwoCircles {
         let count = form.probe_points;
         let full = form.angular_length.abs() >= 360.0;
         let step = form.angular_length / f64::from(if full { count } else { count - 1 });
-        (0..count).map(|k| (form.starting_angle + step * f64::from(k)).to_radians()).collect()
+        (0..count)
+            .map(|k| (form.starting_angle + step * f64::from(k)).to_radians())
+            .collect()
     }
 
     /// Where the touches of one place are repeated, as shifts along the extrusion, in (main, minor, tool axis).
     fn repeats(&self) -> Vec<[f64; 3]> {
-        let Some(extrusion) = &self.extrusion else { return vec![[0.0; 3]] };
+        let Some(extrusion) = &self.extrusion else {
+            return vec![[0.0; 3]];
+        };
         let n = extrusion.points;
         (0..n)
             .map(|j| {
                 let mut shift = [0.0; 3];
                 if n > 1 {
-                    shift[(extrusion.direction - 1) as usize] = extrusion.length * f64::from(j) / f64::from(n - 1);
+                    shift[(extrusion.direction - 1) as usize] =
+                        extrusion.length * f64::from(j) / f64::from(n - 1);
                 }
                 shift
             })
@@ -258,15 +298,20 @@ impl TwoCircles {
 
     /// What is probed, for a control that has the cycle itself.
     fn feature(&self, setup: &Setup) -> path::TwoCircles {
-        let [extrusion, settings] =
-            self.settings().map(|list| list.into_iter().map(|(setting, _)| setting).collect::<Vec<Setting>>());
+        let [extrusion, settings] = self.settings().map(|list| {
+            list.into_iter()
+                .map(|(setting, _)| setting)
+                .collect::<Vec<Setting>>()
+        });
         path::TwoCircles {
             diameters: DIAMETERS,
             line: self.line(setup),
             spread: self.spread(setup),
             semi_automatic: self.objects().iter().any(|o| o.state == State::Semi),
             reacts: self.form.error_reaction != 0,
-            toleranced: settings.iter().any(|s| matches!(s.value, ParameterValue::Text(_))),
+            toleranced: settings
+                .iter()
+                .any(|s| matches!(s.value, ParameterValue::Text(_))),
             turns_table: self.form.confirm_rotation == 2 || self.form.align_rotary_axis != 0,
             settings,
             extrusion,
@@ -280,10 +325,14 @@ impl Cycle for TwoCircles {
     }
 
     fn set_on_the_control(&self) -> Vec<(&'static str, &'static str)> {
-        let set_up =
-            self.form.set_up_clearance_predef.then_some(("cycle.setUpClearancePredef", words!("set-up clearance (Q320)")));
-        let height =
-            self.form.clearance_height_predef.then_some(("cycle.clearanceHeightPredef", words!("clearance height (Q260)")));
+        let set_up = self.form.set_up_clearance_predef.then_some((
+            "cycle.setUpClearancePredef",
+            words!("set-up clearance (Q320)"),
+        ));
+        let height = self.form.clearance_height_predef.then_some((
+            "cycle.clearanceHeightPredef",
+            words!("clearance height (Q260)"),
+        ));
         set_up.into_iter().chain(height).collect()
     }
 
@@ -328,21 +377,34 @@ impl Cycle for TwoCircles {
     fn surfaces(&self, setup: &Setup) -> Vec<Surface> {
         let frame = Self::frame(setup);
         // Where the stylus is before the cycle it is free, too.
-        let free = self.free_height(setup).min(self.form.start[setup.plane.axes()[2]]) - setup.radius;
-        let highest = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+        let free = self
+            .free_height(setup)
+            .min(self.form.start[setup.plane.axes()[2]])
+            - setup.radius;
+        let highest = self
+            .repeats()
+            .iter()
+            .fold(0f64, |most, shift| most.max(shift[2]));
         let objects = self.objects();
         let place = |object: &Object| object.place().filter(|_| object.state != State::Semi);
         let known = |object: &Object, other: &Object| {
-            let Some([a, o, w]) = place(object) else { return Surface::Unknown };
+            let Some([a, o, w]) = place(object) else {
+                return Surface::Unknown;
+            };
             let radius = object.nominal_diameter() / 2.0;
             // The top is not known: half-way between the highest touch and the height at which the ball is free.
             let touched = w + highest;
             let top = touched + ((free - touched) / 2.0).max(0.0);
             // Around a hole there is material, but not where the other object is, nor where the ball goes around that, on a
             // part displaced by as much as a touch searches.
-            let clear = if other.hole { 0.0 } else { self.stand_off(setup) + setup.radius + self.probe.dist };
-            let reach = place(other)
-                .map_or(f64::INFINITY, |[oa, oo, _]| (oa - a).hypot(oo - o) - other.nominal_diameter() / 2.0 - clear);
+            let clear = if other.hole {
+                0.0
+            } else {
+                self.stand_off(setup) + setup.radius + self.probe.dist
+            };
+            let reach = place(other).map_or(f64::INFINITY, |[oa, oo, _]| {
+                (oa - a).hypot(oo - o) - other.nominal_diameter() / 2.0 - clear
+            });
             Surface::Round(Round {
                 center: frame.point(a, o, top),
                 radius,
@@ -367,7 +429,13 @@ impl Cycle for TwoCircles {
         (diameter > 0.0).then(|| Box::new(resized) as Box<dyn Cycle>)
     }
 
-    fn judge(&self, setup: &Setup, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
+    fn judge(
+        &self,
+        setup: &Setup,
+        path: &Path,
+        triggers: &[Option<Vec3>],
+        rows: &mut Vec<ResultRow>,
+    ) {
         verdicts::judge(self, setup, path, triggers, rows);
     }
 

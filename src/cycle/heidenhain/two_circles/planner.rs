@@ -45,10 +45,17 @@ impl<'a> Planner<'a> {
     pub fn run(mut self) -> (Vec<Touch>, Vec<Move>) {
         let mode = self.cycle.form.clearance_height_mode;
         let objects = self.cycle.objects();
-        let probed: Vec<&Object> = objects.iter().filter(|o| o.state == State::Probed).collect();
+        let probed: Vec<&Object> = objects
+            .iter()
+            .filter(|o| o.state == State::Probed)
+            .collect();
         for (i, object) in probed.iter().enumerate() {
             let stands = self.placed_at(object);
-            let [to_centre, probing, back] = if object.number == 1 { [1, 4, 5] } else { [6, 7, 8] };
+            let [to_centre, probing, back] = if object.number == 1 {
+                [1, 4, 5]
+            } else {
+                [6, 7, 8]
+            };
             let over = i == 0 || mode >= 1;
             if i == 0 && mode < 0 {
                 self.go_to_first_stand(stands[0].at, to_centre);
@@ -62,7 +69,10 @@ impl<'a> Planner<'a> {
                 self.across(stands[0].at, set_up);
             } else {
                 // Without a retract: straight to the first touch of the second object, at the height where the ball is.
-                let level = self.level(self.tracer.place().expect("the first object was touched"), stands[0].at);
+                let level = self.level(
+                    self.tracer.place().expect("the first object was touched"),
+                    stands[0].at,
+                );
                 self.tracer.position(level, Feed::Rapid, to_centre);
             }
             self.tracer.position(stands[0].at, Feed::Work, probing);
@@ -94,7 +104,8 @@ impl<'a> Planner<'a> {
             }
             for (at, touch) in &stand.touches {
                 self.along(*at, step);
-                self.tracer.touch(self.touches.len(), touch, Feed::Rapid, step);
+                self.tracer
+                    .touch(self.touches.len(), touch, Feed::Rapid, step);
                 self.touches.push(*touch);
             }
         }
@@ -104,7 +115,8 @@ impl<'a> Planner<'a> {
     fn along(&mut self, to: Vec3, step: u8) {
         let at = self.tracer.place().expect("the cycle has begun");
         let down = to.dot(self.frame.w) < at.dot(self.frame.w) - 1e-9;
-        self.tracer.position(to, if down { Feed::Work } else { Feed::Rapid }, step);
+        self.tracer
+            .position(to, if down { Feed::Work } else { Feed::Rapid }, step);
     }
 
     /// With mode −1: at the height where the stylus is (but not below the measuring height) over the first stand; from there it
@@ -114,7 +126,8 @@ impl<'a> Planner<'a> {
         let start = self.cycle.form.start;
         let raised = start + w * (stand.dot(w) - start.dot(w)).max(0.0);
         self.tracer.position(raised, Feed::Rapid, step);
-        self.tracer.position(self.level(raised, stand), Feed::Rapid, step);
+        self.tracer
+            .position(self.level(raised, stand), Feed::Rapid, step);
     }
 
     /// To centre 1 with positioning logic, from where the ball is: from below the clearance height first up, then in the plane; from above first in
@@ -129,20 +142,26 @@ impl<'a> Planner<'a> {
         self.tracer.position(raised, Feed::Rapid, step);
         let over = self.level(raised, centre);
         self.tracer.position(over, Feed::Rapid, step);
-        self.tracer.position(over - w * (over.dot(w) - height), Feed::Rapid, step);
+        self.tracer
+            .position(over - w * (over.dot(w) - height), Feed::Rapid, step);
     }
 
     /// In the plane over a place, at the height where the ball is.
     fn across(&mut self, place: Vec3, step: u8) {
         let at = self.tracer.place().expect("the cycle has begun");
-        self.tracer.position(self.level(at, place), Feed::Rapid, step);
+        self.tracer
+            .position(self.level(at, place), Feed::Rapid, step);
     }
 
     /// Up to the clearance height.
     fn up(&mut self, step: u8) {
         let w = self.frame.w;
         let at = self.tracer.place().expect("the cycle has begun");
-        self.tracer.position(at + w * (self.cycle.form.clearance_height - at.dot(w)), Feed::Rapid, step);
+        self.tracer.position(
+            at + w * (self.cycle.form.clearance_height - at.dot(w)),
+            Feed::Rapid,
+            step,
+        );
     }
 
     /// From one stand to the next at measuring height, along the arc of the stand-off radius: a chord could cut a stud.
@@ -157,11 +176,13 @@ impl<'a> Planner<'a> {
         let center = centre + w * (from.at.dot(w) - centre.dot(w));
         let sweep = to.angle - from.angle;
         // So small an arc could be printed as none, or as a whole turn; straight it differs by less than can be seen.
-        let small = from.at.distance(center) < SMALLEST_ARC || from.at.distance(to.at) < SMALLEST_ARC;
+        let small =
+            from.at.distance(center) < SMALLEST_ARC || from.at.distance(to.at) < SMALLEST_ARC;
         if small || sweep.abs() >= TAU {
             self.tracer.position(to.at, Feed::Rapid, step);
         } else {
-            self.tracer.arc(to.at, Arc { center, sweep }, Feed::Rapid, step);
+            self.tracer
+                .arc(to.at, Arc { center, sweep }, Feed::Rapid, step);
         }
     }
 
@@ -184,7 +205,11 @@ impl<'a> Planner<'a> {
         let stand_off = (radius - object.outward() * cycle.stand_off(setup)).max(0.0);
         let contact = radius - object.outward() * setup.radius;
         let way = (contact - stand_off).abs();
-        let shifts: Vec<Vec3> = cycle.repeats().iter().map(|[a, o, w]| frame.point(*a, *o, *w)).collect();
+        let shifts: Vec<Vec3> = cycle
+            .repeats()
+            .iter()
+            .map(|[a, o, w]| frame.point(*a, *o, *w))
+            .collect();
         cycle
             .angles()
             .into_iter()
@@ -203,7 +228,11 @@ impl<'a> Planner<'a> {
                     (centre + out * stand_off + *shift, touch)
                 });
                 let touches: Vec<(Vec3, Touch)> = touches.collect();
-                Stand { at: touches[0].0, angle, touches }
+                Stand {
+                    at: touches[0].0,
+                    angle,
+                    touches,
+                }
             })
             .collect()
     }

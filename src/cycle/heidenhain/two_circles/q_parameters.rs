@@ -10,7 +10,14 @@ impl TwoCircles {
     pub(super) fn settings(&self) -> [Vec<(Setting, &'static str)>; 2] {
         let form = &self.form;
         let setting = |number: i32, dialog: &str, value: ParameterValue, field: &'static str| {
-            (Setting { number, dialog: dialog.to_owned(), value }, field)
+            (
+                Setting {
+                    number,
+                    dialog: dialog.to_owned(),
+                    value,
+                },
+                field,
+            )
         };
         let nominal = |v: &Nominal| match &v.text {
             Some(text) => ParameterValue::Text(text.clone()),
@@ -19,10 +26,30 @@ impl TwoCircles {
         let code = |n: i32| ParameterValue::Whole(n);
         let extrusion = self.extrusion.iter().flat_map(|extrusion| {
             [
-                setting(1140, "EXTRUSION DIRECTION", code(extrusion.direction), "cycle.extrusion.direction"),
-                setting(1145, "EXTRUSION POINTS", code(extrusion.points), "cycle.extrusion.points"),
-                setting(1146, "EXTRUSION LENGTH", ParameterValue::Length(extrusion.length), "cycle.extrusion.length"),
-                setting(1149, "EXTRUSION MODAL", code(extrusion.modal), "cycle.extrusion.modal"),
+                setting(
+                    1140,
+                    "EXTRUSION DIRECTION",
+                    code(extrusion.direction),
+                    "cycle.extrusion.direction",
+                ),
+                setting(
+                    1145,
+                    "EXTRUSION POINTS",
+                    code(extrusion.points),
+                    "cycle.extrusion.points",
+                ),
+                setting(
+                    1146,
+                    "EXTRUSION LENGTH",
+                    ParameterValue::Length(extrusion.length),
+                    "cycle.extrusion.length",
+                ),
+                setting(
+                    1149,
+                    "EXTRUSION MODAL",
+                    code(extrusion.modal),
+                    "cycle.extrusion.modal",
+                ),
             ]
         });
         let global = |predefined: bool, mm: f64| match predefined {
@@ -38,23 +65,78 @@ impl TwoCircles {
             setting(1100, "1ST POINT REF AXIS", a1, "cycle.point1[0]"),
             setting(1101, "1ST POINT MINOR AXIS", o1, "cycle.point1[1]"),
             setting(1102, "1ST POINT TOOL AXIS", w1, "cycle.point1[2]"),
-            setting(1116, "DIAMETER 1", nominal(&form.diameter1), "cycle.diameter1"),
+            setting(
+                1116,
+                "DIAMETER 1",
+                nominal(&form.diameter1),
+                "cycle.diameter1",
+            ),
             setting(1103, "2ND POINT REF AXIS", a2, "cycle.point2[0]"),
             setting(1104, "2ND POINT MINOR AXIS", o2, "cycle.point2[1]"),
             setting(1105, "2ND POINT TOOL AXIS", w2, "cycle.point2[2]"),
-            setting(1117, "DIAMETER 2", nominal(&form.diameter2), "cycle.diameter2"),
-            setting(1115, "GEOMETRY TYPE", code(form.geometry_type), "cycle.geometryType"),
-            setting(423, "NO. OF PROBE POINTS", code(form.probe_points), "cycle.probePoints"),
-            setting(325, "STARTING ANGLE", angle(form.starting_angle), "cycle.startingAngle"),
-            setting(1119, "ANGULAR LENGTH", angle(form.angular_length), "cycle.angularLength"),
+            setting(
+                1117,
+                "DIAMETER 2",
+                nominal(&form.diameter2),
+                "cycle.diameter2",
+            ),
+            setting(
+                1115,
+                "GEOMETRY TYPE",
+                code(form.geometry_type),
+                "cycle.geometryType",
+            ),
+            setting(
+                423,
+                "NO. OF PROBE POINTS",
+                code(form.probe_points),
+                "cycle.probePoints",
+            ),
+            setting(
+                325,
+                "STARTING ANGLE",
+                angle(form.starting_angle),
+                "cycle.startingAngle",
+            ),
+            setting(
+                1119,
+                "ANGULAR LENGTH",
+                angle(form.angular_length),
+                "cycle.angularLength",
+            ),
             setting(320, "SET-UP CLEARANCE", set_up, "cycle.setUpClearance"),
             setting(260, "CLEARANCE HEIGHT", height, "cycle.clearanceHeight"),
-            setting(1125, "CLEAR. HEIGHT MODE", code(form.clearance_height_mode), "cycle.clearanceHeightMode"),
-            setting(309, "ERROR REACTION", code(form.error_reaction), "cycle.errorReaction"),
-            setting(1126, "ALIGN ROTARY AXIS", code(form.align_rotary_axis), "cycle.alignRotaryAxis"),
+            setting(
+                1125,
+                "CLEAR. HEIGHT MODE",
+                code(form.clearance_height_mode),
+                "cycle.clearanceHeightMode",
+            ),
+            setting(
+                309,
+                "ERROR REACTION",
+                code(form.error_reaction),
+                "cycle.errorReaction",
+            ),
+            setting(
+                1126,
+                "ALIGN ROTARY AXIS",
+                code(form.align_rotary_axis),
+                "cycle.alignRotaryAxis",
+            ),
             // The control's own spelling.
-            setting(1120, "TRANSER POSITION", code(form.transfer_position), "cycle.transferPosition"),
-            setting(1121, "CONFIRM ROTATION", code(form.confirm_rotation), "cycle.confirmRotation"),
+            setting(
+                1120,
+                "TRANSER POSITION",
+                code(form.transfer_position),
+                "cycle.transferPosition",
+            ),
+            setting(
+                1121,
+                "CONFIRM ROTATION",
+                code(form.confirm_rotation),
+                "cycle.confirmRotation",
+            ),
         ];
         [extrusion.collect(), cycle]
     }
@@ -67,7 +149,11 @@ pub(super) fn rows(settings: [Vec<(Setting, &'static str)>; 2]) -> Vec<Parameter
         accessor: Accessor::Q,
         type_name: "",
         meaning: match setting.value {
-            ParameterValue::Text(_) => text!("{dialog} (in Klartext QS{number})", setting.dialog, setting.number),
+            ParameterValue::Text(_) => text!(
+                "{dialog} (in Klartext QS{number})",
+                setting.dialog,
+                setting.number
+            ),
             _ => text!("{dialog}", setting.dialog),
         },
         value: setting.value,

@@ -7,16 +7,27 @@ use crate::path::{SHORTEST_TOUCH, Setup};
 use crate::text::{text, words};
 
 const POINTS: [&str; 2] = ["cycle.point1", "cycle.point2"];
-const PLACES_AND_SIZES: &[&str] = &["cycle.point1", "cycle.point2", "cycle.diameter1", "cycle.diameter2"];
+const PLACES_AND_SIZES: &[&str] = &[
+    "cycle.point1",
+    "cycle.point2",
+    "cycle.diameter1",
+    "cycle.diameter2",
+];
 
 /// A rule, and the fields without whose values it says nothing.
-type Rule = (&'static [&'static str], fn(&TwoCircles, &Setup, &mut Checker));
+type Rule = (
+    &'static [&'static str],
+    fn(&TwoCircles, &Setup, &mut Checker),
+);
 
 /// Every rule, in the order of their findings.
 const RULES: [Rule; 9] = [
     (&[], TwoCircles::objects_rule),
     (&[], TwoCircles::arc_rule),
-    (&["cycle.angularLength", "cycle.probePoints"], TwoCircles::spread_rule),
+    (
+        &["cycle.angularLength", "cycle.probePoints"],
+        TwoCircles::spread_rule,
+    ),
     (&[], TwoCircles::alignment_rule),
     (&POINTS, TwoCircles::direction_rule),
     (PLACES_AND_SIZES, TwoCircles::containing_rule),
@@ -45,7 +56,12 @@ impl TwoCircles {
         for ((object, point), diameter) in self.objects().iter().zip(POINTS).zip(DIAMETERS) {
             object_rules(object, point, diameter, checker);
             if object.state == State::Probed
-                && checker.is_clean(&[diameter, "stylus.diameter", "cycle.probe", "cycle.setUpClearance"])
+                && checker.is_clean(&[
+                    diameter,
+                    "stylus.diameter",
+                    "cycle.probe",
+                    "cycle.setUpClearance",
+                ])
             {
                 self.room_rules(object, diameter, setup, checker);
                 if checker.is_clean(&[point, diameter, "cycle.setUpClearance", "cycle.probe"]) {
@@ -57,7 +73,11 @@ impl TwoCircles {
 
     fn arc_rule(&self, _setup: &Setup, checker: &mut Checker) {
         if self.form.angular_length == 0.0 {
-            checker.error("no-arc", "cycle.angularLength", text!("An angular length of 0° puts every touch on one spot"));
+            checker.error(
+                "no-arc",
+                "cycle.angularLength",
+                text!("An angular length of 0° puts every touch on one spot"),
+            );
         }
     }
 
@@ -73,15 +93,21 @@ impl TwoCircles {
     fn direction_rule(&self, _setup: &Setup, checker: &mut Checker) {
         let [one, two] = self.objects().map(|object| object.place());
         if one.zip(two).is_some_and(|(p, q)| apart(&p, &q) < 1e-6) {
-            let message = text!("Both circles are in one place: the line through their centres has no direction");
+            let message = text!(
+                "Both circles are in one place: the line through their centres has no direction"
+            );
             checker.error("no-direction", "cycle.point2", message);
         }
     }
 
     fn given_direction_rule(&self, _setup: &Setup, checker: &mut Checker) {
-        let [one, two] = self.objects().map(|object| Some([object.point[0].actual?, object.point[1].actual?]));
+        let [one, two] = self
+            .objects()
+            .map(|object| Some([object.point[0].actual?, object.point[1].actual?]));
         if one.zip(two).is_some_and(|(p, q)| apart(&p, &q) < 1e-6) {
-            let message = text!("Both circles are given in one place: the line through their centres has no direction");
+            let message = text!(
+                "Both circles are given in one place: the line through their centres has no direction"
+            );
             checker.error("no-direction", "cycle.point2", message);
         }
     }
@@ -89,7 +115,11 @@ impl TwoCircles {
     /// No probed circle lies wholly in the other.
     fn containing_rule(&self, _setup: &Setup, checker: &mut Checker) {
         let [one, two] = self.objects();
-        let (Some(p), Some(q), State::Probed, State::Probed) = (one.place(), two.place(), one.state, two.state) else { return };
+        let (Some(p), Some(q), State::Probed, State::Probed) =
+            (one.place(), two.place(), one.state, two.state)
+        else {
+            return;
+        };
         for (outer, inner, path) in [(&one, &two, DIAMETERS[0]), (&two, &one, DIAMETERS[1])] {
             if apart(&p, &q) + inner.nominal_diameter() / 2.0 <= outer.nominal_diameter() / 2.0 {
                 let message = text!(
@@ -104,7 +134,13 @@ impl TwoCircles {
     }
 
     fn extrusion_rule(&self, _setup: &Setup, checker: &mut Checker) {
-        let Some(extrusion) = self.extrusion.as_ref().filter(|extrusion| extrusion.points > 1) else { return };
+        let Some(extrusion) = self
+            .extrusion
+            .as_ref()
+            .filter(|extrusion| extrusion.points > 1)
+        else {
+            return;
+        };
         if extrusion.length == 0.0 {
             let message = text!("An extrusion of length 0 repeats every touch on the same spot");
             checker.warning("no-extrusion", "cycle.extrusion.length", message);
@@ -125,7 +161,10 @@ impl TwoCircles {
         }
         let angles = self.angles();
         let apart = |a: f64, b: f64| crate::num::wrap_degrees((a - b).to_degrees()).abs();
-        let pairs = angles.iter().enumerate().flat_map(|(i, a)| angles[..i].iter().map(move |b| apart(*a, *b)));
+        let pairs = angles
+            .iter()
+            .enumerate()
+            .flat_map(|(i, a)| angles[..i].iter().map(move |b| apart(*a, *b)));
         let nearest = pairs.fold(360.0, f64::min);
         if nearest < NEAREST {
             let message = text!(
@@ -137,9 +176,15 @@ impl TwoCircles {
             return;
         }
         let points: Vec<Vec2> = angles.iter().map(|a| Vec2::from_angle(*a)).collect();
-        let Some(fit) = crate::formula::fit_circle(&points) else { return };
+        let Some(fit) = crate::formula::fit_circle(&points) else {
+            return;
+        };
         let worth = |row: usize| {
-            let each = fit.by_point.iter().zip(&points).map(|([x, y], p)| x[row] * p.x + y[row] * p.y);
+            let each = fit
+                .by_point
+                .iter()
+                .zip(&points)
+                .map(|([x, y], p)| x[row] * p.x + y[row] * p.y);
             each.map(|d| d * d).sum::<f64>().sqrt()
         };
         let worst = worth(0).max(worth(1));
@@ -155,31 +200,54 @@ impl TwoCircles {
     /// From the start of a touch to the nominal wall of an object.
     fn way(&self, object: &Object, setup: &Setup) -> f64 {
         let own = self.stand_off(setup) - setup.radius;
-        if object.hole { own.min(object.nominal_diameter() / 2.0 - setup.radius) } else { own }
+        if object.hole {
+            own.min(object.nominal_diameter() / 2.0 - setup.radius)
+        } else {
+            own
+        }
     }
 
     /// What a tolerance allows must not stand where the ball goes down, nor beyond the search: the path is planned for the nominal object.
-    fn zone_rules(&self, object: &Object, [point, diameter]: [&'static str; 2], setup: &Setup, checker: &mut Checker) {
+    fn zone_rules(
+        &self,
+        object: &Object,
+        [point, diameter]: [&'static str; 2],
+        setup: &Setup,
+        checker: &mut Checker,
+    ) {
         let (number, way) = (object.number, self.way(object, setup));
         if let Some((low, _)) = object.diameter.limits.filter(|(low, _)| *low <= 0.0) {
-            let message = text!("The lower limit of diameter {number} ({low}) must be above 0", number, checker.length(low));
+            let message = text!(
+                "The lower limit of diameter {number} ({low}) must be above 0",
+                number,
+                checker.length(low)
+            );
             return checker.error("out-of-range", diameter, message);
         }
         // How much nearer to the ball the wall is at a limit than the nominal one; of a place, on the side that it comes nearer to.
         let nominal = object.nominal_diameter();
         let nearer = |limit: f64| object.outward() * (nominal - limit) / 2.0;
-        let sizes = object.diameter.limits.map(|(low, high)| (diameter, [nearer(low), nearer(high)]));
+        let sizes = object
+            .diameter
+            .limits
+            .map(|(low, high)| (diameter, [nearer(low), nearer(high)]));
         let places = object.point[..2].iter().filter_map(|value| {
             let ((low, high), nominal) = (value.limits?, value.nominal?);
             let [a, b] = [low - nominal, high - nominal];
-            let least = if a <= 0.0 && b >= 0.0 { 0.0 } else { a.abs().min(b.abs()) };
+            let least = if a <= 0.0 && b >= 0.0 {
+                0.0
+            } else {
+                a.abs().min(b.abs())
+            };
             Some((point, [least, a.abs().max(b.abs())]))
         });
         for (field, [a, b]) in sizes.into_iter().chain(places) {
             let farthest = if field == point { a.max(b) } else { -a.min(b) };
             if a.min(b) >= way {
-                let message =
-                    text!("Even a part within tolerance is in the way: object {number} is where the ball goes down", number);
+                let message = text!(
+                    "Even a part within tolerance is in the way: object {number} is where the ball goes down",
+                    number
+                );
                 checker.error("zone-beyond-clearance", field, message);
             } else if a.max(b) >= way {
                 let message = text!(
@@ -201,7 +269,13 @@ impl TwoCircles {
     }
 
     /// Whether the ball fits, and whether a touch reaches the wall.
-    fn room_rules(&self, object: &Object, diameter_path: &str, setup: &Setup, checker: &mut Checker) {
+    fn room_rules(
+        &self,
+        object: &Object,
+        diameter_path: &str,
+        setup: &Setup,
+        checker: &mut Checker,
+    ) {
         let (number, diameter) = (object.number, object.nominal_diameter());
         if object.hole && diameter < 2.0 * (setup.radius + SHORTEST_TOUCH) - 1e-6 {
             let message = text!(
@@ -216,7 +290,11 @@ impl TwoCircles {
             return;
         }
         if !object.hole && diameter <= 0.0 {
-            checker.error("out-of-range", diameter_path, text!("Stud {number} must have a diameter above 0", number));
+            checker.error(
+                "out-of-range",
+                diameter_path,
+                text!("Stud {number} must have a diameter above 0", number),
+            );
             return;
         }
         let reachable = diameter / 2.0 - setup.radius;
@@ -253,10 +331,18 @@ impl TwoCircles {
     /// The clearance height against the measuring heights, and the notice of the manual.
     fn height_rule(&self, setup: &Setup, checker: &mut Checker) {
         let mode = self.form.clearance_height_mode;
-        let extrusion = self.repeats().iter().fold(0f64, |most, shift| most.max(shift[2]));
+        let extrusion = self
+            .repeats()
+            .iter()
+            .fold(0f64, |most, shift| most.max(shift[2]));
         for (object, path) in self.objects().iter().zip(POINTS) {
-            let Some([_, _, height]) = object.place() else { continue };
-            if mode >= 0 && object.state == State::Probed && checker.is_clean(&[path, "cycle.clearanceHeight"]) {
+            let Some([_, _, height]) = object.place() else {
+                continue;
+            };
+            if mode >= 0
+                && object.state == State::Probed
+                && checker.is_clean(&[path, "cycle.clearanceHeight"])
+            {
                 let highest = height + extrusion;
                 if highest >= self.form.clearance_height {
                     let message = text!(
@@ -266,7 +352,9 @@ impl TwoCircles {
                         checker.length(highest)
                     );
                     checker.error("clearance-height-too-low", "cycle.clearanceHeight", message);
-                } else if self.form.clearance_height - highest < (2.0 * setup.radius).max(5.0) - 1e-6 {
+                } else if self.form.clearance_height - highest
+                    < (2.0 * setup.radius).max(5.0) - 1e-6
+                {
                     let message = text!(
                         "The clearance height is {height} above the measuring height of object {number}: the cycle knows no top side, and the ball crosses the object at that height",
                         checker.length(self.form.clearance_height - highest),
@@ -277,8 +365,11 @@ impl TwoCircles {
             }
         }
         if mode < 2 {
-            let what =
-                if mode == 1 { words!("the touch points of an object") } else { words!("the objects and their touch points") };
+            let what = if mode == 1 {
+                words!("the touch points of an object")
+            } else {
+                words!("the objects and their touch points")
+            };
             let message = text!(
                 "Danger of collision: between {places} the probe is not retracted to the clearance height; the manual says always \
                  to do so",
@@ -297,11 +388,18 @@ fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Chec
     let number = object.number;
     let given = object.point.iter().filter(|v| v.actual.is_some()).count();
     if given > 0 && given < 3 {
-        let message = text!("Point {number}: a given position (@) needs all three axes; {given} of 3 are given", number, given);
+        let message = text!(
+            "Point {number}: a given position (@) needs all three axes; {given} of 3 are given",
+            number,
+            given
+        );
         checker.error("given-incomplete", point, message);
     }
     if object.diameter.unknown || object.diameter.actual.is_some() {
-        let message = text!("Diameter {number} takes a number or a tolerance, not ? or @", number);
+        let message = text!(
+            "Diameter {number} takes a number or a tolerance, not ? or @",
+            number
+        );
         checker.error("not-a-value", diameter, message);
     }
     match object.state {
@@ -314,8 +412,10 @@ fn object_rules(object: &Object, point: &str, diameter: &str, checker: &mut Chec
             checker.info("semi-automatic", point, message);
         }
         State::Given => {
-            let message =
-                text!("The position of object {number} is given: it is not probed, and its diameter is not measured", number);
+            let message = text!(
+                "The position of object {number} is given: it is not probed, and its diameter is not measured",
+                number
+            );
             checker.info("given-position", point, message);
         }
         State::Probed => {}

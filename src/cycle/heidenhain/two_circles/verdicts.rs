@@ -8,35 +8,70 @@ use crate::text::{Text, text, words};
 use crate::tolerance::Nominal;
 
 /// Adds verdicts, Q183, the extrusion's deviations, and the form error of each circle (ours).
-pub fn judge(cycle: &TwoCircles, setup: &Setup, path: &Path, triggers: &[Option<Vec3>], rows: &mut Vec<ResultRow>) {
+pub fn judge(
+    cycle: &TwoCircles,
+    setup: &Setup,
+    path: &Path,
+    triggers: &[Option<Vec3>],
+    rows: &mut Vec<ResultRow>,
+) {
     let objects = cycle.objects();
     let mut worst: Option<i32> = None;
     // Whether everything that has a tolerance was measured.
     let mut whole = true;
     for object in &objects {
         let codes = [["Q950", "Q951", "Q952"], ["Q953", "Q954", "Q955"]][object.number - 1];
-        for (_, (code, value)) in codes.iter().zip(&object.point).enumerate().filter(|(axis, _)| object.measures(*axis)) {
+        for (_, (code, value)) in codes
+            .iter()
+            .zip(&object.point)
+            .enumerate()
+            .filter(|(axis, _)| object.measures(*axis))
+        {
             whole &= give(rows, code, value, false, object.hole, &mut worst);
         }
         if object.state != State::Given {
-            whole &= give(rows, ["Q966", "Q967"][object.number - 1], &object.diameter, true, object.hole, &mut worst);
+            whole &= give(
+                rows,
+                ["Q966", "Q967"][object.number - 1],
+                &object.diameter,
+                true,
+                object.hole,
+                &mut worst,
+            );
         }
     }
-    rows.push(if whole { workpiece(worst, cycle.form.error_reaction) } else { unknown() });
+    rows.push(if whole {
+        workpiece(worst, cycle.form.error_reaction)
+    } else {
+        unknown()
+    });
     for object in objects.iter().filter(|o| o.state == State::Probed) {
         single_rows(cycle, object, setup, path, triggers, rows);
     }
 }
 
 /// The verdict of one value: 0 good, 1 rework, 2 scrap. Limits are good. Gives whether nothing is missing for it.
-fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: bool, worst: &mut Option<i32>) -> bool {
+fn give(
+    rows: &mut [ResultRow],
+    code: &str,
+    value: &Nominal,
+    size: bool,
+    hole: bool,
+    worst: &mut Option<i32>,
+) -> bool {
     /// mm. A value on its very limit is good: the last decimals of the touches, spread by a short arc, decide nothing. No control
     /// shows so little.
     const LIMIT: f64 = 1e-6;
-    let Some((low, high)) = value.limits else { return true };
-    let Some(row) = rows.iter_mut().find(|r| r.code == code) else { return true };
+    let Some((low, high)) = value.limits else {
+        return true;
+    };
+    let Some(row) = rows.iter_mut().find(|r| r.code == code) else {
+        return true;
+    };
     row.limits = Some((low, high));
-    let Some(measured) = row.value else { return false };
+    let Some(measured) = row.value else {
+        return false;
+    };
     let verdict = if measured < low - LIMIT {
         if size && hole { 1 } else { 2 }
     } else if measured > high + LIMIT {
@@ -53,7 +88,9 @@ fn give(rows: &mut [ResultRow], code: &str, value: &Nominal, size: bool, hole: b
 fn unknown() -> ResultRow {
     let mut row = row("Q183", words!("Workpiece status"), Unit::None, 0.0);
     row.value = None;
-    row.with_verdict(text!("not known: a value with a tolerance was not measured"))
+    row.with_verdict(text!(
+        "not known: a value with a tolerance was not measured"
+    ))
 }
 
 /// Q183, and what Q309 makes of it.
@@ -65,11 +102,20 @@ fn workpiece(worst: Option<i32>, reaction: i32) -> ResultRow {
         _ => false,
     };
     let verdict = if stops {
-        text!("{status}: the control stops and shows the results", word(status))
+        text!(
+            "{status}: the control stops and shows the results",
+            word(status)
+        )
     } else {
         text!("{status}: the program continues", word(status))
     };
-    row("Q183", words!("Workpiece status"), Unit::None, f64::from(status)).with_verdict(verdict)
+    row(
+        "Q183",
+        words!("Workpiece status"),
+        Unit::None,
+        f64::from(status),
+    )
+    .with_verdict(verdict)
 }
 
 /// What a status is called.
@@ -94,11 +140,21 @@ fn single_rows(
     let i = object.number - 1;
     let [a, o, _] = setup.plane.axes();
     let repeats = cycle.repeats().len();
-    let own: Vec<Option<Vec3>> =
-        path.touches.iter().zip(triggers).filter(|(t, _)| t.group == i).map(|(_, trigger)| *trigger).collect();
+    let own: Vec<Option<Vec3>> = path
+        .touches
+        .iter()
+        .zip(triggers)
+        .filter(|(t, _)| t.group == i)
+        .map(|(_, trigger)| *trigger)
+        .collect();
     // Circle j goes through the j-th touch of every sample.
     let circle = |j: usize| -> Option<(Vec<Vec2>, CircleFit)> {
-        let points: Option<Vec<Vec2>> = own.iter().skip(j).step_by(repeats).map(|t| t.map(|p| Vec2::new(p[a], p[o]))).collect();
+        let points: Option<Vec<Vec2>> = own
+            .iter()
+            .skip(j)
+            .step_by(repeats)
+            .map(|t| t.map(|p| Vec2::new(p[a], p[o])))
+            .collect();
         let points = points?;
         let fit = fit_circle(&points)?;
         Some((points, fit))
@@ -107,7 +163,8 @@ fn single_rows(
     let form_error = circles.as_ref().map(|circles| {
         let spread = |(points, fit): &(Vec<Vec2>, CircleFit)| {
             let far: Vec<f64> = points.iter().map(|p| p.distance(fit.center)).collect();
-            far.iter().copied().fold(f64::MIN, f64::max) - far.iter().copied().fold(f64::MAX, f64::min)
+            far.iter().copied().fold(f64::MIN, f64::max)
+                - far.iter().copied().fold(f64::MAX, f64::min)
         };
         circles.iter().map(spread).fold(0.0, f64::max)
     });
@@ -115,16 +172,36 @@ fn single_rows(
         let shifts = cycle.repeats();
         let place = object.place().unwrap_or_default();
         let largest = |f: &dyn Fn(usize, &CircleFit) -> f64| {
-            circles.as_ref().map(|circles| circles.iter().enumerate().map(|(j, (_, fit))| f(j, fit)).fold(0.0, f64::max))
+            circles.as_ref().map(|circles| {
+                circles
+                    .iter()
+                    .enumerate()
+                    .map(|(j, (_, fit))| f(j, fit))
+                    .fold(0.0, f64::max)
+            })
         };
-        let off = largest(&|j, fit| fit.center.distance(Vec2::new(place[0] + shifts[j][0], place[1] + shifts[j][1])));
-        let wide = largest(&|_, fit| (2.0 * (fit.radius + object.outward() * setup.radius) - object.nominal_diameter()).abs());
-        let centre = [words!("Largest deviation from centre 1"), words!("Largest deviation from centre 2")][i];
-        let diameter = [words!("Largest deviation from diameter 1"), words!("Largest deviation from diameter 2")][i];
+        let off = largest(&|j, fit| {
+            fit.center
+                .distance(Vec2::new(place[0] + shifts[j][0], place[1] + shifts[j][1]))
+        });
+        let wide = largest(&|_, fit| {
+            (2.0 * (fit.radius + object.outward() * setup.radius) - object.nominal_diameter()).abs()
+        });
+        let centre = [
+            words!("Largest deviation from centre 1"),
+            words!("Largest deviation from centre 2"),
+        ][i];
+        let diameter = [
+            words!("Largest deviation from diameter 1"),
+            words!("Largest deviation from diameter 2"),
+        ][i];
         rows.push(maybe(["Q970", "Q971"][i], centre, off));
         rows.push(maybe(["Q973", "Q974"][i], diameter, wide));
     }
-    let meaning = [words!("Form error of circle 1 (Touchpath's own)"), words!("Form error of circle 2 (Touchpath's own)")][i];
+    let meaning = [
+        words!("Form error of circle 1 (Touchpath's own)"),
+        words!("Form error of circle 2 (Touchpath's own)"),
+    ][i];
     rows.push(maybe(["form1", "form2"][i], meaning, form_error));
 }
 

@@ -52,16 +52,36 @@ pub(super) struct Klartext {
 
 impl Klartext {
     pub fn new(text: &str, set: &[(&str, f64)]) -> Self {
-        let lines: Vec<Line> =
-            numbered_blocks(text).into_iter().map(|(number, text)| Line { number, text: text.to_ascii_uppercase() }).collect();
+        let lines: Vec<Line> = numbered_blocks(text)
+            .into_iter()
+            .map(|(number, text)| Line {
+                number,
+                text: text.to_ascii_uppercase(),
+            })
+            .collect();
         let mut labels = BTreeMap::new();
         for (at, line) in lines.iter().enumerate() {
-            if let Some(label) = line.text.strip_prefix("LBL ").map(label).filter(|label| label != "0") {
+            if let Some(label) = line
+                .text
+                .strip_prefix("LBL ")
+                .map(label)
+                .filter(|label| label != "0")
+            {
                 // A label that is there twice leads nowhere.
-                labels.entry(label).and_modify(|place| *place = None).or_insert(Some(at));
+                labels
+                    .entry(label)
+                    .and_modify(|place| *place = None)
+                    .or_insert(Some(at));
             }
         }
-        Klartext { lines, labels, q: Parameters::new(set), frames: Vec::new(), repeats: BTreeMap::new(), pole: [f64::NAN; 3] }
+        Klartext {
+            lines,
+            labels,
+            q: Parameters::new(set),
+            frames: Vec::new(),
+            repeats: BTreeMap::new(),
+            pole: [f64::NAN; 3],
+        }
     }
 
     /// What was read before anything set it.
@@ -104,7 +124,8 @@ impl Klartext {
                     return Next::At(back);
                 }
             }
-            ["LBL" | "BLK" | "STOP" | "*" | "TOOL", ..] if words[..2.min(words.len())] != ["TOOL", "CALL"] => {}
+            ["LBL" | "BLK" | "STOP" | "*" | "TOOL", ..]
+                if words[..2.min(words.len())] != ["TOOL", "CALL"] => {}
             ["TOOL", "CALL", tool, ..] => {
                 reader.tool = Some(Cursor::new(tool).operand(&mut self.q).unwrap_or(f64::NAN));
                 reader.lengthen(7);
@@ -118,23 +139,33 @@ impl Klartext {
                 }
             }
             ["CYCL", "CALL", ..] => self.cycle("CYCL CALL", text, reader),
-            _ if transforms(&words).is_some_and(|(_, changes)| changes) => count(&mut reader.transformed, reader.line),
+            _ if transforms(&words).is_some_and(|(_, changes)| changes) => {
+                count(&mut reader.transformed, reader.line)
+            }
             ["CYCL", "DEF", ..] => self.assign_all(text),
             ["FN", number, ..] => return self.function(number.trim_end_matches(':'), text, reader),
             ["IF", ..] => return self.jump(&text[2..], reader),
-            [first, ..] if first.starts_with('Q') && text.contains('=') => self.assign(text, reader),
+            [first, ..] if first.starts_with('Q') && text.contains('=') => {
+                self.assign(text, reader)
+            }
             [first, ..] if path::is_path(first) => {
                 if self.path(text, reader) {
                     return Next::End;
                 }
             }
             [first, ..] if is_m(first) => {
-                if words.iter().any(|word| matches!(*word, "M2" | "M02" | "M30")) {
+                if words
+                    .iter()
+                    .any(|word| matches!(*word, "M2" | "M02" | "M30"))
+                {
                     return Next::End;
                 }
             }
             // Shifts of nothing, selections and texts move nothing.
-            ["TRANS" | "SEL" | "PLANE" | "FUNCTION" | "GLOBAL" | "PATTERN", ..] => count(&mut reader.skipped, reader.line),
+            [
+                "TRANS" | "SEL" | "PLANE" | "FUNCTION" | "GLOBAL" | "PATTERN",
+                ..,
+            ] => count(&mut reader.skipped, reader.line),
             _ => self.strange(reader),
         }
         Next::Below
@@ -152,7 +183,9 @@ impl Klartext {
         self.q.forget_results();
         let here = reader.here();
         let given = q_parameters(text);
-        let made = name.strip_prefix("TCH PROBE ").is_some_and(|number| probe::makes(number, &given, reader));
+        let made = name
+            .strip_prefix("TCH PROBE ")
+            .is_some_and(|number| probe::makes(number, &given, reader));
         if made {
             return reader.listed(name, given, here);
         }
@@ -178,7 +211,11 @@ impl Klartext {
             // A text: QS1 = "…".
             return count(&mut reader.skipped, reader.line);
         };
-        let value = if cursor.eat("=") { cursor.sum(&mut self.q) } else { None };
+        let value = if cursor.eat("=") {
+            cursor.sum(&mut self.q)
+        } else {
+            None
+        };
         let whole = cursor.rest.trim().is_empty();
         let value = value.filter(|_| whole).unwrap_or(f64::NAN);
         if value.is_nan() {
@@ -196,7 +233,9 @@ impl Klartext {
         let rest = rest.trim_start();
         match number {
             "0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "13" => self.assign(rest, reader),
-            "9" | "10" | "11" | "12" => return self.jump(rest.strip_prefix("IF").unwrap_or(rest), reader),
+            "9" | "10" | "11" | "12" => {
+                return self.jump(rest.strip_prefix("IF").unwrap_or(rest), reader);
+            }
             "14" => {
                 reader.aborts();
                 return Next::End;
@@ -204,7 +243,10 @@ impl Klartext {
             // The control's own values, and tables: whom they belong to may know them.
             "18" | "28" | "23" | "24" => {
                 count(&mut reader.skipped, reader.line);
-                if let Some(name) = rest.find('Q').and_then(|at| Cursor::new(&rest[at..]).parameter()) {
+                if let Some(name) = rest
+                    .find('Q')
+                    .and_then(|at| Cursor::new(&rest[at..]).parameter())
+                {
                     self.q.set_by_control(&name);
                 }
             }
@@ -227,7 +269,10 @@ impl Klartext {
             _ => {
                 count(&mut reader.skipped, reader.line);
                 self.q.forget();
-                if let Some(below) = place.and_then(|place| self.lines.get(place)).filter(|line| line.number > reader.line) {
+                if let Some(below) = place
+                    .and_then(|place| self.lines.get(place))
+                    .filter(|line| line.number > reader.line)
+                {
                     reader.parts(Some(below.number));
                 }
                 Next::Below
@@ -237,7 +282,9 @@ impl Klartext {
 
     fn condition(&mut self, cursor: &mut Cursor<'_>) -> Option<bool> {
         let left = cursor.sum(&mut self.q)?;
-        let operator = ["EQU", "NE", "GT", "LT"].into_iter().find(|operator| cursor.eat(operator))?;
+        let operator = ["EQU", "NE", "GT", "LT"]
+            .into_iter()
+            .find(|operator| cursor.eat(operator))?;
         let right = cursor.sum(&mut self.q)?;
         if left.is_nan() || right.is_nan() {
             return None;
@@ -253,11 +300,20 @@ impl Klartext {
     /// `5`, `"NAME"`, `5 REP 3`: a subprogram, or the section from the label on again.
     fn call(&mut self, rest: &str, at: usize, reader: &mut Reader) -> Next {
         let (name, times) = match rest.split_once("REP") {
-            Some((name, times)) => (label(name), Cursor::new(times.trim_start_matches([' ', '/'])).operand(&mut self.q)),
+            Some((name, times)) => (
+                label(name),
+                Cursor::new(times.trim_start_matches([' ', '/'])).operand(&mut self.q),
+            ),
             None => (label(rest), None),
         };
         let repeats = rest.contains("REP");
-        let Some(place) = self.labels.get(&name).copied().flatten().filter(|_| self.frames.len() < DEEPEST) else {
+        let Some(place) = self
+            .labels
+            .get(&name)
+            .copied()
+            .flatten()
+            .filter(|_| self.frames.len() < DEEPEST)
+        else {
             self.strange(reader);
             return Next::Below;
         };
@@ -285,10 +341,15 @@ fn label(text: &str) -> String {
     let text = text.trim_start();
     match text.strip_prefix('"') {
         Some(inner) => inner.split('"').next().unwrap_or_default().to_owned(),
-        None => text.split(|c: char| c.is_whitespace() || c == ';').next().unwrap_or_default().to_owned(),
+        None => text
+            .split(|c: char| c.is_whitespace() || c == ';')
+            .next()
+            .unwrap_or_default()
+            .to_owned(),
     }
 }
 
 fn is_m(word: &str) -> bool {
-    word.strip_prefix('M').is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
+    word.strip_prefix('M')
+        .is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
 }

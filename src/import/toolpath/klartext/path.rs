@@ -8,17 +8,22 @@ use crate::import::toolpath::klartext::value::Cursor;
 use crate::import::toolpath::reader::Reader;
 
 /// The words that path functions begin with.
-const PATHS: [&str; 14] = ["L", "LP", "LN", "C", "CP", "CR", "CT", "CTP", "CC", "RND", "CHF", "APPR", "DEP", "FPOL"];
+const PATHS: [&str; 14] = [
+    "L", "LP", "LN", "C", "CP", "CR", "CT", "CTP", "CC", "RND", "CHF", "APPR", "DEP", "FPOL",
+];
 
 /// The words of a path block, longer ones first.
 const WORDS: [&str; 32] = [
-    "IPA", "IPR", "IX", "IY", "IZ", "IA", "IB", "IC", "IU", "IV", "IW", "PA", "PR", "DR", "FMAX", "FAUTO", "R0", "RL", "RR",
-    "LEN", "X", "Y", "Z", "A", "B", "C", "U", "V", "W", "F", "R", "M",
+    "IPA", "IPR", "IX", "IY", "IZ", "IA", "IB", "IC", "IU", "IV", "IW", "PA", "PR", "DR", "FMAX",
+    "FAUTO", "R0", "RL", "RR", "LEN", "X", "Y", "Z", "A", "B", "C", "U", "V", "W", "F", "R", "M",
 ];
 
 /// Whether a block begins so.
 pub(super) fn is_path(word: &str) -> bool {
-    PATHS.contains(&word) || word.strip_prefix('L').is_some_and(|rest| rest.starts_with(['X', 'Y', 'Z']))
+    PATHS.contains(&word)
+        || word
+            .strip_prefix('L')
+            .is_some_and(|rest| rest.starts_with(['X', 'Y', 'Z']))
 }
 
 /// What the words of a path block say.
@@ -46,7 +51,10 @@ impl Klartext {
     /// Follows a block of a path function; whether it ends the program.
     pub(super) fn path(&mut self, text: &str, reader: &mut Reader) -> bool {
         let kind = text.split_whitespace().next().unwrap_or_default();
-        let kind = PATHS.into_iter().find(|known| *known == kind).unwrap_or("L");
+        let kind = PATHS
+            .into_iter()
+            .find(|known| *known == kind)
+            .unwrap_or("L");
         let mut rest = &text[kind.len()..];
         // APPR LT, DEP LCT …: how.
         if matches!(kind, "APPR" | "DEP") {
@@ -96,7 +104,13 @@ impl Klartext {
                 "F" if cursor.eat("MAX") => said.rapid = true,
                 "F" if cursor.eat("AUTO") => said.feed = Some(f64::NAN),
                 "R0" | "RL" | "RR" => {}
-                "DR" => said.counter = if cursor.eat("+") { Some(true) } else { cursor.eat("-").then_some(false) },
+                "DR" => {
+                    said.counter = if cursor.eat("+") {
+                        Some(true)
+                    } else {
+                        cursor.eat("-").then_some(false)
+                    }
+                }
                 _ => {
                     let Some(value) = cursor.operand(&mut self.q) else {
                         said.strange = true;
@@ -135,7 +149,13 @@ impl Klartext {
         if polar {
             self.polar(said, reader, &mut block);
         }
-        let arc = |counter: bool| if counter { Motion::Counter } else { Motion::Clockwise };
+        let arc = |counter: bool| {
+            if counter {
+                Motion::Counter
+            } else {
+                Motion::Clockwise
+            }
+        };
         block.once = Some(match (kind, said.counter) {
             ("C" | "CP", Some(counter)) => {
                 block.center = self.pole;
@@ -170,7 +190,10 @@ impl Klartext {
             None => dy.atan2(dx).to_degrees(),
         };
         let radius = said.radius.unwrap_or(dx.hypot(dy));
-        let place = [self.pole[a] + radius * angle.to_radians().cos(), self.pole[o] + radius * angle.to_radians().sin()];
+        let place = [
+            self.pole[a] + radius * angle.to_radians().cos(),
+            self.pole[o] + radius * angle.to_radians().sin(),
+        ];
         for (axis, x) in [a, o].into_iter().zip(place) {
             // Without the noise of sine and cosine.
             let x = (x * 1e9).round() / 1e9;
@@ -189,8 +212,12 @@ impl Klartext {
 impl Said {
     fn take(&mut self, word: &str, value: f64) {
         match word {
-            "X" | "Y" | "Z" => self.axes[usize::from(word.as_bytes()[0] - b'X')] = Some((value, false)),
-            "IX" | "IY" | "IZ" => self.axes[usize::from(word.as_bytes()[1] - b'X')] = Some((value, true)),
+            "X" | "Y" | "Z" => {
+                self.axes[usize::from(word.as_bytes()[0] - b'X')] = Some((value, false))
+            }
+            "IX" | "IY" | "IZ" => {
+                self.axes[usize::from(word.as_bytes()[1] - b'X')] = Some((value, true))
+            }
             "PR" => self.radius = Some(value),
             // A radius that goes on from the present one is not followed.
             "IPR" => self.radius = Some(f64::NAN),

@@ -8,21 +8,39 @@ use crate::import::toolpath::reader::Reader;
 use crate::path::Reach;
 
 /// How far a touch searches behind its contact, mm: DIST of the table, which is not known.
-const REACH: Reach = Reach { set_up: 0.0, behind: 10.0 };
+const REACH: Reach = Reach {
+    set_up: 0.0,
+    behind: 10.0,
+};
 
 /// Makes the moves of a cycle; false where they are not known, or a parameter is not.
 pub fn makes(number: &str, given: &[(String, f64)], reader: &mut Reader) -> bool {
-    let Ok(cycle) = number.parse::<u16>() else { return false };
+    let Ok(cycle) = number.parse::<u16>() else {
+        return false;
+    };
     if reader.place[2].is_nan() {
         return false;
     }
-    let inch = if reader.path.metric == Some(false) { 25.4 } else { 1.0 };
+    let inch = if reader.path.metric == Some(false) {
+        25.4
+    } else {
+        1.0
+    };
     let call = native::find(&format!("TCH PROBE {number}"));
-    let is_length = |q: &str| call.and_then(|call| call.argument(q)).is_some_and(|argument| argument.unit == Unit::Length);
+    let is_length = |q: &str| {
+        call.and_then(|call| call.argument(q))
+            .is_some_and(|argument| argument.unit == Unit::Length)
+    };
     let value = |(q, x): &(String, f64)| {
-        let number = q.strip_prefix('Q')?.parse().ok().filter(|_| x.is_finite())?;
+        let number = q
+            .strip_prefix('Q')?
+            .parse()
+            .ok()
+            .filter(|_| x.is_finite())?;
         Some((number, if is_length(q) { x * inch } else { *x }))
     };
     let parameters: Vec<(u16, f64)> = given.iter().filter_map(value).collect();
-    reader.makes_own(Some(|reader| &mut reader.own_cycles), |machine| cycles::run(cycle, &parameters, REACH, machine))
+    reader.makes_own(Some(|reader| &mut reader.own_cycles), |machine| {
+        cycles::run(cycle, &parameters, REACH, machine)
+    })
 }

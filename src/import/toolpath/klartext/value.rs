@@ -21,8 +21,14 @@ pub struct Parameters {
 
 impl Parameters {
     pub fn new(set: &[(&str, f64)]) -> Self {
-        let given = set.iter().map(|(name, value)| (name.to_ascii_uppercase(), *value)).collect();
-        Parameters { given, ..Parameters::default() }
+        let given = set
+            .iter()
+            .map(|(name, value)| (name.to_ascii_uppercase(), *value))
+            .collect();
+        Parameters {
+            given,
+            ..Parameters::default()
+        }
     }
 
     pub fn set(&mut self, name: &str, value: f64) {
@@ -72,7 +78,13 @@ impl Parameters {
     }
 
     pub fn asks(&self) -> Vec<Ask> {
-        self.asked.iter().map(|(name, lines)| Ask { name: name.clone(), lines: lines.clone() }).collect()
+        self.asked
+            .iter()
+            .map(|(name, lines)| Ask {
+                name: name.clone(),
+                lines: lines.clone(),
+            })
+            .collect()
     }
 }
 
@@ -130,8 +142,16 @@ impl<'b> Cursor<'b> {
         } else if self.rest.starts_with('Q') {
             let name = self.parameter()?;
             q.get(&name)
-        } else if self.rest.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',') {
-            let plain: String = self.rest.chars().take(40).map(|c| if c == ',' { '.' } else { c }).collect();
+        } else if self
+            .rest
+            .starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',')
+        {
+            let plain: String = self
+                .rest
+                .chars()
+                .take(40)
+                .map(|c| if c == ',' { '.' } else { c })
+                .collect();
             let (number, length) = read_digits(plain.as_bytes())?;
             self.rest = &self.rest[length..];
             number
@@ -144,8 +164,8 @@ impl<'b> Cursor<'b> {
 
     fn function(&mut self, q: &mut Parameters) -> Option<f64> {
         const NAMES: [&str; 17] = [
-            "SQRT", "SQ", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "LN", "LOG", "EXP", "NEG", "INT", "FRAC", "ABS", "SGN",
-            "PI",
+            "SQRT", "SQ", "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "LN", "LOG", "EXP", "NEG",
+            "INT", "FRAC", "ABS", "SGN", "PI",
         ];
         let name = NAMES.into_iter().find(|name| self.eat(name))?;
         if name == "PI" {
@@ -192,7 +212,11 @@ impl<'b> Cursor<'b> {
 
     fn power(&mut self, q: &mut Parameters) -> Option<f64> {
         let base = self.operand(q)?;
-        if self.eat("^") { Some(base.powf(self.operand(q)?)) } else { Some(base) }
+        if self.eat("^") {
+            Some(base.powf(self.operand(q)?))
+        } else {
+            Some(base)
+        }
     }
 
     /// A formula: sums of products.

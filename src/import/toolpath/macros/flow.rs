@@ -33,7 +33,9 @@ const ARGUMENTS: [(u8, i32); 21] = [
 
 /// Whether a block begins with this code: `M99`, not `M990`.
 fn begins(code: &[u8], word: &[u8; 3]) -> bool {
-    code.get(..3).is_some_and(|begin| begin.eq_ignore_ascii_case(word)) && !code.get(3).is_some_and(u8::is_ascii_digit)
+    code.get(..3)
+        .is_some_and(|begin| begin.eq_ignore_ascii_case(word))
+        && !code.get(3).is_some_and(u8::is_ascii_digit)
 }
 
 /// Whether a block begins with a call of a macro, or goes back from one.
@@ -46,7 +48,10 @@ impl Macros {
     pub(super) fn flow(&mut self, code: &[u8], here: Place, next: Place) -> Step {
         let mut cursor = Cursor::new(code, 0, &self.variables);
         if cursor.eat("IF") {
-            let holds = cursor.bracketed().and_then(Value::number).map(|truth| truth != 0.0);
+            let holds = cursor
+                .bracketed()
+                .and_then(Value::number)
+                .map(|truth| truth != 0.0);
             if cursor.eat("THEN") {
                 return self.then(code[cursor.at..].trim_ascii_start(), holds, here, next);
             }
@@ -62,10 +67,16 @@ impl Macros {
             let label = cursor.operand().and_then(Value::number);
             return label.map_or(Step::AsWritten, |label| self.end_of_loop(&do_label(label)));
         }
-        let condition = if cursor.eat("WHILE") { cursor.bracketed() } else { Some(Value::Number(1.0)) };
+        let condition = if cursor.eat("WHILE") {
+            cursor.bracketed()
+        } else {
+            Some(Value::Number(1.0))
+        };
         let does = cursor.eat("DO");
         let label = cursor.operand().and_then(Value::number).filter(|_| does);
-        label.map_or(Step::AsWritten, |label| self.while_(do_label(label), condition, here))
+        label.map_or(Step::AsWritten, |label| {
+            self.while_(do_label(label), condition, here)
+        })
     }
 
     /// A jump to a block under a condition. Where the condition is not known, or an unknown one guards the jump, it is not made: the lines are read in
@@ -79,7 +90,11 @@ impl Macros {
             return Step::to(to);
         }
         // One of the two ways ends: the other one is the program's.
-        if self.runs && holds.is_none() && to.is_some_and(|to| self.index.leads_out(to)) && self.spares() {
+        if self.runs
+            && holds.is_none()
+            && to.is_some_and(|to| self.index.leads_out(to))
+            && self.spares()
+        {
             return Step::BranchEnds(None);
         }
         self.leap(to, next)
@@ -110,7 +125,11 @@ impl Macros {
         self.unsure += guards;
         let step = self.words(rest, 0);
         self.unsure -= guards;
-        if matches!(step, Step::Done) { Step::Done } else { Step::AsWritten }
+        if matches!(step, Step::Done) {
+            Step::Done
+        } else {
+            Step::AsWritten
+        }
     }
 
     /// `G65 P100 A5. Z-3.` and `M99`: into a macro of the same text and back; none for any other block.
@@ -118,7 +137,10 @@ impl Macros {
         if begins(code, b"G65") {
             return self.macro_call(code, next, inside);
         }
-        let own = self.frames.last().is_some_and(|frame| !frame.linuxcnc && frame.inside == inside);
+        let own = self
+            .frames
+            .last()
+            .is_some_and(|frame| !frame.linuxcnc && frame.inside == inside);
         if !own || !begins(code, b"M99") {
             return None;
         }
@@ -126,7 +148,11 @@ impl Macros {
             return Some(self.may_leave());
         }
         let mut cursor = Cursor::new(code, 3, &self.variables);
-        let block = if cursor.eat("P") { Some(cursor.operand().and_then(Value::number)) } else { None };
+        let block = if cursor.eat("P") {
+            Some(cursor.operand().and_then(Value::number))
+        } else {
+            None
+        };
         let back = self.leave()?;
         // To a block of the program that called, by its number.
         let to = block.map_or(Some(back), |number| self.index.block(number? as u32, back));
@@ -148,13 +174,18 @@ impl Macros {
                 (b'P', _) => program = value.number(),
                 (b'L', _) if value == Value::Number(1.0) => {}
                 // Letters that come again are counted on: I, J, K of the other kind of arguments.
-                (_, Some((_, variable))) if arguments.iter().all(|(known, _)| known != variable) => {
+                (_, Some((_, variable)))
+                    if arguments.iter().all(|(known, _)| known != variable) =>
+                {
                     arguments.push((*variable, value));
                 }
                 _ => return None,
             }
         }
-        let (begin, end) = self.index.program(program? as u32).filter(|_| self.frames.len() < DEEPEST)?;
+        let (begin, end) = self
+            .index
+            .program(program? as u32)
+            .filter(|_| self.frames.len() < DEEPEST)?;
         self.runs(begin, end);
         self.enter(next, false, inside, arguments);
         Some(Step::Go(begin))

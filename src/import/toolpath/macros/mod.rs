@@ -89,15 +89,20 @@ impl Macros {
     pub fn of(text: &str, end: usize, set: &[(&str, f64)]) -> Option<Self> {
         let bytes = text.as_bytes();
         let computes = memchr::memchr3(b'#', b'[', b'<', bytes).is_some();
-        let has_o_words =
-            || memchr::memchr2_iter(b'o', b'O', bytes).any(|at| o_word(&bytes[at..bytes.len().min(at + 40)]).is_some());
-        let has_calls = || memchr::memchr2_iter(b'g', b'G', bytes).any(|at| bytes[at + 1..].starts_with(b"65"));
+        let has_o_words = || {
+            memchr::memchr2_iter(b'o', b'O', bytes)
+                .any(|at| o_word(&bytes[at..bytes.len().min(at + 40)]).is_some())
+        };
+        let has_calls =
+            || memchr::memchr2_iter(b'g', b'G', bytes).any(|at| bytes[at + 1..].starts_with(b"65"));
         (computes || has_o_words() || has_calls()).then_some(())?;
         let index = Index::of(text);
         Some(Macros {
             variables: Variables::new(
                 matches!(signs::of(text), Some(Sign::LinuxCnc | Sign::Rs274)),
-                set.iter().filter_map(|(name, value)| Some((Key::named(name)?, *value))).collect(),
+                set.iter()
+                    .filter_map(|(name, value)| Some((Key::named(name)?, *value)))
+                    .collect(),
             ),
             uncalled: index.uncalled(end),
             index,
@@ -129,12 +134,22 @@ impl Macros {
 
     /// Whether an unknown condition of this call guards the block: a jump in it may not be made, and what it jumps over may run.
     fn is_guarded(&self) -> bool {
-        let (unsure, leaps) = self.frames.last().map_or((0, 0), |frame| (frame.unsure + frame.left, frame.leaps));
+        let (unsure, leaps) = self
+            .frames
+            .last()
+            .map_or((0, 0), |frame| (frame.unsure + frame.left, frame.leaps));
         self.unsure > unsure || self.leaps.len() > leaps
     }
 
     /// What becomes of a block, whose words begin at `begin`.
-    fn block(&mut self, line: &[u8], begin: usize, here: Place, next: Place, inside: usize) -> Step {
+    fn block(
+        &mut self,
+        line: &[u8],
+        begin: usize,
+        here: Place,
+        next: Place,
+        inside: usize,
+    ) -> Step {
         let code = &line[begin..];
         match code.first().map(u8::to_ascii_uppercase) {
             // The next program begins: the one that was called is over.
@@ -143,13 +158,19 @@ impl Macros {
             Some(b'(') if self.variables.linuxcnc && aborts(code) && self.is_sure() => Step::Ends,
             Some(b'(' | b';' | b'%') | None => Step::AsWritten,
             _ if self.index.is_flow(code) => self.flow(code, here, next),
-            _ => self.macro_word(code, next, inside).unwrap_or_else(|| self.words(line, begin)),
+            _ => self
+                .macro_word(code, next, inside)
+                .unwrap_or_else(|| self.words(line, begin)),
         }
     }
 
     /// Up to a line nothing is sure, in this call: each line once, however often a loop comes by.
     fn leaps_to(&mut self, line: usize) {
-        let own = self.frames.last().map_or(0, |frame| frame.leaps).min(self.leaps.len());
+        let own = self
+            .frames
+            .last()
+            .map_or(0, |frame| frame.leaps)
+            .min(self.leaps.len());
         if !self.leaps[own..].contains(&line) {
             self.leaps.push(line);
         }
@@ -182,7 +203,15 @@ impl Macros {
     fn enter(&mut self, back: Place, linuxcnc: bool, inside: usize, arguments: Vec<(i32, Value)>) {
         let (open, unsure, leaps) = (self.open.len(), self.unsure, self.leaps.len());
         self.variables.enter(arguments);
-        self.frames.push(Frame { back, linuxcnc, open, inside, unsure, leaps, left: 0 });
+        self.frames.push(Frame {
+            back,
+            linuxcnc,
+            open,
+            inside,
+            unsure,
+            leaps,
+            left: 0,
+        });
     }
 
     /// Back from a call; none outside of calls.
@@ -219,17 +248,23 @@ impl Macros {
         // On LinuxCNC all take effect after the block; of a Fanuc that is not known here.
         let sure = self.is_sure() && (sets.len() < 2 || self.variables.linuxcnc);
         // An alarm with a message: the program stops.
-        let alarm = !self.variables.linuxcnc && sets.iter().any(|(key, _)| *key == Key::Number(3000));
+        let alarm =
+            !self.variables.linuxcnc && sets.iter().any(|(key, _)| *key == Key::Number(3000));
         if alarm && self.is_sure() {
             return Step::Ends;
         }
         if self.runs && sets.iter().any(|(key, _)| self.is_offset(key)) {
-            self.writes.push((self.variables.system.moves, self.variables.line));
+            self.writes
+                .push((self.variables.system.moves, self.variables.line));
         }
-        let known = sure && sets.iter().all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown);
+        let known = sure
+            && sets
+                .iter()
+                .all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown);
         let assigns = !sets.is_empty();
         for (key, value) in sets {
-            self.variables.set(key, if sure { value } else { Value::Unknown });
+            self.variables
+                .set(key, if sure { value } else { Value::Unknown });
         }
         match out[begin..].trim_ascii().is_empty() {
             true if assigns && known => Step::Done,
@@ -247,7 +282,12 @@ impl Macros {
             let from = cursor.at;
             match sign {
                 b';' => break,
-                b'(' => cursor.at = line[from..].iter().position(|b| *b == b')').map_or(line.len(), |length| from + length + 1),
+                b'(' => {
+                    cursor.at = line[from..]
+                        .iter()
+                        .position(|b| *b == b')')
+                        .map_or(line.len(), |length| from + length + 1)
+                }
                 b'#' => sets.push(cursor.assignment()?),
                 letter if letter.is_ascii_alphabetic() => {
                     cursor.at += 1;
@@ -289,7 +329,10 @@ impl Flow for Macros {
             return self.block(line, head.end, here, next, inside);
         }
         // With block skip on, the control leaves it out.
-        if self.index.is_flow(code) || o_word(code).is_some_and(|(_, keyword, _)| keyword.jumps()) || flow::calls(code) {
+        if self.index.is_flow(code)
+            || o_word(code).is_some_and(|(_, keyword, _)| keyword.jumps())
+            || flow::calls(code)
+        {
             return self.leap(None, next);
         }
         self.unsure += 1;
@@ -307,12 +350,16 @@ impl Flow for Macros {
     }
 
     fn fall_out(&mut self, at_end: bool) -> Option<Place> {
-        self.frames.last().filter(|frame| at_end || !frame.linuxcnc)?;
+        self.frames
+            .last()
+            .filter(|frame| at_end || !frame.linuxcnc)?;
         self.leave()
     }
 
     fn has_run(&self, line: usize) -> bool {
-        self.ran.iter().any(|(from, to)| (*from..=*to).contains(&line))
+        self.ran
+            .iter()
+            .any(|(from, to)| (*from..=*to).contains(&line))
     }
 
     fn is_inside(&self) -> bool {
@@ -344,7 +391,9 @@ impl Flow for Macros {
 /// Whether a comment of LinuxCNC stops the program: `(ABORT, …)`.
 fn aborts(code: &[u8]) -> bool {
     let word = code[1..].trim_ascii_start();
-    word.get(..5).is_some_and(|begin| begin.eq_ignore_ascii_case(b"abort")) && word[5..].trim_ascii_start().starts_with(b",")
+    word.get(..5)
+        .is_some_and(|begin| begin.eq_ignore_ascii_case(b"abort"))
+        && word[5..].trim_ascii_start().starts_with(b",")
 }
 
 /// A number as a word has it, with its point: a Fanuc counts one without in the smallest step.

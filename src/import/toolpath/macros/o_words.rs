@@ -10,11 +10,17 @@ use crate::import::toolpath::macros::{DEEPEST, Macros, NOWHERE, Open};
 impl Macros {
     /// `o<name> call [5]`, `o1 if [#2 GT 0]` and their kin.
     pub(super) fn o_word(&mut self, code: &[u8], here: Place, next: Place) -> Step {
-        let Some((label, keyword, rest)) = o_word(code) else { return Step::AsWritten };
+        let Some((label, keyword, rest)) = o_word(code) else {
+            return Step::AsWritten;
+        };
         let value = Cursor::new(code, rest, &self.variables).bracketed();
         match keyword {
             Keyword::Sub => Step::to(self.index.find(&label, &[Keyword::EndSub], here.line)),
-            Keyword::EndSub | Keyword::Return if !self.frames.last().is_some_and(|frame| frame.linuxcnc) => Step::AsWritten,
+            Keyword::EndSub | Keyword::Return
+                if !self.frames.last().is_some_and(|frame| frame.linuxcnc) =>
+            {
+                Step::AsWritten
+            }
             Keyword::Return if self.is_guarded() => self.may_leave(),
             Keyword::EndSub | Keyword::Return => {
                 let back = self.leave();
@@ -30,7 +36,9 @@ impl Macros {
                 Step::Condition
             }
             // The branch before it was run.
-            Keyword::ElseIf | Keyword::Else if self.open.last() == Some(&Open::Branch(label.clone())) => {
+            Keyword::ElseIf | Keyword::Else
+                if self.open.last() == Some(&Open::Branch(label.clone())) =>
+            {
                 self.open.pop();
                 Step::to(self.index.find(&label, &[Keyword::EndIf], here.line))
             }
@@ -45,26 +53,39 @@ impl Macros {
     }
 
     /// The words of loops, with their condition or count.
-    fn loop_word(&mut self, label: String, keyword: Keyword, value: Option<Value>, here: Place, next: Place) -> Step {
+    fn loop_word(
+        &mut self,
+        label: String,
+        keyword: Keyword,
+        value: Option<Value>,
+        here: Place,
+        next: Place,
+    ) -> Step {
         match keyword {
             Keyword::Do => self.begins(label, here, usize::MAX),
-            Keyword::While if self.index.closes_do(&label, here.line) => match (self.loop_of(&label), value) {
-                (Some(begin), Some(Value::Number(truth))) if truth != 0.0 => Step::Go(begin),
-                (Some(_), known) => {
-                    self.open.pop();
-                    if matches!(known, Some(Value::Number(_))) {
-                        return Step::Done;
+            Keyword::While if self.index.closes_do(&label, here.line) => {
+                match (self.loop_of(&label), value) {
+                    (Some(begin), Some(Value::Number(truth))) if truth != 0.0 => Step::Go(begin),
+                    (Some(_), known) => {
+                        self.open.pop();
+                        if matches!(known, Some(Value::Number(_))) {
+                            return Step::Done;
+                        }
+                        // What it sets, and what it moves by a distance, may be another after the next round.
+                        self.forget();
+                        Step::LoopEnds
                     }
-                    // What it sets, and what it moves by a distance, may be another after the next round.
-                    self.forget();
-                    Step::LoopEnds
+                    (None, _) => Step::AsWritten,
                 }
-                (None, _) => Step::AsWritten,
-            },
+            }
             Keyword::While => self.while_(label, value, here),
             Keyword::Repeat => match value {
-                Some(Value::Number(times)) if times >= 1.0 => self.begins(label, next, times as usize),
-                Some(Value::Number(_)) => Step::to(self.index.find(&label, &[Keyword::EndRepeat], here.line)),
+                Some(Value::Number(times)) if times >= 1.0 => {
+                    self.begins(label, next, times as usize)
+                }
+                Some(Value::Number(_)) => {
+                    Step::to(self.index.find(&label, &[Keyword::EndRepeat], here.line))
+                }
                 _ => self.unsure_begins(label),
             },
             Keyword::EndWhile => self.end_of_loop(&label),
@@ -76,7 +97,9 @@ impl Macros {
             }
             Keyword::Break => self.out_of(&label, here),
             Keyword::Continue => {
-                let Some((own, ..)) = self.loop_around(&label) else { return Step::AsWritten };
+                let Some((own, ..)) = self.loop_around(&label) else {
+                    return Step::AsWritten;
+                };
                 self.open.truncate(own + 1);
                 Step::to(self.index.closing_word(&label, here.line))
             }
@@ -88,11 +111,17 @@ impl Macros {
         let mut arguments = Vec::new();
         let mut cursor = Cursor::new(code, rest, &self.variables);
         while cursor.peek() == Some(b'[') {
-            let Some(value) = cursor.bracketed() else { break };
+            let Some(value) = cursor.bracketed() else {
+                break;
+            };
             arguments.push((arguments.len() as i32 + 1, value));
         }
         let understood = !matches!(cursor.peek(), Some(b'['));
-        let Some((begin, end)) = self.index.subroutine(label).filter(|_| understood && self.frames.len() < DEEPEST) else {
+        let Some((begin, end)) = self
+            .index
+            .subroutine(label)
+            .filter(|_| understood && self.frames.len() < DEEPEST)
+        else {
             // It may set any variable but the locals here.
             self.variables.forget_shared();
             return Step::AsWritten;
@@ -109,7 +138,11 @@ impl Macros {
                 Step::Done
             }
             Some(Value::Number(_)) => self.other_branch(label, here),
-            _ => match self.index.ending_branch(&label, here.line).filter(|_| self.spares()) {
+            _ => match self
+                .index
+                .ending_branch(&label, here.line)
+                .filter(|_| self.spares())
+            {
                 Some(below) => Step::BranchEnds(Some(below)),
                 None => self.unsure_begins(label),
             },
@@ -162,7 +195,8 @@ impl Macros {
             Some((own, known, _)) if known == begin => self.open.truncate(own + 1),
             around => {
                 // One of the same label that was left by a jump is over.
-                self.open.truncate(around.map_or(self.open.len(), |(own, ..)| own));
+                self.open
+                    .truncate(around.map_or(self.open.len(), |(own, ..)| own));
                 self.open.push(Open::Loop(label, begin, times));
             }
         }
@@ -177,7 +211,9 @@ impl Macros {
             self.open.pop();
         }
         match condition {
-            Some(Value::Number(_)) => Step::to(self.index.find(&label, &[Keyword::EndWhile], here.line)),
+            Some(Value::Number(_)) => {
+                Step::to(self.index.find(&label, &[Keyword::EndWhile], here.line))
+            }
             _ => self.unsure_begins(label),
         }
     }
@@ -193,10 +229,15 @@ impl Macros {
     /// The loop of this label around what is open in this call: its index among the open structures, where it begins, how often it runs again.
     fn loop_around(&self, label: &str) -> Option<(usize, Place, usize)> {
         let first = self.frames.last().map_or(0, |frame| frame.open);
-        self.open.iter().enumerate().skip(first).rev().find_map(|(at, open)| match open {
-            Open::Loop(own, begin, times) if own == label => Some((at, *begin, *times)),
-            _ => None,
-        })
+        self.open
+            .iter()
+            .enumerate()
+            .skip(first)
+            .rev()
+            .find_map(|(at, open)| match open {
+                Open::Loop(own, begin, times) if own == label => Some((at, *begin, *times)),
+                _ => None,
+            })
     }
 
     /// The end of a loop with a condition at its beginning.

@@ -20,7 +20,11 @@ pub enum Value {
 
 impl Value {
     pub fn number(self) -> Option<f64> {
-        if let Value::Number(x) = self { Some(x) } else { None }
+        if let Value::Number(x) = self {
+            Some(x)
+        } else {
+            None
+        }
     }
 }
 
@@ -72,7 +76,15 @@ impl Variables {
     /// What was read before anything set it.
     pub fn asks(&self) -> Vec<Ask> {
         let asked = self.asked.borrow();
-        asked.iter().filter_map(|(key, lines)| Some(Ask { name: key.name()?, lines: lines.clone() })).collect()
+        asked
+            .iter()
+            .filter_map(|(key, lines)| {
+                Some(Ask {
+                    name: key.name()?,
+                    lines: lines.clone(),
+                })
+            })
+            .collect()
     }
 
     /// What the user says of a variable.
@@ -139,7 +151,11 @@ impl Variables {
     }
 
     pub fn get(&self, key: &Key) -> Value {
-        let known = if *key == Key::Unknown { return Value::Unknown } else { self.system.get(key, self.linuxcnc) };
+        let known = if *key == Key::Unknown {
+            return Value::Unknown;
+        } else {
+            self.system.get(key, self.linuxcnc)
+        };
         if let Some(value) = known {
             let given = || match self.given(key) {
                 Some(value) => Value::Number(value),
@@ -153,26 +169,47 @@ impl Variables {
         if self.is_system(key) {
             return given();
         }
-        let level = self.levels.last().filter(|_| self.is_local(key)).unwrap_or(&self.globals);
+        let level = self
+            .levels
+            .last()
+            .filter(|_| self.is_local(key))
+            .unwrap_or(&self.globals);
         if *key == Key::Number(0) && !self.linuxcnc {
             return Value::Empty;
         }
         // In a call, what is not given is 0 on LinuxCNC and nothing on a Fanuc.
         let missing = match key {
-            Key::Number(_) if !level.lost && self.is_local(key) && (self.levels.len() > 1 || self.is_given) => {
-                if self.linuxcnc { Value::Number(0.0) } else { Value::Empty }
+            Key::Number(_)
+                if !level.lost
+                    && self.is_local(key)
+                    && (self.levels.len() > 1 || self.is_given) =>
+            {
+                if self.linuxcnc {
+                    Value::Number(0.0)
+                } else {
+                    Value::Empty
+                }
             }
             // What something else may have set, where the text itself does: that is not the user's to say.
             _ if level.lost && self.assigned.contains(key) => Value::Unknown,
             _ => return level.set.get(key).copied().unwrap_or_else(given),
         };
-        level.set.get(key).copied().or_else(|| self.given(key).map(Value::Number)).unwrap_or(missing)
+        level
+            .set
+            .get(key)
+            .copied()
+            .or_else(|| self.given(key).map(Value::Number))
+            .unwrap_or(missing)
     }
 
     /// Whether a variable was set: 1 or 0, where that is known.
     fn exists(&self, key: &Key) -> Value {
         let local = self.is_local(key);
-        let level = self.levels.last().filter(|_| local).unwrap_or(&self.globals);
+        let level = self
+            .levels
+            .last()
+            .filter(|_| local)
+            .unwrap_or(&self.globals);
         match (key, level.set.get(key)) {
             (Key::Number(_), _) => Value::Number(1.0),
             // Of one without a known value it is not known whether it was set at all.
@@ -184,7 +221,11 @@ impl Variables {
 
     pub fn set(&mut self, key: Key, value: Value) {
         let local = self.is_local(&key);
-        let level = self.levels.last_mut().filter(|_| local).unwrap_or(&mut self.globals);
+        let level = self
+            .levels
+            .last_mut()
+            .filter(|_| local)
+            .unwrap_or(&mut self.globals);
         if key == Key::Unknown {
             // It may be any of them.
             return self.forget();
@@ -199,19 +240,29 @@ impl Variables {
         self.forget();
         if let Some(level) = self.levels.last_mut() {
             level.lost = arguments.is_empty();
-            level.set.extend(arguments.into_iter().map(|(number, value)| (Key::Number(number), value)));
+            level.set.extend(
+                arguments
+                    .into_iter()
+                    .map(|(number, value)| (Key::Number(number), value)),
+            );
         }
     }
 
     /// Nothing is known of the variables that calls share: something else was called, which has its own locals.
     pub fn forget_shared(&mut self) {
-        self.globals = Level { set: BTreeMap::new(), lost: true };
+        self.globals = Level {
+            set: BTreeMap::new(),
+            lost: true,
+        };
     }
 
     /// Nothing is known of any variable.
     pub fn forget(&mut self) {
         for level in self.levels.iter_mut().chain([&mut self.globals]) {
-            *level = Level { set: BTreeMap::new(), lost: true };
+            *level = Level {
+                set: BTreeMap::new(),
+                lost: true,
+            };
         }
     }
 }
@@ -232,12 +283,24 @@ pub struct Cursor<'a> {
 }
 
 /// Operators between two values, tightest last.
-const OPERATORS: [&[&str]; 5] =
-    [&["AND", "XOR", "OR"], &["EQ", "NE", "GE", "GT", "LE", "LT"], &["+", "-"], &["*", "/", "MOD"], &["**"]];
+const OPERATORS: [&[&str]; 5] = [
+    &["AND", "XOR", "OR"],
+    &["EQ", "NE", "GE", "GT", "LE", "LT"],
+    &["+", "-"],
+    &["*", "/", "MOD"],
+    &["**"],
+];
 
 impl<'a> Cursor<'a> {
     pub fn new(line: &'a [u8], at: usize, variables: &'a Variables) -> Self {
-        Cursor { line, at, variables, depth: 0, operators: 0, word: false }
+        Cursor {
+            line,
+            at,
+            variables,
+            depth: 0,
+            operators: 0,
+            word: false,
+        }
     }
 
     pub fn peek(&mut self) -> Option<u8> {
@@ -299,7 +362,11 @@ impl<'a> Cursor<'a> {
             self.at += 1;
             next = self.peek();
         }
-        let letters = self.line[self.at..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
+        let letters = self.line[self.at..]
+            .iter()
+            .take(7)
+            .take_while(|b| b.is_ascii_alphabetic())
+            .count();
         let function = letters > 1 && self.line.get(self.at + letters) == Some(&b'[');
         self.at = begin;
         matches!(next, Some(b'#' | b'[')) || function
@@ -329,13 +396,22 @@ impl<'a> Cursor<'a> {
     }
 
     fn level(&mut self, level: usize) -> Option<Value> {
-        let Some(operators) = OPERATORS.get(level) else { return self.operand() };
+        let Some(operators) = OPERATORS.get(level) else {
+            return self.operand();
+        };
         let before = self.operators;
         let mut left = self.level(level + 1)?;
         loop {
             // `**` is no product.
-            let product = level == 3 && self.peek() == Some(b'*') && self.line.get(self.at + 1) == Some(&b'*');
-            let Some(operator) = operators.iter().find(|operator| !product && self.eat(operator)) else { return Some(left) };
+            let product = level == 3
+                && self.peek() == Some(b'*')
+                && self.line.get(self.at + 1) == Some(&b'*');
+            let Some(operator) = operators
+                .iter()
+                .find(|operator| !product && self.eat(operator))
+            else {
+                return Some(left);
+            };
             let right = self.level(level + 1)?;
             left = self.combined(operator, left, right);
             // On a Fanuc AND binds as a product: without brackets around what it joins it does something else.
@@ -351,10 +427,22 @@ impl<'a> Cursor<'a> {
         // Nothing is not 0 where it is asked whether they are the same.
         if (left == Value::Empty || right == Value::Empty) && matches!(operator, "EQ" | "NE") {
             let unknown = left == Value::Unknown || right == Value::Unknown;
-            return if unknown { Value::Unknown } else { truth((left == right) == (operator == "EQ")) };
+            return if unknown {
+                Value::Unknown
+            } else {
+                truth((left == right) == (operator == "EQ"))
+            };
         }
-        let plain = |value: Value| if value == Value::Empty { Some(0.0) } else { value.number() };
-        let (Some(a), Some(b)) = (plain(left), plain(right)) else { return Value::Unknown };
+        let plain = |value: Value| {
+            if value == Value::Empty {
+                Some(0.0)
+            } else {
+                value.number()
+            }
+        };
+        let (Some(a), Some(b)) = (plain(left), plain(right)) else {
+            return Value::Unknown;
+        };
         let both = |known: bool, holds: bool| if known { truth(holds) } else { Value::Unknown };
         let logical = [a, b].iter().all(|x| *x == 0.0 || *x == 1.0);
         // LinuxCNC takes numbers for equal that differ by less than a ten-thousandth, and compares others as they are. How near numbers may be on a
@@ -362,7 +450,10 @@ impl<'a> Cursor<'a> {
         const SAME: f64 = 1e-4;
         let off = (a - b).abs();
         let (same, decided) = match self.variables.linuxcnc {
-            true => (off < SAME, (off - SAME).abs() > 1e-9 || matches!(operator, "GT" | "GE" | "LT" | "LE")),
+            true => (
+                off < SAME,
+                (off - SAME).abs() > 1e-9 || matches!(operator, "GT" | "GE" | "LT" | "LE"),
+            ),
             false => (off == 0.0, off == 0.0 || off > 2.0 * SAME),
         };
         match operator {
@@ -387,7 +478,11 @@ impl<'a> Cursor<'a> {
 
     /// `ABS[…]`, `ATAN[y]/[x]`, `EXISTS[#<name>]`.
     fn function(&mut self) -> Option<Value> {
-        let letters = self.line[self.at..].iter().take(7).take_while(|b| b.is_ascii_alphabetic()).count();
+        let letters = self.line[self.at..]
+            .iter()
+            .take(7)
+            .take_while(|b| b.is_ascii_alphabetic())
+            .count();
         let name = self.line[self.at..self.at + letters].to_ascii_uppercase();
         self.at += letters;
         if name == b"EXISTS" {
@@ -413,12 +508,20 @@ impl<'a> Cursor<'a> {
             b"ROUND" | b"RND" => map(inner, f64::round),
             // LinuxCNC goes to the next lower and higher whole number, a Fanuc towards 0 and away from it.
             b"FIX" => map(inner, |x| if linuxcnc { x.floor() } else { x.trunc() }),
-            b"FUP" => map(inner, |x| if linuxcnc { x.ceil() } else { x.abs().ceil().copysign(x) }),
+            b"FUP" => map(inner, |x| {
+                if linuxcnc {
+                    x.ceil()
+                } else {
+                    x.abs().ceil().copysign(x)
+                }
+            }),
             b"ATAN" if self.eat("/") => {
                 let x = self.bracketed()?;
                 match (inner, x) {
                     // On a Fanuc a parameter says whether the other half turn is below 0 or above 180.
-                    (Value::Number(y), Value::Number(x)) if linuxcnc || y >= 0.0 => Value::Number(y.atan2(x).to_degrees()),
+                    (Value::Number(y), Value::Number(x)) if linuxcnc || y >= 0.0 => {
+                        Value::Number(y.atan2(x).to_degrees())
+                    }
                     _ => Value::Unknown,
                 }
             }
@@ -440,7 +543,9 @@ impl<'a> Cursor<'a> {
             return None;
         }
         let whole = |value: Value| match value {
-            Value::Number(x) if x.fract() == 0.0 && (0.0..1e6).contains(&x) => Key::Number(x as i32),
+            Value::Number(x) if x.fract() == 0.0 && (0.0..1e6).contains(&x) => {
+                Key::Number(x as i32)
+            }
             _ => Key::Unknown,
         };
         let key = match self.peek()? {
@@ -467,7 +572,11 @@ impl<'a> Cursor<'a> {
 }
 
 fn finite(x: f64) -> Value {
-    if x.is_finite() { Value::Number(x) } else { Value::Unknown }
+    if x.is_finite() {
+        Value::Number(x)
+    } else {
+        Value::Unknown
+    }
 }
 
 /// A function of what is known; nothing counts as 0.

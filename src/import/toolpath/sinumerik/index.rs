@@ -36,8 +36,13 @@ const STRUCTURES: [(&str, Structure); 11] = [
 impl Structure {
     /// That a block in capitals begins with. `IF` with a jump, and `REPEAT` with a label, are none.
     pub fn of(code: &str) -> Option<Self> {
-        let length = code.bytes().take_while(|b| b.is_ascii_alphanumeric() || *b == b'_').count();
-        let (_, structure) = STRUCTURES.iter().find(|(word, _)| *word == &code[..length])?;
+        let length = code
+            .bytes()
+            .take_while(|b| b.is_ascii_alphanumeric() || *b == b'_')
+            .count();
+        let (_, structure) = STRUCTURES
+            .iter()
+            .find(|(word, _)| *word == &code[..length])?;
         let jumps = *structure == Structure::If && code.contains("GOTO");
         let labelled = *structure == Structure::Repeat && !code[length..].trim().is_empty();
         (!jumps && !labelled).then_some(*structure)
@@ -96,7 +101,10 @@ pub fn without_label(code: &str) -> &str {
 }
 
 fn label_of(code: &str) -> Option<&str> {
-    let length = code.bytes().take_while(|b| b.is_ascii_alphanumeric() || *b == b'_').count();
+    let length = code
+        .bytes()
+        .take_while(|b| b.is_ascii_alphanumeric() || *b == b'_')
+        .count();
     let begins = code.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
     (begins && length > 1 && code[length..].starts_with(':')).then(|| &code[..length])
 }
@@ -109,10 +117,19 @@ impl Index {
         let (mut at, mut line) = (0, 0);
         while at < bytes.len() {
             let (end, next) = line_end(bytes, at);
-            let (here, below) = (Place { at, line }, Place { at: next, line: line + 1 });
+            let (here, below) = (
+                Place { at, line },
+                Place {
+                    at: next,
+                    line: line + 1,
+                },
+            );
             let plain = code(text[at..end].trim(), false).to_ascii_uppercase();
             let block = plain[head(plain.as_bytes()).end..].trim();
-            if let Some(name) = block.strip_prefix("%_N_").and_then(|name| name.split('_').next()) {
+            if let Some(name) = block
+                .strip_prefix("%_N_")
+                .and_then(|name| name.split('_').next())
+            {
                 index.program(name, below, Vec::new());
             }
             if let Some(label) = label_of(block) {
@@ -120,11 +137,22 @@ impl Index {
             }
             let block = without_label(block);
             match Structure::of(block) {
-                Some(begin @ (Structure::If | Structure::While | Structure::For | Structure::Loop | Structure::Repeat)) => {
-                    open.push(Open { structure: begin, begin: here, other: None });
+                Some(
+                    begin @ (Structure::If
+                    | Structure::While
+                    | Structure::For
+                    | Structure::Loop
+                    | Structure::Repeat),
+                ) => {
+                    open.push(Open {
+                        structure: begin,
+                        begin: here,
+                        other: None,
+                    });
                 }
                 Some(Structure::Else) => {
-                    if let Some(own) = open.last_mut().filter(|own| own.structure == Structure::If) {
+                    if let Some(own) = open.last_mut().filter(|own| own.structure == Structure::If)
+                    {
                         own.other = Some((line, below));
                     }
                 }
@@ -132,7 +160,12 @@ impl Index {
                     if open.last().is_some_and(|own| close.closes(own.structure))
                         && let Some(Open { begin, other, .. }) = open.pop()
                     {
-                        index.spans.push(Span { begin, other, end: line, below });
+                        index.spans.push(Span {
+                            begin,
+                            other,
+                            end: line,
+                            below,
+                        });
                     }
                 }
                 None => {}
@@ -155,7 +188,12 @@ impl Index {
         let (name, rest) = rest.split_once('(').unwrap_or((rest, ""));
         let inner = rest.split(')').next().unwrap_or_default();
         let name = name.split_whitespace().next().unwrap_or_default();
-        let of = |part: &str| part.split('=').next().and_then(|part| part.split_whitespace().last()).map(str::to_owned);
+        let of = |part: &str| {
+            part.split('=')
+                .next()
+                .and_then(|part| part.split_whitespace().last())
+                .map(str::to_owned)
+        };
         self.program(name, below, inner.split(',').filter_map(of).collect());
     }
 
@@ -165,18 +203,24 @@ impl Index {
             *last = before;
         }
         self.subprograms.retain(|(known, ..)| known != name);
-        self.subprograms.push((name.to_owned(), below, parameters, usize::MAX));
+        self.subprograms
+            .push((name.to_owned(), below, parameters, usize::MAX));
     }
 
     /// A label: below a line, or else above it.
     pub fn label(&self, name: &str, line: usize) -> Option<Place> {
-        let mut all = self.labels.iter().filter(|(label, _)| label == name).map(|(_, place)| *place);
+        let mut all = self
+            .labels
+            .iter()
+            .filter(|(label, _)| label == name)
+            .map(|(_, place)| *place);
         let above = all.clone().rfind(|place| place.line < line);
         all.find(|place| place.line >= line).or(above)
     }
 
     pub fn subprogram(&self, name: &str) -> Option<(Place, &[String], usize)> {
-        let (_, begin, parameters, last) = self.subprograms.iter().find(|(known, ..)| known == name)?;
+        let (_, begin, parameters, last) =
+            self.subprograms.iter().find(|(known, ..)| known == name)?;
         Some((*begin, parameters, *last))
     }
 
@@ -192,25 +236,40 @@ impl Index {
 
     /// Below the end of what begins or has its ELSE in a line.
     pub fn end(&self, line: usize) -> Option<Place> {
-        let own = |span: &&Span| span.begin.line == line || span.other.is_some_and(|(other, _)| other == line);
+        let own = |span: &&Span| {
+            span.begin.line == line || span.other.is_some_and(|(other, _)| other == line)
+        };
         self.spans.iter().find(own).map(|span| span.below)
     }
 
     /// Where the condition or the loop begins that a line closes, or whose ELSE it is.
     pub fn begin(&self, line: usize) -> Option<Place> {
-        let own = |span: &&Span| span.end == line || span.other.is_some_and(|(other, _)| other == line);
+        let own =
+            |span: &&Span| span.end == line || span.other.is_some_and(|(other, _)| other == line);
         self.spans.iter().find(own).map(|span| span.begin)
     }
 
     /// Whether the lines between two end the program, outside of conditions of their own.
     pub fn ends_before(&self, from: usize, to: usize) -> bool {
-        let inside = self.spans.iter().filter(|span| span.begin.line > from && span.end < to);
+        let inside = self
+            .spans
+            .iter()
+            .filter(|span| span.begin.line > from && span.end < to);
         let nested: Vec<(usize, usize)> = inside.map(|span| (span.begin.line, span.end)).collect();
-        let own = self.turns.iter().filter(|(line, _)| (from + 1..to).contains(line));
-        let mut own = own.filter(|(line, _)| nested.iter().all(|(begin, end)| !(*begin..=*end).contains(line)));
+        let own = self
+            .turns
+            .iter()
+            .filter(|(line, _)| (from + 1..to).contains(line));
+        let mut own = own.filter(|(line, _)| {
+            nested
+                .iter()
+                .all(|(begin, end)| !(*begin..=*end).contains(line))
+        });
         own.next().is_some_and(|(_, turn)| match turn {
             Turn::Ends(_) => true,
-            Turn::Jumps(label, true) => self.label(label, from).is_some_and(|to| self.leads_out(to)),
+            Turn::Jumps(label, true) => {
+                self.label(label, from).is_some_and(|to| self.leads_out(to))
+            }
             _ => false,
         })
     }
@@ -223,13 +282,18 @@ impl Index {
     fn leads_out_within(&self, mut at: usize, budget: &mut usize, depth: usize) -> bool {
         loop {
             let next = self.turns.partition_point(|(line, _)| *line < at);
-            let Some((line, turn)) = self.turns.get(next).filter(|_| *budget > 0 && depth < 10) else { return false };
+            let Some((line, turn)) = self.turns.get(next).filter(|_| *budget > 0 && depth < 10)
+            else {
+                return false;
+            };
             *budget -= 1;
             match turn {
                 Turn::Ends(alarm) => return *alarm,
                 Turn::Back => return false,
                 Turn::Jumps(label, sure) => {
-                    let Some(to) = self.label(label, line + 1) else { return false };
+                    let Some(to) = self.label(label, line + 1) else {
+                        return false;
+                    };
                     if *sure {
                         at = to.line;
                     } else if self.leads_out_within(to.line, budget, depth + 1) {
@@ -254,6 +318,9 @@ fn turn(code: &str) -> Option<Turn> {
         return Some(Turn::Back);
     }
     let at = code.find("GOTO")?;
-    let target = code[at + 4..].trim_start_matches(['F', 'B', 'C']).split_whitespace().next()?;
+    let target = code[at + 4..]
+        .trim_start_matches(['F', 'B', 'C'])
+        .split_whitespace()
+        .next()?;
     Some(Turn::Jumps(target.to_owned(), at == 0))
 }

@@ -102,7 +102,8 @@ impl Sinumerik {
         if cursor.eat("DEF") {
             return self.define(cursor.rest);
         }
-        if cursor.eat("RET") || !self.frames.is_empty() && (cursor.eat("M17") || cursor.eat("M99")) {
+        if cursor.eat("RET") || !self.frames.is_empty() && (cursor.eat("M17") || cursor.eat("M99"))
+        {
             return match self.is_sure() {
                 true => self.leave().map_or(Step::AsWritten, Step::Go),
                 false => Step::AsWritten,
@@ -112,7 +113,11 @@ impl Sinumerik {
             return Step::Done;
         }
         if cursor.eat("SETAL") {
-            return if self.is_sure() { Step::Ends } else { Step::AsWritten };
+            return if self.is_sure() {
+                Step::Ends
+            } else {
+                Step::AsWritten
+            };
         }
         self.call(code, next).unwrap_or_else(|| self.words(code))
     }
@@ -126,7 +131,9 @@ impl Sinumerik {
         let to = self.index.label(label, next.line);
         match (holds, to) {
             (Some(_), Some(to)) if self.is_sure() => return Step::Go(to),
-            (None, Some(to)) if self.runs && self.index.leads_out(to) => return Step::BranchEnds(None),
+            (None, Some(to)) if self.runs && self.index.leads_out(to) => {
+                return Step::BranchEnds(None);
+            }
             _ => {}
         }
         let below = to.filter(|to| to.line >= next.line);
@@ -142,11 +149,15 @@ impl Sinumerik {
 
     /// `IF` with `ENDIF`.
     fn branch(&mut self, holds: Option<f64>, here: Place) -> Step {
-        let Some((other, end)) = self.index.branches(here.line) else { return Step::AsWritten };
+        let Some((other, end)) = self.index.branches(here.line) else {
+            return Step::AsWritten;
+        };
         match holds.filter(|holds| !holds.is_nan()) {
             Some(0.0) => Step::Go(other.unwrap_or(end)),
             Some(_) => Step::Done,
-            None if self.runs && other.is_none() && self.index.ends_before(here.line, end.line) => Step::BranchEnds(Some(end)),
+            None if self.runs && other.is_none() && self.index.ends_before(here.line, end.line) => {
+                Step::BranchEnds(Some(end))
+            }
             None => {
                 self.unsure.push(end.line);
                 if !self.unknown.contains(&here.line) {
@@ -159,7 +170,9 @@ impl Sinumerik {
 
     /// Whether the condition that a line closes, or whose ELSE it is, is not known.
     fn is_unknown(&self, line: usize) -> bool {
-        self.index.begin(line).is_none_or(|begin| self.unknown.contains(&begin.line))
+        self.index
+            .begin(line)
+            .is_none_or(|begin| self.unknown.contains(&begin.line))
     }
 
     /// The words of conditions and loops behind their first one.
@@ -169,11 +182,14 @@ impl Sinumerik {
         Some(match structure {
             Structure::If => return None,
             // The branch before it was run.
-            Structure::Else if !self.is_unknown(here.line) => self.index.end(here.line).map_or(Step::AsWritten, Step::Go),
+            Structure::Else if !self.is_unknown(here.line) => {
+                self.index.end(here.line).map_or(Step::AsWritten, Step::Go)
+            }
             Structure::EndIf if !self.is_unknown(here.line) => Step::Done,
             Structure::EndIf => {
                 let begin = self.index.begin(here.line);
-                self.unknown.retain(|line| begin.is_none_or(|begin| begin.line != *line));
+                self.unknown
+                    .retain(|line| begin.is_none_or(|begin| begin.line != *line));
                 Step::AsWritten
             }
             Structure::Else => Step::AsWritten,
@@ -187,13 +203,17 @@ impl Sinumerik {
                 cursor.eat("FOR");
                 self.for_(cursor, here)
             }
-            Structure::EndWhile | Structure::EndLoop | Structure::EndFor => match self.own_loop(here.line) {
-                Some(begin) => Step::Go(begin),
-                None => self.unsure_loop_ends(),
-            },
+            Structure::EndWhile | Structure::EndLoop | Structure::EndFor => {
+                match self.own_loop(here.line) {
+                    Some(begin) => Step::Go(begin),
+                    None => self.unsure_loop_ends(),
+                }
+            }
             Structure::Until => {
                 cursor.eat("UNTIL");
-                let holds = cursor.value(&mut self.variables).filter(|holds| !holds.is_nan());
+                let holds = cursor
+                    .value(&mut self.variables)
+                    .filter(|holds| !holds.is_nan());
                 match (self.own_loop(here.line), holds) {
                     (Some(begin), Some(0.0)) => Step::Go(begin),
                     (Some(_), Some(_)) => {
@@ -213,7 +233,9 @@ impl Sinumerik {
 
     /// A loop begins, or its next round.
     fn begins(&mut self, holds: Option<f64>, here: Place, variable: Option<String>) -> Step {
-        let Some(end) = self.index.end(here.line) else { return Step::AsWritten };
+        let Some(end) = self.index.end(here.line) else {
+            return Step::AsWritten;
+        };
         let running = self.loops.last().is_some_and(|own| own.line == here.line);
         match holds.filter(|holds| !holds.is_nan()) {
             Some(0.0) => {
@@ -224,7 +246,10 @@ impl Sinumerik {
             }
             Some(_) => {
                 if !running {
-                    self.loops.push(Loop { line: here.line, variable });
+                    self.loops.push(Loop {
+                        line: here.line,
+                        variable,
+                    });
                 }
                 Step::Done
             }
@@ -240,21 +265,47 @@ impl Sinumerik {
 
     /// `FOR I=1 TO 5`: counts up by one.
     fn for_(&mut self, mut cursor: Cursor<'_>, here: Place) -> Step {
-        let Some(name) = cursor.variable(&mut self.variables) else { return self.begins(None, here, None) };
-        let first = if cursor.eat("=") { cursor.value(&mut self.variables) } else { None };
-        let last = if cursor.eat("TO") { cursor.value(&mut self.variables) } else { None };
-        let (Some(first), Some(last)) = (first, last) else { return self.begins(None, here, None) };
-        let running = self.loops.last().is_some_and(|own| own.line == here.line && own.variable.is_some());
-        let now = if running { self.variables.get(&name) + 1.0 } else { first };
+        let Some(name) = cursor.variable(&mut self.variables) else {
+            return self.begins(None, here, None);
+        };
+        let first = if cursor.eat("=") {
+            cursor.value(&mut self.variables)
+        } else {
+            None
+        };
+        let last = if cursor.eat("TO") {
+            cursor.value(&mut self.variables)
+        } else {
+            None
+        };
+        let (Some(first), Some(last)) = (first, last) else {
+            return self.begins(None, here, None);
+        };
+        let running = self
+            .loops
+            .last()
+            .is_some_and(|own| own.line == here.line && own.variable.is_some());
+        let now = if running {
+            self.variables.get(&name) + 1.0
+        } else {
+            first
+        };
         self.variables.set(&name, now);
-        let holds = if now.is_nan() || last.is_nan() { f64::NAN } else { f64::from(u8::from(now <= last)) };
+        let holds = if now.is_nan() || last.is_nan() {
+            f64::NAN
+        } else {
+            f64::from(u8::from(now <= last))
+        };
         self.begins(Some(holds), here, Some(name))
     }
 
     /// Where the innermost loop begins, where this line closes it.
     fn own_loop(&self, line: usize) -> Option<Place> {
         let begin = self.index.begin(line)?;
-        self.loops.last().filter(|own| own.line == begin.line).map(|_| begin)
+        self.loops
+            .last()
+            .filter(|own| own.line == begin.line)
+            .map(|_| begin)
     }
 
     /// What another round may set is not known.
@@ -274,10 +325,23 @@ impl Sinumerik {
         while let Some(name) = cursor.word() {
             let is_list = cursor.rest.starts_with('[');
             let size = cursor.index(&mut self.variables);
-            let first = if cursor.eat("=") { cursor.value(&mut self.variables).unwrap_or(f64::NAN) } else { 0.0 };
-            let known = if matches!(kind, Some("REAL" | "INT" | "BOOL")) { first } else { f64::NAN };
-            match size.as_deref().and_then(|size| size.trim_matches(['[', ']']).parse::<usize>().ok()).filter(|_| is_list) {
-                Some(size) => (0..size.min(1000)).for_each(|i| self.variables.define(&format!("{name}[{i}]"), known)),
+            let first = if cursor.eat("=") {
+                cursor.value(&mut self.variables).unwrap_or(f64::NAN)
+            } else {
+                0.0
+            };
+            let known = if matches!(kind, Some("REAL" | "INT" | "BOOL")) {
+                first
+            } else {
+                f64::NAN
+            };
+            match size
+                .as_deref()
+                .and_then(|size| size.trim_matches(['[', ']']).parse::<usize>().ok())
+                .filter(|_| is_list)
+            {
+                Some(size) => (0..size.min(1000))
+                    .for_each(|i| self.variables.define(&format!("{name}[{i}]"), known)),
                 None => self.variables.define(name, known),
             }
             if !cursor.eat(",") {
@@ -291,8 +355,10 @@ impl Sinumerik {
     fn call(&mut self, code: &str, next: Place) -> Option<Step> {
         let mut cursor = Cursor::new(code);
         let name = cursor.word()?;
-        let (begin, parameters, last) =
-            self.index.subprogram(name).filter(|_| self.frames.len() < DEEPEST && self.is_sure())?;
+        let (begin, parameters, last) = self
+            .index
+            .subprogram(name)
+            .filter(|_| self.frames.len() < DEEPEST && self.is_sure())?;
         let mut given = Vec::new();
         if cursor.eat("(") {
             while !cursor.eat(")") {
@@ -307,12 +373,17 @@ impl Sinumerik {
         cursor.rest.trim().is_empty().then_some(())?;
         self.variables.enter();
         for (i, name) in parameters.iter().enumerate() {
-            self.variables.define(name, given.get(i).copied().unwrap_or(0.0));
+            self.variables
+                .define(name, given.get(i).copied().unwrap_or(0.0));
         }
         if self.ran.len() < 500 {
             self.ran.push((begin.line.saturating_sub(1), last));
         }
-        self.frames.push(Frame { back: next, loops: self.loops.len(), unsure: self.unsure.len() });
+        self.frames.push(Frame {
+            back: next,
+            loops: self.loops.len(),
+            unsure: self.unsure.len(),
+        });
         Some(Step::Go(begin))
     }
 
@@ -334,7 +405,9 @@ impl Sinumerik {
         let (mut known, mut assigns) = (true, false);
         while let Some(sign) = cursor.rest.chars().next() {
             if sign == '"' {
-                let end = cursor.rest[1..].find('"').map_or(cursor.rest.len(), |end| end + 2);
+                let end = cursor.rest[1..]
+                    .find('"')
+                    .map_or(cursor.rest.len(), |end| end + 2);
                 out.push_str(&cursor.rest[..end]);
                 cursor.rest = &cursor.rest[end..];
                 continue;
@@ -361,7 +434,11 @@ impl Sinumerik {
                     break;
                 };
                 // What is not known stands there as a variable, which the reader knows for one.
-                let value = if value.is_nan() { "R0".to_owned() } else { decimal(value, 9) };
+                let value = if value.is_nan() {
+                    "R0".to_owned()
+                } else {
+                    decimal(value, 9)
+                };
                 let text = wrap.map_or_else(|| value.clone(), |wrap| format!("{wrap}({value})"));
                 out.push_str(&format!("{word}={text} "));
                 continue;
@@ -384,7 +461,12 @@ impl Sinumerik {
     }
 
     /// Gives a variable the value that follows; none where it is not known which, or the value is not understood.
-    fn assign(&mut self, word: &str, index: Option<String>, cursor: &mut Cursor<'_>) -> Option<f64> {
+    fn assign(
+        &mut self,
+        word: &str,
+        index: Option<String>,
+        cursor: &mut Cursor<'_>,
+    ) -> Option<f64> {
         let value = cursor.value(&mut self.variables)?;
         let index = index?;
         let name = match word {
@@ -435,9 +517,17 @@ impl Flow for Sinumerik {
             self.unsure.push(NOWHERE);
             let step = self.block(code, here, next);
             self.unsure.pop();
-            return if matches!(step, Step::Read(_)) { step } else { Step::AsWritten };
+            return if matches!(step, Step::Read(_)) {
+                step
+            } else {
+                Step::AsWritten
+            };
         }
-        if code.is_empty() { Step::AsWritten } else { self.block(code, here, next) }
+        if code.is_empty() {
+            Step::AsWritten
+        } else {
+            self.block(code, here, next)
+        }
     }
 
     fn forget(&mut self) {
@@ -449,7 +539,9 @@ impl Flow for Sinumerik {
     }
 
     fn has_run(&self, line: usize) -> bool {
-        self.ran.iter().any(|(from, to)| (*from..=*to).contains(&line))
+        self.ran
+            .iter()
+            .any(|(from, to)| (*from..=*to).contains(&line))
     }
 
     fn is_inside(&self) -> bool {
@@ -477,14 +569,22 @@ impl Flow for Sinumerik {
 /// The label that a jump goes to: `GOTOF END`, `GOTOB`, `GOTO`.
 fn jump<'b>(cursor: &mut Cursor<'b>) -> Option<&'b str> {
     const WORDS: [&str; 4] = ["GOTOF", "GOTOB", "GOTOC", "GOTO"];
-    WORDS.into_iter().any(|word| cursor.eat(word)).then(|| cursor.word()).flatten()
+    WORDS
+        .into_iter()
+        .any(|word| cursor.eat(word))
+        .then(|| cursor.word())
+        .flatten()
 }
 
 /// Whether what is assigned is an address of the control, and no variable.
 fn is_address(word: &str) -> bool {
-    const WORDS: [&str; 14] =
-        ["CR", "AR", "AP", "RP", "MEAS", "MEAW", "SPOS", "SPOSA", "RND", "RNDM", "CHF", "CHR", "TURN", "ANG"];
+    const WORDS: [&str; 14] = [
+        "CR", "AR", "AP", "RP", "MEAS", "MEAW", "SPOS", "SPOSA", "RND", "RNDM", "CHF", "CHR",
+        "TURN", "ANG",
+    ];
     let mut bytes = word.bytes();
-    let letter = bytes.next().is_some_and(|b| b.is_ascii_alphabetic() && b != b'R');
+    let letter = bytes
+        .next()
+        .is_some_and(|b| b.is_ascii_alphabetic() && b != b'R');
     letter && bytes.all(|b| b.is_ascii_digit()) && word.len() <= 3 || WORDS.contains(&word)
 }

@@ -25,12 +25,24 @@ pub struct Variables {
 
 impl Variables {
     pub fn new(set: &[(&str, f64)]) -> Self {
-        let given = set.iter().map(|(name, value)| (plain(name), *value)).collect();
-        Variables { given, locals: vec![BTreeMap::new()], ..Variables::default() }
+        let given = set
+            .iter()
+            .map(|(name, value)| (plain(name), *value))
+            .collect();
+        Variables {
+            given,
+            locals: vec![BTreeMap::new()],
+            ..Variables::default()
+        }
     }
 
     pub fn get(&mut self, name: &str) -> f64 {
-        if let Some(value) = self.locals.last().and_then(|own| own.get(name)).or_else(|| self.globals.get(name)) {
+        if let Some(value) = self
+            .locals
+            .last()
+            .and_then(|own| own.get(name))
+            .or_else(|| self.globals.get(name))
+        {
             return *value;
         }
         if let Some((_, value)) = self.system.iter().find(|(known, _)| *known == name) {
@@ -40,7 +52,9 @@ impl Variables {
             return *value;
         }
         const MOST_ASKED: usize = 200;
-        if (!self.lost || name.starts_with('$')) && (self.asked.len() < MOST_ASKED || self.asked.contains_key(name)) {
+        if (!self.lost || name.starts_with('$'))
+            && (self.asked.len() < MOST_ASKED || self.asked.contains_key(name))
+        {
             let lines = self.asked.entry(name.to_owned()).or_default();
             let line = self.line as u32;
             if !lines.contains(&line) {
@@ -52,7 +66,8 @@ impl Variables {
 
     pub fn set(&mut self, name: &str, value: f64) {
         let own = self.locals.last_mut().filter(|own| own.contains_key(name));
-        own.unwrap_or(&mut self.globals).insert(name.to_owned(), value);
+        own.unwrap_or(&mut self.globals)
+            .insert(name.to_owned(), value);
     }
 
     /// A variable of this program alone.
@@ -76,17 +91,27 @@ impl Variables {
     pub fn forget(&mut self) {
         self.lost = true;
         let all = self.locals.iter_mut().chain([&mut self.globals]);
-        all.flat_map(BTreeMap::values_mut).for_each(|value| *value = f64::NAN);
+        all.flat_map(BTreeMap::values_mut)
+            .for_each(|value| *value = f64::NAN);
     }
 
     pub fn asks(&self) -> Vec<Ask> {
-        self.asked.iter().map(|(name, lines)| Ask { name: name.clone(), lines: lines.clone() }).collect()
+        self.asked
+            .iter()
+            .map(|(name, lines)| Ask {
+                name: name.clone(),
+                lines: lines.clone(),
+            })
+            .collect()
     }
 }
 
 /// A name in capitals, without blanks.
 fn plain(name: &str) -> String {
-    name.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect()
+    name.chars()
+        .filter(|c| !c.is_whitespace())
+        .map(|c| c.to_ascii_uppercase())
+        .collect()
 }
 
 /// Reads values in a block, which is in capitals.
@@ -99,8 +124,13 @@ pub struct Cursor<'b> {
 const DEEPEST: usize = 40;
 
 /// Operators between two values, tightest last; longer ones first.
-const OPERATORS: [&[&str]; 5] =
-    [&["OR", "XOR"], &["AND"], &["==", "<>", ">=", "<=", ">", "<"], &["+", "-"], &["*", "/", "DIV", "MOD"]];
+const OPERATORS: [&[&str]; 5] = [
+    &["OR", "XOR"],
+    &["AND"],
+    &["==", "<>", ">=", "<=", ">", "<"],
+    &["+", "-"],
+    &["*", "/", "DIV", "MOD"],
+];
 
 impl<'b> Cursor<'b> {
     pub fn new(rest: &'b str) -> Self {
@@ -110,7 +140,9 @@ impl<'b> Cursor<'b> {
     /// Goes past a sign or a word where it is next. A word ends where a name would not go on.
     pub fn eat(&mut self, word: &str) -> bool {
         self.rest = self.rest.trim_start();
-        let Some(rest) = self.rest.strip_prefix(word) else { return false };
+        let Some(rest) = self.rest.strip_prefix(word) else {
+            return false;
+        };
         let is_word = word.as_bytes()[0].is_ascii_alphabetic();
         if is_word && rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_') {
             return false;
@@ -122,7 +154,11 @@ impl<'b> Cursor<'b> {
     /// A name, without its index.
     pub fn word(&mut self) -> Option<&'b str> {
         self.rest = self.rest.trim_start();
-        let length = self.rest.bytes().take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'$')).count();
+        let length = self
+            .rest
+            .bytes()
+            .take_while(|b| b.is_ascii_alphanumeric() || matches!(b, b'_' | b'$'))
+            .count();
         let (word, rest) = self.rest.split_at(length);
         let begins = word.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_' || c == '$');
         begins.then(|| self.rest = rest)?;
@@ -141,11 +177,17 @@ impl<'b> Cursor<'b> {
         for part in inner.split(',') {
             let part = part.trim();
             // An axis, or a part of a frame.
-            let is_axis = !part.is_empty() && part.len() <= 2 && part.bytes().all(|b| b.is_ascii_alphabetic());
+            let is_axis = !part.is_empty()
+                && part.len() <= 2
+                && part.bytes().all(|b| b.is_ascii_alphabetic());
             parts.push(if is_axis {
                 part.to_owned()
             } else {
-                let value = Cursor { rest: part, depth: self.depth + 1 }.value(variables)?;
+                let value = Cursor {
+                    rest: part,
+                    depth: self.depth + 1,
+                }
+                .value(variables)?;
                 if value.is_nan() || value.fract() != 0.0 {
                     return None;
                 }
@@ -171,7 +213,9 @@ impl<'b> Cursor<'b> {
     }
 
     fn level(&mut self, level: usize, variables: &mut Variables) -> Option<f64> {
-        let Some(operators) = OPERATORS.get(level) else { return self.operand(variables) };
+        let Some(operators) = OPERATORS.get(level) else {
+            return self.operand(variables);
+        };
         let mut left = self.level(level + 1, variables)?;
         while let Some(operator) = operators.iter().find(|operator| self.eat(operator)) {
             let right = self.level(level + 1, variables)?;
@@ -213,7 +257,9 @@ impl<'b> Cursor<'b> {
 
     fn named(&mut self, variables: &mut Variables) -> Option<f64> {
         match () {
-            () if self.eat("NOT") => return self.operand(variables).map(|x| truth(x.is_nan(), x == 0.0)),
+            () if self.eat("NOT") => {
+                return self.operand(variables).map(|x| truth(x.is_nan(), x == 0.0));
+            }
             () if self.eat("TRUE") => return Some(1.0),
             () if self.eat("FALSE") => return Some(0.0),
             () => {}
@@ -254,7 +300,11 @@ fn closing(text: &str) -> Option<usize> {
 }
 
 fn truth(unknown: bool, holds: bool) -> f64 {
-    if unknown { f64::NAN } else { f64::from(u8::from(holds)) }
+    if unknown {
+        f64::NAN
+    } else {
+        f64::from(u8::from(holds))
+    }
 }
 
 fn combined(operator: &str, a: f64, b: f64) -> f64 {
