@@ -21,6 +21,8 @@ namespace Touchpath
         public CycleEntry[] Cycles { get; set; }
         /// <summary>The sections of a job around the cycle.</summary>
         public SectionEntry[] Sections { get; set; }
+        /// <summary>Every kind of relation between results of a set-up.</summary>
+        public RelationEntry[] Relations { get; set; }
         /// <summary>Every control, with what its programs can do.</summary>
         public PostEntry[] Posts { get; set; }
         /// <summary>What programs are checked for.</summary>
@@ -349,6 +351,25 @@ namespace Touchpath
         public double Touches { get; set; }
         /// <summary>Whether the program computes the results itself, and the right ones.</summary>
         public bool Arithmetic { get; set; }
+    }
+
+    /// <summary>A kind of relation.</summary>
+    public class RelationEntry
+    {
+        /// <summary>The value of `relations[].type` in a job.</summary>
+        public string Type { get; set; }
+        /// <summary>Its name for people, in English.</summary>
+        public string Label { get; set; }
+        /// <summary>What its results are, in English.</summary>
+        public string Says { get; set; }
+        /// <summary>Whether it is of places, by the names of cycles and relations that have one; else of single results.</summary>
+        public bool Places { get; set; }
+        /// <summary>The fewest that it is of.</summary>
+        public double Least { get; set; }
+        /// <summary>The most that it is of; null where it takes any number.</summary>
+        public double? Most { get; set; }
+        /// <summary>The codes of its results; of angles `angle` is added to the first.</summary>
+        public string[] Results { get; set; }
     }
 
     public class Report

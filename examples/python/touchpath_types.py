@@ -27,6 +27,8 @@ class Catalog(TypedDict):
     cycles: list[CycleEntry]
     # The sections of a job around the cycle.
     sections: list[SectionEntry]
+    # Every kind of relation between results of a set-up.
+    relations: list[RelationEntry]
     # Every control, with what its programs can do.
     posts: list[PostEntry]
     # What programs are checked for.
@@ -337,6 +339,24 @@ class ProofRow(TypedDict):
     touches: float
     # Whether the program computes the results itself, and the right ones.
     arithmetic: bool
+
+
+# A kind of relation.
+class RelationEntry(TypedDict):
+    # The value of `relations[].type` in a job.
+    type: Literal["line", "center", "pitch-circle", "difference", "mean"]
+    # Its name for people, in English.
+    label: str
+    # What its results are, in English.
+    says: str
+    # Whether it is of places, by the names of cycles and relations that have one; else of single results.
+    places: bool
+    # The fewest that it is of.
+    least: float
+    # The most that it is of; null where it takes any number.
+    most: float | None
+    # The codes of its results; of angles `angle` is added to the first.
+    results: list[ResultCode]
 
 
 class Report(TypedDict):

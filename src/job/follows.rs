@@ -3,7 +3,7 @@
 use crate::control::Form;
 use crate::form::{Checker, Field, Level, Value, printable};
 use crate::formula::{Formula, Role, Variable};
-use crate::geom::Vec3;
+use crate::geom::{Plane, Vec3};
 use crate::job::Job;
 use crate::job::planned::{Planned, several};
 use crate::job::relations::Relations;
@@ -227,181 +227,174 @@ fn one(
     (kind, path): (Kind, &str),
     earlier: &Earlier<'_>,
 ) -> Option<Found> {
-    let refuse = |checker: &mut Checker, message| {
-        checker.error("place-of-result", path, message);
-        None
-    };
     let Some(Sum { name, added }) = Sum::of(text) else {
-        let given = printable(text)
-            .chars()
-            .take(LONGEST_PLACE)
-            .collect::<String>();
-        let message = match kind {
-            Kind::Place(_) => {
-                text!(
-                    "\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5",
-                    given
-                )
-            }
-            Kind::Rotation => {
-                text!(
-                    "\"{given}\" is no angle: a direction that an earlier cycle measures and a number, as in =SIDE.rotation+90",
-                    given
-                )
-            }
-            Kind::Size => text!(
-                "\"{given}\" is no size: a size that an earlier cycle measures and a number, as in =BORE.diameter-2",
-                given
-            ),
-        };
-        return refuse(checker, message);
+        checker.error("place-of-result", path, not_a_sum(text, kind));
+        return None;
     };
     if earlier.broken {
         return None;
     }
-    let (of, code) = name.split_once('.').unwrap_or((name, ""));
-    let short = ["x", "y", "z"]
-        .iter()
-        .position(|letter| code.eq_ignore_ascii_case(letter));
-    let is = |known: &Known| {
-        known.code.eq_ignore_ascii_case(code)
-            || short.is_some_and(|letter| Some(letter) == known.letter)
-    };
-    let axes = earlier
-        .first
-        .map_or([0, 1, 2], |job| job.setup.plane.axes());
-    let source = earlier
-        .path
-        .measuring()
-        .find(|own| own.name.eq_ignore_ascii_case(of));
-    let own = source.as_ref().map_or_else(Vec::new, |own| {
-        known(&earlier.path.formula, own, axes, kind)
-    });
-    let mut found = own.into_iter().filter(is);
-    let result = match (found.next(), found.next()) {
-        (Some(one), None) => one,
-        (None, _) => {
-            if let Some(error) = earlier
-                .relations
-                .lacks(earlier.path, of)
-                .filter(|_| source.is_none())
-            {
-                let message = text!(
-                    "{name} cannot be computed before this cycle: {error}",
-                    printable(of),
-                    error
-                );
-                return refuse(checker, message);
-            }
-            let all = earlier.relations.with_all_ready(earlier.path);
-            let codes = |own: Measuring<'_>| {
-                let known = known(&all.formula, &own, axes, kind).into_iter();
-                known
-                    .map(|known| format!("{}.{}", own.name, known.code))
-                    .collect::<Vec<_>>()
-            };
-            let names: Vec<String> = all.measuring().flat_map(codes).collect();
-            let name = printable(name);
-            let message = match (kind, names.is_empty()) {
-                (Kind::Place(_), true) => {
-                    text!("No cycle before this one measures a place \"{name}\"", name)
-                }
-                (Kind::Rotation, true) => text!(
-                    "No cycle before this one measures a direction \"{name}\"",
-                    name
-                ),
-                (Kind::Size, true) => {
-                    text!("No cycle before this one measures a size \"{name}\"", name)
-                }
-                (Kind::Place(_), false) => {
-                    text!(
-                        "No cycle before this one measures a place \"{name}\". There are {known}",
-                        name,
-                        names.join(", ")
-                    )
-                }
-                (Kind::Rotation, false) => {
-                    text!(
-                        "No cycle before this one measures a direction \"{name}\". There are {known}",
-                        name,
-                        names.join(", ")
-                    )
-                }
-                (Kind::Size, false) => {
-                    text!(
-                        "No cycle before this one measures a size \"{name}\". There are {known}",
-                        name,
-                        names.join(", ")
-                    )
-                }
-            };
-            return refuse(checker, message);
-        }
-        (Some(_), Some(_)) => {
-            let message = text!(
-                "\"{name}\" is more than one result: write its whole code",
-                printable(name)
-            );
-            return refuse(checker, message);
+    let result = match find(name, kind, earlier) {
+        Ok(result) => result,
+        Err(why) => {
+            checker.error("place-of-result", path, why);
+            return None;
         }
     };
     let job = earlier.first?;
-    if let (Kind::Place(axis), Some(own)) = (kind, result.axis)
-        && own != axis
-    {
-        let names = crate::geom::AXIS_NAMES;
-        let message = text!(
-            "{name} is a place along {axis}, and this one is along {other}",
-            printable(name),
-            names[own],
-            names[axis]
-        );
-        return refuse(checker, message);
-    }
-    if several(job).is_some() || job.form == Form::Cycle {
-        let message = match job.post.moves() {
-            true => text!(
-                "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
-            ),
-            false => text!(
-                "The control's own cycles keep their results in variables, and this program does not compute with those: no cycle can follow a result on this control"
-            ),
-        };
-        checker.error("set-up-unsupported", path, message);
+    if let Some(why) = cannot_follow(job) {
+        checker.error("set-up-unsupported", path, why);
         return None;
     }
-    if !job.post.computes {
-        let message = text!(
-            "{control} cannot compute: no cycle can follow a result there",
-            job.post.title.to_owned()
-        );
-        checker.error("set-up-unsupported", path, message);
+    if let Some(missing) = missing_limit(job, kind) {
+        checker.error("place-of-result", path, missing);
         return None;
     }
-    let missing = match kind {
-        Kind::Place(_) => job.limits.position.is_none().then(|| {
-            text!("A place that follows a result needs limits.position: how far from the nominal place the path may be shifted")
-        }),
-        Kind::Rotation => job.limits.angle.is_none().then(|| {
-            text!("A rotation that follows a result needs limits.angle: how far from the nominal one the path may be turned")
-        }),
-        Kind::Size => job.limits.size.is_none().then(|| {
-            text!("A size that follows a result needs limits.size: how far from the nominal one the path may grow or shrink")
-        }),
-    };
-    if let Some(message) = missing {
-        return refuse(checker, message);
-    }
-    let unit = if kind == Kind::Rotation {
-        1.0
-    } else {
-        job.scale
+    let unit = match kind {
+        Kind::Rotation => 1.0,
+        Kind::Place(_) | Kind::Size => job.scale,
     };
     Some(Found {
         of: result.index,
         nominal: tidy(result.nominal / unit + added),
         place: result.nominal,
     })
+}
+
+/// What is wrong with a text that is no sum of a result and a number.
+fn not_a_sum(text: &str, kind: Kind) -> Text {
+    let given: String = printable(text).chars().take(LONGEST_PLACE).collect();
+    match kind {
+        Kind::Place(_) => text!(
+            "\"{given}\" is no place: a result of an earlier cycle and a number, as in =TOP.z-5",
+            given
+        ),
+        Kind::Rotation => text!(
+            "\"{given}\" is no angle: a direction that an earlier cycle measures and a number, as in =SIDE.rotation+90",
+            given
+        ),
+        Kind::Size => text!(
+            "\"{given}\" is no size: a size that an earlier cycle measures and a number, as in =BORE.diameter-2",
+            given
+        ),
+    }
+}
+
+/// The result with this name, of this kind; else why there is none.
+fn find(name: &str, kind: Kind, earlier: &Earlier<'_>) -> Result<Known, Text> {
+    let (of, code) = name.split_once('.').unwrap_or((name, ""));
+    let is_code = |known: &str| code.eq_ignore_ascii_case(known);
+    let letter = ["x", "y", "z"].iter().position(|known| is_code(known));
+    let is = |known: &Known| is_code(known.code) || letter.is_some() && letter == known.letter;
+    let path = earlier.path;
+    let plane = earlier.first.map_or(Plane::G17, |job| job.setup.plane);
+    let results_of =
+        |path: &Path, own: &Measuring<'_>| known(&path.formula, own, plane.axes(), kind);
+    let source = path
+        .measuring()
+        .find(|own| own.name.eq_ignore_ascii_case(of));
+    let own = source.as_ref().map(|own| results_of(path, own));
+    let mut found = own.into_iter().flatten().filter(is);
+    let result = match (found.next(), found.next()) {
+        (Some(one), None) => one,
+        (Some(_), Some(_)) => {
+            return Err(text!(
+                "\"{name}\" is more than one result: write its whole code",
+                printable(name)
+            ));
+        }
+        (None, _) => {
+            let lacks = earlier
+                .relations
+                .lacks(path, of)
+                .filter(|_| source.is_none());
+            if let Some(error) = lacks {
+                return Err(text!(
+                    "{name} cannot be computed before this cycle: {error}",
+                    printable(of),
+                    error
+                ));
+            }
+            let all = earlier.relations.with_all_ready(path);
+            let mut names = Vec::new();
+            for own in all.measuring() {
+                let known = results_of(&all, &own).into_iter();
+                names.extend(known.map(|known| format!("{}.{}", own.name, known.code)));
+            }
+            return Err(nothing_measured(printable(name), kind, &names));
+        }
+    };
+    let names = crate::geom::AXIS_NAMES;
+    match (kind, result.axis) {
+        (Kind::Place(axis), Some(own)) if own != axis => Err(text!(
+            "{name} is a place along {axis}, and this one is along {other}",
+            printable(name),
+            names[own],
+            names[axis]
+        )),
+        _ => Ok(result),
+    }
+}
+
+/// That nothing of this name is measured before the cycle, and what is.
+fn nothing_measured(name: String, kind: Kind, known: &[String]) -> Text {
+    let nothing = match kind {
+        Kind::Place(_) => text!("No cycle before this one measures a place \"{name}\"", name),
+        Kind::Rotation => text!(
+            "No cycle before this one measures a direction \"{name}\"",
+            name
+        ),
+        Kind::Size => text!("No cycle before this one measures a size \"{name}\"", name),
+    };
+    match known {
+        [] => nothing,
+        known => text!("{nothing}. There are {known}", nothing, known.join(", ")),
+    }
+}
+
+/// Why no cycle can follow a result in the program of a job.
+fn cannot_follow(job: &Job) -> Option<Text> {
+    if several(job).is_some() || job.form == Form::Cycle {
+        return Some(match job.post.moves() {
+            true => text!(
+                "The control's own cycles keep their results in variables, and this program does not compute with those: use the form \"moves\""
+            ),
+            false => text!(
+                "The control's own cycles keep their results in variables, and this program does not compute with those: no cycle can follow a result on this control"
+            ),
+        });
+    }
+    (!job.post.computes).then(|| {
+        text!(
+            "{control} cannot compute: no cycle can follow a result there",
+            job.post.title.to_owned()
+        )
+    })
+}
+
+/// What a job lacks that bounds how far a cycle may follow a result.
+fn missing_limit(job: &Job, kind: Kind) -> Option<Text> {
+    let (limit, message) = match kind {
+        Kind::Place(_) => (
+            job.limits.position,
+            text!(
+                "A place that follows a result needs limits.position: how far from the nominal place the path may be shifted"
+            ),
+        ),
+        Kind::Rotation => (
+            job.limits.angle,
+            text!(
+                "A rotation that follows a result needs limits.angle: how far from the nominal one the path may be turned"
+            ),
+        ),
+        Kind::Size => (
+            job.limits.size,
+            text!(
+                "A size that follows a result needs limits.size: how far from the nominal one the path may grow or shrink"
+            ),
+        ),
+    };
+    limit.is_none().then_some(message)
 }
 
 /// A result that a cycle measures, or a relation gives.
@@ -454,13 +447,13 @@ fn known(formula: &Formula, own: &Measuring<'_>, axes: [usize; 3], kind: Kind) -
 }
 
 /// What a cycle follows, once its path is planned: about which place it is turned, and how its moves go along with its sizes. Reports what it cannot
-/// follow. `single` is the job of the cycle alone, with its nominal values, `formula` that of the cycles before it.
+/// follow. `single` is the job of the cycle alone, with its nominal values, `earlier` the path of those before it.
 pub fn settle(
     checker: &mut Checker,
     wanted: Wanted,
     (index, single): (usize, &Value),
     planned: &Planned,
-    formula: &Formula,
+    earlier: &Path,
 ) -> Follows {
     let Wanted { mut follows, sizes } = wanted;
     let origin = planned.path.frame.origin;
@@ -469,7 +462,7 @@ pub fn settle(
     let one_place = match (follows.place[a], follows.place[o]) {
         (Some(x), Some(y)) => {
             let place = |result: usize| {
-                let result = &formula.results[result];
+                let result = &earlier.formula.results[result];
                 (result.cycle, result.code.rsplit_once('.').map(|(of, _)| of))
             };
             place(x) == place(y)

@@ -30,168 +30,205 @@ static WHOLE: CycleDef = CycleDef {
     ..crate::cycle::NONE
 };
 
-/// Plans the cycles of a set-up, each joined to those before it as soon as it is read. Reports what the cycles are refused for, each at its place in the
-/// list; none where anything is an error.
+/// A set-up while its cycles are read, each joined to those before it.
+struct Reading<'v> {
+    value: &'v Value,
+    cycles: &'v [Value],
+    names: &'v [String],
+    relations: Relations<'v>,
+    merged: Merged<'v>,
+    /// What was found of results that cycles follow.
+    settled: Checker,
+    path: Path,
+    members: Vec<Planned>,
+    /// The job of the first cycle: control, stylus and limits are those of all.
+    first: Option<Job>,
+    /// Whether no cycle so far has an error.
+    sound: bool,
+}
+
+/// Plans the cycles of a set-up and joins them. Reports what the cycles are refused for, each at its place in the list; none where anything is an error.
 pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let cycles = read_list(checker, value)?;
     let names = names(cycles);
     check_names(checker, cycles, &names);
-    let mut relations = Relations::of(checker, value, &names, &follows::followed(cycles));
-    let mut merged = Merged::new(&names);
-    let (mut path, mut members) = (Path::of_set_up(), Vec::<Planned>::new());
-    let (mut whole, mut sound, mut settled) = (None, true, Checker::default());
-    for (i, name) in names.iter().enumerate() {
-        let Some(mut single) = alone(value, i) else {
+    let mut reading = Reading {
+        value,
+        cycles,
+        names: &names,
+        relations: Relations::of(checker, value, &names, &follows::followed(cycles)),
+        merged: Merged::new(&names),
+        settled: Checker::default(),
+        path: Path::of_set_up(),
+        members: Vec::new(),
+        first: None,
+        sound: true,
+    };
+    for index in 0..names.len() {
+        reading.read_cycle(checker, index);
+    }
+    reading.finish(checker)
+}
+
+impl Reading<'_> {
+    /// Reads a cycle, plans it, and joins what it measures to that of those before it.
+    fn read_cycle(&mut self, checker: &mut Checker, index: usize) {
+        let name = &self.names[index];
+        let Some(mut single) = alone(self.value, index) else {
             let message = text!(
                 "cycles[{index}] must be an object, not {given}",
-                i,
-                cycles[i].noun()
+                index,
+                self.cycles[index].noun()
             );
-            checker.error("wrong-type", format!("cycles[{i}]"), message);
-            sound = false;
-            continue;
+            checker.error("wrong-type", format!("cycles[{index}]"), message);
+            self.sound = false;
+            return;
         };
         if let Value::Map(entries) = &mut single {
-            entries.push((
-                TOLERANCES.to_owned(),
-                wear::of_cycle(value.get(TOLERANCES), name, names.len() == 1),
-            ));
+            let given = self.value.get(TOLERANCES);
+            let wear = wear::of_cycle(given, name, self.names.len() == 1);
+            entries.push((TOLERANCES.to_owned(), wear));
         }
-        let first = members.first().map(|planned| &planned.job);
-        let wanted = follows::take(
-            checker,
-            &mut single,
-            i,
-            &Earlier {
-                path: &path,
-                relations: &relations,
-                first,
-                broken: !sound,
-            },
-        );
+        let earlier = Earlier {
+            path: &self.path,
+            relations: &self.relations,
+            first: self.members.first().map(|planned| &planned.job),
+            broken: !self.sound,
+        };
+        let wanted = follows::take(checker, &mut single, index, &earlier);
         let mut own = Checker::default();
         let job = Job::read(&mut own, &single);
-        if i == 0 {
+        if index == 0 {
             (checker.scale, checker.unit) = (own.scale, own.unit);
-            settled = Checker::in_units(own.scale, own.unit);
-            whole = Job::read(&mut Checker::default(), &single);
+            self.settled = Checker::in_units(own.scale, own.unit);
+            self.first = Job::read(&mut Checker::default(), &single);
         }
-        if let Some(job) = &job
-            && job.def.most_touches == 0
-        {
+        if job.as_ref().is_some_and(|job| job.def.most_touches == 0) {
             let message = text!(
                 "{cycle} measures nothing: a set-up takes only cycles that touch the part",
                 name.clone()
             );
             own.error("set-up-unsupported", "cycle.type", message);
         }
-        sound &= job.is_some() && !own.failed();
-        merged.take(i, own.findings());
-        let Some(job) = job.filter(|_| sound) else {
-            continue;
+        self.sound &= job.is_some() && !own.failed();
+        self.merged.take(index, own.findings());
+        if let Some(job) = job.filter(|_| self.sound) {
+            let title = format!("{}: {}", job.def.source, job.def.title);
+            let reaches = (job.setup.plane.axes(), reaches(&job));
+            let planned = self.plan(job, index);
+            let settled = &mut self.settled;
+            let follows = follows::settle(settled, wanted, (index, &single), &planned, &self.path);
+            let named = (name.clone(), title);
+            self.path
+                .add_cycle(named, planned.path.clone(), follows, reaches);
+            self.relations.add_early(&mut self.path);
+            self.members.push(planned);
+        }
+    }
+
+    /// One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
+    fn plan(&self, job: Job, index: usize) -> Planned {
+        let writes = several(&job).is_some() && index + 1 == self.names.len();
+        let work_offset = job.work_offset.filter(|_| writes);
+        Planned::of(Job { work_offset, ..job })
+    }
+
+    /// The whole of the cycles that were read.
+    fn finish(mut self, checker: &mut Checker) -> Option<Planned> {
+        self.merged.give(checker);
+        check_sizes(checker, self.value, self.names);
+        let clear = read_clear(checker, self.value);
+        let settled = self.settled.findings();
+        settled
+            .into_iter()
+            .for_each(|finding| checker.adopt(finding));
+        if self.sound {
+            self.relations.add_all(checker, &mut self.path);
+        }
+        let job = Job {
+            def: &WHOLE,
+            repeat: None,
+            ..self.first.filter(|_| !checker.failed())?
         };
-        let title = format!("{}: {}", job.def.source, job.def.title);
-        let placed = (job.setup.plane.axes(), reaches(&job));
-        // One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
-        let work_offset = job
-            .work_offset
-            .filter(|_| several(&job).is_some() && i + 1 == names.len());
-        let planned = Planned::of(Job { work_offset, ..job });
-        let follows = follows::settle(&mut settled, wanted, (i, &single), &planned, &path.formula);
-        path.add_cycle((name.clone(), title), planned.path.clone(), follows, placed);
-        relations.add_early(&mut path);
-        members.push(planned);
+        let several = several(&job);
+        if let Some(several) = several {
+            self.members = own_cycles(checker, &job, self.members, (several, clear), self.names)?;
+        }
+        if several.is_some() || !job.post.computes {
+            self.relations.report_not_computed(checker);
+        }
+        let mut whole = connect(job, self.path, self.members, clear);
+        relations::check_circles(checker, &whole);
+        let writes = whole.job.work_offset.is_some();
+        let source = datum::read(checker, self.value, &whole, writes)?;
+        whole.path.write_from(&source);
+        if !whole.job.post.rotates {
+            whole.path.formula.without_rotation();
+        }
+        follows::run(&mut whole);
+        whole.run = run(&whole, On::Actual);
+        if let Some(Ok(several)) = several {
+            check_kept(checker, &whole.path, several)?;
+        }
+        Some(whole)
     }
-    merged.give(checker);
-    check_sizes(checker, value, &names);
-    let clear = read_clear(checker, value);
-    settled
-        .findings()
-        .into_iter()
-        .for_each(|finding| checker.adopt(finding));
-    if sound {
-        relations.add_all(checker, &mut path);
-    }
-    if checker.failed() {
-        return None;
-    }
-    let job = Job {
-        def: &WHOLE,
-        repeat: None,
-        ..whole?
+}
+
+/// The cycles as the control's own cycles make them, one after the other. Reports why it does not.
+fn own_cycles(
+    checker: &mut Checker,
+    job: &Job,
+    members: Vec<Planned>,
+    (several, clear): (Result<Several, &'static str>, Option<f64>),
+    names: &[String],
+) -> Option<Vec<Planned>> {
+    let several = match several {
+        Ok(several) => several,
+        Err(why) => {
+            let message = text!(
+                "A set-up of the control's own cycles: {why}",
+                job.post.says(why)
+            );
+            checker.error("set-up-unsupported", "cycles", message);
+            return None;
+        }
     };
-    let several = several(&job);
-    if let Some(Err(why)) = several {
+    let has_own_program =
+        |planned: &Planned| planned.path.own.is_none() && planned.refused.is_empty();
+    if let Some(i) = members.iter().position(has_own_program) {
         let message = text!(
-            "A set-up of the control's own cycles: {why}",
-            job.post.says(why)
+            "{cycle}: this cycle has a program of its own: it cannot be one of several",
+            names[i].clone()
         );
-        checker.error("set-up-unsupported", "cycles", message);
+        checker.error("set-up-unsupported", format!("cycles[{i}].type"), message);
         return None;
     }
-    if let Some(Ok(several)) = several {
-        let own_program = members
-            .iter()
-            .position(|planned| planned.path.own.is_none() && planned.refused.is_empty());
-        if let Some(i) = own_program {
-            let message = text!(
-                "{cycle}: this cycle has a program of its own: it cannot be one of several",
-                names[i].clone()
-            );
-            checker.error("set-up-unsupported", format!("cycles[{i}].type"), message);
-            return None;
-        }
-        if several.comes_itself {
-            let highest = members
-                .iter()
-                .flat_map(|planned| ends(&planned.path))
-                .fold(f64::NEG_INFINITY, f64::max);
-            check_clear(checker, clear.unwrap_or(highest), highest);
-            let at = Some(clear.unwrap_or(highest));
-            members = members
-                .into_iter()
-                .map(|planned| Planned::at(planned.job, at))
-                .collect();
-        }
+    if !several.comes_itself {
+        return Some(members);
     }
-    if checker.failed() {
+    let all = members.iter().flat_map(|planned| ends(&planned.path));
+    let highest = all.fold(f64::NEG_INFINITY, f64::max);
+    let clear = clear.unwrap_or(highest);
+    check_clear(checker, clear, highest);
+    let at = |planned: Planned| Planned::at(planned.job, Some(clear));
+    (!checker.failed()).then(|| members.into_iter().map(at).collect())
+}
+
+/// Whether the control has variables for everything that the next cycle would empty.
+fn check_kept(checker: &mut Checker, path: &Path, several: Several) -> Option<()> {
+    let own = path.own.iter().flat_map(|own| &own.blocks);
+    let kept = own.filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
+    let (kept, room) = (kept.count(), several.kept.1 + 1 - several.kept.0);
+    if kept > room {
+        let message = text!(
+            "The results of these cycles need {count} variables, and the control has {room} for them: use fewer cycles",
+            kept,
+            room
+        );
+        checker.error("too-many-registers", "cycles", message);
         return None;
     }
-    if several.is_some() || !job.post.computes {
-        relations.report_not_computed(checker);
-    }
-    let mut whole = connect(job, path, members, clear);
-    relations::check_circles(checker, &whole);
-    let source = datum::read(checker, value, &whole, whole.job.work_offset.is_some())?;
-    whole.path.write_from(&source);
-    if !whole.job.post.rotates {
-        whole.path.formula.without_rotation();
-    }
-    follows::run(&mut whole);
-    whole.run = run(&whole, On::Actual);
-    if let Some(Ok(Several {
-        kept: (first, last),
-        ..
-    })) = several
-    {
-        let kept = whole
-            .path
-            .own
-            .iter()
-            .flat_map(|own| &own.blocks)
-            .filter(|(block, _)| matches!(block, OwnBlock::Keep(..)));
-        let (kept, room) = (kept.count(), last + 1 - first);
-        if kept > room {
-            let message = text!(
-                "The results of these cycles need {count} variables, and the control has {room} for them: use fewer cycles",
-                kept,
-                room
-            );
-            checker.error("too-many-registers", "cycles", message);
-            return None;
-        }
-    }
-    Some(whole)
+    Some(())
 }
 
 /// How far the results that cycles follow may be off, by the limits of a job.
