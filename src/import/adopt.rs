@@ -6,6 +6,7 @@
 use crate::control::Form;
 use crate::control::native::heidenhain::row;
 use crate::control::native::rows::{Probed, Shape};
+use crate::control::sinumerik::cycles::called;
 use crate::form::{Level, Value};
 use crate::geom::Vec3;
 use crate::import::set;
@@ -153,96 +154,60 @@ impl Called<'_> {
             overtravel,
             post: Some("fanuc"),
             offset,
-            ..Said::of(&probed, clearance, depth, 0.0)?
+            ..Said::of(&probed, clearance, depth)?
         })
     }
 
     /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
     /// from where the stylus stands, where the cycle does.
     fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
-        let [x, y, z] = self.place;
-        let variant = self.get("1")?;
-        let corrects = self
-            .get("2")
-            .filter(|_| (variant / 100.0).trunc() % 10.0 == 1.0);
-        let offset = corrects
-            .map(|n| n - 10_000.0)
-            .filter(|n| (1.0..=99.0).contains(n));
-        if number == "978" {
-            let (surface, axis) = (
-                self.get("5")?,
-                self.get("8").filter(|axis| (1.0..=3.0).contains(axis))? as usize - 1,
-            );
-            let towards = if self.get("9")? == 1.0 { 1.0 } else { -1.0 };
-            let mut center = Vec3::from_array(self.place);
-            center[axis] = surface;
-            let away = (surface - self.place[axis]) * towards;
-            let probed = Probed {
-                center,
-                axis,
-                towards,
-                ..Probed::unknown(Shape::Surface, false)
-            };
+        let at = Vec3::from_array(self.place);
+        let probed = called(number.parse().ok()?, at, |place| {
+            self.get(&place.to_string())
+        })?;
+        let overtravel = probed.set_up;
+        let row = probed.row.map(|n| n - 10_000.0);
+        let offset = row.filter(|n| (1.0..=99.0).contains(n));
+        let post = Some("sinumerik");
+        if probed.shape == Shape::Surface {
+            let away = (probed.center - at)[probed.axis] * probed.towards;
+            let said = Said::of(&probed, away, depth)?;
             return Some(Said {
-                overtravel: self.get("6"),
-                post: Some("sinumerik"),
+                overtravel,
+                post,
                 offset,
-                ..Said::of(&probed, away, depth, 0.0)?
+                ..said
             });
         }
-        (number == "977").then_some(())?;
-        let (kind, protected) = (variant % 10.0, variant >= 1000.0);
-        let inside = ![2.0, 4.0, 6.0].contains(&kind);
-        let down = if protected || !inside {
-            self.get("11")?
-        } else {
-            0.0
-        };
-        let path = self.get("8")?;
-        // The centre that the offset is corrected to; of a groove or web its coordinate along the measuring axis.
-        let across = self.get("14") == Some(2.0);
-        let said = self.get("27") == Some(11.0);
-        let centre = match (said, kind) {
-            (true, 3.0 | 4.0) if across => [x, self.get("28")?],
-            (true, _) => [self.get("28")?, self.get("29").unwrap_or(y)],
-            (false, _) => [x, y],
-        };
+        // The centre that the offset is corrected to, where the call says that one follows.
+        let given = self.get("27") == Some(11.0);
+        let mut center = if given { probed.center } else { at };
         // Without one it is taken to be at 0, 0: a job has no other place than where the feature is.
-        let offset = offset.filter(|_| said || [x, y] == [0.0; 2]);
-        let (shape, sizes, axis) = match kind {
-            1.0 | 2.0 => (Shape::Bore, [self.get("5")?, f64::NAN], 0),
-            3.0 | 4.0 => {
-                self.get("14")?;
-                (
-                    Shape::Width,
-                    [self.get("5")?, f64::NAN],
-                    usize::from(across),
-                )
-            }
-            5.0 | 6.0 => (Shape::Rectangle, [self.get("6")?, self.get("7")?], 0),
-            _ => return None,
-        };
-        let center = Vec3::new(centre[0], centre[1], z - down);
-        let probed = Probed {
-            center,
-            sizes,
-            axis,
-            lifts: protected,
-            high: Some(z),
-            ..Probed::unknown(shape, inside)
-        };
-        let feature = Said::of(&probed, path + radius, depth, self.get("10").unwrap_or(0.0))?;
+        let offset = offset.filter(|_| given || [at.x, at.y] == [0.0; 2]);
+        let aside = probed.lifts || !probed.inside;
+        center.z -= if aside { probed.down? } else { 0.0 };
+        let high = Some(at.z);
+        let said = Said::of(
+            &Probed {
+                center,
+                high,
+                ..probed
+            },
+            overtravel? + radius,
+            depth,
+        )?;
         Some(Said {
-            overtravel: Some(path),
-            post: Some("sinumerik"),
+            overtravel,
+            post,
             offset,
-            ..feature
+            ..said
         })
     }
 
     /// The cycles whose words are rows.
     fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
-        let probed = row(number.parse().ok()?)?.probed(|q| self.get(&format!("Q{q}")))?;
+        let probed =
+            row(number.parse().ok()?)?.probed(Vec3::NAN, |q| self.get(&format!("Q{q}")))?;
         let clearance = probed
             .set_up
             .map_or(5.0 * radius / 3.0, |set_up| set_up + radius);
@@ -252,14 +217,14 @@ impl Called<'_> {
         Some(Said {
             post: Some("heidenhain"),
             offset,
-            ..Said::of(&probed, clearance, depth, 0.0)?
+            ..Said::of(&probed, clearance, depth)?
         })
     }
 }
 
 impl Said {
-    /// What is probed, as a documented cycle whose touches begin so far from their contacts and lie so deep below the top side, turned by so many degrees.
-    fn of(probed: &Probed, clearance: f64, depth: f64, turn: f64) -> Option<Said> {
+    /// What is probed, as a documented cycle whose touches begin so far from their contacts and lie so deep below the top side.
+    fn of(probed: &Probed, clearance: f64, depth: f64) -> Option<Said> {
         let Probed {
             shape,
             inside,
@@ -269,6 +234,7 @@ impl Said {
             towards,
             high,
             lifts,
+            turn,
             ..
         } = *probed;
         let mut fields = vec![("depth", depth)];

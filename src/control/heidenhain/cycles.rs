@@ -19,7 +19,7 @@ pub fn run(
     reach: Reach,
     machine: &mut Machine<'_>,
 ) -> Option<Result<(), Alarm>> {
-    let of = row(number)?.probed(|q| value(parameters, q))?;
+    let of = row(number)?.probed(Vec3::NAN, |q| value(parameters, q))?;
     let mut cycle = Cycle {
         of,
         reach,

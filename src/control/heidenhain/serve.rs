@@ -184,7 +184,14 @@ impl Plan<'_> {
         let limits = self.request.limits;
         self.blocks.push(OwnBlock::Cycle(
             row.number,
-            row.call(probed, &Asked { limits, log }),
+            row.call(
+                probed,
+                &Asked {
+                    limits,
+                    log,
+                    ..Asked::default()
+                },
+            ),
         ));
         let code = |is: Is| match is {
             Is::Center(axis) => places.get(axis).copied(),

@@ -2,6 +2,7 @@
 
 use super::rows::{Is, Row, Shape, Words};
 use super::{Argument, Call, Mark, angle, length, plain};
+use crate::path::Quantity;
 
 /// Every Q parameter of the cycles; what a cycle does not have it does not name.
 const Q: [Argument; 62] = [
@@ -168,11 +169,13 @@ const COORDINATE: Words = &[(405, Is::GetsAlong)];
 const PRESET: Words = &[(303, Is::Preset)];
 const NO_TOP: Words = &[
     (381, Is::No),
-    (382, Is::Idle),
-    (383, Is::Idle),
-    (384, Is::Idle),
-    (333, Is::Idle),
+    (382, ZERO),
+    (383, ZERO),
+    (384, ZERO),
+    (333, ZERO),
 ];
+/// A coordinate that means nothing without that touch.
+const ZERO: Is = Is::Always(Quantity::Length(0.0));
 const SPREAD: Words = &[(423, Is::Count), (365, Is::Arcs)];
 /// What a cycle that measures only asks of its results; no tool is monitored.
 const PLACE: Words = &[(279, Is::Off), (280, Is::Off)];

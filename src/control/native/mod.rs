@@ -6,7 +6,7 @@
 pub mod heidenhain;
 mod renishaw;
 pub mod rows;
-mod siemens;
+pub mod siemens;
 mod small;
 
 /// What a value counts in.
@@ -206,29 +206,54 @@ mod tests {
     use super::*;
     use crate::path::Quantity;
 
-    /// The table of words says of each what its row takes it for.
+    /// The table of words says of each what its row takes it for: all of HEIDENHAIN's, and those of a SINUMERIK that the table has.
     #[test]
     fn words_of_rows_count_in_the_units_of_the_table() {
-        for row in &heidenhain::ROWS {
-            let call = find(&format!("TCH PROBE {}", row.number)).expect("a call of the table");
-            let mut numbers: Vec<u16> = row.words().map(|(number, _)| number).collect();
+        let sets = [
+            ("TCH PROBE ", "Q", heidenhain::ROWS.as_slice()),
+            ("CYCLE", "", &siemens::ROWS),
+        ];
+        let mut asked = 0;
+        for (call, letter, row) in sets
+            .iter()
+            .flat_map(|(call, letter, rows)| rows.iter().map(move |row| (call, letter, row)))
+        {
+            let called = find(&format!("{call}{}", row.number)).expect("a call of the table");
+            let everything = Probed {
+                lifts: true,
+                down: Some(1.0),
+                row: Some(1.0),
+                ..Probed::unknown(row.shape, row.inside)
+            };
             for (number, is) in row.words() {
-                let argument = call
-                    .argument(&format!("Q{number}"))
-                    .expect("a word of the table");
-                let unit =
-                    match is.value(&Probed::unknown(row.shape, row.inside), &Asked::default()) {
-                        Quantity::Length(_) => Unit::Length,
-                        Quantity::Angle(_) => Unit::Angle,
-                        Quantity::Feed(_) => Unit::Feed,
-                        Quantity::Plain(_) => Unit::None,
-                    };
-                assert_eq!(unit, argument.unit, "{} Q{number}", row.number);
+                let argument = called.argument(&format!("{letter}{number}"));
+                assert!(
+                    argument.is_some() || letter.is_empty(),
+                    "{} Q{number}",
+                    row.number
+                );
+                // Without a zone the control's editor leaves a 1.
+                let (Some(argument), false) = (argument, matches!(is, rows::Is::Zone(_))) else {
+                    continue;
+                };
+                let unit = match is
+                    .value(&everything, &Asked::default())
+                    .expect("a word of every call")
+                {
+                    Quantity::Length(_) => Unit::Length,
+                    Quantity::Angle(_) => Unit::Angle,
+                    Quantity::Feed(_) => Unit::Feed,
+                    Quantity::Plain(_) => Unit::None,
+                };
+                assert_eq!(unit, argument.unit, "{} {number}", row.number);
+                asked += 1;
             }
+            let mut numbers: Vec<u16> = row.words().map(|(number, _)| number).collect();
             numbers.sort_unstable();
             numbers.dedup();
             assert_eq!(numbers.len(), row.words().count(), "{}", row.number);
         }
+        assert!(asked > 200, "{asked}");
     }
 
     #[test]

@@ -48,7 +48,13 @@ pub struct Probed {
     pub arcs: bool,
     /// How far the second touch of a width lies beside the first.
     pub beside: f64,
-    /// The row of the table that is written; none measures only, or writes what a job has no word for.
+    /// By how much a feature is turned, degrees.
+    pub turn: f64,
+    /// From where the call is made down to the touches.
+    pub down: Option<f64>,
+    /// Whether the call writes what it measures, where a word says so.
+    pub corrects: bool,
+    /// The row of the table, or the number of the offset, that is written; none measures only, or writes what a job has no word for.
     pub row: Option<f64>,
 }
 
@@ -71,6 +77,9 @@ impl Probed {
             count: 4.0,
             arcs: true,
             beside: 0.0,
+            turn: 0.0,
+            down: None,
+            corrects: true,
             row: None,
         }
     }
@@ -78,6 +87,11 @@ impl Probed {
     /// A direction along the axis that is measured.
     pub fn along(&self) -> Vec3 {
         Vec3::AXES[self.axis]
+    }
+
+    /// What is left of a size between the places where the ball goes down.
+    pub fn zone(&self, n: usize, radius: f64) -> f64 {
+        self.sizes[n] - 2.0 * (self.set_up.unwrap_or(0.0) + 2.0 * radius)
     }
 
     /// The two points that a width is touched at.
@@ -97,6 +111,10 @@ pub struct Asked {
     pub limits: Limits,
     /// The number of the log.
     pub log: f64,
+    /// How far a touch searches behind its contact.
+    pub overtravel: f64,
+    /// Of the ball.
+    pub radius: f64,
 }
 
 /// What the value of a word is.
@@ -106,6 +124,10 @@ pub enum Is {
     Center(usize),
     /// The same along the axis that is measured.
     Along,
+    /// A coordinate of the centre, which is where the call is made unless it says another.
+    Stated(usize),
+    /// The same along the axis that is measured.
+    StatedAlong,
     /// A coordinate of one of two opposite points, the first on the plus side.
     Edge(usize, usize),
     /// The diameter, the width, or a side.
@@ -113,6 +135,8 @@ pub enum Is {
     /// The axis that is measured, from 1.
     Axis,
     Towards,
+    /// The same as 1 and 2.
+    Facing,
     SetUp,
     High,
     Lifts,
@@ -121,6 +145,15 @@ pub enum Is {
     Count,
     Arcs,
     Beside,
+    Turn,
+    /// From where the call is made down to the touches; 1 where nothing goes down.
+    Down,
+    /// What the ball leaves free of a size where it goes down between the walls; 1 elsewhere.
+    Zone(usize),
+    /// How far a wall may be off.
+    Safe,
+    /// The kind of the feature; 100 more corrects, 1000 more goes down between the walls.
+    Variant(u16),
     /// The row that is written.
     Row,
     /// Where it is written: 1 is the table of presets, the only one that a job has a word for.
@@ -145,19 +178,22 @@ pub enum Is {
     Log,
     /// A choice that no job makes: 0. Another one writes what a job has no word for.
     No,
-    /// A number that means nothing beside such a choice.
-    Idle,
+    /// A number that every call has.
+    Always(Quantity),
+    /// A number that every call has that writes.
+    Writing(Quantity),
 }
 
 impl Is {
-    /// The value of a word, with its unit.
-    pub fn value(self, of: &Probed, asked: &Asked) -> Quantity {
+    /// The value of a word, with its unit; none where the call does not have it.
+    pub fn value(self, of: &Probed, asked: &Asked) -> Option<Quantity> {
         let Limits { size, position, .. } = asked.limits;
+        let one = Quantity::Plain(1.0);
         let flag = |on: bool| Quantity::Plain(f64::from(u8::from(on)));
         let length = Quantity::Length;
-        match self {
-            Is::Center(axis) | Is::Gets(axis) => length(of.center[axis]),
-            Is::Along | Is::GetsAlong => length(of.center[of.axis]),
+        Some(match self {
+            Is::Center(axis) | Is::Stated(axis) | Is::Gets(axis) => length(of.center[axis]),
+            Is::Along | Is::StatedAlong | Is::GetsAlong => length(of.center[of.axis]),
             Is::Edge(edge, axis) => length(of.walls()[edge][axis]),
             Is::Size(n) => length(of.sizes[n]),
             Is::Axis => Quantity::Plain((of.axis + 1) as f64),
@@ -170,7 +206,7 @@ impl Is {
             Is::Count => Quantity::Plain(of.count),
             Is::Arcs => flag(of.arcs),
             Is::Beside => length(of.beside),
-            Is::Row => Quantity::Plain(of.row.unwrap_or(0.0)),
+            Is::Row => Quantity::Plain(of.row?),
             Is::Preset => flag(true),
             Is::Largest(n) => length(size.map_or(0.0, |off| of.sizes[n] + off)),
             Is::Smallest(n) => length(size.map_or(0.0, |off| (of.sizes[n] - off).max(0.0))),
@@ -182,14 +218,31 @@ impl Is {
             }
             Is::Log => Quantity::Plain(asked.log),
             Is::No => flag(false),
-            Is::Idle => length(0.0),
-        }
+            Is::Facing => Quantity::Plain(if of.towards > 0.0 { 1.0 } else { 2.0 }),
+            Is::Turn => Quantity::Angle(of.turn),
+            Is::Down => of.down.map_or(one, length),
+            Is::Zone(n) => match of.inside && of.lifts {
+                true => length(of.zone(n, asked.radius)),
+                false => one,
+            },
+            Is::Safe => {
+                let reach = asked.overtravel.min(of.set_up.unwrap_or(f64::INFINITY));
+                length(reach.min(position.unwrap_or(f64::INFINITY)))
+            }
+            Is::Variant(kind) => {
+                let zone = if of.inside && of.lifts { 1000.0 } else { 0.0 };
+                let corrects = if of.row.is_some() { 100.0 } else { 0.0 };
+                Quantity::Plain(f64::from(kind) + zone + corrects)
+            }
+            Is::Always(number) => number,
+            Is::Writing(number) => of.row.map(|_| number)?,
+        })
     }
 
     /// Takes the value of a word into what is probed; none where that is no value of it.
     fn take(self, value: f64, of: &mut Probed) -> Option<()> {
         match self {
-            Is::Center(axis) => of.center[axis] = value,
+            Is::Center(axis) | Is::Stated(axis) => of.center[axis] = value,
             Is::Edge(edge, axis) => of.edges[edge][axis] = value,
             Is::Size(n) => of.sizes[n] = value,
             Is::Axis => of.axis = [1.0, 2.0, 3.0].iter().position(|axis| *axis == value)?,
@@ -202,17 +255,19 @@ impl Is {
             Is::Count => of.count = value,
             Is::Arcs => of.arcs = value == 1.0,
             Is::Beside => of.beside = value,
-            Is::Row => of.row = Some(value),
-            Is::Along
-            | Is::Preset
-            | Is::Gets(_)
-            | Is::GetsAlong
-            | Is::No
-            | Is::Idle
-            | Is::Log
-            | Is::Off
-            | Is::Stops { .. } => {}
-            Is::Largest(_) | Is::Smallest(_) | Is::Highest | Is::Lowest => {}
+            Is::Row => of.row = Some(value).filter(|_| of.corrects),
+            Is::Along | Is::StatedAlong => of.center[of.axis] = value,
+            Is::Facing => of.towards = if value == 1.0 { 1.0 } else { -1.0 },
+            Is::Turn => of.turn = value,
+            Is::Down => of.down = Some(value),
+            Is::Variant(kind) => {
+                (value % 10.0 == f64::from(kind)).then_some(())?;
+                of.lifts = value >= 1000.0;
+                of.corrects = (value / 100.0).trunc() % 10.0 == 1.0;
+            }
+            Is::Preset | Is::Gets(_) | Is::GetsAlong | Is::No | Is::Always(_) | Is::Writing(_) => {}
+            Is::Largest(_) | Is::Smallest(_) | Is::Highest | Is::Lowest | Is::Off | Is::Safe => {}
+            Is::Zone(_) | Is::Stops { .. } | Is::Log => {}
         }
         Some(())
     }
@@ -221,7 +276,14 @@ impl Is {
     fn is_needed(self) -> bool {
         matches!(
             self,
-            Is::Center(_) | Is::Edge(..) | Is::Size(_) | Is::Axis | Is::Towards
+            Is::Center(_)
+                | Is::Along
+                | Is::Edge(..)
+                | Is::Size(_)
+                | Is::Axis
+                | Is::Towards
+                | Is::Facing
+                | Is::Variant(_)
         )
     }
 
@@ -271,14 +333,20 @@ impl Row {
     /// The words of the call for what is to be probed.
     pub fn call(&self, of: &Probed, asked: &Asked) -> Vec<(u16, Quantity)> {
         self.words()
-            .map(|(number, is)| (number, is.value(of, asked)))
+            .filter_map(|(number, is)| Some((number, is.value(of, asked)?)))
             .collect()
     }
 
-    /// What a call with these values probes; none where they do not say enough.
-    pub fn probed(&self, get: impl Fn(u16) -> Option<f64>) -> Option<Probed> {
-        let mut of = Probed::unknown(self.shape, self.inside);
-        for (number, is) in self.words() {
+    /// What a call with these values probes; none where they do not say enough. `from` is where it is made.
+    pub fn probed(&self, from: Vec3, get: impl Fn(u16) -> Option<f64>) -> Option<Probed> {
+        let mut of = Probed {
+            center: from,
+            ..Probed::unknown(self.shape, self.inside)
+        };
+        // A place along an axis needs the axis.
+        let axis = |(_, is): &(u16, Is)| matches!(is, Is::Axis);
+        let others = self.words().filter(|word| !axis(word));
+        for (number, is) in self.words().filter(axis).chain(others) {
             match get(number) {
                 Some(value) => is.take(value, &mut of)?,
                 None if is.is_needed() => return None,
@@ -295,7 +363,9 @@ impl Row {
         }
         let asked = Asked::default();
         let same = |(number, is): (u16, Is)| match get(number) {
-            Some(given) => given == is.value(&of, &asked).value(),
+            Some(given) => is
+                .value(&of, &asked)
+                .is_some_and(|own| own.value() == given),
             None => is != Is::Preset,
         };
         let kept = self.words().filter(|(_, is)| is.decides_write()).all(same);

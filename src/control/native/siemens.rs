@@ -1,6 +1,8 @@
 //! SINUMERIK's measuring cycles, by the places of their arguments (Operate style, up to 29).
 
+use super::rows::{Is, Row, Shape, Words};
 use super::{Argument, Call, Mark, angle, length, plain};
+use crate::path::Quantity;
 
 const SOURCE: &str = "two generators of the control's own strings, and posts that write them";
 
@@ -89,4 +91,175 @@ pub static CALLS: [Call; 8] = [
     recalled("CYCLE976", "calibrates the probe"),
     recalled("CYCLE996", "measures rotary axes"),
     recalled("CYCLE997", "ball"),
+];
+
+/// The call of a feature: the row of its kind, whether it writes or not.
+pub fn row(shape: Shape, inside: bool) -> Option<&'static Row> {
+    ROWS.iter()
+        .find(|row| row.shape == shape && (row.inside == inside || shape == Shape::Surface))
+}
+
+const fn number(x: f64) -> Is {
+    Is::Always(Quantity::Plain(x))
+}
+
+const fn length_of(x: f64) -> Is {
+    Is::Always(Quantity::Length(x))
+}
+
+const PATH: Words = &[
+    (8, Is::SetUp),
+    (9, Is::Safe),
+    (10, Is::Turn),
+    (11, Is::Down),
+    (12, Is::Zone(0)),
+];
+/// The tolerances that every call has, with what a correction needs behind them.
+const TOLERANCES: Words = &[
+    (15, number(1.0)),
+    (18, number(0.0)),
+    (19, length_of(1.01)),
+    (20, length_of(1.01)),
+    (21, length_of(-1.01)),
+    (22, Is::Writing(Quantity::Length(0.34))),
+    (23, Is::Writing(Quantity::Plain(1.0))),
+    (24, Is::Writing(Quantity::Plain(0.0))),
+];
+const CENTRE: Words = &[
+    (26, number(1.0)),
+    (27, number(11.0)),
+    (28, Is::Stated(0)),
+    (29, Is::Stated(1)),
+];
+const MIDDLE: Words = &[(26, number(1.0)), (27, number(11.0)), (28, Is::StatedAlong)];
+/// Where a call writes, and the probe data set.
+const OFFSET: Words = &[(2, Is::Row), (4, number(1.0))];
+const SIZE: Words = &[(5, Is::Size(0))];
+const SIDES: Words = &[(6, Is::Size(0)), (7, Is::Size(1))];
+const SECOND: Words = &[(13, Is::Zone(1))];
+const AXIS: Words = &[(14, Is::Axis)];
+
+const fn feature((shape, inside): (Shape, bool), words: &'static [Words], results: Words) -> Row {
+    Row {
+        number: 977,
+        head: "",
+        shape,
+        inside,
+        writes: false,
+        words,
+        results,
+    }
+}
+
+const ROUND: Words = &[(5, Is::Center(0)), (6, Is::Center(1)), (4, Is::Size(0))];
+const ACROSS: Words = &[(5, Is::Along), (4, Is::Size(0))];
+const BOTH: Words = &[(5, Is::Center(0)), (6, Is::Center(1))];
+
+/// CYCLE977 by its kinds, and CYCLE978. [S: two generators that copy the control's own editor; where a rectangle and a width put their results is ours]
+pub static ROWS: [Row; 7] = [
+    feature(
+        (Shape::Bore, true),
+        &[
+            &[(1, Is::Variant(1))],
+            OFFSET,
+            SIZE,
+            PATH,
+            TOLERANCES,
+            CENTRE,
+        ],
+        ROUND,
+    ),
+    feature(
+        (Shape::Bore, false),
+        &[
+            &[(1, Is::Variant(2))],
+            OFFSET,
+            SIZE,
+            PATH,
+            TOLERANCES,
+            CENTRE,
+        ],
+        ROUND,
+    ),
+    feature(
+        (Shape::Width, true),
+        &[
+            &[(1, Is::Variant(3))],
+            OFFSET,
+            SIZE,
+            PATH,
+            AXIS,
+            TOLERANCES,
+            MIDDLE,
+        ],
+        ACROSS,
+    ),
+    feature(
+        (Shape::Width, false),
+        &[
+            &[(1, Is::Variant(4))],
+            OFFSET,
+            SIZE,
+            PATH,
+            AXIS,
+            TOLERANCES,
+            MIDDLE,
+        ],
+        ACROSS,
+    ),
+    feature(
+        (Shape::Rectangle, true),
+        &[
+            &[(1, Is::Variant(5))],
+            OFFSET,
+            SIDES,
+            PATH,
+            SECOND,
+            TOLERANCES,
+            CENTRE,
+        ],
+        BOTH,
+    ),
+    feature(
+        (Shape::Rectangle, false),
+        &[
+            &[(1, Is::Variant(6))],
+            OFFSET,
+            SIDES,
+            PATH,
+            SECOND,
+            TOLERANCES,
+            CENTRE,
+        ],
+        BOTH,
+    ),
+    Row {
+        number: 978,
+        head: "",
+        shape: Shape::Surface,
+        inside: false,
+        writes: false,
+        words: &[
+            &[(1, Is::Variant(0))],
+            OFFSET,
+            &[
+                (5, Is::Along),
+                (6, Is::SetUp),
+                (7, Is::Safe),
+                (8, Is::Axis),
+                (9, Is::Facing),
+                (10, number(1.0)),
+                (13, number(0.0)),
+                (14, length_of(1.01)),
+                (15, length_of(1.01)),
+                (16, length_of(-1.01)),
+                (17, Is::Writing(Quantity::Length(0.34))),
+                (18, Is::Writing(Quantity::Plain(1.0))),
+                (19, Is::Writing(Quantity::Plain(0.0))),
+                (21, number(1.0)),
+                (22, number(1.0)),
+            ],
+        ],
+        results: &[],
+    },
 ];

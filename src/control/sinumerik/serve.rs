@@ -8,6 +8,8 @@ use std::ops::Range;
 
 use super::cycles;
 use crate::control::iso::writer::Writer;
+use crate::control::native::rows::{Asked, Is, Probed, Shape};
+use crate::control::native::siemens::row;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
 use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of, refused};
@@ -25,6 +27,9 @@ use Quantity::{Angle, Length, Plain};
 
 /// The shortest measuring path that a cycle is called with, mm.
 const SHORTEST_PATH: f64 = 0.1;
+
+/// The codes of a centre.
+const CENTER: [&str; 2] = ["center.x", "center.y"];
 
 /// How nearly directions and places must agree.
 const NEAR: f64 = 1e-6;
@@ -177,77 +182,46 @@ impl Plan<'_> {
         Ok(path)
     }
 
-    /// What it takes for plausible: how far a wall may be off.
-    fn safe(&self, path: f64) -> Quantity {
-        let limit = self.request.limits.position.unwrap_or(f64::INFINITY);
-        Length(self.request.setup.overtravel.min(path).min(limit))
+    /// Calls the cycle for what is to be probed. `codes` are those of its results: of its centre, and of its sizes.
+    fn calls(&mut self, probed: &Probed, [places, sizes]: [&[&'static str]; 2]) {
+        let Some(row) = row(probed.shape, probed.inside) else {
+            return;
+        };
+        let request = self.request;
+        let asked = Asked {
+            limits: request.limits,
+            overtravel: request.setup.overtravel,
+            radius: self.radius,
+            ..Asked::default()
+        };
+        self.blocks
+            .push(OwnBlock::Cycle(row.number, row.call(probed, &asked)));
+        let code = |is: Is| match is {
+            Is::Center(axis) => places.get(axis).copied(),
+            Is::Along => places.get(probed.axis).copied(),
+            Is::Size(n) => sizes.get(n).copied(),
+            _ => None,
+        };
+        // Along the axis that is measured a centre is found where that of the plane is.
+        let entry = |(entry, is): &(u16, Is)| {
+            let later = if *is == Is::Along { probed.axis } else { 0 };
+            Some((code(*is)?, usize::from(*entry) + later))
+        };
+        let results: Vec<_> = row.results.iter().filter_map(entry).collect();
+        self.stores(&results);
     }
 
-    /// The tolerances that every call has, from this place on, and behind them what a correction needs.
-    fn tolerances(&self, from: u16, arguments: &mut Vec<(u16, Quantity)>) {
-        let tolerance = |sign: f64| Length(sign * 1.01);
-        arguments.push((from, Plain(0.0)));
-        arguments.extend([
-            (from + 1, tolerance(1.0)),
-            (from + 2, tolerance(1.0)),
-            (from + 3, tolerance(-1.0)),
-        ]);
-        if self.request.work_offset.is_some() {
-            arguments.extend([
-                (from + 4, Length(0.34)),
-                (from + 5, Plain(1.0)),
-                (from + 6, Plain(0.0)),
-            ]);
+    /// A feature about the frame's origin, turned by so many degrees; `down` is the way to its touches.
+    fn probed(&self, shape: Shape, inside: bool, path: f64, down: Option<f64>) -> Probed {
+        let request = self.request;
+        Probed {
+            center: request.path.frame.origin,
+            set_up: Some(path),
+            lifts: down.is_some() && inside,
+            down,
+            row: request.work_offset.map(request.offset),
+            ..Probed::unknown(shape, inside)
         }
-    }
-
-    /// The variant and the offset: hundreds correct, thousands have a protection zone.
-    fn variant(&self, kind: u16, zone: bool) -> Vec<(u16, Quantity)> {
-        let corrects = self.request.work_offset;
-        let variant = kind + if zone { 1000 } else { 0 } + if corrects.is_some() { 100 } else { 0 };
-        let offset = corrects.map(|n| (2, Plain((self.request.offset)(n))));
-        [(1, Plain(f64::from(variant)))]
-            .into_iter()
-            .chain(offset)
-            .chain([(4, Plain(1.0))])
-            .collect()
-    }
-
-    /// CYCLE977 with what all its variants have. `zones` stand at 12 and 13, the centre at 28 and 29.
-    fn feature(
-        &mut self,
-        kind: u16,
-        zones: Option<[Option<f64>; 2]>,
-        sizes: &[(u16, f64)],
-        rest: Rest<'_>,
-    ) {
-        let mut arguments = self.variant(kind, zones.is_some());
-        arguments.extend(sizes.iter().map(|(place, size)| (*place, Length(*size))));
-        arguments.extend([
-            (8, Length(rest.path)),
-            (9, self.safe(rest.path)),
-            (10, Angle(rest.angle)),
-        ]);
-        // Where nothing goes down, and where there is no zone, the control's editor leaves a 1.
-        arguments.push((11, rest.down.map_or(Plain(1.0), Length)));
-        let [one, two] = zones.unwrap_or([None; 2]);
-        arguments.push((12, one.map_or(Plain(1.0), Length)));
-        if sizes.len() == 2 {
-            arguments.push((13, two.map_or(Plain(1.0), Length)));
-        }
-        if let Some(axis) = rest.axis {
-            arguments.push((14, Plain(axis as f64 + 1.0)));
-        }
-        arguments.push((15, Plain(1.0)));
-        self.tolerances(18, &mut arguments);
-        arguments.extend([(26, Plain(1.0)), (27, Plain(11.0))]);
-        arguments.extend(
-            rest.center
-                .iter()
-                .zip([28, 29])
-                .map(|(place, number)| (number, Length(*place))),
-        );
-        self.blocks.push(OwnBlock::Cycle(977, arguments));
     }
 
     fn stores(&mut self, results: &[(&'static str, usize)]) {
@@ -322,21 +296,13 @@ impl Plan<'_> {
             return Err(refused("cycle-not-parallel", field, message));
         };
         let path = self.path(Some(clearance), clearance)?;
-        let mut arguments = self.variant(0, false);
-        arguments.extend([
-            (5, Length(point[axis])),
-            (6, Length(path)),
-            (7, self.safe(path)),
-        ]);
-        // A touch runs against the vector: 1 towards plus, 2 towards minus.
-        arguments.extend([
-            (8, Plain(axis as f64 + 1.0)),
-            (9, Plain(if vector[axis] < 0.0 { 1.0 } else { 2.0 })),
-            (10, Plain(1.0)),
-        ]);
-        self.tolerances(13, &mut arguments);
-        arguments.extend([(21, Plain(1.0)), (22, Plain(1.0))]);
-        self.blocks.push(OwnBlock::Cycle(978, arguments));
+        let probed = Probed {
+            center: point,
+            axis,
+            towards: -vector[axis].signum(),
+            ..self.probed(Shape::Surface, false, path, None)
+        };
+        self.calls(&probed, [&[], &[]]);
         self.stops_for(&[["point.x", "point.y", "point.z"][axis]]);
         Ok(())
     }
@@ -365,46 +331,41 @@ impl Plan<'_> {
         } else {
             self.begins()
         };
-        let zone = bore
-            .clearance
-            .filter(|_| inside)
-            .map(|clearance| self.zone(bore.diameter, clearance))
-            .transpose()?;
-        self.down(start);
-        let rest = Rest {
-            path: measuring,
-            angle: angles[0],
-            down: bore.clearance.map(|_| start.z - touches[0].point.z),
-            axis: None,
-            center: &[center.x, center.y],
+        let down = bore.clearance.map(|_| start.z - touches[0].point.z);
+        let probed = Probed {
+            sizes: [bore.diameter.value, f64::NAN],
+            turn: angles[0],
+            ..self.probed(Shape::Bore, inside, measuring, down)
         };
-        self.feature(
-            if inside { 1 } else { 2 },
-            zone.map(|zone| [Some(zone), None]),
-            &[(5, bore.diameter.value)],
-            rest,
-        );
-        self.stores(&[("center.x", 5), ("center.y", 6), ("diameter", 4)]);
+        self.check_zones(&probed, &[bore.clearance])?;
+        self.down(start);
+        self.calls(&probed, [&CENTER, &["diameter"]]);
         self.up();
         Ok(())
     }
 
-    /// What the ball leaves free where it goes down.
-    fn zone(&self, width: Entry, clearance: Entry) -> Result<f64, Refused> {
-        let zone = width.value - 2.0 * (clearance.value + self.radius);
-        if zone <= 0.0 {
-            let message = text!(
-                "The points where the ball goes down leave no room for a protection zone{advice}",
-                self.request.advice()
-            );
-            return Err(refused("cycle-no-zone", clearance.field, message));
+    /// Whether the ball leaves room for a zone where it goes down between walls.
+    fn check_zones(&self, probed: &Probed, clearances: &[Option<Entry>]) -> Result<(), Refused> {
+        if !(probed.inside && probed.lifts) {
+            return Ok(());
         }
-        Ok(zone)
+        for (n, clearance) in clearances.iter().enumerate() {
+            if let Some(clearance) = clearance
+                && probed.zone(n, self.radius) <= 0.0
+            {
+                let message = text!(
+                    "The points where the ball goes down leave no room for a protection zone{advice}",
+                    self.request.advice()
+                );
+                return Err(refused("cycle-no-zone", clearance.field, message));
+            }
+        }
+        Ok(())
     }
 
     fn pairs(&mut self, pairs: &Pairs) -> Result<(), Refused> {
         let path = self.request.path;
-        let (center, touches) = (path.frame.origin, &path.touches);
+        let touches = &path.touches;
         let clearances: Vec<Entry> = pairs
             .sides
             .iter()
@@ -436,43 +397,31 @@ impl Plan<'_> {
         }
         let along_y = (angle.abs() - 90.0).abs() < NEAR;
         let turned = !along_y && angle.abs() > NEAR;
-        let zones = match (pairs.internal, beside) {
-            (true, true) => {
-                let zone = |side: &crate::path::Side| {
-                    side.clearance
-                        .map(|clearance| self.zone(side.width, clearance))
-                        .transpose()
-                };
-                let mut zones = [
-                    zone(&pairs.sides[0])?,
-                    pairs.sides.get(1).map_or(Ok(None), zone)?,
-                ];
-                if along_y && pairs.sides.len() == 2 {
-                    zones.swap(0, 1);
-                }
-                Some(zones)
-            }
-            _ => None,
-        };
         let start = if beside { self.start() } else { self.begins() };
-        self.down(start);
         let down = beside.then_some(start.z - touches[0].point.z);
-        let outside = u16::from(!pairs.internal);
+        let turn = if turned { angle } else { 0.0 };
         if let [one, two] = pairs.sides.as_slice() {
-            let mut sizes = [one.width.value, two.width.value];
+            let mut sides = [one, two];
             if along_y {
-                sizes.swap(0, 1);
+                sides.swap(0, 1);
             }
-            let rest = Rest {
-                path: measuring,
-                angle: if turned { angle } else { 0.0 },
-                down,
-                axis: None,
-                center: &[center.x, center.y],
+            let probed = Probed {
+                sizes: sides.map(|side| side.width.value),
+                turn,
+                ..self.probed(Shape::Rectangle, pairs.internal, measuring, down)
             };
-            self.feature(5 + outside, zones, &[(6, sizes[0]), (7, sizes[1])], rest);
-            self.stores(&[("center.x", 5), ("center.y", 6)]);
+            self.check_zones(&probed, &sides.map(|side| side.clearance))?;
+            self.down(start);
+            self.calls(&probed, [&CENTER, &[]]);
         } else {
+            let axis = usize::from(along_y);
+            let probed = Probed {
+                sizes: [narrowest.value, f64::NAN],
+                axis,
+                turn,
+                ..self.probed(Shape::Width, pairs.internal, measuring, down)
+            };
+            self.check_zones(&probed, &[pairs.sides[0].clearance])?;
             if turned && self.request.work_offset.is_some() {
                 let message = text!(
                     "No source says how CYCLE977 corrects a work offset along a turned groove or web: write no work offset{advice}",
@@ -480,19 +429,9 @@ impl Plan<'_> {
                 );
                 return Err(refused("cycle-not-parallel", "control.workOffset", message));
             }
-            let axis = usize::from(along_y);
-            let rest = Rest {
-                path: measuring,
-                angle: if turned { angle } else { 0.0 },
-                down,
-                axis: Some(axis),
-                center: &[center[axis]],
-            };
-            self.feature(3 + outside, zones, &[(5, pairs.sides[0].width.value)], rest);
-            match turned {
-                true => self.stores(&[("width", 4)]),
-                false => self.stores(&[(["center.x", "center.y"][axis], 5 + axis), ("width", 4)]),
-            }
+            self.down(start);
+            let places: &[&str] = if turned { &[] } else { &CENTER };
+            self.calls(&probed, [places, &["width"]]);
         }
         if let Some((k, Some(from), _)) = path
             .searches()
@@ -553,15 +492,6 @@ impl Plan<'_> {
             refused("cycle-stops", "cycle", message)
         })
     }
-}
-
-/// What a call of CYCLE977 has beside its kind and its sizes.
-struct Rest<'a> {
-    path: f64,
-    angle: f64,
-    down: Option<f64>,
-    axis: Option<usize>,
-    center: &'a [f64],
 }
 
 /// The argument of a call at a place.
