@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::own_cycles::{BALL, Face, own, stopped};
+use super::own_cycles::{BALL, Face, PLACES, own, stopped};
 use crate::common::{Draws, number, point as list, with};
 use crate::tests::controls::{calling_macros, calling_macros_as_a_fanuc, without};
 use touchpath::form::{Level, Value};
@@ -291,10 +291,18 @@ fn cases() -> Vec<Case> {
 #[test]
 fn the_judge_touches_where_the_plan_does() {
     let mut touches = 0;
-    for (cycle, changes, faces, cycles) in cases() {
+    let cases = cases();
+    let placed = cases
+        .iter()
+        .flat_map(|case| PLACES.map(|place| (place, case)));
+    for (place, (cycle, changes, faces, cycles)) in placed {
+        let faces: Vec<Face> = faces.iter().map(|face| face.moved(place)).collect();
         for (row, set_up) in [(None, 0.0), (Some(3.0), 0.0), (None, 2.0), (Some(3.0), 2.0)] {
             let mut changes = changes.clone();
             changes.push(("part.offset", list([0.4, -0.3, 0.2])));
+            if place != PLACES[0] {
+                changes.push(("cycle.origin", list(place)));
+            }
             changes.push(("control.workOffset", row.map_or(Value::Null, Value::Number)));
             changes.push(("control.setUp", number(set_up)));
             let wanted = cycles[usize::from(row.is_some())];
