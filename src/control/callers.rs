@@ -8,7 +8,7 @@ use crate::control::iso::writer::{self, Dialect};
 use crate::control::own::OwnCycles;
 use crate::control::renishaw::cycles;
 use crate::control::renishaw::post::{self, CALLS, Calls, variable};
-use crate::control::{BASE, Form, PostDef, Request, number, offsets};
+use crate::control::{BASE, Form, ORIENT, PostDef, Request, number, offsets};
 use crate::form::Checker;
 use crate::path::{Stored, Subject};
 use crate::text::{text, words};
@@ -90,9 +90,12 @@ const CALLER: PostDef = PostDef {
     work_offsets: offsets::STANDARD + offsets::MORE,
     work_offset_word: offsets::word,
     computes: false,
-    orients: Err(words!(
-        "no source says how a program of {control} turns the spindle to an angle: turn it before"
-    )),
+    cannot: &[(
+        ORIENT,
+        words!(
+            "no source says how a program of {control} turns the spindle to an angle: turn it before"
+        ),
+    )],
     dialect: &DIALECT,
     name: |name| crate::control::comment_text(name).to_ascii_uppercase(),
     rate: |request, _, step| request.feeds.rate(step.feed),

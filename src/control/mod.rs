@@ -169,8 +169,6 @@ pub struct PostDef {
     pub work_offset_word: fn(i32) -> String,
     /// Whether a work offset has a rotation that its program can write.
     pub rotates: bool,
-    /// Why no work offset can be written, where that is so.
-    pub no_work_offset: &'static str,
     /// The fields of the job's section `control` that change nothing on it.
     pub unused: &'static [&'static str],
     /// Fields that a program of the control's own cycles ignores, as paths of the job.
@@ -184,8 +182,6 @@ pub struct PostDef {
     pub when: When,
     /// The nearest to its start that a touch may trigger, mm, each axis added up: what triggers nearer passes for a probe that is deflected.
     pub nearest_trigger: f64,
-    /// Whether its program can turn the spindle to an angle, and why not.
-    pub orients: Result<(), &'static str>,
     /// Whether its program watches positioning moves with the probe, where the job asks for it.
     pub watches: bool,
     /// Whether the way to the first position is watched as well.
@@ -196,7 +192,7 @@ pub struct PostDef {
     pub constant_error: f64,
     /// How its blocks are written.
     pub dialect: &'static Dialect,
-    /// The safety rules that its programs cannot hold, and why.
+    /// What its programs cannot do, and why: [`ORIENT`], [`WRITE_OFFSET`], or the name of a safety rule. [`PostDef::why_not`] asks it.
     pub cannot: &'static [(&'static str, &'static str)],
     /// The name that its programs bear, from the one in the job.
     pub name: fn(&str) -> String,
@@ -216,6 +212,12 @@ pub struct PostDef {
     pub typed_write: Option<TypedWrite>,
 }
 
+/// To turn the spindle to an angle.
+pub const ORIENT: &str = "orient";
+
+/// To write a work offset.
+pub const WRITE_OFFSET: &str = "write-offset";
+
 /// What most controls have. A control is one const over it, or over that of its kin: `PostDef { key: "…", …, ..BASE }`. What every control must state
 /// (key, title, `about`, extension, `serves`, `emit`) is empty here; a test checks that every control states it.
 pub const BASE: PostDef = PostDef {
@@ -227,14 +229,12 @@ pub const BASE: PostDef = PostDef {
     own_preset: |_| false,
     work_offset_word: |_| String::new(),
     rotates: true,
-    no_work_offset: "",
     unused: &[],
     unused_by_cycles: &["control.protection", "feeds.work", "feeds.retract"],
     first_length: false,
     computes: true,
     when: When::AtTheEnd,
     nearest_trigger: 0.0,
-    orients: Ok(()),
     watches: true,
     watches_first: true,
     shortest_probe: 0.0,
@@ -265,6 +265,12 @@ impl PostDef {
     /// Whether a job can have the form of moves here: those programs are read back.
     pub fn moves(&self) -> bool {
         self.read.is_some()
+    }
+
+    /// Why its programs cannot do something; none where they can.
+    pub fn why_not(&self, what: &str) -> Option<&'static str> {
+        let known = self.cannot.iter().find(|(known, _)| *known == what);
+        known.map(|(_, why)| *why)
     }
 
     /// Words about the control, with its name in place of `{control}`.
@@ -339,6 +345,11 @@ pub struct Request<'a> {
 pub const CHORD_SAG: f64 = 0.02;
 
 impl Request<'_> {
+    /// The angle that the program turns the spindle to.
+    pub fn orients(&self) -> Option<f64> {
+        self.orient.filter(|_| self.post.why_not(ORIENT).is_none())
+    }
+
     /// As high as the path ever is.
     pub fn highest(&self) -> Vec3 {
         let w = self.path.frame.w;
@@ -513,7 +524,7 @@ fn rotation_field(request: &Request<'_>) -> &'static str {
 
 /// A spindle that is to be turned to an angle by a control whose program cannot.
 fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
-    if let (Some(_), Err(why)) = (request.orient, request.post.orients) {
+    if let (Some(_), Some(why)) = (request.orient, request.post.why_not(ORIENT)) {
         checker.warning(
             "orient-unsupported",
             "control.orient",
@@ -524,7 +535,7 @@ fn check_orientation(request: &Request<'_>, checker: &mut Checker) {
 
 /// What the header says of the angle at which the spindle stands.
 fn orientation_line(request: &Request<'_>) -> String {
-    match request.orient.filter(|_| request.post.orients.is_ok()) {
+    match request.orients() {
         Some(angle) => {
             format!("The spindle is turned to {} degrees first: the probe must be calibrated at that angle", decimal(angle, 3))
         }

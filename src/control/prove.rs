@@ -250,11 +250,7 @@ pub fn follow<'t>(
         &marks,
     )
     .map_err(|t| faults(vec![t]))?;
-    let asks = request
-        .post
-        .cannot
-        .iter()
-        .all(|(rule, _)| *rule != LOW_START);
+    let asks = request.post.why_not(LOW_START).is_none();
     let below = match request.path.moves.first().filter(|_| asks) {
         Some(step) => {
             let start = request.path.start.map_or(away(-AWAY[2]), |start| {

@@ -298,13 +298,7 @@ pub fn check(request: &Request<'_>, followed: &Followed<'_>, restarts: Restarts)
 }
 
 fn verdict(rule: &Rule, case: &Case<'_>) -> Verdict {
-    let unable = case
-        .request
-        .post
-        .cannot
-        .iter()
-        .find(|(name, _)| *name == rule.name)
-        .map(|(_, why)| *why);
+    let unable = case.request.post.why_not(rule.name);
     let own_cycle = rule.own_cycle && !case.followed.trace.natives.is_empty();
     let (holds, message, lines) = if let Some(why) = unable {
         (None, case.request.post.says(why), Vec::new())

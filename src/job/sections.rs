@@ -1,6 +1,6 @@
 //! The job's own form: everything around the cycle.
 
-use crate::control::{self, Form, Header, POSTS, PostDef, Report};
+use crate::control::{self, Form, Header, POSTS, PostDef, Report, WRITE_OFFSET};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef, REPEAT, Repeat};
 use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::{Limits, Wear};
@@ -762,11 +762,11 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
         checker.info("number-unused", "control.number", message);
     }
     if let Some(n) = control.work_offset {
-        if post.work_offsets == 0 {
+        if let Some(why) = post.why_not(WRITE_OFFSET) {
             checker.error(
                 "work-offset-unsupported",
                 "control.workOffset",
-                post.says(post.no_work_offset),
+                post.says(why),
             );
         } else if n > post.work_offsets {
             let last = (post.work_offset_word)(post.work_offsets);

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::common::{job, owed, with};
 use crate::tests::safety::{BROKEN, DANGEROUS};
 use touchpath::control::iso::writer::Dialect;
-use touchpath::control::{Form, POSTS, PostDef};
+use touchpath::control::{Form, POSTS, PostDef, WRITE_OFFSET};
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Field, Kind, Level, Value};
 use touchpath::job::{self, SECTIONS, check, default_job, plan};
@@ -120,7 +120,7 @@ fn every_control_states_what_is_its_own() {
             post.key
         );
         assert!(
-            post.work_offsets > 0 || !post.no_work_offset.is_empty(),
+            (post.work_offsets > 0) == post.why_not(WRITE_OFFSET).is_none(),
             "{} does not say why it writes no work offset",
             post.key
         );

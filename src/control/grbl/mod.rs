@@ -14,8 +14,8 @@ use crate::control::iso::writer::{Dialect, PLAIN, Writer, upwards};
 use crate::control::moves::{self, Moves, Step, each_piece};
 use crate::control::rules;
 use crate::control::{
-    BASE, Form, PostDef, Program, Request, check_length_axis, check_orientation, check_plain_moves,
-    check_watched, does, orientation_line,
+    BASE, Form, ORIENT, PostDef, Program, Request, WRITE_OFFSET, check_length_axis,
+    check_orientation, check_plain_moves, check_watched, does, orientation_line,
 };
 use crate::form::Checker;
 use crate::geom::Vec3;
@@ -43,14 +43,18 @@ pub static FLUIDNC: PostDef = PostDef {
 
 /// Those that can more than grbl, and get its program.
 const LATER: PostDef = PostDef {
-    no_work_offset: words!(
-        "the program is that of grbl and uses no variables: let the sender read the [PRB:] reports and write the offset"
-    ),
-    orients: Err(words!(
-        "the program is that of grbl and does not turn the spindle: turn it by hand"
-    )),
     dialect: &LONG,
     cannot: &[
+        (
+            WRITE_OFFSET,
+            words!(
+                "the program is that of grbl and uses no variables: let the sender read the [PRB:] reports and write the offset"
+            ),
+        ),
+        (
+            ORIENT,
+            words!("the program is that of grbl and does not turn the spindle: turn it by hand"),
+        ),
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
         (
             rules::MISS_LIFTS,
@@ -94,17 +98,21 @@ const KIN: PostDef = PostDef {
     title: "grbl",
     about: "the same moves, positioning watched by G38.3. grbl has no variables, so a program cannot compute or write anything; the page and the program say so.",
     extension: "nc",
-    no_work_offset: words!(
-        "{control} has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
-    ),
     computes: false,
-    orients: Err(words!(
-        "{control} cannot turn a spindle to an angle: turn it by hand"
-    )),
     watches_first: false,
     dialect: &DIALECT,
     unused: &["tool", "orient", "report", "number", "setUp", "probeInput"],
     cannot: &[
+        (
+            WRITE_OFFSET,
+            words!(
+                "{control} has no variables, so the program cannot compute an offset: let the sender read the [PRB:] reports and write it"
+            ),
+        ),
+        (
+            ORIENT,
+            words!("{control} cannot turn a spindle to an angle: turn it by hand"),
+        ),
         (rules::CONTACT_LIFTS, CONTACT_STAYS),
         (
             rules::MISS_LIFTS,

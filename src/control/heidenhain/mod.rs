@@ -13,7 +13,7 @@ use std::ops::Range;
 
 use crate::control::iso::writer::{Dialect, PLAIN, Writer, stated_start};
 use crate::control::moves::{self, Moves, Step};
-use crate::control::{BASE, Form, PostDef, Program, Request, check_orientation, does};
+use crate::control::{BASE, Form, ORIENT, PostDef, Program, Request, check_orientation, does};
 use crate::form::Checker;
 use crate::geom::Plane;
 use crate::num::decimal;
@@ -29,9 +29,12 @@ pub static DEF: PostDef = PostDef {
     own_preset: |subject| subject == Subject::TwoCircles,
     work_offset_word: |n| format!("preset row {n}"),
     computes: false,
-    orients: Err(words!(
-        "the cycles orient the probe themselves, as the probe table says (TRACK): the orientation of the job is not used"
-    )),
+    cannot: &[(
+        ORIENT,
+        words!(
+            "the cycles orient the probe themselves, as the probe table says (TRACK): the orientation of the job is not used"
+        ),
+    )],
     watches: false,
     dialect: &Dialect {
         comment: ("; ", ""),

@@ -257,7 +257,7 @@ fn call(calls: &Calls, number: u32, words: &[(char, String)]) -> String {
 
 /// Turns the spindle to the angle of the job.
 fn orient(request: &Request<'_>, calls: &Calls, w: &mut Writer<'_>) {
-    if let Some(angle) = request.orient.filter(|_| request.post.orients.is_ok()) {
+    if let Some(angle) = request.orients() {
         let point = if request.post.dialect.points && angle.fract() == 0.0 {
             "."
         } else {
@@ -353,7 +353,7 @@ fn begin(request: &Request<'_>, own: &Own, calls: &Calls, w: &mut Writer<'_>) {
         "Before the start: probe in the spindle, {} active, the stylus above {z}: it goes there in the plane first",
         calls.length
     ));
-    match request.orient.filter(|_| request.post.orients.is_ok()) {
+    match request.orients() {
         None if calls.switches => w.comment(&format!(
             "{} may turn the spindle by M19, as one edition of it does: the probe must be calibrated at that angle",
             calls.name(ON)

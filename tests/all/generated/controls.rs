@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use touchpath::control::safety::RULES;
-use touchpath::control::{Form, POSTS, PostDef};
+use touchpath::control::{Form, POSTS, PostDef, WRITE_OFFSET};
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::path::Subject;
 
@@ -76,7 +76,11 @@ pub fn page() -> String {
     };
     for post in POSTS {
         let offsets = match post.work_offsets {
-            0 => format!("none: {}", post.says(post.no_work_offset).english()),
+            0 => format!(
+                "none: {}",
+                post.why_not(WRITE_OFFSET)
+                    .map_or_else(String::new, |why| post.says(why).english())
+            ),
             last => format!(
                 "{} to {}",
                 (post.work_offset_word)(1),
