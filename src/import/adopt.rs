@@ -223,6 +223,39 @@ impl Called<'_> {
 }
 
 impl Said {
+    fn new(cycle: &'static str, fields: Vec<(&'static str, f64)>, origin: [f64; 3]) -> Said {
+        Said {
+            cycle,
+            fields,
+            origin,
+            overtravel: None,
+            post: None,
+            offset: None,
+        }
+    }
+
+    /// A surface across an axis, whose touch begins so far from it; none that faces downwards.
+    fn of_surface(probed: &Probed, clearance: f64) -> Option<Said> {
+        let (center, tool) = (probed.center, probed.axis == 2);
+        let mut fields = vec![
+            ("elevation", if tool { 90.0 } else { 0.0 }),
+            ("clearance", clearance),
+        ];
+        // The surface faces the touch.
+        match (probed.axis, probed.towards > 0.0) {
+            (0, true) => fields.push(("rotation", 180.0)),
+            (0, false) => fields.push(("rotation", 0.0)),
+            (1, _) => fields.push(("rotation", -90.0 * probed.towards)),
+            (_, true) => return None,
+            (_, false) => {}
+        }
+        // From where the touch begins up to the clearance height.
+        let begins = center.z + if tool { clearance } else { 0.0 };
+        let up = probed.high.map(|high| ("feedDistance", high - begins));
+        fields.extend(up.filter(|(_, far)| *far >= 0.0));
+        Some(Said::new("surface", fields, center.to_array()))
+    }
+
     /// What is probed, as a documented cycle whose touches begin so far from their contacts and lie so deep below the top side.
     fn of(probed: &Probed, clearance: f64, depth: f64) -> Option<Said> {
         let Probed {
@@ -231,7 +264,6 @@ impl Said {
             center,
             sizes,
             axis,
-            towards,
             high,
             lifts,
             turn,
@@ -246,39 +278,7 @@ impl Said {
                 (false, _) => out,
             };
         let cycle = match shape {
-            Shape::Surface => {
-                // The surface faces the touch.
-                let facing = match axis {
-                    1 => Some(-90.0 * towards),
-                    0 => Some(if towards > 0.0 { 180.0 } else { 0.0 }),
-                    _ if towards < 0.0 => None,
-                    _ => return None,
-                };
-                fields = vec![
-                    ("elevation", if axis == 2 { 90.0 } else { 0.0 }),
-                    ("clearance", clearance),
-                ];
-                fields.extend(facing.map(|facing| ("rotation", facing)));
-                // From where the touch begins up to the clearance height.
-                let begins = if axis == 2 {
-                    center.z + clearance
-                } else {
-                    center.z
-                };
-                fields.extend(
-                    high.map(|high| ("feedDistance", high - begins))
-                        .filter(|(_, far)| *far >= 0.0),
-                );
-                let origin = center.to_array();
-                return Some(Said {
-                    cycle: "surface",
-                    fields,
-                    origin,
-                    overtravel: None,
-                    post: None,
-                    offset: None,
-                });
-            }
+            Shape::Surface => return Said::of_surface(probed, clearance),
             Shape::Bore => {
                 fields.extend([("diameter", sizes[0]), ("rotation", turn)]);
                 if probed.start != 0.0 || probed.step != 90.0 {
@@ -327,14 +327,7 @@ impl Said {
             };
             fields.extend(sides.iter().map(|side| (*side, clearance)));
         }
-        Some(Said {
-            cycle,
-            fields,
-            origin: [center.x, center.y, top],
-            overtravel: None,
-            post: None,
-            offset: None,
-        })
+        Some(Said::new(cycle, fields, [center.x, center.y, top]))
     }
 }
 

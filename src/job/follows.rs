@@ -472,80 +472,72 @@ pub fn settle(
     if !one_place {
         (follows.about[a], follows.about[o]) = (origin[a], origin[o]);
     }
-    let Planned { path, job, .. } = planned;
     if follows.rotation.is_some() {
-        let arcs = path.moves.iter().any(|step| step.arc.is_some());
-        if arcs || !path.formula.can_turn() {
-            let message =
-                text!("This cycle cannot follow an angle: it writes an angle itself, or has arcs");
-            checker.error(
-                "place-of-result",
-                format!("cycles[{index}].rotation"),
-                message,
-            );
-        }
-        let arm = (origin[a] - follows.about[a]).hypot(origin[o] - follows.about[o]);
-        let far = arm * job.limits.angle.unwrap_or(0.0).min(90.0).to_radians().sin();
-        let most = job.limits.position.unwrap_or(f64::INFINITY);
-        if far > most {
-            let message = text!(
-                "Turned by limits.angle, this cycle lies {far} off its nominal place, and limits.position allows {limit}: on such a part the program stops before it writes",
-                checker.length(far),
-                checker.length(most)
-            );
-            checker.info(
-                "turn-beyond-limit",
-                format!("cycles[{index}].rotation"),
-                message,
-            );
-        }
+        check_turn(checker, planned, follows.about, index);
     }
     if let (Some(_), Some((key, _))) = (follows.rotation, sizes.first()) {
         let message = text!("A cycle follows either a rotation or sizes, not both");
         checker.error("place-of-result", format!("cycles[{index}].{key}"), message);
         return follows;
     }
-    let by = job.limits.size.unwrap_or(0.0);
     for (key, of) in sizes {
-        let field = format!("cycles[{index}].{key}");
-        let tried = [-by, by].map(|by| resized(single, &key, by / job.scale));
-        let paths = match tried {
-            [Ok(less), Ok(more)] => [less, more],
-            [less, more] => {
-                let (side, why) = match (less.err(), more.err()) {
-                    (Some(why), _) => (-by, why),
-                    (None, Some(why)) => (by, why),
-                    (None, None) => continue,
-                };
-                let off = checker.length(side);
-                let message = match why {
-                    Some(why) => {
-                        text!(
-                            "This size follows a result, and {off} off the nominal one the cycle has an error: {error}",
-                            off,
-                            why
-                        )
-                    }
-                    None => text!(
-                        "This size follows a result, and {off} off the nominal one the path of the cycle is not free",
-                        off
-                    ),
-                };
-                checker.error("place-of-result", field, message);
-                continue;
-            }
-        };
-        match Along::of(&paths[0], path, &paths[1], by) {
-            Some(along) => follows.sizes.push((of, along)),
-            None => {
-                let message = text!(
-                    "This size cannot follow a result: the moves of the cycle do not go along with it evenly"
-                );
-                checker.error("place-of-result", field, message);
-            }
+        match along(checker, planned, single, &key) {
+            Ok(along) => follows.sizes.push((of, along)),
+            Err(why) => checker.error("place-of-result", format!("cycles[{index}].{key}"), why),
         }
     }
     follows
+}
+
+/// Whether a cycle can be turned about a place, and how far that puts it.
+fn check_turn(checker: &mut Checker, planned: &Planned, about: Vec3, index: usize) {
+    let Planned { path, job, .. } = planned;
+    let field = || format!("cycles[{index}].rotation");
+    let arcs = path.moves.iter().any(|step| step.arc.is_some());
+    if arcs || !path.formula.can_turn() {
+        let message =
+            text!("This cycle cannot follow an angle: it writes an angle itself, or has arcs");
+        checker.error("place-of-result", field(), message);
+    }
+    let [a, o, _] = job.setup.plane.axes();
+    let arm = path.frame.origin - about;
+    let angle = job.limits.angle.unwrap_or(0.0).min(90.0).to_radians();
+    let far = arm[a].hypot(arm[o]) * angle.sin();
+    let most = job.limits.position.unwrap_or(f64::INFINITY);
+    if far > most {
+        let message = text!(
+            "Turned by limits.angle, this cycle lies {far} off its nominal place, and limits.position allows {limit}: on such a part the program stops before it writes",
+            checker.length(far),
+            checker.length(most)
+        );
+        checker.info("turn-beyond-limit", field(), message);
+    }
+}
+
+/// How the moves of a cycle go along with a size, tried at both ends of its limit; else why they do not.
+fn along(checker: &Checker, planned: &Planned, single: &Value, key: &str) -> Result<Along, Text> {
+    let Planned { path, job, .. } = planned;
+    let limit = job.limits.size.unwrap_or(0.0);
+    let at = |by: f64| {
+        resized(single, key, by / job.scale).map_err(|why| {
+            let off = checker.length(by);
+            match why {
+                Some(why) => text!(
+                    "This size follows a result, and {off} off the nominal one the cycle has an error: {error}",
+                    off,
+                    why
+                ),
+                None => text!(
+                    "This size follows a result, and {off} off the nominal one the path of the cycle is not free",
+                    off
+                ),
+            }
+        })
+    };
+    let (less, more) = (at(-limit)?, at(limit)?);
+    Along::of(&less, path, &more, limit).ok_or_else(|| {
+        text!("This size cannot follow a result: the moves of the cycle do not go along with it evenly")
+    })
 }
 
 /// The path of a cycle with another size; else its first error, or none where the path is not free.

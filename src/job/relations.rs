@@ -332,20 +332,16 @@ fn read_of(
         Some(Value::List(list)) => list.as_slice(),
         None => &[],
         Some(other) => {
-            checker.error(
-                "wrong-type",
+            let message = text!(
+                "{path} must be a list, not {given}",
                 at.clone(),
-                text!("{path} must be a list, not {given}", at, other.noun()),
+                other.noun()
             );
+            checker.error("wrong-type", at, message);
             return None;
         }
     };
-    let RelationDef {
-        least,
-        most,
-        places,
-        ..
-    } = *relation;
+    let RelationDef { least, most, .. } = *relation;
     if !(least..=most.unwrap_or(MOST_CYCLES)).contains(&list.len()) {
         let message = match most {
             Some(most) if most == least => text!(
@@ -365,57 +361,52 @@ fn read_of(
     let mut of = Vec::with_capacity(list.len());
     for (k, given) in list.iter().enumerate() {
         let at = format!("{at}[{k}]");
-        let Value::Text(name) = given else {
-            checker.error(
-                "wrong-type",
-                at.clone(),
-                text!("{path} must be text, not {given}", at, given.noun()),
-            );
-            continue;
-        };
-        match if places {
-            known.place(name)
-        } else {
-            known.single(name)
-        } {
-            Some(operand) if of.contains(&operand) => {
-                checker.error(
-                    "relation-of",
-                    at,
-                    text!("{name} is named twice", name.clone()),
-                );
+        match read_operand(given, known, relation.places, &at) {
+            Err((code, message)) => checker.error(code, at, message),
+            Ok((operand, name)) if of.contains(&operand) => {
+                checker.error("relation-of", at, text!("{name} is named twice", name));
             }
-            Some(operand) => of.push(operand),
-            None => {
-                let known = if places {
-                    known.places()
-                } else {
-                    known.results()
-                };
-                let message = match places {
-                    true => {
-                        text!(
-                            "\"{name}\" measures no place in the plane. These do: {known}",
-                            printable(name),
-                            known.join(", ")
-                        )
-                    }
-                    false => {
-                        text!(
-                            "There is no measured result \"{name}\". There are {known}",
-                            printable(name),
-                            known.join(", ")
-                        )
-                    }
-                };
-                checker.error("relation-of", at, message);
-            }
+            Ok((operand, _)) => of.push(operand),
         }
     }
-    if of.len() != list.len() {
-        return None;
-    }
-    check_kinds(checker, known.formula, &of, relation, at).then_some(of)
+    (of.len() == list.len() && check_kinds(checker, known.formula, &of, relation, at)).then_some(of)
+}
+
+/// One thing that a relation is of, and its name; else the code and the words of what is wrong with it.
+fn read_operand(
+    given: &Value,
+    known: &Known<'_>,
+    places: bool,
+    at: &str,
+) -> Result<(Operand, String), (&'static str, Text)> {
+    let Value::Text(name) = given else {
+        let message = text!(
+            "{path} must be text, not {given}",
+            at.to_owned(),
+            given.noun()
+        );
+        return Err(("wrong-type", message));
+    };
+    let found = if places {
+        known.place(name)
+    } else {
+        known.single(name)
+    };
+    found.map(|operand| (operand, name.clone())).ok_or_else(|| {
+        let message = match places {
+            true => text!(
+                "\"{name}\" measures no place in the plane. These do: {known}",
+                printable(name),
+                known.places().join(", ")
+            ),
+            false => text!(
+                "There is no measured result \"{name}\". There are {known}",
+                printable(name),
+                known.results().join(", ")
+            ),
+        };
+        ("relation-of", message)
+    })
 }
 
 /// Whether the operands give what the relation says.

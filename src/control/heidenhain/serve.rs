@@ -3,7 +3,7 @@
 use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
 use crate::control::native::heidenhain::ROWS;
-use crate::control::native::rows::{Asked, Is, Probed, Row, Shape};
+use crate::control::native::rows::{Asked, Found, Is, Probed, Row, Shape};
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
 use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of};
@@ -193,39 +193,23 @@ impl Plan<'_> {
                 },
             ),
         ));
-        let code = |is: Is| match is {
-            Is::Center(axis) => places.get(axis).copied(),
-            Is::Along => places.get(probed.axis).copied(),
-            Is::Size(n) => sizes.get(n).copied(),
-            _ => None,
-        };
-        self.stored.extend(
-            row.results
-                .iter()
-                .filter_map(|(q, is)| Some((code(*is)?, Stored::Output(usize::from(*q))))),
-        );
-        let [stops_for_sizes, stops_for_places] = row.stops();
-        let measured = |wanted: fn(Is) -> bool| {
-            row.results
-                .iter()
-                .filter(move |(_, is)| wanted(*is))
-                .filter_map(|(_, is)| code(*is))
-        };
-        if let Some(limit) = limits.size.filter(|_| stops_for_sizes) {
-            let codes = measured(|is| matches!(is, Is::Size(_))).collect();
-            self.guards.push(Guard {
+        let found = row.found(probed, places, sizes);
+        let stored = |found: &Found| (found.code, Stored::Output(found.number));
+        self.stored.extend(found.iter().map(stored));
+        let [for_sizes, for_places] = row.stops();
+        let stops = [
+            (for_sizes, limits.size, true),
+            (for_places, limits.position, false),
+        ];
+        for (_, limit, of_sizes) in stops.into_iter().filter(|(stops, ..)| *stops) {
+            let is_size = |found: &&Found| matches!(found.is, Is::Size(_)) == of_sizes;
+            let codes = found.iter().filter(is_size).map(|found| found.code);
+            let codes: Vec<&'static str> = codes.collect();
+            self.guards.extend(limit.map(|limit| Guard {
                 codes,
                 off: Off::Each,
                 limit,
-            });
-        }
-        if let Some(limit) = limits.position.filter(|_| stops_for_places) {
-            let codes = measured(|is| !matches!(is, Is::Size(_))).collect();
-            self.guards.push(Guard {
-                codes,
-                off: Off::Each,
-                limit,
-            });
+            }));
         }
     }
 

@@ -312,6 +312,15 @@ pub struct Row {
     pub results: Words,
 }
 
+/// A result of a call.
+#[derive(Clone, Copy, Debug)]
+pub struct Found {
+    /// Its code in the job.
+    pub code: &'static str,
+    pub number: usize,
+    pub is: Is,
+}
+
 impl Row {
     /// Its words, in their order.
     pub fn words(&self) -> impl Iterator<Item = (u16, Is)> {
@@ -328,6 +337,30 @@ impl Row {
             }
         });
         stops.unwrap_or_default()
+    }
+
+    /// Its results by their codes, and where each is found. `places` are the codes of coordinates, `sizes` those of sizes; a result without one is not used.
+    pub fn found(
+        &self,
+        of: &Probed,
+        places: &[&'static str],
+        sizes: &[&'static str],
+    ) -> Vec<Found> {
+        let code = |is: Is| match is {
+            Is::Center(axis) => places.get(axis).copied(),
+            Is::Along => places.get(of.axis).copied(),
+            Is::Size(n) => sizes.get(n).copied(),
+            _ => None,
+        };
+        let found = |(number, is): &(u16, Is)| {
+            let code = code(*is)?;
+            Some(Found {
+                code,
+                number: usize::from(*number),
+                is: *is,
+            })
+        };
+        self.results.iter().filter_map(found).collect()
     }
 
     /// The words of the call for what is to be probed.

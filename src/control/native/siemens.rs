@@ -96,7 +96,7 @@ pub static CALLS: [Call; 8] = [
 /// The call of a feature: the row of its kind, whether it writes or not.
 pub fn row(shape: Shape, inside: bool) -> Option<&'static Row> {
     ROWS.iter()
-        .find(|row| row.shape == shape && (row.inside == inside || shape == Shape::Surface))
+        .find(|row| row.shape == shape && row.inside == inside)
 }
 
 const fn number(x: f64) -> Is {
@@ -156,110 +156,26 @@ const ACROSS: Words = &[(5, Is::Along), (4, Is::Size(0))];
 const BOTH: Words = &[(5, Is::Center(0)), (6, Is::Center(1))];
 
 /// CYCLE977 by its kinds, and CYCLE978. [S: two generators that copy the control's own editor; where a rectangle and a width put their results is ours]
+#[rustfmt::skip]
 pub static ROWS: [Row; 7] = [
-    feature(
-        (Shape::Bore, true),
-        &[
-            &[(1, Is::Variant(1))],
-            OFFSET,
-            SIZE,
-            PATH,
-            TOLERANCES,
-            CENTRE,
-        ],
-        ROUND,
-    ),
-    feature(
-        (Shape::Bore, false),
-        &[
-            &[(1, Is::Variant(2))],
-            OFFSET,
-            SIZE,
-            PATH,
-            TOLERANCES,
-            CENTRE,
-        ],
-        ROUND,
-    ),
-    feature(
-        (Shape::Width, true),
-        &[
-            &[(1, Is::Variant(3))],
-            OFFSET,
-            SIZE,
-            PATH,
-            AXIS,
-            TOLERANCES,
-            MIDDLE,
-        ],
-        ACROSS,
-    ),
-    feature(
-        (Shape::Width, false),
-        &[
-            &[(1, Is::Variant(4))],
-            OFFSET,
-            SIZE,
-            PATH,
-            AXIS,
-            TOLERANCES,
-            MIDDLE,
-        ],
-        ACROSS,
-    ),
-    feature(
-        (Shape::Rectangle, true),
-        &[
-            &[(1, Is::Variant(5))],
-            OFFSET,
-            SIDES,
-            PATH,
-            SECOND,
-            TOLERANCES,
-            CENTRE,
-        ],
-        BOTH,
-    ),
-    feature(
-        (Shape::Rectangle, false),
-        &[
-            &[(1, Is::Variant(6))],
-            OFFSET,
-            SIDES,
-            PATH,
-            SECOND,
-            TOLERANCES,
-            CENTRE,
-        ],
-        BOTH,
-    ),
+    feature((Shape::Bore, true), &[&[(1, Is::Variant(1))], OFFSET, SIZE, PATH, TOLERANCES, CENTRE], ROUND),
+    feature((Shape::Bore, false), &[&[(1, Is::Variant(2))], OFFSET, SIZE, PATH, TOLERANCES, CENTRE], ROUND),
+    feature((Shape::Width, true), &[&[(1, Is::Variant(3))], OFFSET, SIZE, PATH, AXIS, TOLERANCES, MIDDLE], ACROSS),
+    feature((Shape::Width, false), &[&[(1, Is::Variant(4))], OFFSET, SIZE, PATH, AXIS, TOLERANCES, MIDDLE], ACROSS),
+    feature((Shape::Rectangle, true), &[&[(1, Is::Variant(5))], OFFSET, SIDES, PATH, SECOND, TOLERANCES, CENTRE], BOTH),
+    feature((Shape::Rectangle, false), &[&[(1, Is::Variant(6))], OFFSET, SIDES, PATH, SECOND, TOLERANCES, CENTRE], BOTH),
     Row {
         number: 978,
-        head: "",
-        shape: Shape::Surface,
-        inside: false,
-        writes: false,
-        words: &[
-            &[(1, Is::Variant(0))],
-            OFFSET,
-            &[
-                (5, Is::Along),
-                (6, Is::SetUp),
-                (7, Is::Safe),
-                (8, Is::Axis),
-                (9, Is::Facing),
-                (10, number(1.0)),
-                (13, number(0.0)),
-                (14, length_of(1.01)),
-                (15, length_of(1.01)),
-                (16, length_of(-1.01)),
-                (17, Is::Writing(Quantity::Length(0.34))),
-                (18, Is::Writing(Quantity::Plain(1.0))),
-                (19, Is::Writing(Quantity::Plain(0.0))),
-                (21, number(1.0)),
-                (22, number(1.0)),
-            ],
-        ],
-        results: &[],
+        words: &[&[(1, Is::Variant(0))], OFFSET, SURFACE],
+        ..feature((Shape::Surface, false), &[], &[])
     },
+];
+
+/// A surface, with the tolerances of its call.
+#[rustfmt::skip]
+const SURFACE: Words = &[
+    (5, Is::Along), (6, Is::SetUp), (7, Is::Safe), (8, Is::Axis), (9, Is::Facing), (10, number(1.0)),
+    (13, number(0.0)), (14, length_of(1.01)), (15, length_of(1.01)), (16, length_of(-1.01)),
+    (17, Is::Writing(Quantity::Length(0.34))), (18, Is::Writing(Quantity::Plain(1.0))), (19, Is::Writing(Quantity::Plain(0.0))),
+    (21, number(1.0)), (22, number(1.0)),
 ];

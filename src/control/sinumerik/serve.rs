@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use super::cycles;
 use crate::control::iso::writer::Writer;
-use crate::control::native::rows::{Asked, Is, Probed, Shape};
+use crate::control::native::rows::{Asked, Found, Is, Probed, Shape};
 use crate::control::native::siemens::row;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
@@ -196,19 +196,17 @@ impl Plan<'_> {
         };
         self.blocks
             .push(OwnBlock::Cycle(row.number, row.call(probed, &asked)));
-        let code = |is: Is| match is {
-            Is::Center(axis) => places.get(axis).copied(),
-            Is::Along => places.get(probed.axis).copied(),
-            Is::Size(n) => sizes.get(n).copied(),
-            _ => None,
-        };
         // Along the axis that is measured a centre is found where that of the plane is.
-        let entry = |(entry, is): &(u16, Is)| {
-            let later = if *is == Is::Along { probed.axis } else { 0 };
-            Some((code(*is)?, usize::from(*entry) + later))
+        let entry = |found: Found| {
+            let later = if found.is == Is::Along {
+                probed.axis
+            } else {
+                0
+            };
+            (found.code, found.number + later)
         };
-        let results: Vec<_> = row.results.iter().filter_map(entry).collect();
-        self.stores(&results);
+        let found = row.found(probed, places, sizes);
+        self.stores(&found.into_iter().map(entry).collect::<Vec<_>>());
     }
 
     /// A feature about the frame's origin, turned by so many degrees; `down` is the way to its touches.
