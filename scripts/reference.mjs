@@ -21,21 +21,32 @@ const plain = (/** @type {string} */ comment) =>
 function declarations(/** @type {string} */ text) {
   const comment = String.raw`(?<comment>\/\*\*(?:(?!\*\/)[\s\S])*\*\/\n)?`;
   const long = String.raw`(?:interface|class) (?<long>\w+)[\s\S]*?^\}$`;
-  const short = String.raw`(?:type|function|const) (?<short>\w+)(?:[^\n]*;|[\s\S]*?^\}[^\n]*;)$`;
-  const all = text.matchAll(
-    new RegExp(
-      `${comment}^export (?:declare )?(?<code>${long}|${short})`,
-      "gm",
-    ),
+  const short = String.raw`(?:type|function|const) (?<short>\w+)`;
+  const head = new RegExp(
+    `${comment}^export (?:declare )?(?<code>${long}|${short})`,
+    "gm",
   );
-  return [...all].map(({ groups = {} }) => {
-    const name = groups.long ?? groups.short ?? "";
+  return [...text.matchAll(head)].map(({ 0: whole, index, groups = {} }) => {
+    const begin = index + whole.length;
+    const rest = groups.short ? text.slice(begin, endOf(text, begin)) : "";
     return {
-      name,
+      name: groups.long ?? groups.short ?? "",
       comment: plain(groups.comment ?? ""),
-      code: groups.code ?? "",
+      code: (groups.code ?? "") + rest,
     };
   });
+}
+
+/** Where a declaration ends: behind its first semicolon outside of all brackets. */
+function endOf(/** @type {string} */ text, /** @type {number} */ begin) {
+  let depth = 0;
+  for (let at = begin; at < text.length; at++) {
+    const letter = text[at] ?? "";
+    if ("{[(".includes(letter)) depth++;
+    else if ("}])".includes(letter)) depth--;
+    else if (letter === ";" && depth === 0) return at + 1;
+  }
+  return text.length;
 }
 
 /** The names that a file of types exports, through all that it hands on. @returns {string[]} */

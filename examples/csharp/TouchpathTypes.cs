@@ -368,7 +368,7 @@ namespace Touchpath
         public double Least { get; set; }
         /// <summary>The most that it is of; null where it takes any number.</summary>
         public double? Most { get; set; }
-        /// <summary>The codes of its results; of angles `angle` is added to the first.</summary>
+        /// <summary>The codes of its results; of angles `.angle` is added to the first.</summary>
         public string[] Results { get; set; }
     }
 

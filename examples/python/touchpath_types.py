@@ -355,7 +355,7 @@ class RelationEntry(TypedDict):
     least: float
     # The most that it is of; null where it takes any number.
     most: float | None
-    # The codes of its results; of angles `angle` is added to the first.
+    # The codes of its results; of angles `.angle` is added to the first.
     results: list[ResultCode]
 
 

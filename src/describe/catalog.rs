@@ -100,7 +100,7 @@ pub struct RelationEntry {
     pub least: usize,
     /// The most that it is of; null where it takes any number.
     pub most: Option<usize>,
-    /// The codes of its results; of angles `angle` is added to the first.
+    /// The codes of its results; of angles `.angle` is added to the first.
     pub results: &'static [&'static str],
 }
 

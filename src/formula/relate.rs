@@ -26,7 +26,7 @@ pub struct RelationDef {
     pub least: usize,
     /// The most; none where it takes any number.
     pub most: Option<usize>,
-    /// The codes of its results, in their order; of angles `angle` is added to the first.
+    /// The codes of its results, in their order; of angles `.angle` is added to the first.
     pub results: &'static [&'static str],
     write: Write,
     values: Values,
@@ -105,7 +105,7 @@ pub static RELATIONS: [RelationDef; 5] = [
     RelationDef {
         key: "mean",
         label: words!("Mean"),
-        says: "their mean; that of probed heights, such as `TOP.point.z`, is itself a height: Z can be written from it, and a cycle can follow it, `\"=FACE.z\"`",
+        says: "their mean. The mean of probed heights, such as `TOP.point.z`, is itself a height: Z can be written from it, and a cycle can follow it, `\"=FACE.z\"`",
         places: false,
         least: 2,
         most: None,

@@ -161,6 +161,7 @@ impl Called<'_> {
     /// CYCLE977 and CYCLE978, as the control's own editor writes them: argument 8 of the first is searched before and behind each wall; 11 goes down
     /// from where the stylus stands, where the cycle does.
     fn sinumerik(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
+        self.get("1")?;
         let at = Vec3::from_array(self.place);
         let probed = called(number.parse().ok()?, at, |place| {
             self.get(&place.to_string())
@@ -181,7 +182,12 @@ impl Called<'_> {
         }
         // The centre that the offset is corrected to, where the call says that one follows.
         let given = self.get("27") == Some(11.0);
-        let mut center = if given { probed.center } else { at };
+        let mut center = at;
+        if given {
+            self.get("28")?;
+            (probed.shape == Shape::Width || self.get("29").is_some()).then_some(())?;
+            center = probed.center;
+        }
         // Without one it is taken to be at 0, 0: a job has no other place than where the feature is.
         let offset = offset.filter(|_| given || [at.x, at.y] == [0.0; 2]);
         let aside = probed.lifts || !probed.inside;

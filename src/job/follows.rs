@@ -1,5 +1,7 @@
 //! What follows a result of an earlier cycle of a set-up: a place, `"=TOP.z-5"`, a rotation, `"=SIDE.rotation+90"`, a size, `"=BORE.diameter-2"`.
 
+use std::cell::OnceCell;
+
 use crate::control::Form;
 use crate::form::{Checker, Field, Level, Value, printable};
 use crate::formula::{Formula, Role, Variable};
@@ -72,6 +74,8 @@ pub struct Earlier<'a> {
     pub first: Option<&'a Job>,
     /// Whether a cycle before it has errors: they are reported there.
     pub broken: bool,
+    /// The path with every relation that can be computed, once a message names what there is.
+    pub all: OnceCell<Path>,
 }
 
 /// The names of the cycles and relations that these cycles follow.
@@ -315,10 +319,12 @@ fn find(name: &str, kind: Kind, earlier: &Earlier<'_>) -> Result<Known, Text> {
                     error
                 ));
             }
-            let all = earlier.relations.with_all_ready(path);
+            let all = earlier
+                .all
+                .get_or_init(|| earlier.relations.with_all_ready(path));
             let mut names = Vec::new();
             for own in all.measuring() {
-                let known = results_of(&all, &own).into_iter();
+                let known = results_of(all, &own).into_iter();
                 names.extend(known.map(|known| format!("{}.{}", own.name, known.code)));
             }
             return Err(nothing_measured(printable(name), kind, &names));

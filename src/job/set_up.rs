@@ -3,6 +3,8 @@
 //! A set-up is read cycle by cycle, each as the job that it would be alone, and its paths are joined: what holds for one cycle is checked by the very
 //! code that checks one.
 
+use std::cell::OnceCell;
+
 use crate::control::own::Several;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
@@ -94,6 +96,7 @@ impl Reading<'_> {
             relations: &self.relations,
             first: self.members.first().map(|planned| &planned.job),
             broken: !self.sound,
+            all: OnceCell::new(),
         };
         let wanted = follows::take(checker, &mut single, index, &earlier);
         let mut own = Checker::default();
@@ -142,13 +145,15 @@ impl Reading<'_> {
         settled
             .into_iter()
             .for_each(|finding| checker.adopt(finding));
+        let failed = checker.failed();
+        // What is wrong with relations is said with what is wrong with the rest.
         if self.sound {
             self.relations.add_all(checker, &mut self.path);
         }
         let job = Job {
             def: &WHOLE,
             repeat: None,
-            ..self.first.filter(|_| !checker.failed())?
+            ..self.first.filter(|_| !failed)?
         };
         let several = several(&job);
         if let Some(several) = several {
@@ -209,9 +214,9 @@ fn own_cycles(
     let all = members.iter().flat_map(|planned| ends(&planned.path));
     let highest = all.fold(f64::NEG_INFINITY, f64::max);
     let clear = clear.unwrap_or(highest);
-    check_clear(checker, clear, highest);
+    let high_enough = check_clear(checker, clear, highest);
     let at = |planned: Planned| Planned::at(planned.job, Some(clear));
-    (!checker.failed()).then(|| members.into_iter().map(at).collect())
+    high_enough.then(|| members.into_iter().map(at).collect())
 }
 
 /// Whether the control has variables for everything that the next cycle would empty.
@@ -552,8 +557,9 @@ pub fn check(whole: &Planned, checker: &mut Checker) {
 }
 
 /// Whether the height between the cycles is at least that of the highest of them.
-fn check_clear(checker: &mut Checker, clear: f64, least: f64) {
-    if clear.is_finite() && clear < least - 1e-6 {
+fn check_clear(checker: &mut Checker, clear: f64, least: f64) -> bool {
+    let low = clear.is_finite() && clear < least - 1e-6;
+    if low {
         let message = text!(
             "Between the cycles the ball centre goes across at {clear}: it must be no lower than {least}, where the highest of them begins and ends",
             checker.length(clear),
@@ -561,6 +567,7 @@ fn check_clear(checker: &mut Checker, clear: f64, least: f64) {
         );
         checker.error("clear-too-low", "clear", message);
     }
+    !low
 }
 
 /// A feature whose height hangs on a top side that is measured later.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use crate::common::{job, owed, with};
 use crate::tests::safety::{BROKEN, DANGEROUS};
 use touchpath::control::iso::writer::Dialect;
-use touchpath::control::{Form, POSTS, PostDef, WRITE_OFFSET};
+use touchpath::control::{Form, ORIENT, POSTS, PostDef, WRITE_OFFSET};
 use touchpath::cycle::CYCLES;
 use touchpath::form::{Field, Kind, Level, Value};
 use touchpath::job::{self, SECTIONS, check, default_job, plan};
@@ -437,4 +437,12 @@ fn no_field_is_ignored_without_a_word() {
         }
     }
     assert!(silent.is_empty(), "{silent:#?}");
+}
+
+/// A control that states what it cannot states all of it: over the list of its kin it would seem to turn a spindle.
+#[test]
+fn these_controls_turn_the_spindle() {
+    let turns = POSTS.iter().filter(|post| post.why_not(ORIENT).is_none());
+    let keys: Vec<&str> = turns.map(|post| post.key).collect();
+    assert_eq!(keys, ["linuxcnc", "sinumerik", "fanuc", "haas"]);
 }

@@ -1142,6 +1142,84 @@ fn the_words_of_random_calls_are_read_as_they_were_written() {
     }
 }
 
+/// Words that our programs never give a call, in someone else's: a job that does not do what they say is none.
+#[test]
+fn a_foreign_call_is_read_with_the_words_that_it_has() {
+    use touchpath::import::toolpath::{Known, run_program};
+    let run = |text: &str| {
+        let start = Some([40.0, 3.0, 200.0]);
+        run_program(
+            text,
+            &Known {
+                start,
+                ..Known::default()
+            },
+        )
+    };
+    let job_of = |text: &str| run(text).calls.iter().find_map(|call| call.job.clone());
+    let klartext = |cycle: &str| format!("BEGIN PGM A MM\nTCH PROBE {cycle}\nEND PGM A MM\n");
+    let siemens = |call: &str| format!("G71 G90\nG0 X40 Y3 Z-5\n{call}\n");
+    // Three touches a sixth of a turn apart: a job of 421 has four.
+    let hole = "421 Q273=+0 Q274=+0 Q262=+40 Q325=+0 Q261=-5 Q320=+4 Q260=+20 Q301=+0";
+    assert_eq!(job_of(&klartext(&format!("{hole} Q247=+60 Q423=+3"))), None);
+    assert!(job_of(&klartext(&format!("{hole} Q247=+90 Q423=+4"))).is_some());
+    // Straight from touch to touch, not on an arc.
+    let arcs = |text: &str| run(text).arcs.len();
+    assert_eq!(
+        arcs(&klartext(&format!("{hole} Q247=+90 Q423=+4 Q365=+0"))),
+        0
+    );
+    assert_eq!(
+        arcs(&klartext(&format!("{hole} Q247=+90 Q423=+4 Q365=+1"))),
+        3
+    );
+    // An arc of many turns is no way between two touches.
+    assert_eq!(
+        arcs(&klartext(&format!(
+            "{hole} Q247=+1000000000 Q423=+4 Q365=+1"
+        ))),
+        0
+    );
+    // 425 that lifts between the walls goes over what stands there: no program here does that without writing.
+    let slot = "425 Q328=+0 Q329=+0 Q310=+0 Q272=+1 Q261=-5 Q260=+20 Q311=+60";
+    assert!(job_of(&klartext(slot)).is_some());
+    assert_eq!(job_of(&klartext(&format!("{slot} Q320=+4 Q301=+1"))), None);
+    // A centre that the call says, but that nobody knows, is not where the stylus stands.
+    let bore = |centre: &str| {
+        siemens(&format!(
+            "CYCLE977(101,10001,,1,30,,,7,5,0,1,1,,,1,\"\",,0,1.01,1.01,-1.01,0.34,1,0,,1,{centre})"
+        ))
+    };
+    assert_eq!(job_of(&bore("11,R77,15")), None);
+    assert_eq!(job_of(&bore("11,,15")), None);
+    assert_eq!(job_of(&bore("11,10")), None);
+    let origin = |job: Value| {
+        job.get("cycle")
+            .and_then(|cycle| cycle.get("origin"))
+            .cloned()
+    };
+    assert_eq!(
+        job_of(&bore("11,10,15")).and_then(origin),
+        Some(list([10.0, 15.0, 5.0]))
+    );
+    // Without its variant a CYCLE978 is run, and is no job.
+    let wall = siemens("CYCLE978(,,,1,10,5,5,1,2,1,,,0)");
+    assert_eq!(job_of(&wall), None);
+    assert!(run(&wall).len() > 2, "{:?}", run(&wall).kind);
+}
+
+/// A rectangle whose first side lies along Y: its results stand in the order of the job, and what keeps them, too.
+#[test]
+fn results_of_a_turned_rectangle_keep_their_order() {
+    let turned = [("cycle.rotation", number(90.0))];
+    let text = plan(&job("internal-rectangle", &turned))
+        .unwrap()
+        .program
+        .text;
+    let listed = "Results: Q151 center.x, Q152 center.y, Q155 width1, Q154 width2";
+    assert!(text.contains(listed), "{text}");
+}
+
 /// HEIDENHAIN, touch probe cycles: Q281 = 0 makes no log, 1 a log as a file, 2 stops the program and shows it.
 #[test]
 fn the_log_of_a_measuring_cycle_is_the_one_that_was_chosen() {

@@ -413,3 +413,23 @@ fn the_safe_range_is_the_limit_of_the_position() {
         );
     }
 }
+
+/// The top of a web is a result of its own: where it lies too low the call that touches it stops [R].
+#[test]
+fn the_top_of_a_web_is_asked_for_its_limit() {
+    for post in ["sinumerik", "heidenhain"] {
+        let changes = [
+            ("limits.position", number(0.3)),
+            ("part.offset", list([0.0, 0.0, 0.5])),
+        ];
+        let planned = plan(&own("web-three-points", post, &changes)).unwrap();
+        let stops = |finding: &touchpath::form::Finding| {
+            finding.code == "implausible" && finding.message.contains("stops with a message")
+        };
+        assert!(
+            planned.findings.iter().any(stops),
+            "{post}: {:?}",
+            planned.findings
+        );
+    }
+}

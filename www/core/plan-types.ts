@@ -707,7 +707,7 @@ export interface RelationEntry {
   least: number;
   /** The most that it is of; null where it takes any number. */
   most: number | null;
-  /** The codes of its results; of angles `angle` is added to the first. */
+  /** The codes of its results; of angles `.angle` is added to the first. */
   results: ResultCode[];
 }
 

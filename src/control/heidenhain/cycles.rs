@@ -26,7 +26,8 @@ pub fn run(
         high: of.high?,
         machine,
     };
-    if !of.center.z.is_finite() {
+    // No circle has more than a turn between two touches: an arc of many turns would take as long to follow.
+    if of.step.abs() > 360.0 {
         return None;
     }
     let done = match (of.shape, of.inside) {

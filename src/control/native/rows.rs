@@ -283,7 +283,7 @@ impl Is {
                 | Is::Axis
                 | Is::Towards
                 | Is::Facing
-                | Is::Variant(_)
+                | Is::Variant(1..)
         )
     }
 
@@ -304,10 +304,12 @@ pub struct Row {
     pub head: &'static str,
     pub shape: Shape,
     pub inside: bool,
-    /// Whether it writes what it measures.
+    /// Whether it is the one that writes, where measuring and writing are calls of their own.
     pub writes: bool,
     /// Its words; calls share groups of them.
     pub words: &'static [Words],
+    /// Words that other programs may give it: they are read, and not written.
+    pub also: Words,
     /// Where its results are found.
     pub results: Words,
 }
@@ -360,7 +362,11 @@ impl Row {
                 is: *is,
             })
         };
-        self.results.iter().filter_map(found).collect()
+        let mut found: Vec<Found> = self.results.iter().filter_map(found).collect();
+        // Sizes in the order of the job: its first side may lie along Y.
+        let size = |found: &Found| matches!(found.is, Is::Size(_)).then_some(found.code);
+        found.sort_by_key(size);
+        found
     }
 
     /// The words of the call for what is to be probed.
@@ -379,6 +385,7 @@ impl Row {
         // A place along an axis needs the axis.
         let axis = |(_, is): &(u16, Is)| matches!(is, Is::Axis);
         let others = self.words().filter(|word| !axis(word));
+        let others = others.chain(self.also.iter().copied());
         for (number, is) in self.words().filter(axis).chain(others) {
             match get(number) {
                 Some(value) => is.take(value, &mut of)?,

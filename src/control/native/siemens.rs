@@ -147,6 +147,7 @@ const fn feature((shape, inside): (Shape, bool), words: &'static [Words], result
         inside,
         writes: false,
         words,
+        also: &[],
         results,
     }
 }

@@ -20,6 +20,7 @@ use crate::geom::{Plane, Vec3};
 use crate::num::{decimal, wrap_degrees};
 use crate::path::{
     Bore, Entry, Feature, Feed, Guard, Off, OwnBlock, Pairs, Path, Point, Quantity, Reach, Stored,
+    Touch,
 };
 use crate::text::text;
 
@@ -270,19 +271,20 @@ impl Plan<'_> {
             value: (start - touch.point).dot(touch.vector),
         };
         self.down(start);
-        self.touches_surface(touch.point, touch.vector, clearance, point.elevation)?;
+        let codes = ["point.x", "point.y", "point.z"];
+        self.touches_surface(touch, clearance, (point.elevation, codes))?;
         self.up();
         Ok(())
     }
 
-    /// CYCLE978 from where the stylus stands.
+    /// CYCLE978 from where the stylus stands. `codes` are those of the coordinates of the contact.
     fn touches_surface(
         &mut self,
-        point: Vec3,
-        vector: Vec3,
+        touch: &Touch,
         clearance: Entry,
-        field: &'static str,
+        (field, codes): (&'static str, [&'static str; 3]),
     ) -> Result<(), Refused> {
+        let Touch { point, vector, .. } = *touch;
         let axis = (0..3)
             .find(|axis| made::is_along(vector, *axis))
             .filter(|axis| *axis < 2 || vector.z > 0.0);
@@ -301,7 +303,7 @@ impl Plan<'_> {
             ..self.probed(Shape::Surface, false, path, None)
         };
         self.calls(&probed, [&[], &[]]);
-        self.stops_for(&[["point.x", "point.y", "point.z"][axis]]);
+        self.stops_for(&[codes[axis]]);
         Ok(())
     }
 
@@ -444,7 +446,8 @@ impl Plan<'_> {
                 field: "cycle.middleClearance",
                 value: (from - touch.point).dot(touch.vector),
             };
-            self.touches_surface(touch.point, touch.vector, clearance, "cycle")?;
+            let codes = ["point.x", "point.y", "height"];
+            self.touches_surface(touch, clearance, ("cycle", codes))?;
         }
         self.up();
         Ok(())
