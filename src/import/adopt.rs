@@ -180,7 +180,7 @@ impl Called<'_> {
                 ..said
             });
         }
-        // The centre that the offset is corrected to, where the call says that one follows.
+        // The centre that the offset is corrected to, if the call gives one.
         let given = self.get("27") == Some(11.0);
         let mut center = at;
         if given {
@@ -210,7 +210,7 @@ impl Called<'_> {
         })
     }
 
-    /// The cycles whose words are rows.
+    /// The cycles of HEIDENHAIN that have a row.
     fn heidenhain(&self, number: &str, radius: f64, depth: f64) -> Option<Said> {
         let probed =
             row(number.parse().ok()?)?.probed(Vec3::NAN, |q| self.get(&format!("Q{q}")))?;
@@ -262,7 +262,7 @@ impl Said {
         Some(Said::new("surface", fields, center.to_array()))
     }
 
-    /// What is probed, as a documented cycle whose touches begin so far from their contacts and lie so deep below the top side.
+    /// What is probed, as a documented cycle. `clearance` is the distance from a contact to the start of its touch, `depth` that from the top side down.
     fn of(probed: &Probed, clearance: f64, depth: f64) -> Option<Said> {
         let Probed {
             shape,

@@ -129,7 +129,7 @@ impl Reading<'_> {
         }
     }
 
-    /// One write at the end of all: cycles of the control's own write as soon as they have measured, so that only the last of them may.
+    /// Plans a cycle. Native cycles write as soon as they have measured, so only the last of them may write.
     fn plan(&self, job: Job, index: usize) -> Planned {
         let writes = several(&job).is_some() && index + 1 == self.names.len();
         let work_offset = job.work_offset.filter(|_| writes);
@@ -179,7 +179,7 @@ impl Reading<'_> {
     }
 }
 
-/// The cycles as the control's own cycles make them, one after the other. Reports why it does not.
+/// The cycles as native cycles of the control. Reports why the control does not take them.
 fn own_cycles(
     checker: &mut Checker,
     job: &Job,

@@ -101,7 +101,7 @@ impl Path {
         }
     }
 
-    /// Adds what the next cycle measures, as `path` has it alone: a later cycle can follow it. [`Path::connect`] adds its moves.
+    /// Adds what the next cycle measures, so that a later cycle can follow it. `path` is its path alone; [`Path::connect`] adds the moves.
     /// `axes` are abscissa, ordinate and tool axis.
     pub fn add_cycle(
         &mut self,
@@ -117,12 +117,13 @@ impl Path {
             self.surfaces.len(),
             self.formula.results.len(),
         );
-        let sample = self
-            .touches
-            .iter()
-            .map(|touch| touch.sample + 1)
-            .max()
-            .unwrap_or(0);
+        // The samples of a cycle follow those of the one before.
+        let before = self
+            .members
+            .last()
+            .map_or(0..0, |member| member.touches.clone());
+        let samples = self.touches[before].iter().map(|touch| touch.sample + 1);
+        let sample = samples.max().unwrap_or(0);
         self.take_touches(&path, sample);
         self.take_surfaces(&path);
         let (later, datum) = match placing.turn() {

@@ -25,6 +25,7 @@ mod line_by_line;
 mod linuxcnc;
 mod measuring_cycles;
 mod naming;
+mod native_rows;
 mod own_codes;
 mod own_cycles;
 mod part;

@@ -19,7 +19,8 @@ pub fn run(
     reach: Reach,
     machine: &mut Machine<'_>,
 ) -> Option<Result<(), Alarm>> {
-    let of = row(number)?.probed(Vec3::NAN, |q| value(parameters, q))?;
+    let row = row(number)?;
+    let of = row.probed(Vec3::NAN, |q| value(parameters, q))?;
     let mut cycle = Cycle {
         of,
         reach,
@@ -33,8 +34,8 @@ pub fn run(
     let done = match (of.shape, of.inside) {
         (Shape::Bore, _) => cycle.circle(),
         (Shape::Rectangle, _) => cycle.rectangle(),
-        // The cycle that writes lifts where it is told to; the one that measures goes from where it stands to both sides.
-        (Shape::Width, true) if number == 408 => cycle.slot(),
+        // The cycle that writes begins near each wall and may lift between them. The one that measures goes to both walls from the middle.
+        (Shape::Width, true) if row.writes == Some(true) => cycle.slot(),
         (Shape::Width, true) => cycle.width(),
         (Shape::Width, false) => cycle.ridge(),
         (Shape::Surface, _) => cycle.surface(),

@@ -2,8 +2,8 @@
 
 use super::{blocks, cycles};
 use crate::control::iso::writer::Writer;
-use crate::control::native::heidenhain::ROWS;
-use crate::control::native::rows::{Asked, Found, Is, Probed, Row, Shape};
+use crate::control::native::heidenhain::{ROWS, row};
+use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
 use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of};
@@ -161,21 +161,9 @@ impl Plan<'_> {
 
     /// Calls the cycle for what is to be probed. `codes` are those of its results: of its centre, and of its sizes.
     fn calls(&mut self, probed: &Probed, [places, sizes]: [&[&'static str]; 2]) {
-        let writes = probed.row.is_some();
-        let fits = |row: &&Row| {
-            (row.shape, row.inside, row.writes) == (probed.shape, probed.inside, writes)
+        let Some(row) = fitting(&ROWS, probed) else {
+            return;
         };
-        // Of a surface the tool axis has a cycle of its own to write it.
-        let number = if probed.shape == Shape::Surface && writes {
-            Some(if probed.axis == 2 { 417 } else { 419 })
-        } else {
-            None
-        };
-        let row = ROWS
-            .iter()
-            .filter(fits)
-            .find(|row| number.is_none_or(|number| row.number == number));
-        let Some(row) = row else { return };
         let log = match self.request.report {
             Report::None => 0.0,
             Report::Log => 1.0,
@@ -490,14 +478,16 @@ pub(super) fn check(request: &Request<'_>, checker: &mut Checker) {
     checker.info("dist-needed", "overtravel", message);
     check_write(request, checker);
     let own = request.path.own.iter().flat_map(|own| &own.blocks);
-    let width = own.clone().find_map(|(block, _)| match block {
-        OwnBlock::Cycle(number @ (425 | 426), _) => Some(*number),
+    let unasked = own.filter_map(|(block, _)| match block {
+        OwnBlock::Cycle(number, _) => row(*number),
         _ => None,
     });
-    if let Some(number) = width.filter(|_| request.limits.position.is_some()) {
+    // A cycle that writes asks for no limit at all, which is said below.
+    let mut unasked = unasked.filter(|row| row.writes == Some(false) && !row.stops()[1]);
+    if let Some(row) = unasked.next().filter(|_| request.limits.position.is_some()) {
         let message = text!(
             "Cycle {number} has no position tolerance: the position limit is not checked",
-            usize::from(number)
+            usize::from(row.number)
         );
         checker.warning("limits-not-asked", "limits.position", message);
     }

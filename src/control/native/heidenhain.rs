@@ -152,7 +152,7 @@ pub fn row(number: u16) -> Option<&'static Row> {
 /// Where the touches lie: their height, the set-up clearance, and the clearance height.
 const TOUCHES: Words = &[(261, Is::Center(2)), (320, Is::SetUp), (260, Is::High)];
 const LIFTS: Words = &[(301, Is::Lifts)];
-/// The centre of a feature whose cycle writes, and of one whose cycle measures only.
+/// The centre of a feature, in a cycle that writes and in one that only measures.
 const WRITTEN: Words = &[(321, Is::Center(0)), (322, Is::Center(1))];
 const MEASURED: Words = &[(273, Is::Center(0)), (274, Is::Center(1))];
 /// A circle.
@@ -237,7 +237,7 @@ const fn of(
         head,
         shape,
         inside,
-        writes,
+        writes: Some(writes),
         words,
         also: &[],
         results,

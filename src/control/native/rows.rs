@@ -1,5 +1,5 @@
-//! Calls that are read both ways: each word says what it is of what is probed. The planner of programs makes words of a feature, the reader of programs a
-//! feature of words, and the virtual part runs what the words say.
+//! Calls that are read both ways. A row lists the words of a call and what each of them means for the feature. The planner turns a feature into words,
+//! the reader of programs turns words into a feature, and the virtual part runs the call.
 
 use crate::formula::Limits;
 use crate::geom::Vec3;
@@ -52,9 +52,9 @@ pub struct Probed {
     pub turn: f64,
     /// From where the call is made down to the touches.
     pub down: Option<f64>,
-    /// Whether the call writes what it measures, where a word says so.
+    /// Whether the call writes what it measures, if one of its words decides that.
     pub corrects: bool,
-    /// The row of the table, or the number of the offset, that is written; none measures only, or writes what a job has no word for.
+    /// The row of the table, or the number of the offset, that is written. None if the call only measures, or writes what no job can ask for.
     pub row: Option<f64>,
 }
 
@@ -124,7 +124,7 @@ pub enum Is {
     Center(usize),
     /// The same along the axis that is measured.
     Along,
-    /// A coordinate of the centre, which is where the call is made unless it says another.
+    /// A coordinate of the centre. A call may leave it out: the centre is then where the ball is.
     Stated(usize),
     /// The same along the axis that is measured.
     StatedAlong,
@@ -304,14 +304,24 @@ pub struct Row {
     pub head: &'static str,
     pub shape: Shape,
     pub inside: bool,
-    /// Whether it is the one that writes, where measuring and writing are calls of their own.
-    pub writes: bool,
+    /// Whether it writes what it measures; none where one of its words decides that.
+    pub writes: Option<bool>,
     /// Its words; calls share groups of them.
     pub words: &'static [Words],
     /// Words that other programs may give it: they are read, and not written.
     pub also: Words,
     /// Where its results are found.
     pub results: Words,
+}
+
+/// The first of these rows that probes the feature, and writes where that is wanted. A row without a word for the axis measures along the tool axis only.
+pub fn fitting(rows: &'static [Row], of: &Probed) -> Option<&'static Row> {
+    let writes = of.row.is_some();
+    rows.iter().find(|row| {
+        let along = of.axis == 2 || row.words().any(|(_, is)| is == Is::Axis);
+        let same = (row.shape, row.inside) == (of.shape, of.inside);
+        same && along && row.writes.is_none_or(|own| own == writes)
+    })
 }
 
 /// A result of a call.
@@ -376,7 +386,7 @@ impl Row {
             .collect()
     }
 
-    /// What a call with these values probes; none where they do not say enough. `from` is where it is made.
+    /// What a call with these values probes; none if a value that it needs is missing. `from` is the position of the ball at the call.
     pub fn probed(&self, from: Vec3, get: impl Fn(u16) -> Option<f64>) -> Option<Probed> {
         let mut of = Probed {
             center: from,

@@ -93,12 +93,6 @@ pub static CALLS: [Call; 8] = [
     recalled("CYCLE997", "ball"),
 ];
 
-/// The call of a feature: the row of its kind, whether it writes or not.
-pub fn row(shape: Shape, inside: bool) -> Option<&'static Row> {
-    ROWS.iter()
-        .find(|row| row.shape == shape && row.inside == inside)
-}
-
 const fn number(x: f64) -> Is {
     Is::Always(Quantity::Plain(x))
 }
@@ -114,7 +108,7 @@ const PATH: Words = &[
     (11, Is::Down),
     (12, Is::Zone(0)),
 ];
-/// The tolerances that every call has, with what a correction needs behind them.
+/// The tolerances that every call has, then the words that only a correction has.
 const TOLERANCES: Words = &[
     (15, number(1.0)),
     (18, number(0.0)),
@@ -145,7 +139,7 @@ const fn feature((shape, inside): (Shape, bool), words: &'static [Words], result
         head: "",
         shape,
         inside,
-        writes: false,
+        writes: None,
         words,
         also: &[],
         results,

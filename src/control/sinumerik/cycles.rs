@@ -28,7 +28,7 @@ pub fn run(
     }
 }
 
-/// What a call probes that is made where the ball is: the place is the start of the touches, above them where it goes down.
+/// What a call probes. `at` is the position of the ball at the call: at the height of the touches, or above them if the cycle goes down.
 pub fn called(number: u16, at: Vec3, get: impl Fn(u16) -> Option<f64>) -> Option<Probed> {
     let mut rows = ROWS.iter().filter(|row| row.number == number);
     rows.find_map(|row| row.probed(at, &get))

@@ -8,8 +8,8 @@ use std::ops::Range;
 
 use super::cycles;
 use crate::control::iso::writer::Writer;
-use crate::control::native::rows::{Asked, Found, Is, Probed, Shape};
-use crate::control::native::siemens::row;
+use crate::control::native::rows::{Asked, Found, Is, Probed, Shape, fitting};
+use crate::control::native::siemens::ROWS;
 use crate::control::own::machine::{Alarm, Machine};
 use crate::control::own::made::{self, Drafted};
 use crate::control::own::{Meets, OwnCycles, OwnRequest, Refused, Several, degrees_of, refused};
@@ -185,7 +185,7 @@ impl Plan<'_> {
 
     /// Calls the cycle for what is to be probed. `codes` are those of its results: of its centre, and of its sizes.
     fn calls(&mut self, probed: &Probed, [places, sizes]: [&[&'static str]; 2]) {
-        let Some(row) = row(probed.shape, probed.inside) else {
+        let Some(row) = fitting(&ROWS, probed) else {
             return;
         };
         let request = self.request;
