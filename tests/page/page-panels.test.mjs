@@ -233,6 +233,8 @@ test("all moves are listed in words, and the list is of the form", async () => {
   await page.getByRole("tab", { name: "Results" }).click();
   await page.getByText("All moves in words").click();
   const words = page.locator("tp-results .moves li");
+  // What is folded is filled in once the browser says that it is open.
+  await words.first().waitFor();
   assert.equal(
     await words.count(),
     Number(await page.locator("#scrub").getAttribute("max")),
@@ -272,6 +274,7 @@ test("this job on every control: what each makes of it, and the way there", asyn
         ];
       }),
   );
+  await rows.first().waitFor();
   const shown = await rows.evaluateAll((all) =>
     all.map((row) =>
       [...row.children].slice(0, 3).map((cell) => cell.textContent?.trim()),
