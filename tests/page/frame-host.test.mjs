@@ -167,17 +167,11 @@ test("a portal sets the job, reads it, receives its events and saves the program
     JSON.parse(JSON.stringify(plan(state.job))),
     "the plan is that of the package",
   );
-  const heard = await told();
-  assert.ok(heard.some((/** @type {any} */ one) => one.type === "plan-change"));
+  const heard = await told("plan-change");
   const inside = page.frameLocator("iframe");
   await inside.locator("[id='f-cycle.diameter']").fill("29");
   await inside.getByRole("button", { name: /^Save / }).click();
-  await page.waitForFunction(() =>
-    /** @type {any} */ (window).told.some(
-      (/** @type {any} */ one) => one.type === "program-save",
-    ),
-  );
-  const after = await told();
+  const after = await told("job-change", "program-save");
   for (const one of [...heard, ...after]) isSpoken("answer", one);
   const change = after.find(
     (/** @type {any} */ one) => one.type === "job-change",
