@@ -9,6 +9,7 @@ use crate::geom::AXIS_NAMES;
 use crate::job::{Planned, Units, alone, is_set_up, resolved, writes_any};
 use crate::num::decimal;
 use crate::text::{Part, Text, text};
+use crate::tolerance;
 
 /// What converted values may differ by, mm or degrees.
 const NEAR: f64 = 2e-5;
@@ -260,6 +261,9 @@ fn refusal(
     let number = match value {
         Some(Value::Number(number)) => *number,
         Some(Value::Null) => f64::NAN,
+        Some(Value::Text(text)) if tolerance::toleranced(text).is_some() => {
+            tolerance::toleranced(text)?
+        }
         // What follows a result is known at the machine alone.
         Some(Value::Text(text))
             if (rule.least, rule.most) != (None, None)

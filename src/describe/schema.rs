@@ -7,8 +7,8 @@ use crate::cycle::{CYCLES, CycleDef, HIGHEST_CODE, LONGEST_VECTOR, MOST_CODES, P
 use crate::form::{Field, Kind, Range, Value};
 use crate::formula::{self, Consequence};
 use crate::job::{
-    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, LONGEST_TOLERANCE, MOST_CYCLES, MOST_STEPS,
-    RELATIONS, SECTIONS, SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR, size_reach,
+    CLEAR, DATUM, FORMAT, LONGEST_NAME, LONGEST_PLACE, MOST_CYCLES, MOST_STEPS, RELATIONS,
+    SECTIONS, SET_UP_FORMAT, STEP_ANGLE, TOLERANCES, WEAR, size_reach,
 };
 use crate::num::decimal;
 use crate::path::MAX_TOUCHES;
@@ -97,11 +97,11 @@ fn tolerances() -> Value {
                 "tolerance".to_owned(),
                 map([
                     ("type", text("string")),
-                    ("maxLength", Value::Number(LONGEST_TOLERANCE as f64)),
+                    ("maxLength", Value::Number(crate::tolerance::LONGEST as f64)),
                     (
                         "description",
                         text(
-                            "About the nominal value (H7, ±0.02, +0.021/0) or with it (25H7, 24.98..25.02).",
+                            "About the nominal value (H7, ±0.02, +0.021/0) or with it (25H7, 24.98..25.02). Left out where the size says it.",
                         ),
                     ),
                 ]),
@@ -120,7 +120,7 @@ fn tolerances() -> Value {
             ),
             (WEAR.key.to_owned(), wear()),
         ],
-        &["tolerance"],
+        &[],
     );
     nullable(map([
         ("type", text("object")),
@@ -170,6 +170,7 @@ fn following(mut cycle: Value, def: &CycleDef) -> Value {
     ]);
     let or_text = |value: &mut Value, example: &str| {
         let Value::Map(entries) = value else { return };
+        entries.retain(|(key, _)| key != "maxLength");
         for (key, value) in entries.iter_mut() {
             match (key.as_str(), value) {
                 ("type", value) => *value = Value::List(["number", "string"].map(text).to_vec()),
@@ -179,7 +180,6 @@ fn following(mut cycle: Value, def: &CycleDef) -> Value {
                 _ => {}
             }
         }
-        entries.push(("pattern".to_owned(), text("^ *=")));
         entries.push(("maxLength".to_owned(), Value::Number(LONGEST_PLACE as f64)));
     };
     inner(&mut cycle, "properties", &|properties| {
@@ -187,7 +187,10 @@ fn following(mut cycle: Value, def: &CycleDef) -> Value {
             inner(origin, "items", &|items| items.clone_from(&place))
         });
         inner(properties, "rotation", &|rotation| {
-            or_text(rotation, "=SIDE.rotation+90")
+            or_text(rotation, "=SIDE.rotation+90");
+            if let Value::Map(entries) = rotation {
+                entries.push(("pattern".to_owned(), text("^ *=")));
+            }
         });
         for size in def
             .fields
@@ -504,6 +507,15 @@ fn field(field: &Field) -> Value {
     };
     let nominal = ["number", "string"].map(text).to_vec();
     let schema = match field.kind {
+        Kind::Length | Kind::Angle if field.size => {
+            let Value::Map(mut entries) = number("number") else {
+                unreachable!("a schema is a map")
+            };
+            entries[0].1 = Value::List(nominal);
+            let most = crate::tolerance::LONGEST as f64;
+            entries.push(("maxLength".to_owned(), Value::Number(most)));
+            Value::Map(entries)
+        }
         Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => {
             number("number")
         }
@@ -538,9 +550,16 @@ fn field(field: &Field) -> Value {
         unreachable!("a schema is a map")
     };
     entries.push(("title".to_owned(), text(field.label)));
-    entries.push(("description".to_owned(), text(field.help)));
+    let help = match field.kind {
+        Kind::Length if field.size => &format!("{} {WITH_TOLERANCE}", field.help),
+        _ => field.help,
+    };
+    entries.push(("description".to_owned(), text(help)));
     Value::Map(entries)
 }
+
+/// What a size takes beside a number.
+const WITH_TOLERANCE: &str = "As text it has a tolerance: `25 H7`, `25 +0.021 0`, `25 ±0.05`.";
 
 fn whole(min: f64, max: f64) -> Value {
     map([

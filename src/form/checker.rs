@@ -276,10 +276,19 @@ impl<'a, 'c> Section<'a, 'c> {
 
     /// The number at `path`, finite and inside the field's ranges, in mm, mm/min, degrees or whole.
     pub fn number(&mut self, value: &Value, field: &Field, path: &str) -> Option<f64> {
-        let Value::Number(given) = *value else {
-            let message = not_a_number(value, field, self.checker.scale);
-            self.checker.error("wrong-type", path, message);
-            return None;
+        let given = match (value, nominal_of(value, field, self.checker.scale)) {
+            (Value::Number(given), _) => *given,
+            (_, Some(Ok(given))) => given,
+            (_, Some(Err(why))) => {
+                let message = text!("{label}: {why}", field.label, why);
+                self.checker.error("not-a-tolerance", path, message);
+                return None;
+            }
+            _ => {
+                let message = not_a_number(value, field);
+                self.checker.error("wrong-type", path, message);
+                return None;
+            }
         };
         if !given.is_finite() {
             self.checker.error(
@@ -635,37 +644,32 @@ impl Checked for String {
     }
 }
 
-/// What is reported of a value that should be a number: of a size with a tolerance, what to enter in its place.
-fn not_a_number(value: &Value, field: &Field, scale: f64) -> Text {
-    // `40x6` is a fit, `40x2` a product.
-    let product = |text: &str| {
-        let sides = text
-            .split_once(['x', 'X'])
-            .map(|(_, other)| other.trim().parse::<u32>());
-        matches!(sides, Some(Ok(grade)) if !(4..=18).contains(&grade))
+/// The nominal value of a size that is written with its tolerance; none of anything else.
+fn nominal_of(value: &Value, field: &Field, scale: f64) -> Option<Result<f64, Text>> {
+    let Value::Text(text) = value else {
+        return None;
     };
+    let classes = match field.kind {
+        Kind::Length if field.size => Some(scale),
+        Kind::Angle if field.size => None,
+        _ => return None,
+    };
+    if text.chars().count() > tolerance::LONGEST {
+        return None;
+    }
+    Some(tolerance::size(text, classes)?.map(|(nominal, _)| nominal))
+}
+
+/// What is reported of a value that should be a number.
+fn not_a_number(value: &Value, field: &Field) -> Text {
     if let Value::Text(text) = value
-        && !product(text)
         && let Some(nominal) = tolerance::toleranced(text)
     {
-        let zone = tolerance::zone(text, scale)
-            .filter(|[low, high]| field.size && *low > 0.0 && low < high);
-        let (text, nominal) = (printable(text), decimal(nominal, 6));
-        if let Some([low, high]) = zone {
-            return text!(
-                "{label} takes no tolerance: enter {nominal} alone, or {middle} with a size limit of {half} to have \"{text}\" judged",
-                field.label,
-                nominal,
-                decimal((low + high) / 2.0, 6),
-                decimal((high - low) / 2.0, 6),
-                text
-            );
-        }
         return text!(
             "{label} takes no tolerance, and \"{text}\" reads as one: enter {nominal} alone, or a sum as one number",
             field.label,
-            text,
-            nominal
+            printable(text),
+            decimal(nominal, 6)
         );
     }
     if let Value::Text(text) = value {

@@ -4,8 +4,10 @@ use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, Value};
 use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, names};
 use crate::job::naming::job_name;
-use crate::job::sections::{FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, Units};
+use crate::job::sections::{FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, USUAL_SIZE, Units};
+use crate::job::sized;
 use crate::job::units::default_in;
+use crate::num::tidy;
 use crate::tolerance::plain_of_result;
 
 /// How defaults, which are given in mm, are brought to a job in inch.
@@ -171,6 +173,7 @@ pub fn resolved(job: &Value) -> Option<Value> {
         }
     }
     overlay(&mut whole, job);
+    put_sized(&mut whole, job, def, units);
     if let Value::Map(entries) = &mut whole {
         entries.retain(|(key, _)| key != TOLERANCES);
         entries.extend(plain_tolerances(job));
@@ -180,6 +183,25 @@ pub fn resolved(job: &Value) -> Option<Value> {
             .for_each(|(_, control)| leave_usual(control));
     }
     Some(whole)
+}
+
+/// Sizes with a tolerance in characters that a comment of any control takes, and the limit that follows from them.
+fn put_sized(whole: &mut Value, job: &Value, def: &CycleDef, units: Units) {
+    let Some(cycle) = whole.get_mut("cycle") else {
+        return;
+    };
+    let sized = sized::of(def, cycle, units.scale());
+    for one in &sized {
+        cycle.put(one.field.key, Value::Text(plain_of_result(&one.text)));
+    }
+    let given = job.get("limits").and_then(|limits| limits.get("size"));
+    if let (None, Some(limit), Some(limits)) = (
+        given,
+        sized::size_limit(&sized, USUAL_SIZE),
+        whole.get_mut("limits"),
+    ) {
+        limits.put("size", Value::Number(tidy(limit / units.scale())));
+    }
 }
 
 /// A normal run and the first probe input go without saying: programs stay as they were before there was a choice.

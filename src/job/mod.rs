@@ -27,6 +27,7 @@ mod relations;
 mod rows;
 mod sections;
 mod set_up;
+mod sized;
 #[cfg(any(test, target_arch = "wasm32"))]
 mod stretch;
 mod stylus;
@@ -72,7 +73,6 @@ pub(crate) use planned::Planned;
 pub(crate) use sections::{Job, SECTIONS, TOLERANCES, UNITS, size_reach};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
-pub(crate) use tolerances::LONGEST_TOLERANCE;
 #[cfg(target_arch = "wasm32")]
 pub(crate) use units::known_units;
 pub(crate) use wear::WEAR;

@@ -40,15 +40,23 @@ pub fn job_name(job: &Value) -> String {
 fn size(field: &Field, value: Option<&Value>) -> Option<String> {
     let size = match value? {
         Value::Number(x) => *x,
-        Value::Text(text) => tolerance::parse(text, 1.0).ok()?.nominal?,
+        Value::Text(text) => {
+            tolerance::toleranced(text).or_else(|| tolerance::parse(text, 1.0).ok()?.nominal)?
+        }
         _ => return None,
     };
     let written = (size.is_finite() && size.abs() < 1e5)
         .then(|| decimal(size.abs(), DECIMALS).replace('.', "_"))?;
     let round = field.kind != Kind::Angle && field.key.starts_with("diameter");
-    Some(if round {
-        format!("D{written}")
-    } else {
-        written
-    })
+    // Names have no small letters, which would tell the class of a shaft from that of a hole.
+    let class = match value? {
+        Value::Text(text)
+            if field.kind == Kind::Length && !text.contains(|c: char| c.is_ascii_lowercase()) =>
+        {
+            tolerance::class_of(text).unwrap_or_default()
+        }
+        _ => "",
+    };
+    let letter = if round { "D" } else { "" };
+    Some(format!("{letter}{written}{class}"))
 }

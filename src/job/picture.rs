@@ -67,8 +67,7 @@ impl Planned {
             offset: job
                 .work_offset
                 .map_or_else(String::new, |n| (job.post.work_offset_word)(n)),
-            deviates: !job.placement.nominal
-                || members.iter().any(|own| !own.job.placement.nominal),
+            deviates: job.placement.stated || members.iter().any(|own| own.job.placement.stated),
             scene,
         }
     }
@@ -146,6 +145,9 @@ impl Planned {
     ) -> Vec<(&'static str, String)> {
         let named = |field: &'static str, value: String| {
             let key = field.strip_prefix("cycle.").unwrap_or(field);
+            // What stands behind the last blank is the value.
+            let sized = self.job.sized.iter().find(|one| one.field.key == key);
+            let value = sized.map_or(value, |one| one.text.trim().replace(' ', "\u{a0}"));
             let own = || {
                 self.job
                     .def

@@ -6,6 +6,7 @@ use crate::form::{Checker, Choice, Field, Section, Value, form};
 use crate::formula::{Limits, Wear};
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
+use crate::job::sized::{self, Sized};
 use crate::job::wear;
 use crate::part::{Machine, PartPlacement, Scatter, Shape};
 use crate::path::{Feeds, Setup};
@@ -14,6 +15,9 @@ use crate::tool_length::{self, Query, lentoax, sentence};
 
 /// The key of a job that holds the tolerances of its results.
 pub const TOLERANCES: &str = "tolerances";
+
+/// The limit of a size, mm, where the job gives none.
+pub const USUAL_SIZE: f64 = 0.5;
 
 /// The format this crate writes and reads.
 pub const FORMAT: f64 = 1.0;
@@ -219,7 +223,7 @@ form! {
         /// Largest distance of a measured position from its nominal one, along each axis. Empty: the part may lie anywhere within the search.
         position: Option<f64> = Field::length("position", "Position limit", 2.0).range(0.001, 1000.0).null_by_default().null_means("no limit").group("Feeds and limits"),
         /// Largest deviation of a measured width, diameter or length.
-        size: Option<f64> = Field::length("size", "Size limit", 0.5).range(0.001, 1000.0).usual(0.01, 5.0).null_means("no limit").group("Feeds and limits"),
+        size: Option<f64> = Field::length("size", "Size limit", USUAL_SIZE).range(0.001, 1000.0).usual(0.01, 5.0).null_means("no limit").group("Feeds and limits"),
         /// Largest deviation of a measured angle or direction.
         angle: Option<f64> = Field::angle("angle", "Angle limit", 1.0).range(0.001, 180.0).usual(0.01, 15.0).null_means("no limit").group("Feeds and limits"),
         /// Largest root mean square distance of the touches from the circle or wall that is fitted through them, where there are touches to spare.
@@ -349,6 +353,8 @@ pub struct Job {
     /// What is known of the cycle's type.
     pub def: &'static CycleDef,
     pub cycle: Box<dyn Cycle>,
+    /// Its sizes that say their tolerance.
+    pub sized: Vec<Sized>,
     /// How often it touches each point; none once.
     pub repeat: Option<Repeat>,
     pub post: &'static PostDef,
@@ -379,11 +385,14 @@ pub struct Job {
 }
 
 impl PartForm {
-    fn placement(&self, plane: Plane, resized: bool) -> PartPlacement {
+    /// `resized`: whether its sizes are others than the nominal ones; `stated`: whether the job says so.
+    fn placement(&self, plane: Plane, resized: bool, stated: bool) -> PartPlacement {
+        let still = self.offset == Vec3::ZERO && self.rotation == 0.0;
         PartPlacement {
             rigid: Rigid::new(plane, self.offset, self.rotation.to_radians()),
             turn: self.rotation,
-            nominal: self.offset == Vec3::ZERO && self.rotation == 0.0 && !resized,
+            nominal: still && !resized,
+            stated: !still || stated,
         }
     }
 }
@@ -563,7 +572,19 @@ impl Job {
             );
             checker.error("repeat-unsupported", "cycle.repeat", message);
         }
-        let sizes = read_sizes(checker, value, cycle.as_ref(), &setup);
+        let sized = match (&cycle, value.get("cycle")) {
+            (Some((def, ..)), Some(given)) => sized::of(def, given, units.scale()),
+            _ => Vec::new(),
+        };
+        let sizes = read_sizes(checker, value, cycle.as_ref(), (&setup, &sized));
+        let mut limits = limits.limits();
+        if value
+            .get("limits")
+            .and_then(|given| given.get("size"))
+            .is_none()
+        {
+            limits.size = sized::size_limit(&sized, USUAL_SIZE).or(limits.size);
+        }
 
         let (def, cycle, repeat) = cycle?;
         if checker.failed() {
@@ -577,11 +598,12 @@ impl Job {
             repeatability: stylus.repeatability,
             shape: stylus.shape(),
             runout: stylus.runout,
-            limits: limits.limits(),
+            limits,
             machine: machine.machine(),
             feeds: feeds.feeds(),
             def,
             cycle,
+            sized,
             repeat,
             post,
             form: Form::named(&control.form),
@@ -596,9 +618,17 @@ impl Job {
             number: control.number,
             set_up: control.set_up,
             wear: wear::of(value.get(TOLERANCES), units.scale()),
-            placement: part.placement(plane, sizes.is_some()),
+            placement: part.placement(plane, sizes.is_some(), states_sizes(value)),
             actual: sizes,
         })
+    }
+}
+
+/// Whether a job says of its virtual part that a size is another one.
+fn states_sizes(value: &Value) -> bool {
+    match value.get("part").and_then(|part| part.get("sizes")) {
+        Some(Value::Map(sizes)) => sizes.iter().any(|(_, x)| *x != Value::Number(0.0)),
+        _ => false,
     }
 }
 
@@ -851,45 +881,46 @@ pub fn size_reach(field: &Field) -> Field {
     }
 }
 
-/// The cycle resized to the actual part; none where all sizes are nominal.
+/// The cycle resized to the actual part; none where all sizes are nominal. A size with a tolerance that the part says nothing of is in the middle of its zone.
 fn read_sizes(
     checker: &mut Checker,
     value: &Value,
     cycle: Option<&Read>,
-    setup: &Setup,
+    (setup, sized): (&Setup, &[Sized]),
 ) -> Option<Box<dyn Cycle>> {
     let (def, cycle, _) = cycle?;
-    let sizes = value.get("part")?.get("sizes")?;
-    let Value::Map(entries) = sizes else {
-        checker.error(
-            "wrong-type",
-            "part.sizes",
-            text!("part.sizes must be an object, not {given}", sizes.noun()),
-        );
-        return None;
+    let given = match value.get("part").and_then(|part| part.get("sizes")) {
+        None => None,
+        Some(given @ Value::Map(_)) => Some(given),
+        Some(other) => {
+            let message = text!("part.sizes must be an object, not {given}", other.noun());
+            checker.error("wrong-type", "part.sizes", message);
+            return None;
+        }
     };
     let fields: Vec<Field> = def.fields.iter().filter(|f| f.size).copied().collect();
-    let mut section = Section::new(checker, Some(sizes), "part.sizes");
-    section.only(&fields, &[]);
+    Section::new(checker, given, "part.sizes").only(&fields, &[]);
     let mut actual: Option<Box<dyn Cycle>> = None;
-    for (key, given) in entries {
-        let Some(field) = fields.iter().find(|f| f.key == key) else {
-            continue;
-        };
-        let reach = size_reach(field);
-        let path = format!("part.sizes.{key}");
-        let mut section = Section::new(checker, None, "part.sizes");
-        let Some(delta) = section.number(given, &reach, &path) else {
-            continue;
+    for field in &fields {
+        let path = format!("part.sizes.{}", field.key);
+        let delta = match given.and_then(|given| given.get(field.key)) {
+            Some(delta) => {
+                Section::new(checker, None, "part.sizes").number(delta, &size_reach(field), &path)
+            }
+            None => sized
+                .iter()
+                .find(|one| one.field.key == field.key)
+                .map(Sized::middle),
         };
         // A cycle that is in error has no sizes to change.
-        if delta == 0.0 || !checker.is_clean(&["cycle"]) {
+        let Some(delta) = delta.filter(|delta| *delta != 0.0 && checker.is_clean(&["cycle"]))
+        else {
             continue;
-        }
+        };
         match actual
             .as_deref()
             .unwrap_or(&**cycle)
-            .resized(setup, key, delta)
+            .resized(setup, field.key, delta)
         {
             Some(resized) => actual = Some(resized),
             None => checker.error(

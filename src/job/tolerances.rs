@@ -12,28 +12,59 @@ use crate::path::Path;
 use crate::text::{Text, text, words};
 use crate::tolerance;
 
-/// The most characters of one.
-pub const LONGEST_TOLERANCE: usize = 64;
+/// A tolerance that a job gives to a result: by an entry of `tolerances`, in the size itself, or by both, the size then with the tolerance and the entry
+/// with what follows from it.
+struct Given<'v> {
+    /// The result of the whole job.
+    index: usize,
+    /// Its code, as it was written.
+    key: &'v str,
+    /// The path of the entry; of a size without one that of the size.
+    at: String,
+    entry: Option<&'v Value>,
+    /// What the size says, and its path.
+    size: Option<(String, String)>,
+}
 
 /// Reads the tolerances of a job that is planned, and gives each to its result. Reports everything that is wrong with them.
 pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
-    let entries = match value.get(TOLERANCES) {
-        None | Some(Value::Null) => return,
+    let entries: &[(String, Value)] = match value.get(TOLERANCES) {
+        None | Some(Value::Null) => &[],
         Some(Value::Map(entries)) => entries,
         Some(other) => {
             let message = text!("tolerances must be an object, not {given}", other.noun());
             return checker.error("wrong-type", TOLERANCES, message);
         }
     };
-    let mut given_to: Vec<(usize, &str)> = Vec::new();
-    for (key, given) in entries {
-        let path = format!("{TOLERANCES}.{}", printable(key));
-        let formula = &planned.path.formula;
-        let Some(index) = formula
-            .results
+    let mut all = of_entries(checker, entries, planned);
+    add_sizes(checker, planned, &mut all);
+    for given in &all {
+        let members = &planned.path.members;
+        let of = members
             .iter()
-            .position(|result| formula.is_named(result, key))
-        else {
+            .position(|member| member.results.contains(&given.index));
+        let own = of.map_or(&planned.job, |cycle| &planned.members[cycle].job);
+        let related = of.is_none() && !members.is_empty();
+        let jobs = (&planned.job, own, &planned.path);
+        if let Some(tolerance) = one(checker, jobs, given, related) {
+            give(planned, given.index, tolerance);
+        }
+    }
+    check_stores(checker, &planned.path.formula, &all);
+}
+
+/// The entries of `tolerances` whose results the job has.
+fn of_entries<'v>(
+    checker: &mut Checker,
+    entries: &'v [(String, Value)],
+    planned: &Planned,
+) -> Vec<Given<'v>> {
+    let formula = &planned.path.formula;
+    let mut all: Vec<Given<'v>> = Vec::new();
+    for (key, entry) in entries {
+        let at = format!("{TOLERANCES}.{}", printable(key));
+        let named = |result: &ResultDef| formula.is_named(result, key);
+        let Some(index) = formula.results.iter().position(named) else {
             let known: Vec<_> = formula
                 .results
                 .iter()
@@ -44,45 +75,74 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
                 printable(key),
                 known.join(", ")
             );
-            checker.error("tolerance-unknown", path, message);
+            checker.error("tolerance-unknown", at, message);
             continue;
         };
-        if given_to.iter().any(|(known, _)| *known == index) {
-            let message = text!("{name} has two tolerances: give it one", printable(key));
-            checker.error("tolerance-unknown", path, message);
+        if all.iter().any(|other| other.index == index) {
+            checker.error("tolerance-unknown", at, twice(key));
             continue;
         }
-        given_to.push((index, key));
-        let of = planned
-            .path
-            .members
-            .iter()
-            .position(|member| member.results.contains(&index));
-        let own = of.map_or(&planned.job, |cycle| &planned.members[cycle].job);
-        let related = of.is_none() && !planned.path.members.is_empty();
-        if let Some(tolerance) = one(
-            checker,
-            (&planned.job, own, &planned.path),
-            given,
-            (index, related),
-            &path,
-        ) {
-            give(planned, index, tolerance);
-        }
+        let entry = Some(entry);
+        let size = None;
+        all.push(Given {
+            index,
+            key,
+            at,
+            entry,
+            size,
+        });
     }
-    check_stores(checker, &planned.path.formula, &given_to);
+    all
+}
+
+fn twice(key: &str) -> Text {
+    text!("{name} has two tolerances: give it one", printable(key))
+}
+
+/// The sizes that say their tolerance: with the entries of their results, or by themselves.
+fn add_sizes(checker: &mut Checker, planned: &Planned, all: &mut Vec<Given<'_>>) {
+    let several = &planned.path.members;
+    let mut add = |cycle: &Planned, first: usize, place: &str| {
+        for sized in &cycle.job.sized {
+            let (code, path) = (sized.field.key, format!("{place}.{}", sized.field.key));
+            let results = &cycle.path.formula.results;
+            let Some(index) = results.iter().position(|result| result.code == code) else {
+                let message = text!(
+                    "{result} is not measured here: it takes no tolerance",
+                    Text::words(sized.field.label)
+                );
+                checker.error("tolerance-unsupported", path, message);
+                continue;
+            };
+            let index = first + index;
+            let size = Some((sized.text.clone(), path.clone()));
+            match all.iter_mut().find(|other| other.index == index) {
+                Some(other) => other.size = size,
+                None => all.push(Given {
+                    index,
+                    key: code,
+                    at: path,
+                    entry: None,
+                    size,
+                }),
+            }
+        }
+    };
+    if several.is_empty() {
+        return add(planned, 0, "cycle");
+    }
+    for (i, (member, cycle)) in several.iter().zip(&planned.members).enumerate() {
+        add(cycle, member.results.start, &format!("cycles[{i}]"));
+    }
 }
 
 /// Offsets that keep the values of a mean: a pair each, which belongs to no tool and to no other mean.
-fn check_stores(checker: &mut Checker, formula: &Formula, given_to: &[(usize, &str)]) {
-    let wear_of = |(index, key): &(usize, &str)| {
-        Some((
-            *index,
-            formula.results[*index].tolerance?.wear?,
-            (*key).to_owned(),
-        ))
+fn check_stores(checker: &mut Checker, formula: &Formula, given: &[Given<'_>]) {
+    let wear_of = |given: &Given<'_>| {
+        let wear = formula.results[given.index].tolerance?.wear?;
+        Some((given.index, wear, given.key.to_owned()))
     };
-    let all: Vec<(usize, Wear, String)> = given_to.iter().filter_map(wear_of).collect();
+    let all: Vec<(usize, Wear, String)> = given.iter().filter_map(wear_of).collect();
     for (i, wear, key) in &all {
         let Some((_, store)) = wear.mean else {
             continue;
@@ -123,55 +183,19 @@ fn give(planned: &mut Planned, index: usize, tolerance: Tolerance) {
 fn one(
     checker: &mut Checker,
     (job, own, path_of_job): (&Job, &Job, &Path),
-    given: &Value,
-    (index, related): (usize, bool),
-    at: &str,
+    given: &Given<'_>,
+    related: bool,
 ) -> Option<Tolerance> {
-    let path = at;
-    let Value::Map(entries) = given else {
-        let message = text!(
-            "{path} must be an object, not {given}",
-            path.to_owned(),
-            given.noun()
-        );
-        checker.error("wrong-type", path, message);
-        return None;
-    };
-    for (key, _) in entries
-        .iter()
-        .filter(|(key, _)| !["tolerance", "action", "wear"].contains(&key.as_str()))
-    {
-        let shown = printable(key);
-        let message = text!(
-            "A tolerance has no \"{key}\"; it knows tolerance, action and wear",
-            shown.clone()
-        );
-        checker.error("unknown-key", format!("{path}.{shown}"), message);
+    let at = &given.at;
+    let none = Value::Map(Vec::new());
+    let entry = given.entry.unwrap_or(&none);
+    if given.entry.is_some() {
+        check_keys(checker, entry, at)?;
     }
     let formula = &path_of_job.formula;
-    let def = &formula.results[index];
-    let action = consequence(checker, job, given, &format!("{path}.action"));
-    let text = match given.get("tolerance") {
-        Some(Value::Text(text)) => text,
-        Some(other) => {
-            let path = format!("{path}.tolerance");
-            checker.error(
-                "wrong-type",
-                path.clone(),
-                text!("{path} must be text, not {given}", path, other.noun()),
-            );
-            return None;
-        }
-        None => {
-            let message = text!(
-                "A tolerance needs its text: one of {forms}",
-                tolerance::RESULT_FORMS.to_owned()
-            );
-            checker.error("missing", format!("{path}.tolerance"), message);
-            return None;
-        }
-    };
-    let path = format!("{path}.tolerance");
+    let def = &formula.results[given.index];
+    let action = consequence(checker, job, entry, &format!("{at}.action"));
+    let (text, path) = words_of(checker, given)?;
     if def.variable.is_none() || path_of_job.feature.two_circles().is_some() {
         let message = match def.variable {
             None => text!(
@@ -185,16 +209,8 @@ fn one(
         checker.error("tolerance-unsupported", path, message);
         return None;
     }
-    if text.chars().count() > LONGEST_TOLERANCE {
-        let message = text!(
-            "A tolerance has at most {most} characters",
-            LONGEST_TOLERANCE
-        );
-        checker.error("text-too-long", path, message);
-        return None;
-    }
     let limits = limits(checker, job, text, def, &path)?;
-    let wear = read_wear(checker, (own, path_of_job), given, (def, related), at);
+    let wear = read_wear(checker, (own, path_of_job), entry, (def, related), at);
     if wear.is_some() {
         check_middle(checker, limits, def, at);
         if own.limits.size.is_none() {
@@ -209,8 +225,74 @@ fn one(
         action: action?,
         wear,
     };
-    check_limit(checker, job, formula, (index, &tolerance), &path);
+    check_limit(checker, job, formula, (given.index, &tolerance), &path);
     Some(tolerance)
+}
+
+/// Whether an entry is an object; reports what it has beside the known keys.
+fn check_keys(checker: &mut Checker, entry: &Value, at: &str) -> Option<()> {
+    let Value::Map(entries) = entry else {
+        let message = text!(
+            "{path} must be an object, not {given}",
+            at.to_owned(),
+            entry.noun()
+        );
+        checker.error("wrong-type", at, message);
+        return None;
+    };
+    for (key, _) in entries
+        .iter()
+        .filter(|(key, _)| !["tolerance", "action", "wear"].contains(&key.as_str()))
+    {
+        let shown = printable(key);
+        let message = text!(
+            "A tolerance has no \"{key}\"; it knows tolerance, action and wear",
+            shown.clone()
+        );
+        checker.error("unknown-key", format!("{at}.{shown}"), message);
+    }
+    Some(())
+}
+
+/// The text of a tolerance, and its path.
+fn words_of<'g>(checker: &mut Checker, given: &'g Given<'_>) -> Option<(&'g str, String)> {
+    let path = format!("{}.tolerance", given.at);
+    match (
+        given.entry.and_then(|entry| entry.get("tolerance")),
+        &given.size,
+    ) {
+        (None, Some((text, at))) => Some((text, at.clone())),
+        (Some(_), Some(_)) => {
+            checker.error("tolerance-unknown", path, twice(given.key));
+            None
+        }
+        (Some(Value::Text(text)), None) if text.chars().count() > tolerance::LONGEST => {
+            let message = text!(
+                "A tolerance has at most {most} characters",
+                tolerance::LONGEST
+            );
+            checker.error("text-too-long", path, message);
+            None
+        }
+        (Some(Value::Text(text)), None) => Some((text, path)),
+        (Some(other), None) => {
+            let message = text!(
+                "{path} must be text, not {given}",
+                path.clone(),
+                other.noun()
+            );
+            checker.error("wrong-type", path, message);
+            None
+        }
+        (None, None) => {
+            let message = text!(
+                "A tolerance needs its text: one of {forms}",
+                tolerance::RESULT_FORMS.to_owned()
+            );
+            checker.error("missing", path, message);
+            None
+        }
+    }
 }
 
 /// What the program is to do, where it can.

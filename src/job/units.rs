@@ -222,7 +222,12 @@ fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {
             .get_mut(field.key)
             .filter(|_| field.kind.is_metric())
         {
-            convert(value, to);
+            match value {
+                Value::Text(text) if field.size && tolerance::toleranced(text).is_some() => {
+                    *text = tolerance::convert_of_result(text, |x| to.printed(x));
+                }
+                _ => convert(value, to),
+            }
         }
     }
 }

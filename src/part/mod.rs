@@ -27,6 +27,8 @@ pub struct PartPlacement {
     pub turn: f64,
     /// Whether it is the nominal part in its nominal place.
     pub nominal: bool,
+    /// Whether the job says that it is another one, or lies elsewhere. A size with a tolerance is in the middle of its zone without a word.
+    pub stated: bool,
 }
 
 /// What happened when the path was run on the actual part.

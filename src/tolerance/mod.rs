@@ -14,6 +14,9 @@ use crate::num::decimal;
 use crate::text::{Text, text};
 use iso286::{GRADES, HOLE_J, MAIN_BANDS, NONE, SHAFT_J, SHAFT_K, SHAFTS, SUB_BANDS};
 
+/// The most characters of a tolerance, or of a size with one.
+pub const LONGEST: usize = 64;
+
 /// The forms a value may have, for people.
 pub const FORMS: &str = "10, 10H7, 10m, 10+0.01-0.015, +8-2-1, ?, ?10, 10@10.02";
 
@@ -132,6 +135,14 @@ pub fn toleranced(text: &str) -> Option<f64> {
     let end = end_of_number(&plain)?;
     let nominal = number(&plain[..end])?;
     let rest = plain[end..].trim();
+    // `40x6` is a fit, `40x2` a product.
+    if let Some(Ok(grade)) = rest
+        .strip_prefix(['x', 'X'])
+        .map(|of| of.trim().parse::<u32>())
+        && !(4..=18).contains(&grade)
+    {
+        return None;
+    }
     let deviations = || {
         let signs = |c: char| "+-±/() ".contains(c);
         let mut terms = rest.split(signs).filter(|term| !term.is_empty()).peekable();
@@ -144,10 +155,25 @@ pub fn toleranced(text: &str) -> Option<f64> {
     (is_class(rest) || deviations()).then_some(nominal)
 }
 
-/// The smallest and the largest size that such a text allows, in its units, of which one has `to_mm` millimetres. None where it says no limits.
-pub fn zone(text: &str, to_mm: f64) -> Option<[f64; 2]> {
-    toleranced(text)?;
-    result::of_size(text, to_mm)
+/// The nominal size of such a text, and the smallest and the largest that it allows, in its units. `to_mm` is millimetres in one; none of an angle, which
+/// has no classes. None where the text is no size with a tolerance.
+pub fn size(text: &str, to_mm: Option<f64>) -> Option<Result<(f64, [f64; 2]), Text>> {
+    let nominal = toleranced(text)?;
+    let limits = of_result(text, nominal, to_mm).map(|(limits, _)| limits);
+    Some(limits.and_then(|limits| {
+        if to_mm.is_some() && limits[0] <= 0.0 {
+            return Err(text!("\"{value}\" allows a size of 0", shown(text)));
+        }
+        Ok((nominal, limits))
+    }))
+}
+
+/// The class of a size that is written with one: `H7` of `25 H7`.
+pub fn class_of(text: &str) -> Option<&str> {
+    let class = text
+        .trim_start_matches(|c: char| !c.is_ascii_alphabetic())
+        .trim_end();
+    (toleranced(text).is_some() && is_class(class) && !class.contains('/')).then_some(class)
 }
 
 /// Whether a text is one or two letters and one or two digits, such as `H7`, alone or before a slash as in `H7/g6`.
@@ -565,7 +591,7 @@ mod tests {
     fn a_tolerance_as_drawings_write_it_is_a_zone() {
         // ISO 286-2: H7 of 18 to 30 mm is +0.021/0, h6 of the same 0/-0.013, H7 of 0.9842 inch that of 25 mm.
         let near = |text: &str, to_mm: f64, [low, high]: [f64; 2]| {
-            let zone = zone(text, to_mm).unwrap();
+            let (_, zone) = size(text, Some(to_mm)).unwrap().unwrap();
             assert!(
                 (zone[0] - low).abs() < 1e-6 && (zone[1] - high).abs() < 1e-6,
                 "{text}: {zone:?}"
@@ -580,10 +606,17 @@ mod tests {
         near("25 0 -0.02", 1.0, [24.98, 25.0]);
         near("25 +0.021 0", 1.0, [25.0, 25.021]);
         near("25-0.02", 1.0, [24.98, 25.0]);
-        for other in ["25", "25 0.02 -0.01"] {
-            assert_eq!(zone(other, 1.0), None, "{other}");
+        assert_eq!(size("25", Some(1.0)), None);
+        for wrong in ["25Q99", "25 0.02 -0.01", "0.4 ±0.5"] {
+            assert!(size(wrong, Some(1.0)).unwrap().is_err(), "{wrong}");
         }
-        assert_eq!(zone("25Q99", 1.0), None);
+        for (text, class) in [
+            ("25 H7", Some("H7")),
+            ("Ø25H7", Some("H7")),
+            ("25 ±0.02", None),
+        ] {
+            assert_eq!(class_of(text), class, "{text}");
+        }
     }
 
     /// The middles that the reference prints.

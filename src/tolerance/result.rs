@@ -127,17 +127,6 @@ fn of_two(text: &str, [first, second]: [f64; 2], nominal: f64) -> Result<([f64; 
     ))
 }
 
-/// The limits of a size that says its nominal value, `25 +0.021/0`; `to_mm` is millimetres in its unit. None of any other text.
-pub fn of_size(text: &str, to_mm: f64) -> Option<[f64; 2]> {
-    match Zone::read(&tidied(text))? {
-        Zone::Off(Some(size), off) => off
-            .of(size, Some(to_mm))?
-            .ok()
-            .map(|[low, high]| [size + low, size + high]),
-        _ => None,
-    }
-}
-
 /// A size with a tolerance as drawings write it in the form that 1411 takes: `10+0.021+0` for `10 +0.021/0`. Any other text as it is.
 pub fn canonical(text: &str) -> String {
     let drawn = text.contains([' ', '/', '±', 'Ø', 'ø', '⌀', '\u{2212}']);

@@ -534,3 +534,183 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
         );
     }
 }
+
+/// A hole whose size is written so, on a control, with more beside it.
+fn hole(size: &str, post: &str, more: &str) -> Value {
+    job(&format!(
+        r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": {size} }}, "limits": {{ "size": 0.5 }},
+            "control": {{ "post": "{post}", "header": "short" }} {more} }}"#
+    ))
+}
+
+/// A drawing's size is a number and a tolerance: the program is that of the two.
+#[test]
+fn a_size_that_says_its_tolerance_is_that_size_with_that_tolerance() {
+    for post in computing() {
+        for action in ["go", "mark", "stop"] {
+            let inside = format!(r#", "tolerances": {{ "diameter": {{ "action": "{action}" }} }}"#);
+            let beside = format!(
+                r#", "tolerances": {{ "diameter": {{ "tolerance": "H7", "action": "{action}" }} }}"#
+            );
+            let one = planned(&hole(r#""25 H7""#, post, &inside));
+            let other = planned(&hole("25", post, &beside));
+            assert_eq!(one.program.text, other.program.text, "{post} {action}");
+            assert_eq!(one.table, other.table);
+        }
+    }
+    let plain = planned(&hole("25", "linuxcnc", ""));
+    for (text, [low, high]) in [
+        ("25 H7", [25.0, 25.021]),
+        ("25h6", [24.987, 25.0]),
+        ("Ø25 +0.021/0", [25.0, 25.021]),
+        ("25 +0,021 0", [25.0, 25.021]),
+        ("25 ±0.05", [24.95, 25.05]),
+        ("25 -0.02", [24.98, 25.0]),
+    ] {
+        let plan = planned(&hole(&format!("{text:?}"), "linuxcnc", ""));
+        let row = plan
+            .results
+            .iter()
+            .find(|row| row.code == "diameter")
+            .unwrap();
+        assert_eq!(row.nominal, Some(25.0), "{text}");
+        let limits = row.limits.unwrap();
+        assert!(
+            (limits[0] - low).abs() < 1e-9 && (limits[1] - high).abs() < 1e-9,
+            "{text}: {limits:?}"
+        );
+        // The part that nothing is said of is in the middle of the zone.
+        assert!(
+            (row.value.unwrap() - f64::midpoint(low, high)).abs() < 1e-9,
+            "{text}"
+        );
+        assert_eq!(row.verdict.as_deref(), Some("good"), "{text}");
+        assert_eq!(plan.moves, plain.moves, "{text}");
+    }
+    let drawn = planned(&hole(
+        r#""25 H7""#,
+        "linuxcnc",
+        r#", "part": { "sizes": { "diameter": 0.03 } }"#,
+    ));
+    let row = drawn
+        .results
+        .iter()
+        .find(|row| row.code == "diameter")
+        .unwrap();
+    assert_eq!(
+        (row.value, row.verdict.as_deref()),
+        (Some(25.03), Some("out"))
+    );
+}
+
+/// The limit that is not given lies 0.5 mm beyond the zone.
+#[test]
+fn what_is_implausible_follows_from_a_size_with_a_tolerance() {
+    for (units, size, part, stops) in [
+        ("mm", "25 ±0.8", 1.29, false),
+        ("mm", "25 ±0.8", 1.31, true),
+        ("mm", "25 H7", 0.52, false),
+        ("mm", "25 H7", 0.53, true),
+        ("inch", "1 ±0.02", 0.0396, false),
+        ("inch", "1 ±0.02", 0.0398, true),
+    ] {
+        let job = job(&format!(
+            r#"{{ "format": 1, "units": "{units}", "cycle": {{ "type": "hole", "diameter": "{size}" }}, "control": {{ "post": "linuxcnc", "workOffset": 1 }},
+                "part": {{ "sizes": {{ "diameter": {part} }} }} }}"#
+        ));
+        let plan = planned(&job);
+        assert_eq!(run(&plan).0, stops, "{size} {part}");
+        // The header says it: the program that is read back is the same.
+        let read = import(&plan.program.text).unwrap().job;
+        assert_eq!(planned(&read).program.text, plan.program.text, "{size}");
+    }
+}
+
+#[test]
+fn a_size_with_a_tolerance_comes_back_from_every_header() {
+    for post in of_moves() {
+        for text in ["25 H7", "25 h6", "25 +0.021 0", "25 ±0.05", "Ø25 js6"] {
+            let job = job(&format!(
+                r#"{{ "format": 1, "cycle": {{ "type": "hole", "diameter": "{text}" }}, "control": {{ "post": "{post}" }} }}"#
+            ));
+            let plan = planned(&job);
+            let read = import(&plan.program.text).unwrap_or_else(|e| panic!("{post}: {e:?}"));
+            let again = planned(&read.job);
+            assert_eq!(again.program.text, plan.program.text, "{post} {text}");
+            let of = |plan: &Plan| {
+                plan.results
+                    .iter()
+                    .map(|row| row.limits)
+                    .collect::<Vec<_>>()
+            };
+            assert_eq!(of(&again), of(&plan), "{post} {text}");
+        }
+    }
+}
+
+#[test]
+fn a_size_with_a_tolerance_is_converted_named_and_judged_in_a_set_up() {
+    let inch = convert_units(&hole(r#""25.4 H7""#, "fanuc", ""), "inch").unwrap();
+    assert_eq!(text_at(&inch, &["cycle", "diameter"]), "1 H7");
+    let back = convert_units(&inch, "mm").unwrap();
+    assert_eq!(text_at(&back, &["cycle", "diameter"]), "25.4 H7");
+    for (size, name) in [
+        (r#""25 H7""#, "BORE-D25H7"),
+        (r#""25 h6""#, "BORE-D25"),
+        (r#""25 ±0.05""#, "BORE-D25"),
+    ] {
+        assert_eq!(touchpath::job::job_name(&hole(size, "fanuc", "")), name);
+    }
+    let set_up = job(
+        r#"{ "format": 2, "control": { "post": "haas", "workOffset": 1 }, "cycles": [
+            { "name": "LEFT", "type": "hole", "diameter": "25 H7", "origin": [-40, 0, -5] },
+            { "name": "RIGHT", "type": "web", "width": "25 ±0.05", "origin": [40, 0, -5] } ],
+            "tolerances": { "LEFT.diameter": { "action": "stop" } } }"#,
+    );
+    let plan = planned(&set_up);
+    let judged: Vec<_> = plan
+        .results
+        .iter()
+        .filter(|row| row.limits.is_some())
+        .collect();
+    assert_eq!(judged.len(), 2);
+    assert_eq!(
+        (judged[0].cycle, judged[0].limits),
+        (0, Some([25.0, 25.021]))
+    );
+    assert_eq!(
+        (judged[1].cycle, judged[1].limits),
+        (1, Some([24.95, 25.05]))
+    );
+    let read = import(&plan.program.text).unwrap().job;
+    assert_eq!(planned(&read).program.text, plan.program.text);
+}
+
+#[test]
+fn a_tolerance_is_given_once_and_to_what_is_measured() {
+    let found = |job: &Value| {
+        findings(job)
+            .into_iter()
+            .filter(|(level, ..)| *level == Level::Error)
+            .map(|(_, code, path)| (code, path))
+            .collect::<Vec<_>>()
+    };
+    let of = |code: &str, path: &str| vec![(code.to_owned(), path.to_owned())];
+    let twice = r#", "tolerances": { "diameter": { "tolerance": "H7" } }"#;
+    assert_eq!(
+        found(&hole(r#""25 H7""#, "fanuc", twice)),
+        of("tolerance-unknown", "tolerances.diameter.tolerance")
+    );
+    let beyond = found(&hole(r#""25 ±0.6""#, "fanuc", ""));
+    assert_eq!(beyond, of("tolerance-beyond-limit", "cycle.diameter"));
+    let long = format!(r#""25 {}H7""#, " ".repeat(70));
+    assert_eq!(found(&hole(&long, "fanuc", "")).len(), 1);
+    let set_up = job(
+        r#"{ "format": 2, "control": { "post": "haas" }, "limits": { "size": 0.01 }, "cycles": [
+            { "type": "surface" }, { "type": "hole", "diameter": "25 ±0.05", "origin": [40, 0, -5] } ] }"#,
+    );
+    assert_eq!(
+        found(&set_up),
+        of("tolerance-beyond-limit", "cycles[1].diameter")
+    );
+}

@@ -11,6 +11,9 @@ export type FeedRate = number | null;
 /** A number, or text: `10H7`, `10m`, `10+0.01-0.015`, `?`, `?10`, `10@10.02`. */
 export type Nominal = number | string;
 
+/** A size: a number, or text with its tolerance, `25 H7`, `25 +0.021 0`, `25 ±0.05`. In a set-up it may follow a result, `=BORE.diameter-2`. */
+export type Size = number | string;
+
 /** A picked touch: a point on the surface, and its outward normal, a unit vector. */
 export interface PickedTouch {
   point: Vec3;
@@ -79,9 +82,9 @@ export interface InternalRectangleProtected {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** From touch point 1 to touch point 2, along the first direction of the rectangle. Code CmdPrm.Flt[-53]. */
-  width1?: number;
+  width1?: Size;
   /** From touch point 3 to touch point 4, along the second direction. Code CmdPrm.Flt[-54]. */
-  width2?: number;
+  width2?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
@@ -111,7 +114,7 @@ export interface DoubleWallInternalCorner {
   /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
   rotation?: number;
   /** Between the walls, inside the corner. */
-  angle?: number;
+  angle?: Size;
   /** From wall 1 to the ball centre where its touches begin. Code CmdPrm.Flt[-56]. */
   clearance1?: number;
   /** From wall 2 to the ball centre where its touches begin. Code CmdPrm.Flt[-57]. */
@@ -245,7 +248,7 @@ export interface Hole {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** Diameter of the feature. Code CmdPrm.Flt[-52]. */
-  diameter?: number;
+  diameter?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** Rectangular: four touches, each pair opposite. Angular: from the start angle on, step by step. Code CmdPrm.Int[-59]. */
@@ -277,7 +280,7 @@ export interface HoleProtected {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** Diameter of the feature. Code CmdPrm.Flt[-52]. */
-  diameter?: number;
+  diameter?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** Rectangular: four touches, each pair opposite. Angular: from the start angle on, step by step. Code CmdPrm.Int[-59]. */
@@ -313,7 +316,7 @@ export interface Boss {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** Diameter of the feature. Code CmdPrm.Flt[-52]. */
-  diameter?: number;
+  diameter?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** Rectangular: four touches, each pair opposite. Angular: from the start angle on, step by step. Code CmdPrm.Int[-59]. */
@@ -349,9 +352,9 @@ export interface InternalRectangle {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** From touch point 1 to touch point 2, along the first direction of the rectangle. Code CmdPrm.Flt[-53]. */
-  width1?: number;
+  width1?: Size;
   /** From touch point 3 to touch point 4, along the second direction. Code CmdPrm.Flt[-54]. */
-  width2?: number;
+  width2?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
@@ -375,9 +378,9 @@ export interface ExternalRectangle {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** From touch point 1 to touch point 2, along the first direction of the rectangle. Code CmdPrm.Flt[-53]. */
-  width1?: number;
+  width1?: Size;
   /** From touch point 3 to touch point 4, along the second direction. Code CmdPrm.Flt[-54]. */
-  width2?: number;
+  width2?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
@@ -407,7 +410,7 @@ export interface Web {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** From touch point 1 to touch point 2. Code CmdPrm.Flt[-53]. */
-  width?: number;
+  width?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
@@ -435,7 +438,7 @@ export interface WebThreePoints {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** From the left touch point to the right one. Code CmdPrm.Flt[-53]. */
-  width?: number;
+  width?: Size;
   /** From the top side down to the ball centre at the left and the right touch. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** From the wall to the ball centre where the left and the right touch begin. Code CmdPrm.Flt[-56]. */
@@ -463,7 +466,7 @@ export interface Groove {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** From touch point 1 to touch point 2. Code CmdPrm.Flt[-53]. */
-  width?: number;
+  width?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** How far above the top side the ball centre is before it goes in. Not checked: it goes straight to the depth. `null`: not checked. Code CmdPrm.Flt[-55]. */
@@ -487,7 +490,7 @@ export interface GrooveProtected {
   /** How the feature is turned about the tool axis; counter-clockwise positive. */
   rotation?: number;
   /** From touch point 1 to touch point 2. Code CmdPrm.Flt[-53]. */
-  width?: number;
+  width?: Size;
   /** From the top side down to the ball centre at the touches. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** How far above the top side the ball centre crosses from touch to touch. Code CmdPrm.Flt[-55]. */
@@ -515,7 +518,7 @@ export interface DoubleWallExternalCorner {
   /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
   rotation?: number;
   /** Between the walls, in the material. */
-  angle?: number;
+  angle?: Size;
   /** From wall 1 to the ball centre where its touches begin. Code CmdPrm.Flt[-56]. */
   clearance1?: number;
   /** From wall 2 to the ball centre where its touches begin. Code CmdPrm.Flt[-57]. */
@@ -553,7 +556,7 @@ export interface TripleWallInternalCorner {
   /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
   rotation?: number;
   /** Between the walls, inside the corner. */
-  angle?: number;
+  angle?: Size;
   /** From wall 1 to the ball centre where its touch begins. Code CmdPrm.Flt[-56]. */
   clearance1?: number;
   /** From wall 2 to the ball centre where its touch begins. Code CmdPrm.Flt[-57]. */
@@ -579,7 +582,7 @@ export interface TripleWallExternalCorner {
   /** How the corner is turned about the tool axis; at 0 wall 1 runs along the ordinate. Counter-clockwise positive. */
   rotation?: number;
   /** Between the walls, in the material. */
-  angle?: number;
+  angle?: Size;
   /** From the top side down to the ball centre at the touches of the walls. Code CmdPrm.Flt[-51]. */
   depth?: number;
   /** From wall 1 to the ball centre where its touch begins. Code CmdPrm.Flt[-56]. */
@@ -755,8 +758,11 @@ export interface Job {
 
 /** The tolerance of a result, and what follows from a value out of it. */
 export interface ResultTolerance {
-  /** About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. */
-  tolerance: string;
+  /**
+   * About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. Left out where the
+   * size says it.
+   */
+  tolerance?: string;
   /** The program continues, shows the result and continues, or stops with an alarm. Left out: `go`. */
   action?: "go" | "mark" | "stop";
   /** The tool that is corrected by this size: by the macros of a Fanuc and its kin, in the form `cycle`. */
@@ -777,13 +783,13 @@ export interface Wear {
   store?: number | null;
 }
 
-/** A value of a cycle of a set-up: a number, or what an earlier cycle measures with a number added, as `=TOP.z-5`, `=SIDE.rotation+90`, `=BORE.diameter-2`. */
+/** A value of a cycle of a set-up: a number, or what an earlier cycle measures with a number added, as `=TOP.z-5`, `=SIDE.rotation+90`. */
 export type Followable = number | `=${string}`;
 
 type Following<C> = {
   [K in keyof C]: K extends "origin"
     ? [Followable, Followable, Followable]
-    : K extends "rotation" | "diameter" | "width" | "width1" | "width2"
+    : K extends "rotation"
       ? Followable
       : C[K];
 };

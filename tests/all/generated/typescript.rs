@@ -20,6 +20,9 @@ export type FeedRate = number | null;
 /** A number, or text: `10H7`, `10m`, `10+0.01-0.015`, `?`, `?10`, `10@10.02`. */
 export type Nominal = number | string;
 
+/** A size: a number, or text with its tolerance, `25 H7`, `25 +0.021 0`, `25 ±0.05`. In a set-up it may follow a result, `=BORE.diameter-2`. */
+export type Size = number | string;
+
 /** A picked touch: a point on the surface, and its outward normal, a unit vector. */
 export interface PickedTouch {
   point: Vec3;
@@ -46,8 +49,11 @@ const TOLERANCES: &str = r#"  /** The tolerance of each result, by its code: `di
 const RESULT_TOLERANCE: &str = r#"
 /** The tolerance of a result, and what follows from a value out of it. */
 export interface ResultTolerance {
-  /** About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. */
-  tolerance: string;
+  /**
+   * About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. Left out where the
+   * size says it.
+   */
+  tolerance?: string;
   /** The program continues, shows the result and continues, or stops with an alarm. Left out: `go`. */
   action?: "go" | "mark" | "stop";
   /** The tool that is corrected by this size: by the macros of a Fanuc and its kin, in the form `cycle`. */
@@ -71,13 +77,13 @@ export interface Wear {
 
 /// A job of several cycles.
 const SET_UP: &str = r#"
-/** A value of a cycle of a set-up: a number, or what an earlier cycle measures with a number added, as `=TOP.z-5`, `=SIDE.rotation+90`, `=BORE.diameter-2`. */
+/** A value of a cycle of a set-up: a number, or what an earlier cycle measures with a number added, as `=TOP.z-5`, `=SIDE.rotation+90`. */
 export type Followable = number | `=${string}`;
 
 type Following<C> = {
   [K in keyof C]: K extends "origin"
     ? [Followable, Followable, Followable]
-    : K extends "rotation" | "diameter" | "width" | "width1" | "width2"
+    : K extends "rotation"
       ? Followable
       : C[K];
 };
@@ -155,6 +161,7 @@ fn type_name(key: &str) -> String {
 fn type_of(field: &Field) -> String {
     let own = match field.kind {
         Kind::Feed if field.null.is_some() => return "FeedRate".to_owned(),
+        Kind::Length | Kind::Angle if field.size => "Size".to_owned(),
         Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle | Kind::Count => {
             "number".to_owned()
         }

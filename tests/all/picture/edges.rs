@@ -24,7 +24,7 @@ fn the_page_names_the_colours_of_a_picture() {
         read("src/wasm/view/mod.rs").contains(&format!("/// Colours: {told}.\n")),
         "{told}"
     );
-    let style = read("www/style.css");
+    let style = read("www/styles/tokens.css");
     for name in names {
         // By day and by night.
         assert!(

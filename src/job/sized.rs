@@ -1,0 +1,55 @@
+//! Sizes that say their tolerance, as drawings do: `"diameter": "25 H7"`.
+
+use crate::cycle::CycleDef;
+use crate::form::{Field, Kind, Value};
+use crate::tolerance;
+
+/// A size with its tolerance.
+#[derive(Clone, Debug)]
+pub struct Sized {
+    /// The field of the cycle, and the code of the result.
+    pub field: &'static Field,
+    /// As it was written.
+    pub text: String,
+    /// The nominal size: mm, or degrees.
+    pub nominal: f64,
+    /// The smallest and the largest size that it allows: mm, or degrees.
+    pub limits: [f64; 2],
+}
+
+impl Sized {
+    /// The size of a part in the middle of the zone, less the nominal one.
+    pub fn middle(&self) -> f64 {
+        f64::midpoint(self.limits[0], self.limits[1]) - self.nominal
+    }
+}
+
+/// The sizes of a cycle that say a tolerance. `scale` is millimetres in a unit of the job.
+pub fn of(def: &CycleDef, cycle: &Value, scale: f64) -> Vec<Sized> {
+    let one = |field: &'static Field| {
+        let unit = match field.kind {
+            Kind::Length if field.size => scale,
+            Kind::Angle if field.size => 1.0,
+            _ => return None,
+        };
+        let Some(Value::Text(text)) = cycle.get(field.key) else {
+            return None;
+        };
+        let classes = (field.kind == Kind::Length).then_some(scale);
+        let (nominal, limits) = tolerance::size(text, classes)?.ok()?;
+        Some(Sized {
+            field,
+            text: text.clone(),
+            nominal: nominal * unit,
+            limits: limits.map(|x| x * unit),
+        })
+    };
+    def.fields.iter().filter_map(one).collect()
+}
+
+/// The limit of sizes, mm, of a job that gives none: as far beyond the widest tolerance as it is `usual` beyond a size without one.
+pub fn size_limit(sized: &[Sized], usual: f64) -> Option<f64> {
+    let lengths = sized.iter().filter(|one| one.field.kind == Kind::Length);
+    let reach = lengths.flat_map(|one| one.limits.map(|limit| (limit - one.nominal).abs()));
+    reach.reduce(f64::max).map(|reach| usual + reach)
+}
