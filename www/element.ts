@@ -1,5 +1,6 @@
 // <touch-path>: the whole of Touchpath as one element. This file is small and loads the rest, with the WebAssembly module beside it, when the
 // first element is put into a document.
+
 import type {
   Config,
   Cycle,
@@ -8,6 +9,7 @@ import type {
   PanelName,
   Plan,
 } from "./core/types.js";
+import { FIRST_CYCLE } from "./first-cycle.js";
 import type { App } from "./parts/app.js";
 import type { Store } from "./store.js";
 
@@ -610,7 +612,10 @@ export class TouchPath extends Base {
         (local && kept().length > 0)
       )
         await awaited();
-      const store = new Store({ local });
+      const store = new Store({
+        local,
+        ...(this.links ? { first: FIRST_CYCLE } : {}),
+      });
       this.early = awaited() ? {} : null;
       this.store = store;
       this.take(given);

@@ -178,3 +178,60 @@ export const ofRunout = (
     .filter((row) => (row.uncertaintyRunout ?? 0) > 0)
     .map(say)
     .join(", ");
+
+/** A size as a drawing says it: `Ø25 H7`, `80`. */
+function sizeInWords(store: Store, key: string, value: unknown): string {
+  const text =
+    typeof value === "number" ? store.number(String(value)) : String(value);
+  return `${key.startsWith("diameter") && !/^[Øø⌀]/.test(text) ? "Ø" : ""}${text.trim()}`;
+}
+
+/** The sizes of a cycle of the job: `Ø25 H7`, `80 × 50`; of an angle and of what follows a result nothing. */
+export function sizesInWords(store: Store, cycle: Draft): string {
+  const entry = store.catalog.cycles.find(({ type }) => type === cycle.type);
+  const sizes = (entry?.fields ?? [])
+    .filter(({ size, unit }) => size && unit === "length")
+    .map(({ key }) => [key, cycle[key]] as const)
+    .filter(
+      ([, value]) =>
+        value !== undefined && !String(value).trimStart().startsWith("="),
+    );
+  return sizes
+    .map(([key, value]) => sizeInWords(store, key, value))
+    .join(" × ");
+}
+
+/** A name as it stands inside a sentence: in German a noun has its capital anywhere. */
+export const inside = (store: Store, name: string) =>
+  store.lang === "en" && !/^.[A-Z]|[a-z][A-Z]/.test(name)
+    ? `${name.charAt(0).toLowerCase()}${name.slice(1)}`
+    : name;
+
+/** So many features are named; of more the count is said. */
+const MOST_NAMED = 3;
+
+/** What is probed: `hole Ø25 H7`, `TOP, CORNER and BORE`, `6 features`. */
+export function whatInWords(store: Store): string {
+  const names = store.features
+    .inOrder(store.draft)
+    .filter(({ off }) => !off)
+    .map(({ name }) => name);
+  if (names.length > MOST_NAMED)
+    return store.t("{count} features", names.length);
+  if (names.length > 1)
+    return store.t(
+      "{list} and {last}",
+      names.slice(0, -1).join(", "),
+      names.at(-1) ?? "",
+    );
+  const title = inside(store, store.cycle.title);
+  return `${title} ${sizesInWords(store, store.draft.cycle as Draft)}`.trim();
+}
+
+/** The probe: `Ø6 probe`. */
+export function probeInWords(store: Store): string {
+  const value = store.get("stylus.diameter");
+  const diameter =
+    typeof value === "number" ? store.number(String(value)) : "?";
+  return store.t("Ø{diameter} probe", diameter);
+}

@@ -1,6 +1,7 @@
 // The one state of the page: the job as it stands in the form, and what follows from it.
 import {
   type Cycle,
+  type CycleEntry,
   check,
   convertUnits,
   defaultJob,
@@ -33,7 +34,6 @@ import {
   ownIn,
   putAt,
 } from "./job.js";
-import { Judged, withClass } from "./judged.js";
 import {
   keepCam,
   keepFiles,
@@ -45,6 +45,7 @@ import {
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./read-text.js";
 import type { Rules } from "./rules.js";
+import { type SetUpEntry, withoutResults } from "./set-ups.js";
 import { type Lang, w } from "./words.js";
 
 export { sizeField, type Units } from "./entries.js";
@@ -103,6 +104,13 @@ interface Moment {
   features: SetUpState;
 }
 
+/** The plan of a cycle alone, at the origin, on the machine of a job. */
+const planAlone = (job: Draft, cycle: Draft): Plan => {
+  const { tolerances: _, part: __, ...rest } = job;
+  const origin = (cycle.origin as unknown[]).map(() => 0);
+  return plan({ ...rest, cycle: { ...cycle, origin } } as unknown as Job);
+};
+
 const LOOK_ONLY: Said = [w("Nothing was changed: this job is read-only")];
 
 /** Where people measure in inch, a first job is in inch. */
@@ -160,7 +168,6 @@ export class Store extends Entries {
   private pointsGiven = false;
   /** The paths that were given a value; the other fields still have their defaults. Null for a job that was given whole. */
   private given: Set<string> | null = new Set();
-  private readonly judged = new Judged(this);
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
   private left = new Map<string, Left>();
   private readonly history = new History<Moment>();
@@ -176,18 +183,20 @@ export class Store extends Entries {
   /** What was saved, by the names of the files. */
   private readonly files: Map<string, string>;
 
-  /** `local`: the state is kept in this browser. */
-  constructor({ local = false } = {}) {
+  /** `local`: the state is kept in this browser; `first`: what a job begins with, else the first cycle of the catalog. */
+  constructor({
+    local = false,
+    first,
+  }: { local?: boolean; first?: Cycle["type"] } = {}) {
     super();
     this.local = local;
     this.files = local ? keptFiles() : new Map();
-    const first = this.catalog.cycles[0];
-    if (!first) throw new Error("the catalog has a cycle");
-    this.draft = structuredClone(defaultJob(first.type)) as unknown as Draft;
+    const type = first ?? (this.catalog.cycles[0] as CycleEntry).type;
+    this.draft = structuredClone(defaultJob(type)) as unknown as Draft;
     this.compute();
     if (local && !this.restore() && beginsInInch()) {
       this.draft = structuredClone(
-        defaultJob(first.type, "inch"),
+        defaultJob(type, "inch"),
       ) as unknown as Draft;
       this.compute();
     }
@@ -228,9 +237,71 @@ export class Store extends Entries {
     return this.features.compose(this.draft);
   }
 
-  /** Adds a cycle of a type behind the one in hand, and brings it into the form. */
+  /** Begins a job with a ready set-up, for the machine of the present one. */
+  beginSetUp({ key, job, writes }: SetUpEntry): void {
+    const { cycle: _, part, tolerances: __, ...rest } = this.draft;
+    const { computes, workOffsets = 0 } = this.post ?? {};
+    const led = computes && this.get("control.form") !== "cycle";
+    const control = { ...(rest.control as Draft) };
+    if (writes && workOffsets > 0 && this.rules.allowsOffset(1))
+      control.workOffset ??= 1;
+    const own = (led ? job : withoutResults(job)) as { limits?: Draft };
+    const mm = { format: 2, units: "mm", part: {}, ...own };
+    const { limits, ...whole } = convertUnits(
+      mm,
+      this.units,
+    ) as unknown as Draft;
+    this.load(
+      {
+        ...rest,
+        ...whole,
+        control,
+        limits: { ...(rest.limits as Draft), ...(limits as Draft) },
+        part: { ...(part as Draft), sizes: {} },
+        name: key.toUpperCase(),
+      },
+      "",
+      this.given,
+    );
+  }
+
+  /** Where a cycle begins to be free of what the plan has: beside it along the abscissa, a clearance away. */
+  private beside(cycle: Draft): Draft {
+    const { plan } = this;
+    const own = this.lastOf(String(cycle.type));
+    const { origin: _, name: __, ...sizes } = own ?? {};
+    const like = { ...cycle, ...structuredClone(sizes) };
+    if (this.stale || plan.moves.length === 0) return like;
+    const axis = { G17: 0, G18: 2, G19: 1 }[String(this.get("plane"))] ?? 0;
+    const places = (of: Plan) => of.moves.map(({ to }) => to[axis] as number);
+    try {
+      const alone = planAlone(this.draft, like);
+      const origin = [...((own?.origin ?? cycle.origin) as unknown[])].map(
+        (x) => (typeof x === "number" ? x : 0),
+      );
+      const free = this.units === "inch" ? 1 : 25;
+      origin[axis] = Math.ceil(
+        Math.max(...places(plan)) + free - Math.min(...places(alone)),
+      );
+      return { ...like, origin };
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      return like;
+    }
+  }
+
+  /** The last cycle of a type in the job. */
+  private lastOf(type: string): Draft | undefined {
+    const all = this.features.several
+      ? this.features.inOrder(this.draft).map(({ cycle }) => cycle)
+      : [this.draft.cycle as Draft];
+    return all.findLast((cycle) => cycle.type === type);
+  }
+
+  /** Adds a cycle of a type behind the one in hand, beside what is there and as large as the last of its kind, and brings it into the form. */
   addFeature(type: Cycle["type"]): void {
-    const { cycle } = this.freshOf(type) as { cycle: Draft };
+    const fresh = this.freshOf(type) as { cycle: Draft };
+    const cycle = this.beside(fresh.cycle);
     this.arrange(() => {
       this.features.add(this.draft, cycle);
       this.features.bring(this.draft, this.features.hand + 1);
@@ -289,6 +360,24 @@ export class Store extends Entries {
     });
   }
 
+  /** Lets a field follow a result. A place needs a limit of how far off it may be: where there is none, 2 mm are proposed, and said. */
+  follow(path: string, result: string): void {
+    const proposed = this.units === "inch" ? 0.08 : 2;
+    const limits = this.draft.limits as Draft;
+    const needs = path.startsWith("cycle.origin") && limits.position === null;
+    this.arrange(() => {
+      putAt(this.draft, path, result);
+      this.typed.delete(path);
+      if (needs) putAt(this.draft, "limits.position", proposed);
+    });
+    if (needs)
+      this.tell([
+        w("{what} is followed up to {limit} away: Position limit"),
+        result.slice(1),
+        `${proposed} ${this.units}`,
+      ]);
+  }
+
   /** The height between the cycles. */
   clearAt(height: number | null): void {
     this.arrange(() => {
@@ -334,6 +423,22 @@ export class Store extends Entries {
     return this.toleratedOf(cycle)?.tolerances[code] as
       | ResultTolerance
       | undefined;
+  }
+
+  /** The size of a cycle of the plan, by the code of its result, where it is written with a tolerance; null where it is a plain number. */
+  sizeWithTolerance(cycle: number, code: string): string | null {
+    const { features, draft } = this;
+    const own = features.several
+      ? features.inOrder(draft)[features.placeOf(cycle)]?.cycle
+      : (draft.cycle as Draft);
+    const entry = this.catalog.cycles.find(({ type }) => type === own?.type);
+    const size = entry?.fields.find(
+      ({ key, size, kind }) => size && kind === "number" && key === code,
+    );
+    const value = size && own?.[code];
+    return typeof value === "string" && !value.trimStart().startsWith("=")
+      ? value
+      : null;
   }
 
   /** Gives a result of the plan a tolerance, or none. */
@@ -592,41 +697,6 @@ export class Store extends Entries {
     this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
   }
 
-  /** Takes a size with the limit that it is judged by, in one step, and says so. */
-  judge(path: string, size: number, limit: number, text: string): void {
-    const fixed = this.fixed();
-    if (this.refuses || fixed.has(path) || fixed.has("limits.size")) return;
-    this.settle();
-    this.mark(null);
-    const narrowest = this.judged.narrowest(path, limit);
-    const name =
-      this.draft.name === this.ownName
-        ? withClass(jobName(this.draft), text)
-        : null;
-    for (const [at, value] of [
-      [path, size],
-      ["limits.size", narrowest],
-    ] as const) {
-      this.typed.delete(at);
-      this.given?.add(at);
-      putAt(this.draft, at, value);
-    }
-    fixed.keep(this.draft);
-    if (name) this.draft.name = name;
-    this.judged.add(path, size, limit, name);
-    this.settle();
-    this.changed();
-    const [middle = "", half = ""] = [size, narrowest].map((x) =>
-      this.number(String(x)),
-    );
-    this.tell([
-      w("{text} is judged: {middle} with a size limit of {half}"),
-      text,
-      middle,
-      half,
-    ]);
-  }
-
   /** Sets a value by one act of the user, such as a choice: a step of its own. */
   put(path: string, value: unknown): void {
     this.settle();
@@ -793,7 +863,6 @@ export class Store extends Entries {
     this.lost = null;
     this.ownName = null;
     this.given = given;
-    this.judged.clear();
     this.draft = this.formOf(job);
     fixed.keep(this.draft);
     this.points = { ...noPoints(), [this.units]: measured };
@@ -1113,9 +1182,7 @@ export class Store extends Entries {
   /** A name that was not typed follows what is measured. */
   private nameAnew(): void {
     const name = jobName(this.job);
-    const judged = this.judged.names(this.draft.name);
-    const followed = this.ownName !== null && this.draft.name === this.ownName;
-    if (judged === "outdated" || (followed && judged === null))
+    if (this.ownName !== null && this.draft.name === this.ownName)
       this.draft.name = name;
     this.ownName = name;
   }

@@ -4,6 +4,7 @@ import { test } from "node:test";
 import {
   field,
   page,
+  panel,
   pixels,
   program,
   put,
@@ -29,7 +30,7 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
     await textOf(page.locator(".scrub output")),
     /The run ends in the part/,
   );
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   assert.equal(
     await textOf(
       page.locator("tp-results tbody tr").first().locator("td").nth(2),

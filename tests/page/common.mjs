@@ -26,11 +26,22 @@ export let page;
 export let problems = [];
 
 /** Chromium, without a window. */
-export const launch = () =>
-  chromium.launch({
+export async function launch() {
+  const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args,
   });
+  // While tests are written a short patience finds what is no longer there.
+  const { PATIENCE } = process.env;
+  if (!PATIENCE) return browser;
+  const own = browser.newContext.bind(browser);
+  browser.newContext = async (options) => {
+    const context = await own(options);
+    context.setDefaultTimeout(Number(PATIENCE));
+    return context;
+  };
+  return browser;
+}
 
 /** The widths that the page is made for, with heights they come with. @type {[number, number][]} */
 export const SIZES = [
@@ -139,6 +150,7 @@ async function forget() {
   problems = [];
   await page.goto(addressOf(server));
   await ready();
+  await pocket(page);
 }
 
 /**
@@ -176,8 +188,17 @@ export async function openTab() {
   );
   await tab.goto(addressOf(server));
   await ready(tab);
+  await pocket(tab);
   return tab;
 }
+
+/** A cycle that has more to show than the bore of a first visit. Nothing that was done before can be taken back. */
+const pocket = (/** @type {import("playwright-core").Page} */ tab) =>
+  tab.evaluate(() => {
+    const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+    store.choose("internal-rectangle-protected");
+    store.clear();
+  });
 
 /** Until the page stands. */
 export async function ready(tab = page) {
@@ -198,27 +219,27 @@ export const unfold = (tab = page) =>
     // What only authors of postprocessors need is there, too: tests of what a setter sees switch it off.
     if (element?.store) element.store.cam = true;
     /** @type {any} */ (root?.querySelector("tp-form"))?.unfold();
+    // Beside a form and a picture stand the results at first: most tests ask for the program.
+    const results = root?.querySelector("#tab-results[aria-selected=true]");
+    if (results) root.querySelector("#tab-program")?.click();
     const program = /** @type {any} */ (root?.querySelector("tp-program"));
     if (program && !program.everything) program.unfold();
   });
 
-/** What the bar has where there is room; else it is in the menu, by a longer name. @type {Record<string, string>} */
-const IN_BAR = {
-  "Setup sheet to print": "Setup sheet",
-  "Open a file": "Open",
-  "Copy a link to this job": "Share",
-};
+/**
+ * Shows a panel of the job: its tab is behind the others where it is shown already. What was measured is beside the results where there is no room for both.
+ * @param {"setup" | "results" | "program" | "table" | "measured" | "checks"} name
+ * @param {any} tab
+ */
+export async function panel(name, tab = page) {
+  const own = tab.locator(`#tab-${name}`);
+  const there = name !== "measured" || (await own.count()) > 0;
+  const to = there ? own : tab.locator("#tab-results");
+  if ((await to.getAttribute("aria-selected")) !== "true") await to.click();
+}
 
-/** Chooses in the menu of what is rarely used, or in the bar, where it is one click. */
+/** Chooses in the menu of what is rarely used. */
 export async function more(/** @type {string | RegExp} */ name, tab = page) {
-  const short = typeof name === "string" ? IN_BAR[name] : undefined;
-  const beside = tab
-    .locator("tp-bar")
-    .getByRole("button", { name: short ?? "none", exact: true });
-  if (short && (await beside.isVisible())) {
-    await beside.click();
-    return;
-  }
   await tab.getByRole("button", { name: "More" }).click();
   await tab
     .locator("#menu")

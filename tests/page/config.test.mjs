@@ -70,24 +70,30 @@ test("the form offers what the config allows, and begins with what it fills in",
   );
   assert.deepEqual(await errors(), []);
   assert.equal(await on((element) => element.plan.program.post), "haas");
-  assert.deepEqual(await options("cycle.type"), ["Hole", "Web"]);
+  assert.deepEqual(await options("cycle.type"), ["hole Ø40", "Web"]);
   const machines = await options("control.post");
   assert.deepEqual(machines.slice(0, 1), ["VF-2"]);
   assert.deepEqual(machines.slice(-2), ["Fanuc 30i / 0i-F", "Haas NGC"]);
   assert.equal(machines.length, 3);
   assert.equal(
     (await options("control.workOffset")).length,
-    3,
-    "two work offsets, and the way to the limits",
+    2,
+    "two work offsets",
   );
+  await page
+    .locator(inner("form"))
+    .evaluate((/** @type {any} */ form) => form.unfold());
   assert.equal(
-    await page.locator(`${inner("bar")} input[name="units"]`).count(),
+    await page.locator(`${inner("form")} input[name="units"]`).count(),
     1,
   );
   assert.equal(await page.locator("#tab-checks").count(), 0);
-  assert.equal(await page.getByLabel("Add a cycle to this program").count(), 0);
+  assert.equal(
+    await page.getByRole("button", { name: "+ Add a feature" }).count(),
+    0,
+  );
   // The gallery and the list of everything offer no more.
-  await page.locator(`${inner("bar")} .gallery`).click();
+  await page.locator(`${inner("form")} .gallery`).click();
   await page
     .locator(`${inner("gallery")} button[data-type]`)
     .first()

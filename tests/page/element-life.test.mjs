@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { cpSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
+import { more } from "./common.mjs";
 import {
   field,
   folder,
@@ -236,7 +237,7 @@ test("what was asked for last is shown, however late what was asked for before c
   });
   const coming = page.waitForResponse(/\/gallery\.js$/);
   await page.getByRole("button", { name: "Gallery" }).click();
-  await page.getByRole("button", { name: "Setup sheet" }).click();
+  await more("Setup sheet to print", page);
   await page.locator(inner("sheet")).waitFor();
   await coming;
   await page.waitForTimeout(200);

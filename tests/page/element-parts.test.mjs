@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { cpSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { PICTURE, settles } from "./common.mjs";
+import { PICTURE, panel, settles } from "./common.mjs";
 import {
   folder,
   heard,
@@ -140,7 +140,7 @@ test("theme, language, rules and panels of the element hold in its panels elsewh
     `${PARTS.replace("<touch-program ", '<touch-program panels="program results checks" ')}`,
   );
   await allReady();
-  await part("program").getByRole("tab", { name: "Results" }).click();
+  await panel("results", part("program"));
   assert.ok(await part("program").locator("#panel-results").isVisible());
   await set("theme", "dark");
   assert.deepEqual(
@@ -252,7 +252,7 @@ test("an element that comes back has its panels again, and what is looked at is 
     ),
   );
   await allReady();
-  await part("program").getByRole("tab", { name: "Results" }).click();
+  await panel("results", part("program"));
   await page.evaluate(async () => {
     const [path, form, program] = /** @type {any[]} */ (
       ["touch-path", "touch-form", "touch-program"].map((name) =>
@@ -354,7 +354,7 @@ test("findings lead to lines and fields of other panels", async () => {
     async () => (await part("program").locator(".line.match").count()) > 0,
     page,
   );
-  await page.locator("#job").getByRole("button", { name: "Go to it" }).click();
+  await page.locator("#job .probe").click();
   // The length of the stylus is left out: its box has the focus.
   const focused = () =>
     page.evaluate(

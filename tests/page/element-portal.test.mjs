@@ -347,7 +347,7 @@ test("an invalid job says why where the browser can show it, and the focus comes
   await on((element) => element.focus());
   assert.equal(
     await on((element) => element.shadowRoot.activeElement.id),
-    "f-cycle.origin[0]",
+    "f-cycle.diameter",
   );
   await set("readonly", true);
   await on((element) => element.focus());

@@ -1,6 +1,7 @@
 // <touch-path> worked by the page around: what is put in and taken out beside the job, and the control of a form that libraries look for.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { panel } from "./common.mjs";
 import { field, inner, on, open, page, set, setUp } from "./element.mjs";
 
 setUp();
@@ -30,7 +31,7 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   const pressed = () =>
     page
       .locator(
-        `${inner("picture")} .tools button[aria-pressed="true"], ${inner("picture")} button[aria-pressed="true"]`,
+        `${inner("picture")} .cube button[aria-pressed="true"], ${inner("picture")} button[aria-pressed="true"]`,
       )
       .first()
       .textContent();
@@ -90,8 +91,8 @@ test("save, undo, redo, highlight, view, picture and measured points from outsid
   await set("measured", points);
   assert.equal(await on((element) => element.measured), points);
   assert.deepEqual(await names(), []);
-  await page.locator("#tab-results").click();
-  await page.locator(`${inner("results")} textarea`).fill("center.x=0.2");
+  await panel("measured", page);
+  await page.locator(`${inner("measured")} textarea`).fill("center.x=0.2");
   const measured = (await said()).find(([name]) => name === "measured-change");
   assert.deepEqual(measured?.[1], { measured: "center.x=0.2" });
   await set("measured", null);

@@ -94,18 +94,15 @@ const stored = (/** @type {import("playwright-core").Page} */ tab) =>
 test("form, picture and program are read before the module, and are what the module says", async () => {
   for (const locale of ["en-GB", "en-US"]) {
     const { own, tab, go } = await waiting(page.url(), locale);
-    await tab
-      .locator("tp-program .line")
-      .first()
-      .waitFor({ state: "attached" });
+    await tab.locator("tp-results tr").first().waitFor({ state: "attached" });
     const inch = locale === "en-US";
     assert.equal(
-      await tab.locator("#f-cycle\\.width1").inputValue(),
-      inch ? "3" : "80",
+      await tab.locator("#f-cycle\\.diameter").inputValue(),
+      inch ? "1.6" : "40",
     );
     assert.match(
-      await tab.locator("tp-program").innerText(),
-      inch ? /G38\.2 X1\.\d/ : /G38\.2 X42 Y0 Z-10 F150/,
+      await tab.locator("tp-results").innerText(),
+      inch ? /1\.6000/ : /40\.000/,
     );
     assert.equal(
       await tab
@@ -147,11 +144,11 @@ const element = (/** @type {import("playwright-core").Page} */ tab) =>
 
 test("what is typed before the module is there is not lost, and nothing else can be done until then", async () => {
   const { own, tab, go } = await waiting(page.url(), "en-GB");
-  await tab.locator("tp-program .line").first().waitFor({ state: "attached" });
+  await tab.locator("tp-results tr").first().waitFor({ state: "attached" });
   /** @type {string[]} */
   const saved = [];
   tab.on("download", (download) => saved.push(download.suggestedFilename()));
-  const width = tab.locator("#f-cycle\\.width1");
+  const width = tab.locator("#f-cycle\\.diameter");
   await width.click();
   await width.press("Control+a");
   await width.pressSequentially("91.5");
@@ -159,7 +156,7 @@ test("what is typed before the module is there is not lost, and nothing else can
   await tab.keyboard.press("Control+a");
   await tab.keyboard.type("44");
   assert.equal(await width.inputValue(), "91.5");
-  assert.equal((await stored(tab)).job.cycle.width1, 80, "it waits");
+  assert.equal((await stored(tab)).job.cycle.diameter, 40, "it waits");
   // The program is that of before: it looks so, and is not handed out.
   assert.equal(
     await tab.evaluate(() =>
@@ -171,7 +168,7 @@ test("what is typed before the module is there is not lost, and nothing else can
   await tab.mouse.click(700, 400);
   await tab.keyboard.press("Control+s");
   await tab.getByRole("button", { name: /^Save/ }).first().click();
-  await tab.getByRole("tab", { name: "Results" }).click();
+  await tab.locator("#tab-program").click();
   await tab.evaluate(() => {
     /** @type {any} */ (document.querySelector("touch-path")).measured =
       "1 2 3";
@@ -179,11 +176,11 @@ test("what is typed before the module is there is not lost, and nothing else can
   go();
   await element(tab);
   const { job, plan } = await stored(tab);
-  assert.deepEqual([job.cycle.width1, job.cycle.width2], [91.5, 44]);
+  assert.deepEqual([job.cycle.diameter, job.cycle.depth], [91.5, 44]);
   assert.match(plan.program.text, /G38\.2 X47\.75 /);
   assert.equal(
     await tab
-      .getByRole("tab", { name: "Results" })
+      .getByRole("tab", { name: "Program" })
       .getAttribute("aria-selected"),
     "false",
   );
@@ -197,7 +194,7 @@ test("what is typed before the module is there is not lost, and nothing else can
   assert.equal(await tab.locator("touch-path").getAttribute("aria-busy"), null);
   const download = tab.waitForEvent("download");
   await tab.keyboard.press("Control+s");
-  assert.equal((await download).suggestedFilename(), "POCKET-91_5X44.ngc");
+  assert.equal((await download).suggestedFilename(), "BORE-D91_5.ngc");
   await own.close();
 });
 
@@ -210,7 +207,7 @@ test("a job that another tab keeps meanwhile, and a link that is pasted, wait fo
   await tab.evaluate(() => localStorage.setItem("touchpath.job.1", "{}"));
   go();
   await element(tab);
-  assert.equal((await stored(tab)).job.cycle.width1, 80);
+  assert.equal((await stored(tab)).job.cycle.diameter, 40);
   await own.close();
   const link = await page.evaluate(async () => {
     const { store } = /** @type {any} */ (document.querySelector("touch-path"));
@@ -225,7 +222,7 @@ test("a job that another tab keeps meanwhile, and a link that is pasted, wait fo
   });
   const other = await waiting(page.url(), "en-GB");
   await other.tab
-    .locator("tp-program .line")
+    .locator("tp-results tr")
     .first()
     .waitFor({ state: "attached" });
   await other.tab.evaluate((hash) => {
@@ -283,10 +280,10 @@ test("a module that came on the third attempt lost nothing", async () => {
     ++attempts < 3 ? route.abort() : route.continue(),
   );
   await tab.goto(page.url());
-  await tab.locator("#f-cycle\\.width1").fill("91");
+  await tab.locator("#f-cycle\\.diameter").fill("91");
   await element(tab);
   assert.ok(attempts >= 3);
-  assert.equal((await stored(tab)).job.cycle.width1, 91);
+  assert.equal((await stored(tab)).job.cycle.diameter, 91);
   await own.close();
 });
 

@@ -14,7 +14,7 @@ import { Ajv2020 } from "ajv/dist/2020.js";
 import { at } from "../../scripts/lib.mjs";
 import { addressOf, serve } from "../../scripts/serve.mjs";
 import { wordsOf } from "../../scripts/words.mjs";
-import { launch } from "./common.mjs";
+import { launch, panel } from "./common.mjs";
 import { inner } from "./element.mjs";
 
 /** @type {string} */
@@ -296,6 +296,7 @@ test("a portal rules, dresses and works the frame: config, appearance, view, sav
   );
   assert.equal(await on("frame.highlight(3)"), undefined);
   assert.equal(await on("frame.save()"), undefined);
+  await panel("program", inside);
   await inside.locator(".code [data-line], .code .line").last().click();
   const after = await told("job-change", "program-save", "selection-change");
   for (const one of after) isSpoken("answer", one);
@@ -382,7 +383,10 @@ test("a portal sets the language, and what is none is refused", async () => {
   await tab.getByText(/** @type {string} */ (wordsOf("de").Checks)).waitFor();
   const refused = /** @type {any} */ (await on('frame.set({ lang: "<b>" })'));
   assert.match(refused.failed, /lang/);
-  assert.equal(await tab.textContent(), wordsOf("de").Checks);
+  assert.equal(
+    await tab.locator("span").first().textContent(),
+    wordsOf("de").Checks,
+  );
 });
 
 test("what cannot be used is answered with its reasons, and the conversation continues", async () => {

@@ -7,6 +7,7 @@ import {
   more,
   page,
   painted,
+  panel,
   put,
   redo,
   saveButton,
@@ -20,7 +21,7 @@ import {
 setUp({ width: 1440, height: 900 });
 
 test("the setup sheet: one printed page with what is expected, boxes for what was, and the program's hash", async () => {
-  await page.getByRole("button", { name: "Setup sheet" }).click();
+  await more("Setup sheet to print", page);
   const sheet = page.locator("tp-sheet");
   const hash = /Hash of the blocks: (\w{16})\./.exec(await textOf(sheet))?.[1];
   const download = page.waitForEvent("download");
@@ -57,7 +58,7 @@ test("the setup sheet: one printed page with what is expected, boxes for what wa
   await unfold();
   await field("cycle.count1").fill("8");
   await field("cycle.count2").fill("8");
-  await page.getByRole("button", { name: "Setup sheet" }).click();
+  await more("Setup sheet to print", page);
   await sheet.getByText("Wall 1 against its nominal direction").waitFor();
   assert.equal(
     await sheet.locator("td.box").count(),
@@ -81,7 +82,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
       field("control.protection").locator("option:checked"),
     );
     assert.doesNotMatch(positioning, /not on this control/);
-    await page.getByRole("button", { name: "Setup sheet" }).click();
+    await more("Setup sheet to print", page);
     const job = /** @type {any} */ (defaultJob("internal-rectangle-protected"));
     const lines = plan({
       ...job,
@@ -112,7 +113,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
     assert.match(await textOf(sheet), /Work feed\s*150 mm\/min/);
     await page.keyboard.press("Escape");
     await sheet.waitFor({ state: "detached" });
-    await page.getByRole("tab", { name: "Results" }).click();
+    await panel("results", page);
     const caption = reports
       ? "What the control will have stored"
       : "What the touches will give";
@@ -126,7 +127,7 @@ test("the setup sheet drew the handle of the virtual part as if it were a featur
   const handle = async (/** @type {string} */ part) =>
     (await painted(part, "actual")).count;
   assert.ok((await handle("tp-picture")) > 20);
-  await page.getByRole("button", { name: "Setup sheet" }).click();
+  await more("Setup sheet to print", page);
   await page.locator("tp-sheet [data-view=top]").waitFor();
   await settles(async () => (await handle("tp-sheet")) === 0);
 });
@@ -135,7 +136,7 @@ test("a result of another plane stood under the name of another axis: in G18 the
   await field("cycle.type").selectOption("hole");
   await put("plane", "G18");
   await put("part.offset", [1, 0, 5]);
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   const row = (/** @type {string} */ part, /** @type {string} */ code) =>
     textOf(page.locator(`${part} tr`, { hasText: code }).first());
   assert.match(await row("tp-results", "center.x"), /^\s*Centre Z .*5\.000/s);
@@ -155,7 +156,7 @@ test("a result of another plane stood under the name of another axis: in G18 the
 test("results that are judged say where deviations count from", async () => {
   await field("cycle.type").selectOption("probing-two-circles");
   await unfold();
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   const results = page.locator("tp-results");
   assert.doesNotMatch(await textOf(results), /middle of the tolerance zone/);
   await field("cycle.diameter1").fill("20H7");
@@ -173,7 +174,7 @@ test("the setup sheet is of the form as it stands: its picture follows, and with
   await field("cycle.diameter").fill("abc");
   await field("cycle.type").focus();
   await field("cycle.diameter").fill("55");
-  await page.getByRole("button", { name: "Setup sheet" }).click();
+  await more("Setup sheet to print", page);
   const picture = () =>
     page
       .locator("tp-sheet [data-view=top]")

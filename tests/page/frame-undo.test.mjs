@@ -8,6 +8,7 @@ import {
   more,
   openText,
   page,
+  panel,
   program,
   redo,
   reset,
@@ -101,8 +102,7 @@ test("after undo and redo every choice showed what was picked last, not what the
 
 test("undo took measured points away that were entered after the step: they are a step of their own", async () => {
   await field("cycle.width1").fill("81");
-  await page.getByRole("tab", { name: "Results" }).click();
-  await page.getByText("Points that a machine measured").click();
+  await panel("measured");
   const box = page.locator("#measured");
   await box.fill("37.1,0,-10");
   await undo().click();

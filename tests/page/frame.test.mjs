@@ -10,6 +10,7 @@ import {
   open,
   PICTURE,
   page,
+  panel,
   pixels,
   program,
   put,
@@ -30,6 +31,7 @@ const job = () => held("cycle");
 test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one types", async () => {
   await page.reload();
   await page.locator(`tp-picture ${PICTURE}`).waitFor();
+  await page.locator("#tab-program").click();
   const over = await page.evaluate(() => {
     const root = /** @type {ShadowRoot} */ (
       document.querySelector("touch-path")?.shadowRoot
@@ -50,7 +52,7 @@ test("type 7 fits 1440 × 900 without a scroll bar, and nothing moves while one 
         "[id='f-cycle.width2']",
         `tp-picture ${PICTURE}`,
         "tp-program .code",
-        "footer",
+        ".state",
         "tp-help",
       ].map((name) => boxOf(page.locator(name))),
     );
@@ -138,7 +140,7 @@ test("a touch at F3000 and a part turned by 20° are seen without opening anythi
   const folded = (/** @type {string} */ name) =>
     page.locator("tp-form .fold", { hasText: name });
   assert.match(
-    (await folded("Feeds and limits").getAttribute("class")) ?? "",
+    (await folded("Clearances, touches, feeds").getAttribute("class")) ?? "",
     /warning/,
   );
   assert.match(
@@ -146,7 +148,7 @@ test("a touch at F3000 and a part turned by 20° are seen without opening anythi
     /warning/,
   );
   assert.match(await textOf(folded("Virtual part")), /turned 20°/);
-  assert.match(await textOf(folded("Feeds and limits")), /3000/);
+  assert.match(await textOf(folded("Clearances, touches, feeds")), /3000/);
 });
 
 test("the box at the foot says what the field in focus is, puts its default back, and says what is wrong", async () => {
@@ -234,7 +236,7 @@ test("the bar reads as the job's sentence: what is written, under which name", a
 test("a link holds the whole job, and no server gets it", async () => {
   await field("cycle.width1").fill("66.5");
   await field("name").fill("夹具 Ø12");
-  await page.getByRole("button", { name: "Share" }).click();
+  await more("Copy a link to this job", page);
   await page.locator(".note", { hasText: "Link copied" }).waitFor();
   const link = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(link, /\/#job1=[\w-]+$/);
@@ -321,11 +323,11 @@ test("a link of version 1 stays readable, and a broken, foreign or huge one chan
 
 test("the timeline: play, pause, touch by touch, and the move in words with its place", async () => {
   const said = () => textOf(page.locator(".scrub output"));
-  await page.getByRole("button", { name: "Next touch" }).click();
+  await page.locator("#scrub").press("Control+ArrowRight");
   assert.match(await said(), /^touch 1 · contact X37 Y0 Z-10 · F150$/);
-  await page.getByRole("button", { name: "Next touch" }).click();
+  await page.locator("#scrub").press("Control+ArrowRight");
   assert.match(await said(), /touch 2/);
-  await page.getByRole("button", { name: "Touch before" }).click();
+  await page.locator("#scrub").press("Control+ArrowLeft");
   assert.match(await said(), /touch 1/);
   await page.locator("#scrub").focus();
   await page.keyboard.press("Control+ArrowRight");
@@ -380,7 +382,7 @@ test("a click on a dimension goes to its field, and a focused depth turns the pi
       "f-cycle.width1",
   );
   const looks = () =>
-    page.locator(".picture .tools [aria-pressed=true]").textContent();
+    page.locator(".picture .cube [aria-pressed=true]").textContent();
   assert.equal(await looks(), "top");
   await field("cycle.depth").focus();
   await settles(async () => (await looks()) === "front");
@@ -409,13 +411,13 @@ test("a line that is clicked stays lit when the pointer leaves; Escape frees it"
 
 test("a note that a link was copied went on after the job was another one", async () => {
   const note = page.locator(".note");
-  await page.getByRole("button", { name: "Share" }).click();
+  await more("Copy a link to this job", page);
   assert.match(await textOf(note), /Link copied/);
   await field("cycle.width1").fill("81");
   await note.waitFor({ state: "detached" });
   // What is saved while the program is not seen is said all the same.
   await page.setViewportSize({ width: 900, height: 800 });
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   await saveButton().click();
   assert.match(await textOf(note), /Saved POCKET-81X50\.ngc/);
 });
@@ -454,7 +456,7 @@ test("what is narrower than a tablet keeps its order for eye and Tab: picture, f
       .locator("main > *:visible")
       .evaluateAll((all) => all.map((n) => n.className));
   await settles(
-    async () => (await wide()).slice(0, 3).join() === "setup,picture,tabs",
+    async () => (await wide()).slice(0, 3).join() === "setup,picture,state",
   );
   // The picture is still drawn.
   await settles(async () => (await pixels()).count > 2000);

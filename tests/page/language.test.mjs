@@ -10,6 +10,7 @@ import {
   openTab,
   openText,
   page,
+  panel,
   problems,
   program,
   put,
@@ -202,7 +203,7 @@ test("numbers are written as the language does, typed in either way, and unchang
     () => /** @type {any} */ (document.querySelector("touch-path")).job,
   );
   assert.deepEqual([job.cycle.width1, job.cycle.width2], [80.5, 50.25]);
-  await page.locator("#tab-results").click();
+  await panel("results", page);
   assert.match(await textOf(inside("tp-results tbody").first()), /80,500/);
   assert.doesNotMatch(
     await textOf(inside("tp-results tbody").first()),
@@ -210,11 +211,10 @@ test("numbers are written as the language does, typed in either way, and unchang
   );
   assert.match(await program(), /X40\.25\b|X4\d\.\d/, "a program has points");
   // Points that are filled in to start from stay readable as points.
-  await page.locator("#tab-results").click();
-  await inside("details.measured summary").click();
-  await inside("details.measured button").click();
+  await panel("measured");
+  await inside("details.measured button").first().click();
   assert.match(await inside("#measured").inputValue(), /^-?\d+\.\d+, /);
-  assert.equal(await inside("tp-results .problem").count(), 0);
+  assert.equal(await inside("tp-measured .problem").count(), 0);
 });
 
 test("in a language with a comma a field that is only looked at stays as it is, and what the page prints can be typed", async () => {

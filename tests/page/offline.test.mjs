@@ -115,7 +115,7 @@ test("nothing leaves the browser: every request is for a file of the page", asyn
   await ready();
   await kept();
   await field("cycle.width1").fill("90");
-  await page.getByRole("button", { name: "Share" }).click();
+  await more("Copy a link to this job", page);
   const origin = new URL(page.url()).origin;
   assert.ok(asked.length > 3);
   assert.deepEqual(
@@ -139,7 +139,7 @@ test("a newer version waits until its user takes it, and the job stays", async (
     await kept(tab);
     await tab.reload();
     await ready(tab);
-    await field("cycle.width1", tab).fill("77");
+    await field("cycle.diameter", tab).fill("77");
     // The newer version: another worker with another title.
     const old = readFileSync(join(folder, "sw.js"), "utf8");
     writeFileSync(
@@ -159,7 +159,7 @@ test("a newer version waits until its user takes it, and the job stays", async (
     await tab.getByRole("button", { name: "Load it" }).click();
     await tab.waitForFunction(() => document.title === "Newer Touchpath");
     await ready(tab);
-    assert.equal(await field("cycle.width1", tab).inputValue(), "77");
+    assert.equal(await field("cycle.diameter", tab).inputValue(), "77");
     assert.deepEqual(
       await tab.evaluate(() => caches.keys()),
       ["touchpath / newer"],

@@ -10,6 +10,7 @@ import {
   openTab,
   openText,
   page,
+  panel,
   problems,
   program,
   ready,
@@ -59,10 +60,7 @@ test("a stored state that the form cannot show left an empty page: the defaults 
   await tab.goto(page.url());
   await ready(tab);
   assert.match(await textOf(tab.locator(".note")), /cycle\.touches/);
-  assert.equal(
-    await field("cycle.type", tab).inputValue(),
-    "internal-rectangle-protected",
-  );
+  assert.equal(await field("cycle.type", tab).inputValue(), "hole");
 });
 
 test("a leaf of a wrong type stands in its field, beside its message", async () => {
@@ -93,7 +91,7 @@ test("a leaf of a wrong type stands in its field, beside its message", async () 
     "null is not the default",
   );
   assert.equal(
-    await page.locator("tp-bar [type=radio]:checked + span").textContent(),
+    await page.locator("tp-form [type=radio]:checked + span").textContent(),
     "cm",
   );
   assert.ok(await page.locator('[id="e-units"]').isVisible());
@@ -153,8 +151,7 @@ const points = "37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10";
 
 test("measured points are there after a reload, and gone with another cycle, other units or another job", async () => {
   const box = page.locator("#measured");
-  await page.getByRole("tab", { name: "Results" }).click();
-  await page.getByText("Points that a machine measured").click();
+  await panel("measured");
   await box.fill(points);
   await field("cycle.type").selectOption("surface");
   assert.equal(await box.inputValue(), "");
@@ -166,7 +163,7 @@ test("measured points are there after a reload, and gone with another cycle, oth
   await chooseUnits("mm");
   await page.reload();
   await ready();
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("measured");
   assert.equal(await box.inputValue(), points);
   await openText(
     '{"format":1,"cycle":{"type":"internal-rectangle-protected"}}',

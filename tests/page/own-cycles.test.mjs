@@ -1,7 +1,15 @@
 // A program that calls cycles of the control's own: the picture shows their path, the lines are the calls, the results have the control's names.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openText, page, program, settles, setUp, textOf } from "./common.mjs";
+import {
+  openText,
+  page,
+  panel,
+  program,
+  settles,
+  setUp,
+  textOf,
+} from "./common.mjs";
 
 setUp();
 
@@ -43,7 +51,7 @@ test("a macro's path was shown under steps and feeds that it does not have: it h
     await page.locator("#scrub").getAttribute("aria-valuetext").then(String),
     /call 3, touch 1/,
   );
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   assert.match(
     await textOf(page.locator("tp-results tbody tr").first()),
     /center\.x #135/,
@@ -76,7 +84,7 @@ test("a tool is corrected by a size that its macro measures: typed beside the to
       tolerances: { diameter: { tolerance: "±0.05" } },
     }),
   );
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("measured");
   const box = (/** @type {string} */ name) =>
     page.getByRole("textbox", { name: `diameter: ${name}` });
   const text = () =>
@@ -214,8 +222,7 @@ test("the distance between two bores of a TNC follows from the parameters that i
     .getByText("The program does not compute the relations")
     .first()
     .waitFor();
-  await page.getByRole("tab", { name: "Results" }).click();
-  await page.locator("details.measured > summary").click();
+  await panel("measured");
   const text = page.locator("#measured");
   assert.match(
     String(await text.getAttribute("placeholder")),
@@ -225,7 +232,7 @@ test("the distance between two bores of a TNC follows from the parameters that i
   await text.fill(
     "Q1600 = -60,02\nQ1601 = 0\nQ1602 = 20\nQ151 = 60,03\nQ152 = 0\nQ153 = 20,01\n",
   );
-  const row = page.locator("tp-results tbody tr", {
+  const row = page.locator("tp-measured tp-results tbody tr", {
     hasText: "Distance from the first place to the second",
   });
   await settles(

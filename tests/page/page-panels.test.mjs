@@ -9,6 +9,7 @@ import {
   openText,
   PICTURE,
   page,
+  panel,
   pixels,
   problems,
   program,
@@ -146,13 +147,12 @@ test("the parameter table is copied as text and saved as CSV", async () => {
 });
 
 test("measured points give the same results, and bad ones a plain answer", async () => {
-  await page.getByRole("tab", { name: "Results" }).click();
-  await page.getByText("Points that a machine measured").click();
+  await panel("measured");
   const box = page.locator("#measured");
   await box.fill("37.1,0,-10\n-36.9,0,-10\n0,22,-10\n0,-22,-10");
   const own = (/** @type {string} */ code) =>
     page
-      .locator("tp-results table")
+      .locator("tp-measured tp-results table")
       .first()
       .locator("tr", { hasText: code })
       .locator(".own")
@@ -165,12 +165,12 @@ test("measured points give the same results, and bad ones a plain answer", async
   assert.notEqual((await pixels()).sum, sum, "the points are in the picture");
   assert.ok(before.count > 0);
   const wide = await page
-    .locator("#panel-results")
+    .locator("#panel-measured")
     .evaluate((panel) => panel.scrollWidth - panel.clientWidth);
   assert.equal(wide, 0, "nothing of the table is cut off");
   await box.fill("37.1,0\n");
   assert.match(
-    (await page.locator(".measured").textContent()) ?? "",
+    (await page.locator("details.measured").textContent()) ?? "",
     /Line 1 holds 2 numbers/,
   );
   await page.getByRole("button", { name: "Fill in the points shown" }).click();
@@ -230,9 +230,9 @@ test("words are found in the program, in its folded header too, and stay found w
 });
 
 test("all moves are listed in words, and the list is of the form", async () => {
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("measured");
   await page.getByText("All moves in words").click();
-  const words = page.locator("tp-results .moves li");
+  const words = page.locator("tp-measured .moves li");
   // What is folded is filled in once the browser says that it is open.
   await words.first().waitFor();
   assert.equal(
@@ -322,7 +322,7 @@ test("the table: groups that fold, a filter", async () => {
 test("a value with a tolerance has a bar: where it lies between its limits, and by how much it may scatter", async () => {
   await field("cycle.type").selectOption("probing-two-circles");
   await put("cycle.diameter1", "20+0.05-0.05");
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   const bar = page.locator("tp-results .band");
   assert.equal(await bar.count(), 1);
   assert.equal(

@@ -13,6 +13,7 @@ import {
   open,
   PICTURE,
   page,
+  panel,
   pixels,
   problems,
   program,
@@ -39,7 +40,7 @@ test("a keystroke changes program, table, picture and results", async () => {
   await page.getByRole("tab", { name: "Parameters" }).click();
   const row = page.locator("tp-table tr", { hasText: "CmdPrm.Flt[-53]" });
   assert.match((await row.textContent()) ?? "", /90/);
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   assert.match(
     (await page
       .locator("tp-results tr", { hasText: "width1" })
@@ -132,7 +133,7 @@ test("views, zoom by wheel, drag", async () => {
   await page.mouse.move(box.x + 60, box.y + 60);
   await page.mouse.wheel(0, -300);
   assert.notEqual((await pixels()).sum, fitted);
-  await page.getByRole("button", { name: "fit" }).click();
+  await page.locator(PICTURE).dblclick({ position: { x: 60, y: 60 } });
   await page.mouse.move(box.x + 4, box.y + 4);
   await page.mouse.down();
   await page.mouse.move(box.x + 60, box.y + 40, { steps: 4 });
@@ -141,7 +142,7 @@ test("views, zoom by wheel, drag", async () => {
 });
 
 test("the virtual part: its fields, its handle, its results", async () => {
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   await field("part.offset[0]").fill("0.5");
   await field("part.rotation").fill("1");
   const row = page.locator("tp-results tr", { hasText: "width1" }).first();
@@ -178,7 +179,7 @@ test("two circles: a class in a diameter, the verdict of the size, the handle of
   await field("control.post").selectOption("heidenhain");
   await field("cycle.diameter1").fill("20H7");
   await field("part.sizes.diameter1").fill("0.05");
-  await page.getByRole("tab", { name: "Results" }).click();
+  await panel("results", page);
   const status = page.locator("tp-results tr", { hasText: "Q183" }).first();
   assert.match(
     (await status.textContent()) ?? "",

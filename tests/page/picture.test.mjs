@@ -438,8 +438,8 @@ test("in front of 1411 the names of its diameters lay on each other on a phone: 
 });
 
 test("the lit touch struck out its own number: the search past the contact is not lit, and the number lies above", async () => {
-  await open({});
-  await page.getByRole("button", { name: "Next touch" }).click();
+  await open({ viewport: { width: 1700, height: 900 } });
+  await page.locator("#scrub").press("Control+ArrowRight");
   await framed();
   const { width1, width2 } = Object.fromEntries(
     Object.entries(await dimensionLines()).map(([path, ends]) => [

@@ -11,16 +11,19 @@ import { hold } from "../hold.js";
 import { isObject } from "../job.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
+import { SET_UPS } from "../set-ups.js";
 import { Store } from "../store.js";
-import css from "../style.css?inline";
+import { css } from "../styles.js";
 import { w } from "../words.js";
 import { letterOf } from "./keys.js";
 import "./bar.js";
 import "./checks.js";
 import "./features.js";
+import "./amount.js";
 import "./findings.js";
 import "./form.js";
 import "./help.js";
+import "./measured.js";
 import type { CommandsPart } from "./commands.js";
 import { Export } from "./export.js";
 import { Intake, type Unread, type Viewed } from "./intake.js";
@@ -57,17 +60,21 @@ partStyles.replaceSync(":host { min-height: 8rem; }");
 
 const PANELS = {
   setup: w("Setup"),
+  results: w("Results"),
   program: w("Program"),
   table: w("Parameters"),
-  results: w("Results"),
+  measured: w("Measured values, report"),
   checks: w("Checks"),
 } as const;
+/** The same where there is room for a word. */
+const MEASURED = w("Measured");
 type Panel = keyof typeof PANELS;
 const NAME_OF = {
   setup: "form",
+  results: "results",
   program: "program",
   table: "table",
-  results: "results",
+  measured: "results",
   checks: "checks",
 } as const satisfies Record<Panel, string>;
 /** What the element may leave out. */
@@ -145,6 +152,8 @@ function redrawn(store: Store): void {
 export class App extends LitElement {
   private panel: Panel | null = null;
   private tool: Tool = "cycles";
+  /** Whether the gallery adds to the job what is chosen. */
+  private adds = false;
   /** The page of the manual that is shown. */
   private topic = "";
   private viewed: Viewed | null = null;
@@ -188,7 +197,7 @@ export class App extends LitElement {
       showsResults: () => this.panels.includes("results"),
       showResults: async () => {
         await this.use("cycles");
-        this.show("results");
+        this.show(this.panels.includes("measured") ? "measured" : "results");
       },
       showJob: () => this.use("cycles"),
       forCam: () => {
@@ -302,9 +311,15 @@ export class App extends LitElement {
   private get panels(): Panel[] {
     const fits = (panel: Panel) =>
       this.wanted.includes(NAME_OF[panel]) &&
-      (panel !== "table" || this.store.cam || this.asked) &&
+      (panel !== "table" || this.hasTable) &&
+      (panel !== "measured" || this.width >= WIDE) &&
       (panel !== "setup" || this.width < WIDE || !this.wanted.includes("form"));
     return (Object.keys(PANELS) as Panel[]).filter(fits);
+  }
+
+  /** Whether there are parameters to show: of a page around that shows single panels only where it asks for them. */
+  private get hasTable(): boolean {
+    return this.asked || this.store.cam || this.around.links;
   }
 
   override connectedCallback(): void {
@@ -318,7 +333,6 @@ export class App extends LitElement {
     this.keys.addEventListener("keydown", this.shortcut);
     this.addEventListener("focusin", this.unhelp);
     this.store.addEventListener("change", this.forget);
-    this.store.addEventListener("change", this.listed);
     this.store.addEventListener("told", this.pass);
     this.store.addEventListener("cam", this.redraw);
     this.store.addEventListener("language", this.reworded);
@@ -345,7 +359,6 @@ export class App extends LitElement {
     this.keys.removeEventListener("keydown", this.shortcut);
     this.removeEventListener("focusin", this.unhelp);
     this.store.removeEventListener("change", this.forget);
-    this.store.removeEventListener("change", this.listed);
     this.store.removeEventListener("told", this.pass);
     this.store.removeEventListener("cam", this.redraw);
     this.store.removeEventListener("language", this.reworded);
@@ -369,7 +382,15 @@ export class App extends LitElement {
     const shows = (name: PanelName) => wanted.includes(name);
     const none = (name: string, is: boolean) => (is ? name : "");
     const role = panels.length < 2 ? nothing : "tabpanel";
+    // Where there is room the state of the job stands above its results.
+    const beside = this.width >= WIDE && panels.length > 0 && !this.around.lent;
+    const first =
+      this.width >= WIDE && active === "results" && panels.length > 1;
+    const findings = html`<tp-findings .store=${store} .panels=${this.everywhere} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow} .tall=${beside}></tp-findings>`;
     const shape = [
+      none("with-state", beside),
+      none("results-first", first),
+      none("wide-panel", active === "program" || active === "table"),
       none("stacked", stacked && !narrow),
       none("no-form", !shows("form")),
       none("no-stage", !shows("stage")),
@@ -405,30 +426,31 @@ export class App extends LitElement {
             name === "stage"
               ? html`<section class="picture" part="stage" aria-label=${this.t("Picture")}><tp-picture .store=${store}></tp-picture></section>`
               : html`<section class="setup" part="form" id="panel-setup" role=${panels.includes("setup") ? role : nothing} aria-label=${this.t("Setup")} ?hidden=${hidden("setup")}>
-          ${store.features.several ? html`<tp-features .store=${store}></tp-features>` : nothing}
           <tp-form .store=${store}></tp-form>
           <tp-help .store=${store}></tp-help>
         </section>`,
         )}
-        <div class="tabs" part="tabs" role="tablist" aria-label=${this.t("Panels")} ?hidden=${panels.length < 2}>
+        ${beside ? html`<section class="state" part="verdict" aria-label=${this.t("State of the job")}>${findings}</section>` : nothing}
+        <div class="tabs" part="tabs" role="tablist" aria-label=${this.t("Panels")} aria-orientation=${first ? "vertical" : "horizontal"} ?hidden=${panels.length < 2}>
           ${panels.map(
             (
               panel,
             ) => html`<button type="button" role="tab" id=${`tab-${panel}`} aria-controls=${`panel-${panel}`} tabindex=${panel === active ? 0 : -1}
-            aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}>${this.t(PANELS[panel])}${panel === "checks" ? html`<tp-badge aria-hidden="true" .store=${store}></tp-badge>` : nothing}</button>`,
+            aria-selected=${panel === active ? "true" : "false"} @click=${() => this.show(panel)} @keydown=${(e: KeyboardEvent) => this.key(e, panels, panel)}><span>${this.t(panel === "measured" && !first ? MEASURED : PANELS[panel])}</span>${panel === "checks" ? html`<tp-badge aria-hidden="true" .store=${store}></tp-badge>` : nothing}${first ? html`<tp-amount aria-hidden="true" .store=${store} .of=${panel}></tp-amount>` : nothing}</button>`,
           )}
         </div>
+        ${panels.includes("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results>${panels.includes("measured") ? nothing : html`<tp-measured .store=${store}></tp-measured>`}</section>` : nothing}
         ${panels.includes("program") ? html`<section class="panel" part="panel program" id="panel-program" role=${role} aria-label=${this.t("Program")} ?hidden=${hidden("program")}><tp-program .store=${store}></tp-program></section>` : nothing}
         ${panels.includes("table") ? html`<section class="panel" part="panel table" id="panel-table" role=${role} aria-label=${this.t("Parameters")} ?hidden=${hidden("table")}><tp-table .store=${store}></tp-table></section>` : nothing}
-        ${panels.includes("results") ? html`<section class="panel scrolls" part="panel results" id="panel-results" role=${role} aria-label=${this.t("Results")} ?hidden=${hidden("results")}><tp-results .store=${store}></tp-results></section>` : nothing}
+        ${panels.includes("measured") ? html`<section class="panel scrolls" part="panel measured" id="panel-measured" role=${role} aria-label=${this.t(PANELS.measured)} ?hidden=${hidden("measured")}><tp-measured .store=${store}></tp-measured></section>` : nothing}
         ${panels.includes("checks") ? html`<section class="panel scrolls" part="panel checks" id="panel-checks" role=${role} aria-label=${this.t("Checks")} ?hidden=${hidden("checks")}><tp-checks .store=${store} .linked=${this.everywhere.includes("program")}></tp-checks></section>` : nothing}
       </main>
-      ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} @chosen=${this.chosen}></tp-gallery>` : nothing}
+      ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} .adds=${this.adds} @chosen=${this.chosen}></tp-gallery>` : nothing}
       ${this.tool === "manual" ? html`<tp-manual role="main" tabindex="0" .store=${store} .topic=${this.topic} @chosen=${this.chosen}></tp-manual>` : nothing}
       ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
-      <footer part="footer" ?hidden=${this.around.lent} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : html`<tp-findings .store=${store} .panels=${this.everywhere} .alone=${this.around.links} .said=${said?.foot ? said.text : null} .saves=${narrow}></tp-findings>`}<slot name="footer"></slot></footer>
+      <footer part="footer" ?hidden=${this.around.lent || (beside && away === "" && !this.around.host.querySelector("[slot=footer]"))} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : beside ? nothing : findings}<slot name="footer"></slot></footer>
       ${dialogs(frame)}
       ${this.there.has("commands") ? html`<tp-commands .store=${store} .actions=${actions(frame)}></tp-commands>` : nothing}
       <tp-paste .store=${store} .take=${this.intake.pasted} .stop=${() => this.intake.stop()} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
@@ -521,9 +543,11 @@ export class App extends LitElement {
     const top = this.querySelector("tp-form")?.scrollTop ?? 0;
     this.requestUpdate();
     await this.updateComplete;
-    if (!at?.checkVisibility() || at.matches(":focus")) return;
-    at.focus({ preventScroll: true });
-    this.querySelector("tp-form")?.scrollTo({ top, behavior: "instant" });
+    if (!at?.checkVisibility()) return;
+    if (!at.matches(":focus")) {
+      at.focus({ preventScroll: true });
+      this.querySelector("tp-form")?.scrollTo({ top, behavior: "instant" });
+    }
     at.scrollIntoView({ block: "nearest" });
   }
 
@@ -662,16 +686,6 @@ export class App extends LitElement {
   private get everywhere(): PanelName[] {
     return [...new Set([...shown(this.store)].flatMap((app) => app.wanted))];
   }
-
-  /** Whether the list of cycles stands above the form. */
-  private lists = false;
-
-  /** The list comes with the second cycle, and goes with it. */
-  private readonly listed = (): void => {
-    if (this.lists === this.store.features.several) return;
-    this.lists = this.store.features.several;
-    this.requestUpdate();
-  };
 
   /** Says what the store has done beside what it was asked for. */
   private readonly pass = (event: Event): void => {
@@ -813,7 +827,14 @@ export class App extends LitElement {
     };
     const actions: Record<string, () => unknown> = {
       redo: () => store.redo(),
-      gallery: () => this.use(this.tool === "gallery" ? "cycles" : "gallery"),
+      gallery: () => {
+        this.adds = false;
+        return this.use(this.tool === "gallery" ? "cycles" : "gallery");
+      },
+      add: () => {
+        this.adds = true;
+        return this.use("gallery");
+      },
       open: () =>
         this.renderRoot.querySelector<HTMLInputElement>("#file")?.click(),
       paste: () => {
@@ -887,7 +908,10 @@ export class App extends LitElement {
     await this.use("cycles");
     const { store } = this;
     if (path === "cycle.type") store.choose(name as Job["cycle"]["type"]);
-    else if (!this.refused(name)) store.chooseControl(name);
+    else if (path === "set-up") {
+      const one = SET_UPS.find(({ key }) => key === name);
+      if (one) store.beginSetUp(one);
+    } else if (!this.refused(name)) store.chooseControl(name);
   }
 
   /** Says why a control has no program for the job's cycle; false where it has one. */

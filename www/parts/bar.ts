@@ -1,9 +1,9 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { type CycleEntry, defaultJob, type Finding } from "../core/browser.js";
+import type { CycleEntry } from "../core/browser.js";
 import { alike, type Draft, isObject } from "../job.js";
 import { convertedPreset, type Preset, presets, SECTIONS } from "../presets.js";
+import { probeInWords, whatInWords } from "../sentences.js";
 import { w } from "../words.js";
-import { Drawing } from "./drawing.js";
 import { FieldPart } from "./field.js";
 import { saveButton } from "./save.js";
 
@@ -21,16 +21,13 @@ const SETS: [
   [0, 3, w("sets preset X Y, mean of both circles")],
 ];
 
-/** What always holds for a control, in so few words that they stand at its name; the gravest first. */
-const ALWAYS: Record<string, string> = {
-  "positioning-not-watched": w("positioning not watched"),
-  "approach-not-watched": w("first way not watched"),
-  "units-not-stated": w("units not stated"),
-  "not-verified": w("not run on a control"),
-  "no-results-in-program": w("computes nothing"),
-};
+/** The finding that shank and body of the probe are not known, and so are not checked. */
+export const STYLUS_UNKNOWN = "stylus-not-known";
 
-/** The head of the page: what is measured, on which machine, and what the program does with it; and what is handed out. */
+/** Stand in the sentence for what is chosen there: no language writes them. */
+const SLOTS = ["[what]", "[machine]", "[does]"];
+
+/** The head of the page: a sentence of what is measured, on which machine, and what the program does with it; and what is handed out. */
 class BarPart extends FieldPart {
   protected override follows = ["change", "machines"];
   /** Whether links to the job are handed out. */
@@ -47,75 +44,69 @@ class BarPart extends FieldPart {
     saves: { attribute: false },
   };
 
-  /** The small drawing of the cycle, and the one that it is of. */
-  private drawing?: Drawing;
-  private drawn = "";
-
   override render(): TemplateResult {
     const { store } = this;
     const away = this.away !== "";
     const withheld = this.away || store.withheld;
-    const { cycle } = store;
     return html`
-      <fieldset aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>
-      <div class="answer what"><span class="asks" aria-hidden="true">${this.t("What do you measure?")}</span><span class="joined">
-        <button type="button" class="gallery" aria-label=${this.t("Gallery")} title=${this.t("Choose the cycle from pictures")} @click=${() => this.ask("gallery")}><canvas class="mini" aria-hidden="true"></canvas></button>
-        ${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("What do you measure?"), { title: cycle.says })}</span></div>
-      <div class="answer where"><span class="asks"><span aria-hidden="true">${this.t("On which machine?")}</span> ${this.always()}</span>${this.hides("control.post") ? nothing : this.machine()}</div>
-      ${this.hides("control.workOffset") ? nothing : html`<div class="answer then"><span class="asks" aria-hidden="true">${this.t("What shall it do?")}</span><span class="joined">${this.does()}</span></div>`}
-      ${
-        this.hides("units")
-          ? nothing
-          : html`<div class="answer in"><span class="asks" aria-hidden="true">${this.t("Units")}</span>${this.radios(
-              "units",
-              (["mm", "inch"] as const).filter(
-                (units) =>
-                  units === store.units || store.rules.allowsUnits(units),
-              ),
-              (units) => store.setUnits(units as "mm" | "inch"),
-              this.t("Units"),
-            )}</div>`
-      }
-      ${["cycle.type", "control.post", "control.workOffset", "units"].map((path) => this.problems(path))}
+      <fieldset class="sentence" aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>${this.sentence()}
+      ${["cycle.type", "control.post", "control.workOffset"].map((path) => this.problems(path))}
       </fieldset>
       <span class="gap"></span>
-      <button type="button" class="icon find" aria-label=${this.t("Find anything")} title=${`${this.t("Find anything")} (Ctrl+K)`} @click=${() => this.ask("commands")}><span aria-hidden="true">⌕</span></button>
+      <button type="button" class="find" title=${`${this.t("Find anything")} (Ctrl+K)`} aria-label=${this.t("Find anything")} @click=${() => this.ask("commands")}><span class="words" aria-hidden="true">${this.t("Find anything")}</span><kbd aria-hidden="true">Ctrl K</kbd><span class="sign" aria-hidden="true">⌕</span></button>
       <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || away} @click=${() => store.undo()}>↶</button>
       <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || away} @click=${() => store.redo()}>↷</button>
-      <button type="button" class="wide" ?disabled=${store.readonly} @click=${() => this.ask("open")}>${this.t("Open")}</button>
-      ${this.links ? html`<button type="button" class="wide" ?disabled=${away} @click=${() => this.ask("share")}>${this.t("Share")}</button>` : nothing}
-      <button type="button" class="wide" ?disabled=${withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} @click=${() => this.ask("sheet")}>${this.t("Setup sheet")}</button>
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
       ${this.saves ? saveButton(store, withheld, () => this.ask("save")) : nothing}
       ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
   }
 
+  /** The sentence in the order of the language: its words, and between them what is chosen. */
+  private sentence(): (TemplateResult | typeof nothing)[] {
+    const { store } = this;
+    // A sign behind a choice stays with it.
+    const slots: Record<
+      string,
+      (sign: string) => TemplateResult | typeof nothing
+    > = {
+      what: (sign) =>
+        html`<span class="answer what">${this.select("cycle.type", this.cycles(), (type) => store.choose(type as CycleEntry["type"]), this.t("What do you measure?"), { title: store.cycle.says })}${sign}</span>`,
+      machine: (sign) =>
+        html`<span class="answer where">${this.hides("control.post") ? nothing : this.machine()}${this.probe()}${sign}</span>`,
+      does: (sign) =>
+        this.hides("control.workOffset")
+          ? nothing
+          : html`<span class="answer then">${this.does()}${sign}</span>`,
+    };
+    const words = this.t(
+      "Find {what} on {machine}; the program {does}",
+      ...SLOTS,
+    );
+    const pieces = words.matchAll(/\[(\w+)\]([;,:.。；，]?)|[^[]+/g);
+    return [...pieces]
+      .filter(([piece]) => piece.trim() !== "")
+      .map(
+        ([piece, slot, sign]) =>
+          slots[slot ?? ""]?.(sign ?? "") ??
+          html`<span class="word" aria-hidden="true">${piece.trim()}</span>`,
+      );
+  }
+
+  /** The ball of the probe, and the way to what is known of it. What is not known is a dot. */
+  private probe(): TemplateResult {
+    const unknown = this.store.findings.find(
+      ({ code }) => code === STYLUS_UNKNOWN,
+    );
+    const about = unknown
+      ? this.store.say(unknown.said)
+      : this.t("The probe and the machine");
+    return html`<button type="button" class="probe" title=${about} @click=${() => this.dispatchEvent(new CustomEvent("go", { detail: unknown ? "stylus.length" : "stylus.diameter", bubbles: true }))}>${probeInWords(this.store)}${unknown ? html`<span class="dot" aria-label=${about} role="img"></span>` : nothing}</button>`;
+  }
+
   /** Whether the page around hides a field, and nothing is wrong with it. */
   private hides(path: string): boolean {
     return !this.store.rules.showsField(path) && !this.isBad(path);
-  }
-
-  /** What holds for this control always: one mark at its name, and its page behind it. */
-  private always(): TemplateResult {
-    const { store } = this;
-    const { title = "", id = "" } = store.post ?? {};
-    const standing = store.findings.filter((f: Finding) => store.stands(f));
-    const [code, says] =
-      Object.entries(ALWAYS).find(([code]) =>
-        standing.some((f) => f.code === code),
-      ) ?? [];
-    const grave = standing.some(
-      (f) => f.code === code && f.level === "warning",
-    );
-    const about = this.t("About {control}", title);
-    return html`<button type="button" class=${`always ${grave ? "warning" : ""}`} aria-label=${says ? `${about}: ${this.t(says)}` : about} title=${about} ?disabled=${!store.post} @click=${() => this.about(`control:${id}`)}>${says ? html`<span class="words">${this.t(says)}</span> ` : nothing}<span class="i" aria-hidden="true">i</span></button>`;
-  }
-
-  private about(topic: string): void {
-    this.dispatchEvent(
-      new CustomEvent("about", { bubbles: true, detail: topic }),
-    );
   }
 
   /** Under their source, whose name would leave no room for theirs: `ENCY/SprutCAM type 7` says the source and the number in it. */
@@ -134,11 +125,9 @@ class BarPart extends FieldPart {
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
     return sorted.map(({ type, title, source }) => {
       const [under = "", ...number] = source.split(" ");
-      return {
-        value: type,
-        under,
-        label: store.cam ? `${title} · ${number.join(" ")}` : title,
-      };
+      const plain = store.cam ? `${title} · ${number.join(" ")}` : title;
+      const label = type === store.cycle.type ? whatInWords(store) : plain;
+      return { value: type, under, label };
     });
   }
 
@@ -240,11 +229,7 @@ class BarPart extends FieldPart {
       return html`<span class="does" role="note">${store.stale ? this.t("no program") : store.does}</span>`;
     }
     const choose = (n: string) => {
-      if (n === "judge")
-        this.dispatchEvent(
-          new CustomEvent("go", { detail: "limits.size", bubbles: true }),
-        );
-      else store.put("control.workOffset", n === "" ? null : Number(n));
+      store.put("control.workOffset", n === "" ? null : Number(n));
       this.requestUpdate();
     };
     const { offsets, paged } = this.offsets();
@@ -335,10 +320,6 @@ class BarPart extends FieldPart {
       numbers.push({ value, label: store.writes(value) });
     const none =
       value === null && !store.stale ? store.does : this.t("measures only");
-    const judge =
-      store.fieldAt("limits.size") && store.cycle.touches
-        ? [{ value: "judge", label: this.t("judge: limits …") }]
-        : [];
     const allowed = (one: number | null) =>
       one === value || store.rules.allowsOffset(one);
     const all = [
@@ -348,36 +329,7 @@ class BarPart extends FieldPart {
     const offsets = all.filter((one) =>
       typeof one.value === "string" ? true : allowed(one.value),
     );
-    return { offsets: [...offsets, ...judge], paged };
-  }
-
-  protected override updated(changed: Map<PropertyKey, unknown>): void {
-    super.updated(changed);
-    const { type } = this.store.cycle;
-    if (this.drawing && this.drawn === type) return;
-    const canvas = this.querySelector<HTMLCanvasElement>("canvas.mini");
-    if (!canvas?.checkVisibility()) return;
-    this.drawn = type;
-    const show = (view: { showSmall(job: unknown): boolean }) =>
-      view.showSmall(defaultJob(type));
-    if (this.drawing) this.drawing.use(show);
-    this.drawing ??= new Drawing(canvas, show);
-    this.drawing.restyle();
-  }
-
-  private readonly repaint = () => this.drawing?.restyle();
-
-  override connectedCallback(): void {
-    super.connectedCallback();
-    this.store.addEventListener("recolour", this.repaint);
-    this.requestUpdate();
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.store.removeEventListener("recolour", this.repaint);
-    this.drawing?.free();
-    this.drawing = undefined;
+    return { offsets, paged };
   }
 
   private ask(what: string): void {

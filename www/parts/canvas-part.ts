@@ -60,14 +60,11 @@ export abstract class DrawnPart extends CanvasPart {
     return this.querySelector("canvas.over") as HTMLCanvasElement;
   }
 
-  /** The tools above the picture. */
+  /** A cube: each of its faces is a view, and its corner the one that shows all three. */
   protected tools(label: string): TemplateResult {
-    return html`<div class="tools" role="toolbar" aria-label=${label}>
-        ${VIEWS.map((name) => html`<button type="button" aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}>${this.t(VIEW_NAMES[name])}</button>`)}
-        <span class="gap"></span>
-        <button type="button" class="zoom" aria-label=${this.t("Zoom out")} @click=${() => this.drawing?.zoom(1 / 1.4)}>−</button>
-        <button type="button" class="zoom" aria-label=${this.t("Zoom in")} @click=${() => this.drawing?.zoom(1.4)}>+</button>
-        <button type="button" @click=${() => this.drawing?.use((view) => view.fit())}>${this.t("fit")}</button>
+    return html`<div class="cube" role="toolbar" aria-label=${label}>
+        ${VIEWS.map((name) => html`<button type="button" class=${name} title=${this.t(VIEW_NAMES[name])} aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}><span class="unseen">${this.t(VIEW_NAMES[name])}</span></button>`)}
+        <svg viewBox="0 0 64 64" aria-hidden="true"><path d="M32 4 60 18v30L32 62 4 48V18zM4 18l28 14 28-14M32 32v30"></path></svg>
       </div>`;
   }
 

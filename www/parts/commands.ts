@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { catalog, type FieldEntry } from "../core/browser.js";
 import { found, hasWord, LENGTHS, textOf, wordsIn } from "../search.js";
+import { SET_UPS } from "../set-ups.js";
 import { Part } from "./part.js";
 
 /** Something that can be done or gone to. */
@@ -143,6 +144,17 @@ class CommandsPart extends Part {
         event: ["about", event[1].replace("cycle.type", "cycle")],
       }),
     );
+    const setUps = store.rules.allowsSetUps
+      ? SET_UPS.map(
+          ({ key, name, says }): Command => ({
+            name: this.t(name),
+            kind: this.t("Ready set-ups"),
+            says: this.t(says),
+            also: `${name} ${says}`,
+            event: ["choose", `set-up:${key}`],
+          }),
+        )
+      : [];
     const posts = catalog.posts.filter(({ id }) =>
       store.rules.offers("controls", id),
     );
@@ -196,7 +208,14 @@ class CommandsPart extends Part {
         event: ["ask", what],
       }),
     );
-    const all = [...cycles, ...actions, ...fields, ...controls, ...about];
+    const all = [
+      ...cycles,
+      ...setUps,
+      ...actions,
+      ...fields,
+      ...controls,
+      ...about,
+    ];
     // Nothing is offered that a job which can only be looked at does not do.
     return store.readonly
       ? all.filter(({ event: [name] }) => name !== "choose")

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
-import { repeat } from "lit/directives/repeat.js";
-import type { Cycle, Plan } from "../core/browser.js";
-import type { Feature, Related } from "../features.js";
+import { live } from "lit/directives/live.js";
+import type { Plan } from "../core/browser.js";
+import type { Related } from "../features.js";
 import { readNumber } from "../number.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
@@ -15,87 +15,13 @@ interface Operands {
   results: string[];
 }
 
-/** The list of the cycles of one program, above the form of the one in hand; of a single cycle no more than the way to another one. */
+/** What the features of a program have in common: another one, what is computed of them, and what is written at the end. */
 class FeaturesPart extends Part {
   protected override follows = ["change"];
 
   override render(): TemplateResult {
-    const { store } = this;
-    const { several } = store.features;
-    return html`${several ? html`<ol class="features" aria-label=${this.t("Cycles of this program")}>${this.rows()}</ol>${this.around()}${this.relations()}` : nothing}${this.adding(several)}`;
-  }
-
-  private rows() {
-    const { features, draft } = this.store;
-    const all = features.inOrder(draft);
-    return repeat(
-      all,
-      ({ name }) => name,
-      (one, i) => this.row(one, i, all.length),
-    );
-  }
-
-  private row(one: Feature, i: number, count: number): TemplateResult {
-    const { store } = this;
-    const now = i === store.features.hand;
-    const title =
-      store.catalog.cycles.find((c) => c.type === one.cycle.type)?.title ?? "";
-    const level = this.level(i, now);
-    const act = (event: Event, what: () => void) => {
-      event.stopPropagation();
-      what();
-    };
-    const button = (
-      sign: string,
-      label: string,
-      does: () => void,
-      off = false,
-    ) =>
-      html`<button type="button" class="icon" aria-label=${this.t(label, one.name)} title=${this.t(label, one.name)} ?disabled=${off || store.readonly} @click=${(e: Event) => act(e, does)}>${sign}</button>`;
-    return html`<li class=${`${now ? "now" : ""} ${one.off ? "off" : ""}`} draggable=${store.readonly ? "false" : "true"}
-      @dragstart=${(e: DragEvent) => e.dataTransfer?.setData("text/x-touchpath-cycle", String(i))}
-      @dragover=${(e: DragEvent) => e.dataTransfer?.types.includes("text/x-touchpath-cycle") && e.preventDefault()}
-      @drop=${(e: DragEvent) => this.dropped(e, i)}>
-      <button type="button" class=${`feature ${level ?? ""}`} aria-current=${now ? "true" : nothing} @click=${() => store.bringFeature(i)}><b>${one.name}</b> <span class="soft">${title}${one.off ? html` · ${this.t("left out")}` : nothing}</span></button>
-      ${
-        now
-          ? html`<span class="acts"><input type="text" maxlength="12" spellcheck="false" aria-label=${this.t("Name of this cycle")} .value=${one.name} ?disabled=${store.readonly} @change=${(e: Event) => this.rename(e.target as HTMLInputElement, i)} />
-        ${button("↑", w("{cycle} earlier"), () => store.moveFeature(i, i - 1), i === 0)}
-        ${button("↓", w("{cycle} later"), () => store.moveFeature(i, i + 1), i + 1 === count)}
-        ${button("×2", w("Duplicate {cycle}"), () => store.duplicateFeature(i))}
-        ${button(one.off ? "○" : "●", one.off ? w("Take {cycle} in again") : w("Leave {cycle} out of the program"), () => store.switchFeature(i))}
-        ${button("✕", w("Remove {cycle}"), () => store.removeFeature(i))}</span>`
-          : nothing
-      }</li>`;
-  }
-
-  /** The gravest level of what is said of a cycle. */
-  private level(place: number, now: boolean): string | undefined {
-    const { store } = this;
-    const is = (path: string) => {
-      const index = /^cycles\[(\d+)\]/.exec(path)?.[1];
-      return index === undefined
-        ? now && /^cycle\b/.test(path)
-        : store.features.placeOf(Number(index)) === place;
-    };
-    return ["error", "warning"].find((level) =>
-      store.findings.some((f) => f.level === level && is(f.path)),
-    );
-  }
-
-  private rename(box: HTMLInputElement, i: number): void {
-    const name = box.value.trim();
-    if (name !== "") this.store.renameFeature(i, name);
-    else box.value = this.store.features.all[i]?.name ?? "";
-  }
-
-  private dropped(event: DragEvent, to: number): void {
-    const from = Number(
-      event.dataTransfer?.getData("text/x-touchpath-cycle") || Number.NaN,
-    );
-    event.preventDefault();
-    event.stopPropagation();
-    if (Number.isInteger(from) && from !== to) this.store.moveFeature(from, to);
+    const { several } = this.store.features;
+    return html`${this.adding(several)}${several ? html`${this.relations()}${this.around()}` : nothing}`;
   }
 
   /** What is written from which cycle, and the height between them. */
@@ -107,12 +33,21 @@ class FeaturesPart extends Part {
         path.startsWith("datum") || path === "clear" || path === "cycles",
     );
     return html`<div class="datum">
-      ${store.get("control.workOffset") == null ? nothing : html`<p>${this.sentence()}</p><div class="choices">${store.plan.datum.map((row) => this.from(row))}</div>`}
+      ${store.get("control.workOffset") == null ? nothing : html`<h3>${this.t("Written at the end, once")}</h3>`}
+      <details ?open=${live(this.open || found.length > 0)} @toggle=${(
+        e: Event,
+      ) => {
+        this.open = (e.target as HTMLDetailsElement).open;
+      }}><summary>${store.get("control.workOffset") == null ? this.t("Height between cycles") : this.sentence()}</summary>
+      ${store.get("control.workOffset") == null ? nothing : html`<div class="choices">${store.plan.datum.map((row) => this.from(row))}</div>`}
       <label class="line"><span>${this.t("Height between cycles")}</span> <input type="text" inputmode="decimal" placeholder=${this.t("as high as the highest")} .value=${clear === null ? "" : store.number(String(clear))} ?disabled=${store.readonly}
-        @change=${(e: Event) => this.clear(e.target as HTMLInputElement)} /></label>
+        @change=${(e: Event) => this.clear(e.target as HTMLInputElement)} /></label></details>
       ${found.map((f) => html`<p class=${`problem ${f.level}`}>${this.message(f)}</p>`)}
     </div>`;
   }
+
+  /** Whether it is open what is written from where. */
+  private open = false;
 
   private clear(box: HTMLInputElement): void {
     const { store } = this;
@@ -279,22 +214,13 @@ class FeaturesPart extends Part {
     };
   }
 
-  /** Another cycle for this program. */
+  /** The way to another feature of this program. */
   private adding(several: boolean): TemplateResult | typeof nothing {
     const { store } = this;
     if (store.readonly || (!several && store.cycle.touches === false))
       return nothing;
-    const take = (e: Event) => {
-      const list = e.target as HTMLSelectElement;
-      const type = list.value as Cycle["type"];
-      list.value = "";
-      if (type) store.addFeature(type);
-    };
     if (!store.rules.allowsSetUps) return nothing;
-    const cycles = store.catalog.cycles.filter(
-      (c) => c.maxTouches > 0 && store.rules.offers("cycles", c.type),
-    );
-    return html`<p class="adding"><select aria-label=${this.t("Add a cycle to this program")} @change=${take}><option value="">${this.t("+ Add a cycle to this program")}</option>${cycles.map((c) => html`<option value=${c.type}>${c.title}</option>`)}</select></p>`;
+    return html`<p class="adding"><button type="button" class="quiet" @click=${() => this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "add" }))}>${this.t("+ Add a feature")}</button></p>`;
   }
 }
 

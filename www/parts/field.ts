@@ -3,7 +3,6 @@ import { live } from "lit/directives/live.js";
 import type { FieldEntry, Finding } from "../core/browser.js";
 import { head } from "../features.js";
 import { isWorkedOut, readNumber, tidy } from "../number.js";
-import { toleranced } from "../tolerance.js";
 import { Part } from "./part.js";
 
 /** A field and where its value stands in the job. */
@@ -21,8 +20,8 @@ interface Choice {
   under?: string;
 }
 
-/** A tolerance that is no sum: a class, `±`, or two deviations. */
-const PLAIN = /[A-Za-z]{1,2}\d{1,2}$|±|\d[^+\u2212-]*[+\u2212-].*[+\u2212-]/;
+/** The nominal size in front of a tolerance. */
+const NOMINAL = /^(\s*[Øø⌀]?\s*)(\d+(?:[.,]\d+)?)/;
 
 /** Choices by their headings, in order. */
 function headed(choices: Choice[]): [string, Choice[]][] {
@@ -67,7 +66,7 @@ export abstract class FieldPart extends Part {
       unit !== "" &&
       text.length + unit.length > (field.null === null ? 14 : 12);
     return html`<span class=${`number ${this.level(path)} ${crowded ? "crowded" : ""}`}><input id=${`f-${path}`} type="text" inputmode=${words || (typeof held === "string" && held !== "") ? "text" : field.unit === "none" ? "numeric" : "decimal"} spellcheck="false"
-        aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text} list=${proposed.length > 0 ? `l-${path}` : nothing}
+        aria-describedby=${`h-${path} u-${path} e-${path}`} aria-label=${name ?? nothing} aria-invalid=${this.isBad(path) ? "true" : "false"} .value=${text}
         @focus=${(e: Event) => {
           (e.target as HTMLInputElement).select();
           this.entry = (e.target as HTMLInputElement).value;
@@ -79,7 +78,21 @@ export abstract class FieldPart extends Part {
           unit
             ? html`<span class=${unit.length > 4 ? "unit long" : "unit"} id=${`u-${path}`}>${unit}</span>`
             : nothing
-        }${proposed.length > 0 ? html`<datalist id=${`l-${path}`}>${proposed.map((one) => html`<option value=${one}></option>`)}</datalist>` : nothing}</span>`;
+        }${proposed.length > 0 ? this.equals(path, name ?? field.label, proposed) : nothing}</span>`;
+  }
+
+  /** The results that a field can follow, behind an equals sign. */
+  private equals(
+    path: string,
+    label: string,
+    results: string[],
+  ): TemplateResult {
+    const take = (e: Event) => {
+      const list = e.target as HTMLSelectElement;
+      if (list.value) this.store.follow(path, list.value);
+      list.value = "";
+    };
+    return html`<select class="equals" aria-label=${this.t("{label} follows a result", label)} title=${this.t("{label} follows a result", label)} @change=${take}><option value="">=</option>${results.map((one) => html`<option value=${one}>${one.slice(1)}</option>`)}</select>`;
   }
 
   /** What a field of a cycle can follow: results of the cycles before it, and of relations of those alone. `axis` is that of a coordinate of its place. */
@@ -176,9 +189,6 @@ export abstract class FieldPart extends Part {
     const value = this.store.get(path);
     if (event.key === "Enter") {
       this.accept(path);
-      // What may be a difference is not taken by a key that works sums out.
-      const judged = toleranced(this.store, path);
-      if (judged && PLAIN.test(judged.text)) judged.take();
       box.select();
       box.dispatchEvent(
         new CustomEvent("entered", { bubbles: true, detail: box }),
@@ -201,6 +211,27 @@ export abstract class FieldPart extends Part {
     ) {
       const next = value + step * this.step(field, event.shiftKey);
       this.store.set(path, tidy(next));
+      this.updateComplete.then(() => box.select());
+    } else if (
+      step &&
+      field.size &&
+      typeof value === "string" &&
+      NOMINAL.test(value) &&
+      !event.ctrlKey &&
+      !event.altKey &&
+      !event.metaKey
+    ) {
+      // The size steps, and its tolerance stays.
+      const next = value.replace(
+        NOMINAL,
+        (_, sign: string, size: string) =>
+          sign +
+          tidy(
+            Number(size.replace(",", ".")) +
+              step * this.step(field, event.shiftKey),
+          ),
+      );
+      this.store.set(path, next);
       this.updateComplete.then(() => box.select());
     } else return;
     event.preventDefault();

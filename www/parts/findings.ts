@@ -1,9 +1,9 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { Finding, Said } from "../core/browser.js";
-import { runInWords } from "../sentences.js";
+import { clockOf, runInWords } from "../sentences.js";
 import type { Store } from "../store.js";
-import { toleranced } from "../tolerance.js";
 import { w } from "../words.js";
+import { STYLUS_UNKNOWN } from "./bar.js";
 import { Part } from "./part.js";
 import { replaced, saveButton } from "./save.js";
 
@@ -24,15 +24,28 @@ const MANY = {
   info: w("{count} notes"),
 } as const;
 
+/** What always holds for a control, in a few words; the gravest first. */
+const ALWAYS: Record<string, string> = {
+  "positioning-not-watched": w("Positioning is not watched."),
+  "approach-not-watched": w("The first way is not watched."),
+  "units-not-stated": w("The program states no units."),
+  "not-verified": w("Not yet run on this control."),
+  "no-results-in-program": w("The program computes nothing."),
+};
+
 /** What puts it right at once. A key that no job has is in no field: what helps is to remove it. A trial of the virtual part can end. Undo brings both back. */
 export function remedy(
   store: Store,
   { code, path }: Finding,
 ): TemplateResult | null {
   if (code === "collision" && path === "part") return nominal(store);
-  const judged = toleranced(store, path);
-  if (judged)
-    return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${judged.take}>${store.t("Judge by {text}", judged.text)}</button>`;
+  if (code === "order-of-cycles") {
+    const index = /^cycles\[(\d+)\]/.exec(path)?.[1];
+    const { features } = store;
+    const place =
+      index === undefined ? features.hand : features.placeOf(Number(index));
+    return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${() => store.moveFeature(place, 0)}>${store.t("Probe it first")}</button>`;
+  }
   if (code !== "unknown-key" || store.get(path) === undefined) return null;
   return html`<button type="button" class="quiet" ?disabled=${store.readonly} @click=${() => store.drop(path)}>${store.t("Remove it")}</button>`;
 }
@@ -42,7 +55,7 @@ export function nominal(store: Store): TemplateResult {
   return html`<button type="button" class="quiet nominal" ?disabled=${store.readonly} @click=${() => store.putNominal()}>${store.t("Back to nominal")}</button>`;
 }
 
-/** The line at the foot of the page: how many findings there are, what the gravest says, and what the run comes to. */
+/** The state of the job: whether it may be saved, or what the gravest finding says; what the run comes to. A line at the foot, or above the results. */
 class FindingsPart extends Part {
   protected override follows = ["change"];
   /** What is shown of the job: there is no way to what is not. */
@@ -53,10 +66,13 @@ class FindingsPart extends Part {
   declare said: Said | null;
   /** Whether the program is saved here. */
   declare saves: boolean;
+  /** Whether it stands above the results, where there is room for more than a line. */
+  declare tall: boolean;
 
   static override properties = {
     said: { attribute: false },
     saves: { attribute: false },
+    tall: { attribute: false },
     panels: {
       attribute: false,
       hasChanged: (now: string[], before?: string[]) =>
@@ -66,7 +82,11 @@ class FindingsPart extends Part {
 
   override render(): TemplateResult {
     // What holds for the control always stands at its name.
-    const { ofJob: findings, stale } = this.store;
+    const { stale } = this.store;
+    // What is not known of the probe is a mark at its name.
+    const findings = this.store.ofJob.filter(
+      ({ code }) => code !== STYLUS_UNKNOWN,
+    );
     const of = (level: Finding["level"]) =>
       findings.filter((f) => f.level === level);
     const words = LEVELS.flatMap((level) => {
@@ -81,17 +101,57 @@ class FindingsPart extends Part {
       this.panels.includes("program") || this.saves ? replaced(this.store) : "";
     return html`
       ${
-        worst
-          ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${this.message(worst)}</p>
+        worst && this.tall && worst.level === "info"
+          ? html`<p class="verdict fine" role="status">✓ ${this.t("Ready to save")}</p><p class="verdict info"><b>${words.join(", ")}:</b> ${this.message(worst)}
+            ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>` : nothing}
+            ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}</p>`
+          : worst
+            ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${this.message(worst)}</p>
             ${worst.path && this.panels.includes("form") ? (remedy(this.store, worst) ?? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>`) : nothing}
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}`
-          : html`<p class="verdict fine" role="status">✓ ${this.t("No problems found")}</p>`
+            : html`<p class="verdict fine" role="status">✓ ${this.t("Ready to save")}</p>`
       }
+      ${this.tall && !stale ? html`<p class="sum">${this.sum()}</p>` : nothing}
       ${said ? html`<p class="note" role="status" title=${this.store.say(said)}>${this.store.say(said)}</p>` : other ? html`<p class="note" title=${other}>${other}</p>` : html`<span class="gap"></span>`}
-      ${stale || this.panels.includes("stage") ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
+      ${stale || this.tall || this.panels.includes("stage") ? nothing : html`<span class="run">${runInWords(this.store)}</span>`}
       ${this.alone ? html`<span class="run private">${this.t("Nothing leaves this browser")}</span>` : nothing}
       ${this.saves ? saveButton(this.store, this.store.withheld, () => this.ask("save")) : nothing}
     `;
+  }
+
+  /** What the run comes to, how many rules hold, and what always holds for the control. */
+  private sum(): TemplateResult {
+    const { store } = this;
+    const { touches, time, safety } = store.plan;
+    const held = safety.filter(({ holds }) => holds === true).length;
+    const run = this.t(
+      touches.length === 1
+        ? w("1 touch, {time}.")
+        : w("{count} touches, {time}."),
+      ...(touches.length === 1 ? [] : [touches.length]),
+      clockOf(time * 60),
+    );
+    const rules =
+      held === safety.length
+        ? w("All {count} rules hold.")
+        : w("{count} rules hold.");
+    return html`${run} ${held > 0 ? this.t(rules, held) : nothing} ${this.always()}`;
+  }
+
+  /** What holds for this control always, and its page behind it. */
+  private always(): TemplateResult | typeof nothing {
+    const { store } = this;
+    const { title = "", id = "" } = store.post ?? {};
+    const standing = store.findings.filter((f) => store.stands(f));
+    const [code, says] =
+      Object.entries(ALWAYS).find(([code]) =>
+        standing.some((f) => f.code === code),
+      ) ?? [];
+    if (!says) return nothing;
+    const grave = standing.some(
+      (f) => f.code === code && f.level === "warning",
+    );
+    return html`<button type="button" class=${`always quiet ${grave ? "warning" : ""}`} title=${this.t("About {control}", title)} @click=${() => this.dispatchEvent(new CustomEvent("about", { bubbles: true, detail: `control:${id}` }))}>${this.t(says)}</button>`;
   }
 
   private go(path: string): void {

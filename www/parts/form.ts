@@ -1,10 +1,12 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
-import type { FieldEntry, Finding } from "../core/browser.js";
+import { repeat } from "lit/directives/repeat.js";
+import type { FieldEntry, Finding, ResultTolerance } from "../core/browser.js";
 import { isOut } from "../job.js";
-import { deviations } from "../sentences.js";
+import { deviations, inside } from "../sentences.js";
 import { sizeField } from "../store.js";
 import { w } from "../words.js";
+import { featureRow, rowsOf } from "./feature-row.js";
 import { FieldPart, type Placed } from "./field.js";
 
 /** A number of a picked touch. */
@@ -27,10 +29,10 @@ const TOUCH: FieldEntry = {
   when: null,
 };
 
-/** What stands in the bar, not in the form. */
+/** What stands in the sentence at the head, not in the form. */
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
 /** What a folded group says in any case. */
-const FIRST = new Set(["feeds.work", "stylus.diameter", "name"]);
+const FIRST = new Set(["stylus.diameter", "name"]);
 const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
 /** What only touches need. */
@@ -41,17 +43,26 @@ const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
 /** What only the author of a postprocessor needs. */
 const FOR_CAM = /^Postprocessor/;
-/** The order of the groups that stand around the cycle's own. */
-const ORDER = [
-  "Probe",
-  "Repeated touches",
-  "Feeds and limits",
-  "Program and machine",
-  "Tool length (SINUMERIK)",
-  VIRTUAL,
+const USUAL = w("Clearances, touches, feeds");
+const MACHINE = w("Machine and probe");
+/** What is set once and seldom looked at stands behind a door: the groups of each, in their order. */
+const DOORS: [door: string, groups: RegExp][] = [
+  [
+    USUAL,
+    /^(Touches|Clearances|Repeated touches|Feeds and limits|After probing|Postprocessor)/,
+  ],
+  [MACHINE, /^(Program and machine|Probe|Tool length \(SINUMERIK\))$/],
+  [VIRTUAL, /^Virtual part$/],
 ];
-/** Groups of the cycle that are folded at first, as those around it are. */
-const FOLDED = /^(Postprocessor|After probing|Repeated touches)/;
+/** The groups of a cycle that need no heading. */
+const PLAIN = /^(Place|Size)$/;
+
+/** A heading, and the fields under it. */
+type Group = [name: string, fields: Placed[]];
+interface Door {
+  name: string;
+  groups: Group[];
+}
 
 /** The form, drawn from the catalog: groups that fold to a line of their values. */
 class FormPart extends FieldPart {
@@ -66,9 +77,27 @@ class FormPart extends FieldPart {
   private all = false;
 
   override render(): TemplateResult {
-    const groups = this.groups();
+    const { own, doors } = this.parted();
+    const rows = rowsOf(this.store);
+    const chips = [
+      ...own.filter(([name]) => !PLAIN.test(name)),
+      ...doors
+        .filter(({ groups }) => groups.length > 0)
+        .map(
+          ({ name, groups }): Group => [
+            name,
+            groups.flatMap(([, fields]) => fields),
+          ],
+        ),
+    ];
+    const [usual, ...around] = doors.map((door) => this.door(door));
+    const { store } = this;
     return html`
-      <nav class="chips" aria-label=${this.t("Parts of the form")}>${groups.map(
+      <nav class="chips" aria-label=${this.t("Parts of the form")}>${
+        store.features.several
+          ? html`${rows.map(({ one, place, now }) => html`<button type="button" class="chip" aria-current=${now ? "true" : nothing} @click=${() => store.bringFeature(place)}>${one.name}</button>`)}<button type="button" class="add" @click=${() => this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "add" }))}>${this.t("+ Add")}</button>`
+          : nothing
+      }${chips.map(
         ([
           name,
           fields,
@@ -76,11 +105,59 @@ class FormPart extends FieldPart {
           @focus=${(e: Event) => (e.target as HTMLElement).scrollIntoView({ block: "nearest", inline: "nearest" })}>${this.t(name)}</button>`,
       )}</nav>
       <form @submit=${(event: Event) => event.preventDefault()} @entered=${(e: CustomEvent<HTMLElement>) => this.next(e.detail)} autocomplete="off">
-        ${groups.map(([name, fields]) => this.group(name, fields))}
-        ${this.store.features.several ? nothing : html`<tp-features .store=${this.store}></tp-features>`}
-        ${this.store.cycle.touches && (this.store.cam || this.isPicked) ? this.touches() : nothing}
+        <ol class="features" aria-label=${this.t("Features")}>${repeat(
+          rows,
+          ({ one }) => one.name,
+          (row) =>
+            html`<li class=${`${row.now ? "now" : ""} ${row.one.off ? "off" : ""}`}>${featureRow(store, row)}${
+              row.now
+                ? html`<div class="open">${own.map(([name, fields]) => this.group(name, fields))}${usual}
+              ${store.cycle.touches && (store.cam || this.isPicked) ? this.touches() : nothing}</div>`
+                : nothing
+            }</li>`,
+        )}</ol>
+        <tp-features .store=${store}></tp-features>
+        <div class="around">${around}</div>
       </form>
     `;
+  }
+
+  /** The groups of the form: the cycle's own, and those behind doors. */
+  private parted(): { own: Group[]; doors: Door[] } {
+    const all = this.groups();
+    const doorOf = (name: string) =>
+      DOORS.find(([, groups]) => groups.test(name))?.[0];
+    const doors = DOORS.map(([name]) => ({
+      name,
+      groups: all.filter(([group]) => doorOf(group) === name),
+    }));
+    return { own: all.filter(([name]) => !doorOf(name)), doors };
+  }
+
+  /** A door: closed, it says what is not as usual. */
+  private door({ name, groups }: Door): TemplateResult | typeof nothing {
+    if (groups.length === 0) return nothing;
+    const open = this.opened.get(name) ?? this.all;
+    const fields = groups.flatMap(([, fields]) => fields);
+    const said = open
+      ? ""
+      : groups
+          .map(([group, fields]) => this.summary(group, fields))
+          .filter(Boolean)
+          .join(" · ");
+    const usual = name === VIRTUAL ? "" : this.t("as usual");
+    const alone = groups.length === 1;
+    const body = groups.map(
+      ([group, fields]) =>
+        html`${alone ? nothing : html`<h3>${this.t(group)}</h3>`}${this.body(group, fields)}`,
+    );
+    return this.folding(
+      name,
+      open,
+      this.gravest(fields),
+      open ? "" : said || usual,
+      html`${body}`,
+    );
   }
 
   /** The cycle whose form is shown. */
@@ -92,7 +169,7 @@ class FormPart extends FieldPart {
     const { type } = this.store.cycle;
     if (this.shown !== "" && this.shown !== type) this.scrollTop = 0;
     this.shown = type;
-    this.store.partOpen = this.isOpen(VIRTUAL);
+    this.store.partOpen = this.opened.get(VIRTUAL) ?? this.all;
     this.mark();
   }
 
@@ -103,7 +180,8 @@ class FormPart extends FieldPart {
     for (const [name, fields] of this.groups()) {
       const holds = (placed: Placed) =>
         path?.startsWith(placed.path) || placed.path.startsWith(`${path}.`);
-      if (path !== undefined && fields.some(holds)) this.opened.set(name, true);
+      const door = DOORS.find(([, groups]) => groups.test(name))?.[0] ?? name;
+      if (path !== undefined && fields.some(holds)) this.opened.set(door, true);
     }
     this.requestUpdate();
     return this.updateComplete;
@@ -169,9 +247,9 @@ class FormPart extends FieldPart {
         sizeField(field, this.store.words) as FieldEntry,
         VIRTUAL,
       );
-    // The postprocessor's own fields are rarely touched.
+    // What is typed first: how large it is.
     const order = (name: string) =>
-      FOR_CAM.test(name) ? ORDER.length - 1.5 : ORDER.indexOf(name);
+      name === "Size" ? -1 : FOR_CAM.test(name) ? 1 : 0;
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
   }
 
@@ -182,15 +260,68 @@ class FormPart extends FieldPart {
     );
   }
 
-  private group(name: string, fields: Placed[]): TemplateResult {
-    const open = this.isOpen(name);
-    const level = this.gravest(fields);
-    const body = html`${this.switch(name)}${fields.some(({ path }) => path === "stylus.diameter") ? this.styli() : nothing}${fields.map((placed) => this.field(placed))}
+  /** The fields of a group. */
+  private body(name: string, fields: Placed[]): TemplateResult {
+    const units = fields.some(({ path }) => path === "stylus.diameter")
+      ? html`${this.units()}${this.styli()}`
+      : nothing;
+    return html`${this.switch(name)}${units}${fields.map((placed) => this.field(placed))}${this.outOf(fields)}
             ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}`;
+  }
+
+  /** What the program does with a size that is out of the tolerance that it is typed with. */
+  private outOf(fields: Placed[]): TemplateResult | typeof nothing {
+    const { store } = this;
+    const cycle = store.features.several ? store.features.inJob : 0;
+    const keys = fields
+      .map(({ path }) => /^cycle\.(\w+)$/.exec(path)?.[1] ?? "")
+      .filter((key) => store.sizeWithTolerance(cycle, key) !== null);
+    const { computes } = store.post ?? {};
+    if (keys.length === 0 || !computes || store.get("control.form") === "cycle")
+      return nothing;
+    const choices = [
+      ["go", w("continue")],
+      ["mark", w("mark it")],
+      ["stop", w("stop")],
+    ] as const;
+    const now = store.tolerance(cycle, keys[0] ?? "")?.action ?? "go";
+    const take = (e: Event) => {
+      const action = (e.target as HTMLSelectElement)
+        .value as ResultTolerance["action"];
+      for (const key of keys) {
+        const { action: _, ...own } = store.tolerance(cycle, key) ?? {};
+        store.tolerate(cycle, key, action === "go" ? own : { ...own, action });
+      }
+      store.settle();
+    };
+    return html`<div class="row"><label for="f-out">${this.t("Out of tolerance")}</label><span class="choice"><select id="f-out" @change=${take}>${choices.map(([value, words]) => html`<option value=${value} .selected=${live(value === now)}>${this.t(words)}</option>`)}</select></span></div>`;
+  }
+
+  /** The units of the job. */
+  private units(): TemplateResult | typeof nothing {
+    const { store } = this;
+    const words = (["mm", "inch"] as const).filter(
+      (units) => units === store.units || store.rules.allowsUnits(units),
+    );
+    if (!store.rules.showsField("units") && !this.isBad("units"))
+      return nothing;
+    return html`<div class="row"><span class="label">${this.t("Units")}</span>${this.radios(
+      "units",
+      words,
+      (units) => store.setUnits(units as "mm" | "inch"),
+      this.t("Units"),
+    )}${this.problems("units")}</div>`;
+  }
+
+  private group(name: string, fields: Placed[]): TemplateResult {
+    const body = this.body(name, fields);
+    if (PLAIN.test(name))
+      return html`<fieldset class="fields plain" id=${idOf(name)} aria-label=${this.t(name)} ?disabled=${this.store.readonly}>${body}</fieldset>`;
+    const open = this.isOpen(name);
     return this.folding(
       name,
       open,
-      level,
+      this.gravest(fields),
       open ? "" : this.summary(name, fields),
       body,
     );
@@ -230,9 +361,7 @@ class FormPart extends FieldPart {
 
   /** What a drawing says stands open at first. */
   private isOpen(name: string): boolean {
-    const own =
-      this.store.cycle.fields.some((f) => f.group === name) &&
-      !FOLDED.test(name);
+    const own = this.store.cycle.fields.some((f) => f.group === name);
     return this.opened.get(name) ?? (this.all || own);
   }
 
@@ -299,7 +428,7 @@ class FormPart extends FieldPart {
       return box.bottom > top + 8 && box.top < end - 8;
     });
     const now = seen.find((group) => group.id === this.near) ?? seen[0];
-    for (const chip of chips.querySelectorAll<HTMLElement>("button")) {
+    for (const chip of chips.querySelectorAll<HTMLElement>("[data-group]")) {
       const is = chip.dataset.group === now?.id;
       if (is === chip.hasAttribute("aria-current")) continue;
       if (!is) chip.removeAttribute("aria-current");
@@ -328,19 +457,15 @@ class FormPart extends FieldPart {
     const rank = ({ path }: Placed) =>
       faulty(path) ? 0 : FIRST.has(path) ? 1 : 2;
     const sorted = [...fields].sort((a, b) => rank(a) - rank(b));
-    // In German a noun has its capital anywhere.
-    const inside = (label: string) =>
-      this.store.lang === "en" && !/^.[A-Z]|[a-z][A-Z]/.test(label)
-        ? `${label.charAt(0).toLowerCase()}${label.slice(1)}`
-        : label;
+    const inner = (label: string) => inside(this.store, label);
     const shown = (x: unknown) =>
       typeof x === "number" ? this.store.number(String(x)) : String(x);
+    const behind = DOORS.some(([, groups]) => groups.test(name));
     // What stands as in a new job is not worth the line.
     const said = sorted.filter(({ field, path }) => {
-      const own = this.store.cycle.fields.includes(field) && !FOLDED.test(name);
       return (
-        own ||
         FIRST.has(path) ||
+        (!behind && this.store.cycle.fields.includes(field)) ||
         !this.store.isUsual(path, field) ||
         faulty(path)
       );
@@ -353,18 +478,19 @@ class FormPart extends FieldPart {
       if (value === undefined || value === "" || field.kind === "flag")
         return value === true ? [field.label] : [];
       if (value === null)
-        return field.null ? [`${inside(field.label)} ${field.null}`] : [];
+        return field.null ? [`${inner(field.label)} ${field.null}`] : [];
       const choice = this.choices({ field, path }).find(
         (c) => c.value === value,
       );
       if (choice) return [choice.label];
       if (field.kind === "text") return [String(value)];
       return [
-        `${inside(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`,
+        `${inner(field.label)} ${Array.isArray(value) ? value.map(shown).join(" ") : shown(value)}`,
       ];
     });
     return (
-      words.join(" · ") || (this.optional.has(name) ? this.t("not used") : "")
+      words.join(" · ") ||
+      (!behind && this.optional.has(name) ? this.t("not used") : "")
     );
   }
 

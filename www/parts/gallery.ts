@@ -1,6 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type CycleEntry, catalog, defaultJob, plan } from "../core/browser.js";
 import { found, LENGTHS, textOf } from "../search.js";
+import { SET_UPS, type SetUpEntry } from "../set-ups.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
@@ -35,6 +36,11 @@ const COUNTS = new Map<string, number>();
 /** What can be measured: every cycle with a sentence and a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends Part {
   protected override follows = ["change"];
+  /** Whether what is chosen is added to the job, and does not take the place of its cycle. */
+  declare adds: boolean;
+
+  static override properties = { adds: { attribute: false } };
+
   private query = "";
   private readonly english = catalog().cycles;
   private readonly drawings = new Map<string, Drawing>();
@@ -58,17 +64,33 @@ class GalleryPart extends Part {
     const all = store.catalog.cycles
       .filter(
         (cycle) =>
-          (store.cam || cycle.steps.length > 0) &&
+          (this.adds
+            ? cycle.maxTouches > 0
+            : store.cam || cycle.steps.length > 0) &&
           store.rules.offers("cycles", cycle.type),
       )
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
-    const search = found([...all, null], this.query, (cycle) =>
-      cycle ? this.text(cycle) : this.lengths(),
+    const ready =
+      this.adds || !store.rules.allowsSetUps
+        ? []
+        : SET_UPS.filter(({ job }) =>
+            (job.cycles as { type: string }[]).every(({ type }) =>
+              store.rules.offers("cycles", type),
+            ),
+          );
+    const things: (CycleEntry | SetUpEntry | null)[] = [
+      ...all,
+      ...ready,
+      ...(this.adds ? [] : [null]),
+    ];
+    const search = found(things, this.query, (one) =>
+      !one ? this.lengths() : "type" in one ? this.text(one) : this.setUp(one),
     );
-    const cycles = search.things.filter((cycle) => cycle !== null);
+    const cycles = search.things.filter((one) => one !== null && "type" in one);
+    const setUps = search.things.filter((one) => one !== null && "job" in one);
     const tool = search.things.includes(null);
     return html`
-      <h2>${this.t("What do you measure?")}</h2>
+      <h2>${this.t(this.adds ? "Add a feature" : "What do you measure?")}</h2>
       <div class="tools">
         <input class="filter" type="search" placeholder=${this.t("Search: island, edge, rotation, vise, G54 …")} aria-label=${this.t("Search the cycles")} .value=${this.query}
           @input=${(e: Event) => {
@@ -79,12 +101,17 @@ class GalleryPart extends Part {
         <span role="status" class="told">${search.all || search.things.length === 0 ? this.t("{count} of {all} cycles", cycles.length, all.length) : this.t("Nothing has all of these words; these have some of them")}</span>
       </div>
       ${search.things.length === 0 ? html`<p>${this.t("No cycle is found by these words.")} <button type="button" @click=${this.showAll}>${this.t("Show all")}</button></p>` : nothing}
-      <div class="groups">${GROUPS.map(([name, of]) => {
-        const members = all.filter((cycle) => groupOf(cycle) === of);
-        const shown = members.filter((cycle) => cycles.includes(cycle)).length;
-        return html`<section ?hidden=${shown === 0} aria-label=${this.t(name)}><h3>${this.t(name)}</h3>
+      <div class="groups"><section ?hidden=${setUps.length === 0} aria-label=${this.t("Ready set-ups")}><h3>${this.t("Ready set-ups")}</h3>
+        <ul class="cards">${ready.map((one) => html`<li ?hidden=${!setUps.includes(one)}><button type="button" data-set-up=${one.key} @click=${() => this.begin(one)}><canvas aria-hidden="true"></canvas><b>${this.t(one.name)}</b><small>${this.t(one.says)}</small></button></li>`)}</ul></section>${GROUPS.map(
+          ([name, of]) => {
+            const members = all.filter((cycle) => groupOf(cycle) === of);
+            const shown = members.filter((cycle) =>
+              cycles.includes(cycle),
+            ).length;
+            return html`<section ?hidden=${shown === 0} aria-label=${this.t(name)}><h3>${this.t(name)}</h3>
         <ul class="cards">${members.map((cycle) => this.card(cycle, cycles.includes(cycle)))}</ul></section>`;
-      })}
+          },
+        )}
       <section ?hidden=${!tool} aria-label=${this.t("Another tool")}><h3>${this.t("Another tool")}</h3>
         <ul class="cards"><li><button type="button" @click=${this.toLengths}>
           <span class="still" aria-hidden="true">L1 L2 L3</span><b>${this.t("Tool lengths")}</b><small>${this.t("SINUMERIK: which tool length acts on which axis (LENTOAX), with a frame and a plane.")}</small></button></li></ul></section></div>
@@ -152,6 +179,15 @@ class GalleryPart extends Part {
     return textOf(cycle, english, (text) => this.t(text));
   }
 
+  private setUp({ name, says }: SetUpEntry): string {
+    return [name, says, this.t(name), this.t(says)].join(" ").toLowerCase();
+  }
+
+  private begin(one: SetUpEntry): void {
+    this.store.beginSetUp(one);
+    this.dispatchEvent(new CustomEvent("chosen", { bubbles: true }));
+  }
+
   private lengths(): string {
     return [this.t("Tool lengths"), LENGTHS, this.t(LENGTHS)]
       .join(" ")
@@ -159,7 +195,8 @@ class GalleryPart extends Part {
   }
 
   private choose(cycle: CycleEntry): void {
-    this.store.choose(cycle.type);
+    if (this.adds) this.store.addFeature(cycle.type);
+    else this.store.choose(cycle.type);
     this.dispatchEvent(new CustomEvent("chosen", { bubbles: true }));
   }
 
@@ -180,15 +217,20 @@ class GalleryPart extends Part {
 
   private readonly paint = (): void => {
     for (const button of this.querySelectorAll<HTMLElement>(
-      "button[data-type]",
+      "button:is([data-type], [data-set-up])",
     )) {
-      const type = button.dataset.type as CycleEntry["type"];
+      const { type, setUp } = button.dataset;
+      const key = type ?? setUp ?? "";
       const canvas = button.querySelector("canvas");
       if (!canvas) continue;
+      const job = () =>
+        type
+          ? defaultJob(type as CycleEntry["type"])
+          : { format: 2, ...SET_UPS.find((one) => one.key === setUp)?.job };
       const drawing =
-        this.drawings.get(type) ??
-        new Drawing(canvas, (view) => view.showSmall(defaultJob(type)));
-      this.drawings.set(type, drawing);
+        this.drawings.get(key) ??
+        new Drawing(canvas, (view) => view.showSmall(job()));
+      this.drawings.set(key, drawing);
       drawing.restyle();
     }
   };

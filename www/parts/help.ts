@@ -11,6 +11,7 @@ class HelpPart extends Part {
   override render(): TemplateResult {
     const { focused } = this.store;
     const entry = focused === null ? undefined : this.store.fieldAt(focused);
+    this.classList.toggle("idle", focused === null || !entry);
     if (focused === null || !entry) {
       const { title, says, type } = this.store.cycle;
       return html`<p><b>${title}</b></p><p class="help">${says} <button type="button" class="quiet" @click=${() => this.about(`cycle:${type}`)}>${this.t("About this cycle")}</button></p>`;

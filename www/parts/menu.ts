@@ -61,6 +61,7 @@ export function actions({
   const t = (text: string) => store.t(text);
   const all: [string, string, boolean][] = [
     ["gallery", t("Choose the cycle from pictures"), !readonly],
+    ["add", t("Add a feature"), !readonly && store.rules.allowsSetUps],
     ["open", t("Open a file"), !readonly],
     ["paste", t("Paste"), !readonly],
     ["save", t("Save the program"), withheld === null],
@@ -129,8 +130,8 @@ export function menu(frame: Frame): TemplateResult {
     html`<button type="button" class=${only || nothing} ?disabled=${away || withheld !== null} aria-describedby=${withheld === null ? nothing : "withheld"} title=${withheld ?? nothing} @click=${() => frame.choose(what)}>${name}</button>`;
   const chosen = (event: Event) => (event.target as HTMLSelectElement).value;
   return html`<div class="menu" id="menu" popover role="group" aria-label=${t("More")} @beforetoggle=${() => frame.look()}>
-      ${item("redo", t("Redo"), !readonly, "on-phone", !store.canRedo)}
-      ${item("open", t("Open a file"), !readonly, "not-wide")} ${item("paste", t("Paste"), !readonly)} ${item("share", t("Copy a link to this job"), links, "not-wide")} ${of("sheet", t("Setup sheet to print"), "not-wide")}
+      ${item("commands", t("Find anything"), true, "on-phone")} ${item("redo", t("Redo"), !readonly, "on-phone", !store.canRedo)}
+      ${item("open", t("Open a file"), !readonly)} ${item("paste", t("Paste"), !readonly)} ${item("share", t("Copy a link to this job"), links)} ${of("sheet", t("Setup sheet to print"))}
       ${item("save-job", t("Save job"))} ${of("save-picture", t("Save the picture (SVG)"))} ${item("presets", t("My machines"), local && !readonly)}
       ${item("lengths", t("Tool lengths (SINUMERIK)"))} ${item("viewer", t("Moves of the opened program"), frame.viewed)} ${item("keys", t("Keys"))} ${item("reset", t("Reset"), !readonly)}
       <label class="check"><input type="checkbox" id="cam" ?disabled=${store.camIsAsked} .checked=${store.cam} @change=${(

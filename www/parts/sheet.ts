@@ -1,5 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
-import type { FieldEntry, PageView } from "../core/browser.js";
+import type { FieldEntry, PageView, ResultRow } from "../core/browser.js";
+import { isWritten } from "../core/results.js";
 import { deviations, ofRunout, resultInWords } from "../sentences.js";
 import { checked } from "./checks.js";
 import { Drawing, label } from "./drawing.js";
@@ -64,7 +65,8 @@ class SheetPart extends Part {
     const { plan, units, shown: job, cycle } = this.store;
     const { program } = plan;
     const post = this.store.postOf(program.post);
-    const computes = !this.store.bare;
+    // Of several features one large picture, and a table each.
+    const several = plan.cycles.length > 1;
     const dense =
       plan.results.length > MANY_RESULTS || plan.touches.length > MANY_TOUCHES;
     const head = conditions(program.text);
@@ -93,19 +95,10 @@ class SheetPart extends Part {
         <h2>${String(job.name || "PROBE")}: ${plan.cycles.length > 1 ? plan.cycles.join(", ") : cycle.title}</h2>
         <p>${plan.cycles.length > 1 ? this.t("{count} cycles in one program", plan.cycles.length) : cycle.source} · ${post?.title ?? program.post}, ${this.store.does} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
         ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
-        <div class=${dense ? "views dense" : "views"}><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas><canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas></div>
-        <div class=${dense ? "columns dense" : "columns"}>
+        <div class=${several ? "views one" : dense ? "views dense" : "views"}><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas>${several ? nothing : html`<canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas>`}</div>
+        <div class=${dense && !several ? "columns dense" : "columns"}>
           <div>
-            <table>
-              <caption>${computes ? this.t("What the control is expected to report, and what it reported") : this.t("What the touches are expected to give: this control computes no results")}</caption>
-              <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>
-              <tbody>${plan.results.map(
-                (
-                  r,
-                ) => html`<tr><td>${resultInWords(this.store, r)} <code>${this.store.ofCycle(r.cycle, r.code)}</code></td><td class="n">${number(r.nominal)}${r.limits ? html`<br /><small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
-                  <td class="n">${r.uncertainty === null ? "–" : sigmas(r.uncertainty)}</td><td class="box"></td></tr>`,
-              )}</tbody>
-            </table>
+            ${this.expected(number, sigmas)}
             ${eccentric ? html`<p>${this.t("The ball's eccentricity accounts for this much of ± 2σ: {list}", eccentric)}</p>` : nothing}
           </div>
           <div>
@@ -122,11 +115,15 @@ class SheetPart extends Part {
                 }
               </tbody>
             </table>
-            <table>
+            ${
+              several
+                ? nothing
+                : html`<table>
               <caption>${this.t("Touches: contact on the surface")}</caption>
               <thead><tr><th>${this.t("Touch no.")}</th><th class="n">X</th><th class="n">Y</th><th class="n">Z</th><th>${this.t("Checked")}</th></tr></thead>
               <tbody>${plan.touches.map((t, k) => html`<tr><td>${this.store.ofCycle(t.cycle, String(this.store.touchNumber(k))).replace(".", " ")}</td>${t.point.map((x) => html`<td class="n">${number(x)}</td>`)}<td class="box"></td></tr>`)}</tbody>
-            </table>
+            </table>`
+            }
             ${head.length ? html`<div class="head"><b>${this.t("The program says:")}</b>\n${unwrapped(head).join("\n")}</div>` : nothing}
           </div>
         </div>
@@ -135,6 +132,53 @@ class SheetPart extends Part {
         <p class="sign">${this.t("Machine")} <span></span> ${this.t("Date")} <span></span> ${this.t("Name")} <span></span></p>
       </article>
     `;
+  }
+
+  /** What is expected, with boxes for what was: a table of each feature, and one of what is written. */
+  private expected(
+    number: (x: number | null) => string,
+    sigmas: (x: number | null) => string,
+  ): TemplateResult[] {
+    const { plan } = this.store;
+    const computes = !this.store.bare;
+    const table = (caption: string, rows: ResultRow[], first: boolean) =>
+      html`<table>
+              <caption>${caption}</caption>
+              ${
+                first
+                  ? html`<thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Expected")}</th><th class="n">± 2σ</th><th>${computes ? this.t("Reported") : this.t("Worked out")}</th></tr></thead>`
+                  : nothing
+              }
+              <tbody>${rows.map(
+                (
+                  r,
+                ) => html`<tr><td>${resultInWords(this.store, r)} <code>${this.store.ofCycle(r.cycle, r.code)}</code></td><td class="n">${number(r.nominal)}${r.limits ? html`<br /><small>${this.t("{min} to {max}", number(r.limits[0]), number(r.limits[1]))}</small>` : nothing}</td><td class="n">${r.unit === "" ? r.value : number(r.value)}</td>
+                  <td class="n">${r.uncertainty === null ? "–" : sigmas(r.uncertainty)}</td><td class="box"></td></tr>`,
+              )}</tbody>
+            </table>`;
+    const says = computes
+      ? this.t("What the control is expected to report, and what it reported")
+      : this.t(
+          "What the touches are expected to give: this control computes no results",
+        );
+    if (plan.cycles.length < 2) return [table(says, plan.results, true)];
+    const measured = plan.results.filter((row) => !isWritten(row));
+    const names = [...plan.cycles, ...plan.relations];
+    const tables = names.map((name, i) =>
+      table(
+        name,
+        measured.filter(({ cycle }) => cycle === i),
+        i === 0,
+      ),
+    );
+    const written = plan.results.filter(isWritten);
+    return [
+      html`<p><b>${says}</b></p>`,
+      ...tables,
+      ...(written.length > 0
+        ? [table(this.t("What the program writes"), written, false)]
+        : []),
+    ];
   }
 
   /** The code of a field, for whoever writes a postprocessor. */
@@ -171,7 +215,9 @@ class SheetPart extends Part {
         ? []
         : [
             html`<tr><th colspan="3">${name}: ${entry.title}</th></tr>`,
-            ...of(entry, form),
+            ...entry.fields
+              .filter(({ group }) => /^(Place|Size)$/.test(group))
+              .map((f) => this.row(f, form[f.key], form)),
           ];
     });
   }
@@ -241,7 +287,8 @@ class SheetPart extends Part {
       for (const from of SEEN) {
         const own = this.querySelector<HTMLCanvasElement>(
           `[data-view=${from}]`,
-        ) as HTMLCanvasElement;
+        );
+        if (!own) continue;
         this.drawings.set(
           from,
           new Drawing(own, (view) => this.show(view, from)),

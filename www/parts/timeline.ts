@@ -1,4 +1,4 @@
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import type { PageView } from "../core/browser.js";
 import {
   clockOf,
@@ -48,25 +48,16 @@ export class Timeline {
 
   render(): TemplateResult {
     const { count } = this;
-    const button = (
-      kind: string,
-      name: string,
-      key: string,
-      sign: string,
-      act: () => void,
-    ) =>
-      html`<button type="button" class=${`icon ${kind}`} aria-label=${name} title=${`${name} (${key})`} ?disabled=${count === 0} @click=${act}>${sign}</button>`;
+    const faster = (event: Event) => {
+      event.preventDefault();
+      this.faster();
+    };
     return html`<div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.key}>
-        ${button("before", this.t("Touch before"), "Ctrl+←", "|◀", () => this.toTouch(-1))}
-        ${button("single", this.t("Move before"), "←", "◀", () => this.toMove(-1))}
-        <button type="button" class="icon play" aria-label=${this.plays ? this.t("Pause") : this.t("Play")} title=${this.t("Play, pause (Space)")} ?disabled=${count === 0} @click=${this.toggle}>${this.plays ? "❚❚" : "▶"}</button>
-        ${button("single", this.t("Next move"), "→", "▶", () => this.toMove(1))}
-        ${button("next", this.t("Next touch"), "Ctrl+→", "▶|", () => this.toTouch(1))}
+        <button type="button" class="play" aria-label=${this.plays ? this.t("Pause") : this.t("Play")} title=${this.t("Play, pause (Space). Right click: speed")} ?disabled=${count === 0} @click=${this.toggle} @contextmenu=${faster}>${this.plays ? "❚❚" : "▶"}</button>
         <span class="track">
           <input id="scrub" type="range" min="0" max=${count} aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
         </span>
-        <output for="scrub"></output><span class="clock" aria-hidden="true"></span>
-        <button type="button" class="quiet" aria-label=${this.t("Speed: {times} times", this.speed)} title=${this.t("Speed")} @click=${this.faster}>${this.speed}×</button>
+        <output for="scrub"></output><span class="clock" aria-hidden="true"></span>${this.speed === 1 ? nothing : html`<span class="speed" aria-hidden="true">${this.speed}×</span>`}
       </div>`;
   }
 
@@ -184,11 +175,6 @@ export class Timeline {
     const next =
       way > 0 ? touches.find((t) => t > at) : touches.findLast((t) => t < at);
     this.step(next ?? (way > 0 ? this.count : 0));
-  }
-
-  /** One move on or back; before the first one there is none. */
-  private toMove(way: 1 | -1): void {
-    this.step(Math.max(0, Math.min(this.count, this.at + way)));
   }
 
   private readonly key = (event: KeyboardEvent): void => {
