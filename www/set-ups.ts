@@ -33,7 +33,7 @@ export const SET_UPS: SetUpEntry[] = [
           type: "double-wall-external-corner",
           origin: [0, 0, "=TOP.z-5"],
           count1: 2,
-          count2: 1,
+          count2: 2,
         },
       ],
       datum: {

@@ -34,6 +34,7 @@ import {
   ownIn,
   putAt,
 } from "./job.js";
+import { tidy } from "./number.js";
 import {
   keepCam,
   keepFiles,
@@ -103,13 +104,6 @@ interface Moment {
   document: number;
   features: SetUpState;
 }
-
-/** The plan of a cycle alone, at the origin, on the machine of a job. */
-const planAlone = (job: Draft, cycle: Draft): Plan => {
-  const { tolerances: _, part: __, ...rest } = job;
-  const origin = (cycle.origin as unknown[]).map(() => 0);
-  return plan({ ...rest, cycle: { ...cycle, origin } } as unknown as Job);
-};
 
 const LOOK_ONLY: Said = [w("Nothing was changed: this job is read-only")];
 
@@ -265,29 +259,53 @@ export class Store extends Entries {
     );
   }
 
-  /** Where a cycle begins to be free of what the plan has: beside it along the abscissa, a clearance away. */
+  /** Whether the machine of the job takes a ready set-up, and the rules of the page around its cycles. */
+  takesSetUp({ job }: SetUpEntry): boolean {
+    const { post } = this.draft.control as Draft;
+    return (
+      this.rules.allowsSetUps &&
+      (job.cycles as { type: Cycle["type"] }[]).every(
+        ({ type }) =>
+          this.rules.offers("cycles", type) &&
+          this.formsOf(post, type).length > 0,
+      )
+    );
+  }
+
+  /** A cycle as large as the last of its kind, beside what the plan has: along the abscissa, a clearance away. */
   private beside(cycle: Draft): Draft {
-    const { plan } = this;
-    const own = this.lastOf(String(cycle.type));
-    const { origin: _, name: __, ...sizes } = own ?? {};
-    const like = { ...cycle, ...structuredClone(sizes) };
-    if (this.stale || plan.moves.length === 0) return like;
+    const { plan: now, catalog } = this;
+    const { name: _, ...last } = this.lastOf(String(cycle.type)) ?? {};
+    const like = { ...cycle, ...structuredClone(last) } as Draft;
+    const fields =
+      catalog.cycles.find(({ type }) => type === cycle.type)?.fields ?? [];
+    const places = fields.filter(({ kind }) => /point$/i.test(kind));
+    // What follows a result would lie upon the one that is like it.
+    for (const { key } of places)
+      like[key] = ((like[key] ?? [0, 0, 0]) as unknown[]).map((x) =>
+        typeof x === "number" ? x : 0,
+      );
+    if (typeof like.rotation === "string") like.rotation = 0;
+    if (this.stale || now.moves.length === 0) return like;
     const axis = { G17: 0, G18: 2, G19: 1 }[String(this.get("plane"))] ?? 0;
-    const places = (of: Plan) => of.moves.map(({ to }) => to[axis] as number);
+    const along = (of: Plan) => of.moves.map(({ to }) => to[axis] as number);
+    const { tolerances: __, part: ___, ...rest } = this.draft;
     try {
-      const alone = planAlone(this.draft, like);
-      const origin = [...((own?.origin ?? cycle.origin) as unknown[])].map(
-        (x) => (typeof x === "number" ? x : 0),
-      );
+      const alone = plan({ ...rest, cycle: like } as unknown as Job);
       const free = this.units === "inch" ? 1 : 25;
-      origin[axis] = Math.ceil(
-        Math.max(...places(plan)) + free - Math.min(...places(alone)),
+      const off = Math.ceil(
+        Math.max(...along(now)) + free - Math.min(...along(alone)),
       );
-      return { ...like, origin };
+      for (const { key, kind } of places) {
+        const place = like[key] as number[];
+        // 1411 counts in its plane: the abscissa is first.
+        const at = kind === "nominalPoint" ? 0 : axis;
+        place[at] = tidy((place[at] ?? 0) + off);
+      }
     } catch (thrown) {
       if (!(thrown instanceof JobError)) throw thrown;
-      return like;
     }
+    return like;
   }
 
   /** The last cycle of a type in the job. */

@@ -12,7 +12,7 @@ const MODULES = {
   store: "store.ts",
   number: "number.ts",
   text: "read-text.ts",
-  tolerance: "tolerance.ts",
+  setups: "set-ups.ts",
   presets: "presets.ts",
   search: "search.ts",
   sentences: "sentences.ts",
@@ -25,8 +25,8 @@ export let Store;
 export let read;
 /** @type {(text: string, unit?: string, units?: string, comma?: boolean, size?: boolean) => number | string} */
 export let readNumber;
-/** What was typed into a field, where that is a size with a tolerance. @type {(store: any, path: string) => any} */
-export let toleranced;
+/** The ready set-ups. @type {any[]} */
+export let SET_UPS;
 /** @type {any} */
 export let presets;
 /** @type {any} */
@@ -77,7 +77,7 @@ export function setUp() {
     ({ Store } = await load("store"));
     ({ readNumber } = await load("number"));
     ({ read } = await load("text"));
-    ({ toleranced } = await load("tolerance"));
+    ({ SET_UPS } = await load("setups"));
     [presets, search, sentences, words] = await Promise.all([
       load("presets"),
       load("search"),

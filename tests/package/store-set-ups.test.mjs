@@ -1,7 +1,17 @@
 // Several cycles in one program: their names and order, what is written from which, and what one takes from another.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { program, read, Store, said, setUp, type } from "./state.mjs";
+import { catalog } from "touchpath";
+import {
+  listen,
+  program,
+  read,
+  SET_UPS,
+  Store,
+  said,
+  setUp,
+  type,
+} from "./state.mjs";
 
 setUp();
 
@@ -306,7 +316,7 @@ test("a cycle follows a relation of the cycles before it, by its name of the day
 test("a place follows a result of an earlier cycle, and keeps to it when that is renamed", () => {
   const store = begun("surface", 1);
   store.put("cycle.origin[0]", -40);
-  add(store, "hole");
+  add(store, "hole", { "origin[0]": 0 });
   store.put("limits.position", 1);
   type(store, "cycle.origin[2]", "=SURFACE.z-2");
   assert.match(program(store), /G38\.3 X0 Y0 Z\[-12\+#<bore_shift_z>\]/);
@@ -321,4 +331,74 @@ test("a place follows a result of an earlier cycle, and keeps to it when that is
   // A number stands there again as any other does.
   store.put("cycle.origin[2]", -2);
   assert.doesNotMatch(program(store), /shift_z/);
+});
+
+test("another feature is placed beside what is there, as large as the last of its kind, and begins without an error", () => {
+  const types = catalog()
+    .cycles.filter(({ maxTouches }) => maxTouches > 0)
+    .map(({ type }) => type);
+  for (const plane of ["G17", "G18", "G19"])
+    for (const first of ["hole", "internal-rectangle-protected", "boss"])
+      for (const type of types) {
+        const store = begun(first);
+        store.put("plane", plane);
+        store.addFeature(type);
+        assert.equal(store.withheld, null, `${plane} ${first} ${type}`);
+        store.addFeature(type);
+        assert.equal(store.withheld, null, `${plane} ${first} ${type} twice`);
+      }
+  const store = begun("hole");
+  type(store, "cycle.diameter", "12 H7");
+  store.addFeature("surface");
+  store.addFeature("hole");
+  assert.equal(store.get("cycle.diameter"), "12 H7");
+  assert.ok(store.get("cycle.origin[0]") > 20);
+  // An error that is there already is no reason for another one.
+  type(store, "cycle.depth", "-1");
+  store.addFeature("hole");
+  assert.deepEqual(names(store), ["BORE", "SURFACE", "BORE2", "BORE3"]);
+});
+
+test("a ready set-up is for the machine of the job, in its units, and without an error", () => {
+  const begunWith = new Set();
+  for (const { id, computes, workOffsets } of catalog().posts)
+    for (const units of ["mm", "inch"])
+      for (const setUp of SET_UPS) {
+        const store = begun("hole");
+        store.setUnits(units);
+        store.chooseControl(id);
+        store.put("stylus.diameter", units === "mm" ? 5 : 0.2);
+        if (!store.takesSetUp(setUp)) continue;
+        begunWith.add(`${setUp.key} ${id}`);
+        store.beginSetUp(setUp);
+        const name = `${id} ${units} ${setUp.key}`;
+        assert.equal(store.withheld, null, name);
+        assert.equal(store.get("control.post"), id);
+        assert.equal(store.get("stylus.diameter"), units === "mm" ? 5 : 0.2);
+        assert.equal(store.units, units);
+        const writes = setUp.writes && workOffsets > 0;
+        assert.equal(store.get("control.workOffset"), writes ? 1 : null, name);
+        assert.ok(
+          computes || !store.job.relations,
+          "what a control does not compute is not asked of it",
+        );
+        store.undo();
+        assert.equal(store.features.several, false);
+      }
+  assert.ok(begunWith.size > 40, [...begunWith].join());
+});
+
+test("a place that follows a result has a limit, proposed and said", () => {
+  const store = begun("surface");
+  store.addFeature("hole");
+  const told = listen(store);
+  store.follow("cycle.origin[2]", "=SURFACE.point.z");
+  assert.equal(store.withheld, null);
+  assert.equal(store.get("limits.position"), 2);
+  assert.match(told.join(), /SURFACE\.point\.z is followed up to 2 mm away/);
+  store.undo();
+  assert.deepEqual(
+    [store.get("cycle.origin[2]"), store.get("limits.position")],
+    [0, null],
+  );
 });

@@ -1,102 +1,83 @@
 // Sizes and results with a tolerance: what a program judges by, what it is called, and what other units make of it.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import {
-  listen,
-  program,
-  read,
-  Store,
-  said,
-  setUp,
-  toleranced,
-  type,
-} from "./state.mjs";
+import { program, read, Store, said, setUp, type } from "./state.mjs";
 
 setUp();
 
-/** Types a size with a tolerance, and takes what is proposed for it; gives the limit that holds then. */
-function judged(
-  /** @type {any} */ store,
-  /** @type {string} */ path,
-  /** @type {string} */ text,
-) {
-  const told = listen(store);
-  type(store, path, text);
-  toleranced(store, path).take();
-  assert.match(told.join(), new RegExp(`^${text} is judged`));
-  return store.get("limits.size");
-}
+const diameter = (/** @type {any} */ store) =>
+  store.plan.results.find((/** @type {any} */ row) => row.code === "diameter");
 
-test("25+0.021 became 25.021 without a word: it stays as typed, and the check says what to enter", () => {
+test("a size keeps the tolerance that is typed behind it, and is judged by it", () => {
   const store = new Store();
   store.choose("hole");
-  for (const typed of ["25+0.021", "25H7"]) {
+  // ISO 286-2: H7 of 18 to 30 mm is +0.021/0.
+  for (const [typed, limits] of /** @type {[string, number[]][]} */ ([
+    ["25+0.021", [25, 25.021]],
+    ["25H7", [25, 25.021]],
+    ["25 ±0,05", [24.95, 25.05]],
+    ["25-0.02", [24.98, 25]],
+  ])) {
     type(store, "cycle.diameter", typed);
-    assert.equal(store.typed.get("cycle.diameter"), typed);
-    assert.match(
-      store.withheld,
-      new RegExp(
-        `enter 25 alone, or 25\\.0105 with a size limit of 0\\.0105 to have "${typed.replace("+", "\\+")}" judged`,
-      ),
+    assert.equal(store.get("cycle.diameter"), typed);
+    assert.equal(store.withheld, null);
+    assert.deepEqual(
+      diameter(store).limits.map((/** @type {number} */ x) => +x.toFixed(6)),
+      limits,
     );
-    assert.equal(toleranced(store, "cycle.diameter").text, typed);
+    assert.equal(diameter(store).nominal, 25);
+    store.settle();
   }
-  // A difference that may be meant can be judged, too.
-  type(store, "cycle.diameter", "25-0.02");
-  assert.equal(toleranced(store, "cycle.diameter").text, "25-0.02");
-});
-
-test("a size with a fit is judged by its limits, in one step that can be taken back", () => {
-  const store = new Store();
-  const told = listen(store);
-  store.choose("hole");
-  type(store, "cycle.diameter", "25H7");
-  toleranced(store, "cycle.diameter").take();
-  assert.deepEqual(
-    [store.get("cycle.diameter"), store.get("limits.size")],
-    [25.0105, 0.0105],
-  );
-  assert.deepEqual(told, [
-    "25H7 is judged: 25.0105 with a size limit of 0.0105",
-  ]);
-  assert.match(
-    program(store),
-    /diameter is #<diameter>, more than 0.0105 from 25.0105/,
-  );
   store.undo();
-  assert.equal(store.get("limits.size"), 0.5);
+  assert.equal(store.get("cycle.diameter"), "25 ±0,05");
+  type(store, "cycle.diameter", "25Q9");
+  assert.match(store.withheld, /ISO 286 has no Q9/);
 });
 
-test("a name says the class of a size as long as it is the size that was judged", () => {
+test("a name says the class of a size as long as that is the size", () => {
   const store = new Store();
   store.choose("hole");
   type(store, "cycle.diameter", "25H7");
-  toleranced(store, "cycle.diameter").take();
+  store.settle();
   assert.equal(store.fileName("ngc"), "BORE-D25H7.ngc");
   type(store, "cycle.diameter", "30");
   assert.equal(store.fileName("ngc"), "BORE-D30.ngc");
   store.undo();
   assert.equal(store.fileName("ngc"), "BORE-D25H7.ngc");
-  store.undo();
   type(store, "cycle.diameter", "50/2+0.5");
   assert.equal(store.get("cycle.diameter"), 25.5);
   assert.equal(store.fileName("ngc"), "BORE-D25_5.ngc");
 });
 
-test("the one limit is that of the narrowest size that was judged, also in other units, and of another job it is another", () => {
+test("sizes with a tolerance are the same zones in other units", () => {
   const store = new Store();
   store.choose("internal-rectangle");
-  // ISO 286-2: of 50 to 80 mm H7 is 0.030 and H9 0.074.
-  assert.equal(judged(store, "cycle.width1", "80H7"), 0.015);
-  assert.equal(judged(store, "cycle.width2", "60H9"), 0.015);
+  type(store, "cycle.width1", "80H7");
+  type(store, "cycle.width2", "60 ±0.1");
+  const zones = () =>
+    ["width1", "width2"].map(
+      (code) =>
+        store.plan.results.find((/** @type {any} */ row) => row.code === code)
+          .limits,
+    );
+  const before = zones();
   store.setUnits("inch");
-  assert.ok(
-    Math.abs(judged(store, "cycle.width2", "2H9") - 0.015 / 25.4) < 1e-6,
-  );
-  store.reset();
-  assert.ok(
-    Math.abs(judged(store, "cycle.width2", "2H9") - 0.037 / 25.4) < 1e-6,
-  );
+  assert.equal(store.withheld, null);
+  zones().forEach(([low, high], i) => {
+    assert.ok(Math.abs(low * 25.4 - before[i][0]) < 1e-4, `${low}`);
+    assert.ok(Math.abs(high * 25.4 - before[i][1]) < 1e-4, `${high}`);
+  });
+});
+
+test("what follows from a size out of its tolerance stands beside it, and the sheet of tolerances shows the size", () => {
+  const store = new Store();
+  store.choose("hole");
+  type(store, "cycle.diameter", "25 H7");
+  assert.equal(store.sizeWithTolerance(0, "diameter"), "25 H7");
+  store.tolerate(0, "diameter", { action: "stop" });
+  assert.match(program(store), /not 25 to 25\.021/);
+  type(store, "cycle.diameter", "25");
+  assert.equal(store.sizeWithTolerance(0, "diameter"), null);
 });
 
 /** Two circles on the control whose cycle takes tolerances. */

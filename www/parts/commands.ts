@@ -144,17 +144,15 @@ class CommandsPart extends Part {
         event: ["about", event[1].replace("cycle.type", "cycle")],
       }),
     );
-    const setUps = store.rules.allowsSetUps
-      ? SET_UPS.map(
-          ({ key, name, says }): Command => ({
-            name: this.t(name),
-            kind: this.t("Ready set-ups"),
-            says: this.t(says),
-            also: `${name} ${says}`,
-            event: ["choose", `set-up:${key}`],
-          }),
-        )
-      : [];
+    const setUps = SET_UPS.filter((one) => store.takesSetUp(one)).map(
+      ({ key, name, says }): Command => ({
+        name: this.t(name),
+        kind: this.t("Ready set-ups"),
+        says: this.t(says),
+        also: `${name} ${says}`,
+        event: ["choose", `set-up:${key}`],
+      }),
+    );
     const posts = catalog.posts.filter(({ id }) =>
       store.rules.offers("controls", id),
     );

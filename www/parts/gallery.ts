@@ -70,14 +70,9 @@ class GalleryPart extends Part {
           store.rules.offers("cycles", cycle.type),
       )
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
-    const ready =
-      this.adds || !store.rules.allowsSetUps
-        ? []
-        : SET_UPS.filter(({ job }) =>
-            (job.cycles as { type: string }[]).every(({ type }) =>
-              store.rules.offers("cycles", type),
-            ),
-          );
+    const ready = this.adds
+      ? []
+      : SET_UPS.filter((one) => store.takesSetUp(one));
     const things: (CycleEntry | SetUpEntry | null)[] = [
       ...all,
       ...ready,
