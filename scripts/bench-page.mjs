@@ -8,7 +8,7 @@ import { addressOf, serve } from "./serve.mjs";
 
 const KEYS = /** @type {const} */ ([
   ["internal-rectangle-protected", "cycle.width1", [80, 81, 82.5]],
-  ["double-wall-internal-corner", "cycle.count1", [7, 8]],
+  ["double-wall-internal-corner", "cycle.rotation", [0, 5, 10]],
   ["probing-two-circles", "cycle.diameter1", [20, 21, 22.5]],
 ]);
 /** How often the pages take turns, and how many keys and hovers a turn has; a first turn warms up. */

@@ -9,6 +9,19 @@ export const LENGTHS = w(
   "tool length offset frame swivel nutating head axis SINUMERIK LENTOAX",
 );
 
+/** What people of other languages look for on a page in English, by a word of the cycle's name. */
+const ELSEWHERE: [RegExp, string][] = [
+  [/hole|circles/, "bohrung kreis отверстие окружность 孔 圆"],
+  [/boss|circles/, "zapfen welle бобышка вал 凸台 轴"],
+  [/internal-rectangle/, "tasche карман 凹槽"],
+  [/groove/, "nut паз 槽"],
+  [/external-rectangle|web/, "steg block rippe ребро блок 凸筋 厚度 thickness"],
+  [/corner/, "ecke угол 角"],
+  [/surface|wall/, "fläche wand поверхность стенка 平面 flatness"],
+];
+const elsewhere = (type: string) =>
+  ELSEWHERE.flatMap(([name, words]) => (name.test(type) ? [words] : []));
+
 /** Words that say nothing of what is measured. */
 const EMPTY = new Set([
   "a",
@@ -63,7 +76,12 @@ export function textOf(
     also,
     source,
   ]);
-  return [...own, cycle.type.replaceAll("-", " "), ...common]
+  return [
+    ...own,
+    cycle.type.replaceAll("-", " "),
+    ...common,
+    ...elsewhere(cycle.type),
+  ]
     .join(" ")
     .toLowerCase();
 }

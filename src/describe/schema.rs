@@ -170,7 +170,7 @@ fn following(mut cycle: Value, def: &CycleDef) -> Value {
     ]);
     let or_text = |value: &mut Value, example: &str| {
         let Value::Map(entries) = value else { return };
-        entries.retain(|(key, _)| key != "maxLength");
+        entries.retain(|(key, _)| !matches!(key.as_str(), "maxLength" | "pattern"));
         for (key, value) in entries.iter_mut() {
             match (key.as_str(), value) {
                 ("type", value) => *value = Value::List(["number", "string"].map(text).to_vec()),
@@ -198,7 +198,11 @@ fn following(mut cycle: Value, def: &CycleDef) -> Value {
             .filter(|field| field.size && field.kind == Kind::Length)
         {
             inner(properties, size.key, &|value| {
-                or_text(value, "=BORE.diameter-2")
+                or_text(value, "=BORE.diameter-2");
+                if let Value::Map(entries) = value {
+                    let either = text(&format!("^ *=|^{TOLERANCED}$"));
+                    entries.push(("pattern".to_owned(), either));
+                }
             });
         }
     });
@@ -514,6 +518,7 @@ fn field(field: &Field) -> Value {
             entries[0].1 = Value::List(nominal);
             let most = crate::tolerance::LONGEST as f64;
             entries.push(("maxLength".to_owned(), Value::Number(most)));
+            entries.push(("pattern".to_owned(), text(&format!("^{TOLERANCED}$"))));
             Value::Map(entries)
         }
         Kind::Length | Kind::Feed | Kind::Acceleration | Kind::Time | Kind::Angle => {
@@ -557,6 +562,9 @@ fn field(field: &Field) -> Value {
     entries.push(("description".to_owned(), text(help)));
     Value::Map(entries)
 }
+
+/// A size with a class, or with one deviation or two, as a pattern.
+const TOLERANCED: &str = r"\s*[Øø⌀]?\s*\d+([.,]\d+)?\s*([A-Za-z]{1,2}\d{1,2}|(0\s*[ /]\s*)?(±|\+/-|[+−-])\s*[\d.,]+[\d.,\s+−/-]*)\s*";
 
 /// What a size takes beside a number.
 const WITH_TOLERANCE: &str = "As text it has a tolerance: `25 H7`, `25 +0.021 0`, `25 ±0.05`.";

@@ -97,6 +97,8 @@ const BEYOND_AT = [
   /^out-of-range part\.sizes\./,
   /^out-of-range cycle(s\[\d+\])?(\.cycle)?\.diameter\d$/,
   /^unknown-key part\.sizes\./,
+  // The size may say it.
+  /^missing tolerances\..*\.tolerance$/,
 ];
 
 /** Numbers in the order in which they are drawn: the same every time. */

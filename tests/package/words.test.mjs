@@ -72,8 +72,10 @@ test("no part of the page says an English text of its own", () => {
   }
   assert.ok(parts > 15);
   // What a style sheet writes has no words in any language.
-  for (const name of ["style", "page"]) {
-    const source = readFileSync(at(`www/${name}.css`), "utf8");
+  const styles = readdirSync(at("www/styles")).map((name) => `styles/${name}`);
+  assert.ok(styles.length > 8);
+  for (const name of [...styles, "page.css"]) {
+    const source = readFileSync(at(`www/${name}`), "utf8");
     assert.deepEqual(
       source.match(/\bcontent:[^;"]*"[^";]*[A-Za-z][^";]*"/g),
       null,

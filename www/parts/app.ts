@@ -872,16 +872,23 @@ export class App extends LitElement {
         this.loads("presets").then((there) => there && open("presets")),
       keys: () => open("keys"),
       viewer: () => this.use("viewer"),
-      checks: async () => {
-        const app = this.with("checks");
-        await app.use("cycles");
-        app.show("checks");
-      },
+      program: () => this.open("program"),
+      table: () => this.open("table"),
+      measured: () => this.open("measured"),
+      checks: () => this.open("checks"),
       share: () => this.around.links && this.outlet.link(),
       "save-job": () => this.outlet.job(),
       "save-picture": () => this.outlet.picture(),
     };
     await actions[what]?.();
+  }
+
+  /** Shows a panel, wherever it is. */
+  private async open(panel: Exclude<Panel, "setup">): Promise<void> {
+    const app = this.with(NAME_OF[panel]);
+    await app.use("cycles");
+    const there = panel !== "measured" || app.panels.includes(panel);
+    app.show(there ? panel : "results");
   }
 
   /** To a page of the manual. */
@@ -911,7 +918,9 @@ export class App extends LitElement {
     else if (path === "set-up") {
       const one = SET_UPS.find(({ key }) => key === name);
       if (one) store.beginSetUp(one);
-    } else if (!this.refused(name)) store.chooseControl(name);
+    } else if (path === "units") store.setUnits(name as "mm" | "inch");
+    else if (path === "control.form") store.put(path, name);
+    else if (!this.refused(name)) store.chooseControl(name);
   }
 
   /** Says why a control has no program for the job's cycle; false where it has one. */

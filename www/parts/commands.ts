@@ -2,6 +2,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { catalog, type FieldEntry } from "../core/browser.js";
 import { found, hasWord, LENGTHS, textOf, wordsIn } from "../search.js";
 import { SET_UPS } from "../set-ups.js";
+import { w } from "../words.js";
 import { Part } from "./part.js";
 
 /** Something that can be done or gone to. */
@@ -17,6 +18,20 @@ interface Command {
   /** Does it, by an event: its name and what it is about. */
   event: [name: string, detail: string];
 }
+
+/** What actions are looked for by besides their names. */
+const ALSO: Record<string, string> = {
+  lengths: LENGTHS,
+  measured: w("tolerance report inspection series log results"),
+  program: w("G-code lines compare find all lines"),
+  table: w("CmdPrm Q parameters codes table"),
+  checks: w("rules findings errors warnings safety"),
+  presets: w("machine keep stylus feeds"),
+};
+const UNITS = "units millimetre metric imperial inches";
+/** The names that native cycles and macros go by. */
+const NATIVE =
+  "Renishaw macros Inspection Plus G65 P9810 P9811 P9812 P9814 P9815 P9816 P9821 P9822 P9823 P9834 P9843 9812 9814 measuring cycles CYCLE977 CYCLE978 977 978 touch probe TCH PROBE 408 409 410 411 412 413 420 421 422 423 424 425 426 427 1411 native own";
 
 /** So many are listed. */
 const MOST = 40;
@@ -116,6 +131,25 @@ class CommandsPart extends Part {
     );
   }
 
+  /** The other form of the program, where the control has it: by the names and numbers of its cycles. */
+  private forms(): Command[] {
+    const { store } = this;
+    const { post } = store;
+    const now = store.get("control.form");
+    const field = store.fieldAt("control.form");
+    if (!post || !field) return [];
+    return store
+      .formsOf(post.id, store.cycle.type)
+      .filter((form) => form !== now)
+      .map((form) => ({
+        name: `${post.title}: ${field.choices.find(({ value }) => value === form)?.label ?? form}`,
+        kind: this.t("action"),
+        says: field.help,
+        also: form === "cycle" ? NATIVE : "",
+        event: ["choose", `control.form:${form}`],
+      }));
+  }
+
   private all(): Command[] {
     const { store } = this;
     const { cycle, catalog } = store;
@@ -202,14 +236,28 @@ class CommandsPart extends Part {
       ([what, name]): Command => ({
         name,
         kind: this.t("action"),
-        also: what === "lengths" ? `${LENGTHS} ${this.t(LENGTHS)}` : "",
+        also: [ALSO[what] ?? "", this.t(ALSO[what] ?? "")].join(" "),
         event: ["ask", what],
       }),
     );
+    const units = (["mm", "inch"] as const)
+      .filter(
+        (units) => units !== store.units && store.rules.allowsUnits(units),
+      )
+      .map(
+        (units): Command => ({
+          name: this.t("Units: {units}", units),
+          kind: this.t("action"),
+          also: UNITS,
+          event: ["choose", `units:${units}`],
+        }),
+      );
     const all = [
       ...cycles,
       ...setUps,
+      ...this.forms(),
       ...actions,
+      ...units,
       ...fields,
       ...controls,
       ...about,
