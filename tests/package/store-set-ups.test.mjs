@@ -389,16 +389,24 @@ test("a ready set-up is for the machine of the job, in its units, and without an
 });
 
 test("a place that follows a result has a limit, proposed and said", () => {
-  const store = begun("surface");
-  store.addFeature("hole");
-  const told = listen(store);
-  store.follow("cycle.origin[2]", "=SURFACE.point.z");
-  assert.equal(store.withheld, null);
-  assert.equal(store.get("limits.position"), 2);
-  assert.match(told.join(), /SURFACE\.point\.z is followed up to 2 mm away/);
-  store.undo();
-  assert.deepEqual(
-    [store.get("cycle.origin[2]"), store.get("limits.position")],
-    [0, null],
-  );
+  for (const [units, limit] of [
+    ["mm", 2],
+    ["inch", 0.08],
+  ]) {
+    const store = begun("surface");
+    store.setUnits(units);
+    store.addFeature("hole");
+    const before = store.get("cycle.origin[2]");
+    const told = listen(store);
+    store.follow("cycle.origin[2]", "=SURFACE.point.z");
+    assert.equal(store.withheld, null);
+    assert.equal(store.get("limits.position"), limit);
+    const says = `SURFACE.point.z is followed up to ${limit} ${units} away`;
+    assert.ok(told.join().includes(says), told.join());
+    store.undo();
+    assert.deepEqual(
+      [store.get("cycle.origin[2]"), store.get("limits.position")],
+      [before, null],
+    );
+  }
 });

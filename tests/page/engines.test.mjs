@@ -129,7 +129,7 @@ for (const [name, driven] of Object.entries(ENGINES))
       await run(() =>
         document
           .querySelector("touch-path")
-          ?.shadowRoot?.getElementById("f-cycle.width1")
+          ?.shadowRoot?.getElementById("f-cycle.diameter")
           ?.focus(),
       );
       const active = await ask("GET", "/element/active");
@@ -139,7 +139,7 @@ for (const [name, driven] of Object.entries(ENGINES))
           {
             type: "key",
             id: "keys",
-            actions: [..."64,5"].flatMap((value) => [
+            actions: [..."24,5"].flatMap((value) => [
               { type: "keyDown", value },
               { type: "keyUp", value },
             ]),
@@ -150,13 +150,18 @@ for (const [name, driven] of Object.entries(ENGINES))
       // Where people measure in inch, a first job is in inch.
       const units =
         (await run(() => navigator.language)) === "en-US" ? "inch" : "mm";
-      const job = defaultJob("internal-rectangle-protected", units);
-      const { width1, width2 } = job.cycle;
-      Object.assign(job.cycle, { width1: 64.5 });
-      job.name = `POCKET-64_5X${width2}`;
+      const job = defaultJob("hole", units);
+      const { diameter } = job.cycle;
+      Object.assign(job.cycle, { diameter: 24.5 });
+      job.name = "BORE-D24_5";
       const shown = () =>
         run(async () => {
           const root = document.querySelector("touch-path")?.shadowRoot;
+          root
+            ?.querySelector("#tab-program[aria-selected=false]")
+            ?.dispatchEvent(new MouseEvent("click"));
+          await /** @type {any} */ (document.querySelector("touch-path")).app
+            .updateComplete;
           const program = /** @type {any} */ (
             root?.querySelector("tp-program")
           );
@@ -191,14 +196,25 @@ for (const [name, driven] of Object.entries(ENGINES))
       };
       assert.ok((await drawn("canvas")) > 0, "the picture is drawn");
       assert.equal(await drawn("canvas.over"), 0, "nothing lies over it");
-      await press("Next touch");
+      await run(() =>
+        document
+          .querySelector("touch-path")
+          ?.shadowRoot?.getElementById("scrub")
+          ?.dispatchEvent(
+            new KeyboardEvent("keydown", {
+              key: "ArrowRight",
+              ctrlKey: true,
+              bubbles: true,
+            }),
+          ),
+      );
       assert.ok(
         (await drawn("canvas.over")) > 0,
         "the ball is at the first touch",
       );
       await press("Undo");
-      Object.assign(job.cycle, { width1 });
-      job.name = `POCKET-${width1}X${width2}`;
+      Object.assign(job.cycle, { diameter });
+      job.name = `BORE-D${String(diameter).replace(".", "_")}`;
       await run(
         () =>
           /** @type {any} */ (document.querySelector("touch-path")).app
