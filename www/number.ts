@@ -32,14 +32,17 @@ const THOUSANDS_BY_POINT = /^[+-]?[1-9]\d{0,2}(\.000)+(?!\d)/;
 /** A size and one or two small deviations, as drawings write a tolerance: `25+0.021`, `25 -0,02`, `25+0.021-0`. */
 const DEVIATIONS =
   /^(\d+[.,]?\d*)\s*[-+]\s*(\d*[.,]?\d+)(?:\s*[-+/]\s*[-+]?\s*(\d*[.,]?\d+))?$/;
+/** Two deviations that no sum has: each with its sign or a 0, apart by a slash or a blank. */
+const APART =
+  /^\d+[.,]?\d*(?:\s*[-+]\d*[.,]?\d+|\s0)\s*[\s/]\s*(?:[-+]\d*[.,]?\d+|0)$/;
 /** `25e7` is a fit: as a number it would be larger than any part. */
 const FIT = /^\d+[.,]?\d*\s*e\s*([5-9]|1\d)$/i;
-/** A deviation is smaller than this, in the units of the size, and less than a quarter of it. */
+/** A deviation that could be a term of a sum is smaller than this, in the units of the size, and less than a quarter of it. */
 const SMALL: Record<Units, number> = { mm: 0.5, inch: 0.02 };
 
-/** Whether a text in a field for a size says a tolerance, and not a sum: then the check says what to enter. */
+/** Whether a text in a field for a size says a tolerance, and not a sum. */
 function isToleranced(text: string, units: Units): boolean {
-  if (FIT.test(text)) return true;
+  if (FIT.test(text) || APART.test(text)) return true;
   const [, size, ...deviations] = (DEVIATIONS.exec(text) ?? []).map((part) =>
     part?.replace(",", "."),
   );
@@ -83,7 +86,12 @@ export function readNumber(
     given = of;
     break;
   }
-  if (size && unit === "length" && isToleranced(rest, given ?? units))
+  const degrees = unit === "angle";
+  if (
+    size &&
+    (degrees || unit === "length") &&
+    isToleranced(rest, degrees ? "mm" : (given ?? units))
+  )
     return text;
   const value = mixed(rest) ?? sum(rest);
   if (value === null || !Number.isFinite(value)) return text;

@@ -665,6 +665,13 @@ fn not_a_number(value: &Value, field: &Field) -> Text {
     if let Value::Text(text) = value
         && let Some(nominal) = tolerance::toleranced(text)
     {
+        if field.size {
+            return text!(
+                "{label} may have {max} characters at most",
+                field.label,
+                tolerance::LONGEST.to_string()
+            );
+        }
         return text!(
             "{label} takes no tolerance, and \"{text}\" reads as one: enter {nominal} alone, or a sum as one number",
             field.label,

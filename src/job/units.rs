@@ -224,7 +224,7 @@ fn convert_fields(section: Option<&mut Value>, fields: &[Field], to: Target) {
         {
             match value {
                 Value::Text(text) if field.size && tolerance::toleranced(text).is_some() => {
-                    *text = tolerance::convert_of_result(text, |x| to.printed(x));
+                    *text = tolerance::convert_size(text, |x| to.printed(x));
                 }
                 _ => convert(value, to),
             }

@@ -125,7 +125,7 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
 }
 
 /// The nominal size of a text that reads as a size with a tolerance, also as drawings write it: `25H7`, `25 h6`, `25+0.021`, `25 ±0.02`, `25 +0,021/0`.
-/// None where it reads as something else, such as a number, a sum or a fraction.
+/// None where it reads as something else, such as a number, a fraction or a sum: `25+1` is one, `25 ±1` is none.
 pub fn toleranced(text: &str) -> Option<f64> {
     let plain = text
         .trim()
@@ -143,8 +143,10 @@ pub fn toleranced(text: &str) -> Option<f64> {
     {
         return None;
     }
+    let signs = |c: char| "+-±/() ".contains(c);
+    // As no sum is written: `±1`, `+1/-0.5`, `+1 0`.
+    let drawn = rest.contains(['±', '/', ' ']) && result::are_deviations(rest);
     let deviations = || {
-        let signs = |c: char| "+-±/() ".contains(c);
         let mut terms = rest.split(signs).filter(|term| !term.is_empty()).peekable();
         // `1/0` is a fraction.
         rest.contains(signs)
@@ -152,7 +154,7 @@ pub fn toleranced(text: &str) -> Option<f64> {
             && terms.peek().is_some()
             && terms.all(|term| number(term).is_some_and(|x| x < 1.0))
     };
-    (is_class(rest) || deviations()).then_some(nominal)
+    (is_class(rest) || drawn || deviations()).then_some(nominal)
 }
 
 /// The nominal size of such a text, and the smallest and the largest that it allows, in its units. `to_mm` is millimetres in one; none of an angle, which
@@ -162,10 +164,34 @@ pub fn size(text: &str, to_mm: Option<f64>) -> Option<Result<(f64, [f64; 2]), Te
     let limits = of_result(text, nominal, to_mm).map(|(limits, _)| limits);
     Some(limits.and_then(|limits| {
         if to_mm.is_some() && limits[0] <= 0.0 {
-            return Err(text!("\"{value}\" allows a size of 0", shown(text)));
+            return Err(text!("\"{value}\" allows a size of 0 or less", shown(text)));
         }
         Ok((nominal, limits))
     }))
+}
+
+/// A size with a tolerance with every length multiplied by `by`. Where `25+0.5` would become a sum, its deviations are written apart.
+pub fn convert_size(text: &str, by: impl Fn(f64) -> f64) -> String {
+    let converted = convert_of_result(text, by);
+    if toleranced(&converted).is_some() {
+        return converted;
+    }
+    let signs: Vec<usize> = converted
+        .match_indices(['+', '-'])
+        .map(|(at, _)| at)
+        .collect();
+    match signs[..] {
+        [one] => {
+            let (size, off) = converted.split_at(one);
+            format!("{} {off}/0", size.trim_end())
+        }
+        [one, other] => {
+            let (size, off) = converted.split_at(one);
+            let (first, second) = off.split_at(other - one);
+            format!("{} {}/{second}", size.trim_end(), first.trim_end())
+        }
+        _ => converted,
+    }
 }
 
 /// The class of a size that is written with one: `H7` of `25 H7`.
@@ -606,7 +632,14 @@ mod tests {
         near("25 0 -0.02", 1.0, [24.98, 25.0]);
         near("25 +0.021 0", 1.0, [25.0, 25.021]);
         near("25-0.02", 1.0, [24.98, 25.0]);
-        assert_eq!(size("25", Some(1.0)), None);
+        // Where no sum can be meant, a deviation may be of any size.
+        near("25 ±1", 1.0, [24.0, 26.0]);
+        near("100 +1 0", 1.0, [100.0, 101.0]);
+        near("100 +1/-2", 1.0, [98.0, 101.0]);
+        near("100+/-3", 1.0, [97.0, 103.0]);
+        for sum in ["25", "25+1", "25+1-0.5", "25 + 1 - 2", "25+1/2", "1 1/2"] {
+            assert_eq!(size(sum, Some(1.0)), None, "{sum}");
+        }
         for wrong in ["25Q99", "25 0.02 -0.01", "0.4 ±0.5"] {
             assert!(size(wrong, Some(1.0)).unwrap().is_err(), "{wrong}");
         }
@@ -616,6 +649,28 @@ mod tests {
             ("25 ±0.02", None),
         ] {
             assert_eq!(class_of(text), class, "{text}");
+        }
+    }
+
+    /// 0.05 inch are 1.27 mm: as `50.8+1.27` they would be a sum.
+    #[test]
+    fn a_size_with_a_tolerance_stays_one_in_other_units() {
+        for (inch, mm) in [
+            ("2 ±0.05", "50.8 ±1.27"),
+            ("2+0.05", "50.8 +1.27/0"),
+            ("2 -0.05", "50.8 -1.27/0"),
+            ("2+0.05-0.1", "50.8 +1.27/-2.54"),
+            ("2 +0.05 0", "50.8 +1.27 0"),
+            ("1+0.002", "25.4+0.0508"),
+            ("1 H7", "25.4 H7"),
+        ] {
+            assert_eq!(convert_size(inch, |x| x * 25.4), mm);
+            let zone = |text: &str, to_mm| size(text, Some(to_mm)).unwrap().unwrap().1;
+            let [here, there] = [zone(inch, 25.4), zone(mm, 1.0)];
+            assert!(
+                (0..2).all(|i| (here[i] * 25.4 - there[i]).abs() < 1e-9),
+                "{inch}: {here:?} {there:?}"
+            );
         }
     }
 

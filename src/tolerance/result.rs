@@ -60,6 +60,11 @@ impl<'t> Deviations<'t> {
     }
 }
 
+/// Whether a text is one or two deviations, such as `±0.02` or `+0.021/0`.
+pub fn are_deviations(text: &str) -> bool {
+    matches!(Deviations::read(&tidied(text)), Some(Deviations::Given(_)))
+}
+
 /// A text without what says nothing: one blank for several, signs as they are typed.
 fn tidied(text: &str) -> String {
     let plain = text.replace('\u{2212}', "-").replace('…', "..");

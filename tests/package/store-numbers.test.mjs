@@ -92,6 +92,11 @@ test("a tolerance in a size was taken for a sum", () => {
     "25e7",
     "25 H7",
     "25\u{b1}0.02",
+    // Two deviations with a blank or a slash are no sum, however large.
+    "25 +0.6/-0.6",
+    "25 +0.6 -0.6",
+    "100 +1 0",
+    "100 0 -2",
   ])
     assert.equal(readNumber(typed, "length", "mm", false, true), typed, typed);
   // Sums of anything else stay sums, and so do small ones of what is no size.
@@ -103,11 +108,16 @@ test("a tolerance in a size was taken for a sum", () => {
     ["0.3+0.1", 0.4],
     ["2*12.5+0.02", 25.02],
     ["25+0.021+1+1", 27.021],
+    ["25.0 -1", 24],
+    ["25+1-0.5", 25.5],
+    ["25 + 1 - 0.5", 25.5],
   ];
   for (const [typed, value] of sums)
     assert.equal(readNumber(typed, "length", "mm", false, true), value, typed);
   assert.equal(readNumber("25+0.021", "length", "mm"), 25.021);
-  assert.equal(readNumber("90+0.4", "angle", "mm", false, true), 90.4);
+  assert.equal(readNumber("90+0.5", "angle", "mm", false, true), 90.5);
+  for (const angle of ["90+0.4", "90 +0.5/-0.5", "90 +1 -1", "90 +0.5 0"])
+    assert.equal(readNumber(angle, "angle", "inch", false, true), angle, angle);
   // 0.05 is much in inch, and the unit that is typed counts.
   assert.equal(readNumber("1+0.05", "length", "inch", false, true), 1.05);
   assert.equal(readNumber("1+0.001", "length", "inch", false, true), "1+0.001");
