@@ -7,6 +7,7 @@ import {
   measure,
 } from "./core/browser.js";
 import type { Store } from "./store.js";
+import { w } from "./words.js";
 
 /** A thousandth of a millimetre or of a degree, a ten thousandth of an inch: what a control shows. */
 export const places = (unit: string) => (unit === "inch" ? 4 : 3);
@@ -16,6 +17,13 @@ export const number = (value: number | null, digits: number) =>
 /** The same as the language of the page writes it. */
 export const shown = (store: Store, value: number | null, digits: number) =>
   store.number(number(value, digits));
+
+/** What a program does with a result out of its tolerance. */
+export const ACTIONS = [
+  ["go", w("continue")],
+  ["mark", w("mark it")],
+  ["stop", w("stop")],
+] as const;
 
 /** What was made of the measured text: what follows from it, or what is wrong with it; neither if no text was entered. */
 export interface Evaluated {

@@ -23,7 +23,9 @@ export const SET_UPS: SetUpEntry[] = [
   {
     key: "vise",
     name: w("Vise corner"),
-    says: w("The top for Z, two walls for X, Y and the rotation."),
+    says: w(
+      "The top for Z, two walls for X and Y, and for the rotation where the control takes one.",
+    ),
     writes: true,
     job: {
       cycles: [
@@ -68,7 +70,7 @@ export const SET_UPS: SetUpEntry[] = [
     key: "plate",
     name: w("Plate with four bores"),
     says: w(
-      "The origin in the middle of the bores, the rotation from the line through two of them.",
+      "The origin in the middle of the bores, and the rotation from the line through two of them where the control takes one.",
     ),
     writes: true,
     job: {
@@ -115,18 +117,3 @@ export const SET_UPS: SetUpEntry[] = [
     },
   },
 ];
-
-/** What follows a result stands where the drawing has it: for a control that computes nothing. */
-function unled(x: unknown): unknown {
-  const [, off] =
-    (typeof x === "string" && /^=\w+\.\w+([-+]\d+)?$/.exec(x)) || [];
-  return typeof x === "string" && x.startsWith("=") ? Number(off ?? 0) : x;
-}
-
-/** The same for a control that computes no results. */
-export const withoutResults = ({ cycles }: Draft): Draft => ({
-  cycles: (cycles as Draft[]).map((cycle) => ({
-    ...cycle,
-    origin: (cycle.origin as unknown[]).map(unled),
-  })),
-});

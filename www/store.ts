@@ -19,7 +19,7 @@ import {
 } from "./core/browser.js";
 import { LEVELS } from "./core/layout.js";
 import { programStem, stem } from "./core/names.js";
-import { codeOf } from "./core/results.js";
+import { codeOf, isWritten } from "./core/results.js";
 import { Entries, type Form, type Units } from "./entries.js";
 import { byCode, Features, type SetUpState } from "./features.js";
 import { Fixed } from "./fixed.js";
@@ -33,6 +33,7 @@ import {
   isObject,
   ownIn,
   putAt,
+  valueAt,
 } from "./job.js";
 import { tidy } from "./number.js";
 import {
@@ -46,7 +47,7 @@ import {
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./read-text.js";
 import type { Rules } from "./rules.js";
-import { type SetUpEntry, withoutResults } from "./set-ups.js";
+import type { SetUpEntry } from "./set-ups.js";
 import { type Lang, w } from "./words.js";
 
 export { sizeField, type Units } from "./entries.js";
@@ -232,80 +233,131 @@ export class Store extends Entries {
   }
 
   /** Begins a job with a ready set-up, for the machine of the present one. */
-  beginSetUp({ key, job, writes }: SetUpEntry): void {
+  beginSetUp(entry: SetUpEntry): void {
+    const job = this.readySetUp(entry);
+    if (!job) return;
+    const { form } = this.draft.control as Draft;
+    this.load(job, "", this.given);
+    if ((job.control as Draft).form !== form)
+      this.tell([
+        w("The program is in moves: the control's own cycles do not compute"),
+      ]);
+  }
+
+  /** A ready set-up as a job for the machine of the present one. Null where that machine cannot write what the set-up is for, in the form of the present job or in moves, or the page around does not allow it. */
+  readySetUp(entry: SetUpEntry): Draft | null {
+    const { post, form } = this.draft.control as Draft;
+    const types = (entry.job.cycles as { type: Cycle["type"] }[]).map(
+      ({ type }) => type,
+    );
+    if (
+      !this.rules.allowsSetUps ||
+      !types.every((type) => this.rules.offers("cycles", type))
+    )
+      return null;
+    const forms = [...new Set([form, "moves"] as Form[])].filter(
+      (one) =>
+        this.rules.allowsForm(one) &&
+        types.every((type) => this.formsOf(post, type).includes(one)),
+    );
+    for (const one of forms) {
+      const job = this.setUpIn(entry, one);
+      if (this.keepsWord(entry, job)) return job;
+    }
+    return null;
+  }
+
+  /** A ready set-up for the machine of the job, in a form of its control. */
+  private setUpIn({ key, job, writes }: SetUpEntry, form: Form): Draft {
     const { cycle: _, part, tolerances: __, ...rest } = this.draft;
-    const { computes, workOffsets = 0 } = this.post ?? {};
-    const led = computes && this.get("control.form") !== "cycle";
-    const control = { ...(rest.control as Draft) };
-    if (writes && workOffsets > 0 && this.rules.allowsOffset(1))
-      control.workOffset ??= 1;
-    const own = (led ? job : withoutResults(job)) as { limits?: Draft };
-    const mm = { format: 2, units: "mm", part: {}, ...own };
+    const mm = { format: 2, units: "mm", part: {}, ...job };
     const { limits, ...whole } = convertUnits(
-      mm,
+      mm as unknown as Job,
       this.units,
     ) as unknown as Draft;
-    this.load(
-      {
-        ...rest,
-        ...whole,
-        control,
-        limits: { ...(rest.limits as Draft), ...(limits as Draft) },
-        part: { ...(part as Draft), sizes: {} },
-        name: key.toUpperCase(),
+    const control: Draft = { ...(rest.control as Draft), form };
+    return {
+      ...rest,
+      ...whole,
+      control: {
+        ...control,
+        workOffset: writes ? (control.workOffset ?? 1) : null,
       },
-      "",
-      this.given,
-    );
+      limits: { ...(rest.limits as Draft), ...(limits as Draft) },
+      part: { ...(part as Draft), sizes: {} },
+      name: key.toUpperCase(),
+    };
   }
 
-  /** Whether the machine of the job takes a ready set-up, and the rules of the page around its cycles. */
-  takesSetUp({ job }: SetUpEntry): boolean {
-    const { post } = this.draft.control as Draft;
-    return (
-      this.rules.allowsSetUps &&
-      (job.cycles as { type: Cycle["type"] }[]).every(
-        ({ type }) =>
-          this.rules.offers("cycles", type) &&
-          this.formsOf(post, type).length > 0,
-      )
-    );
+  /** Whether a job writes every axis that its set-up is for and changes nothing that the page around fixes. The rotation is written where the control takes one. */
+  private keepsWord({ job, writes }: SetUpEntry, whole: Draft): boolean {
+    const held = this.rules
+      .locked()
+      .filter((path) => !path.startsWith("cycle."));
+    if (
+      held.some((path) => !alike(valueAt(whole, path), this.get(path))) ||
+      this.rules.judged(whole).some(({ level }) => level === "error")
+    )
+      return false;
+    try {
+      const { results } = plan(whole as unknown as Job);
+      const written: string[] = results
+        .filter(isWritten)
+        .map(({ code }) => code);
+      const { rotation: _, ...axes } = (job.datum ?? {}) as Draft;
+      return writes
+        ? Object.keys(axes).every((axis) => written.includes(`offset.${axis}`))
+        : written.length === 0;
+    } catch (thrown) {
+      if (!(thrown instanceof JobError)) throw thrown;
+      return false;
+    }
   }
 
-  /** A cycle as large as the last of its kind, beside what the plan has: along the abscissa, a clearance away. */
-  private beside(cycle: Draft): Draft {
+  /** A cycle as large as the last of its kind, beside what the plan has: along the abscissa, a clearance away. With the values of the catalog where the last one has errors. */
+  private beside(fresh: Draft): Draft {
     const { plan: now, catalog } = this;
-    const { name: _, ...last } = this.lastOf(String(cycle.type)) ?? {};
-    const like = { ...cycle, ...structuredClone(last) } as Draft;
     const fields =
-      catalog.cycles.find(({ type }) => type === cycle.type)?.fields ?? [];
+      catalog.cycles.find(({ type }) => type === fresh.type)?.fields ?? [];
     const places = fields.filter(({ kind }) => /point$/i.test(kind));
+    const { tolerances: _, part: __, ...rest } = this.draft;
+    const alone = (cycle: Draft) => {
+      try {
+        return plan({ ...rest, cycle } as unknown as Job);
+      } catch (thrown) {
+        if (!(thrown instanceof JobError)) throw thrown;
+        return null;
+      }
+    };
+    // Touches of its own are places, too: those that the cycle makes go where it goes.
+    const like = { ...fresh };
+    const last = this.lastOf(String(fresh.type)) ?? {};
+    for (const { key } of fields)
+      if (key in last) like[key] = structuredClone(last[key]);
     // What follows a result would lie upon the one that is like it.
     for (const { key } of places)
       like[key] = ((like[key] ?? [0, 0, 0]) as unknown[]).map((x) =>
         typeof x === "number" ? x : 0,
       );
     if (typeof like.rotation === "string") like.rotation = 0;
-    if (this.stale || now.moves.length === 0) return like;
+    const likely = alone(like);
+    const cycle = likely ? like : structuredClone(fresh);
+    const own = likely ?? alone(cycle);
+    if (!own || now.moves.length === 0) return cycle;
     const axis = { G17: 0, G18: 2, G19: 1 }[String(this.get("plane"))] ?? 0;
     const along = (of: Plan) => of.moves.map(({ to }) => to[axis] as number);
-    const { tolerances: __, part: ___, ...rest } = this.draft;
-    try {
-      const alone = plan({ ...rest, cycle: like } as unknown as Job);
-      const free = this.units === "inch" ? 1 : 25;
-      const off = Math.ceil(
-        Math.max(...along(now)) + free - Math.min(...along(alone)),
-      );
-      for (const { key, kind } of places) {
-        const place = like[key] as number[];
-        // 1411 counts in its plane: the abscissa is first.
-        const at = kind === "nominalPoint" ? 0 : axis;
-        place[at] = tidy((place[at] ?? 0) + off);
-      }
-    } catch (thrown) {
-      if (!(thrown instanceof JobError)) throw thrown;
+    const free = this.units === "inch" ? 1 : 25;
+    const off = Math.ceil(
+      Math.max(...along(now)) + free - Math.min(...along(own)),
+    );
+    for (const { key, kind } of places) {
+      const place = (cycle[key] ?? [0, 0, 0]) as number[];
+      // 1411 counts in its plane: the abscissa is first.
+      const at = kind === "nominalPoint" ? 0 : axis;
+      place[at] = tidy((place[at] ?? 0) + off);
+      cycle[key] = place;
     }
-    return like;
+    return cycle;
   }
 
   /** The last cycle of a type in the job. */
@@ -382,7 +434,12 @@ export class Store extends Entries {
   follow(path: string, result: string): void {
     const proposed = this.units === "inch" ? 0.08 : 2;
     const limits = this.draft.limits as Draft;
-    const needs = path.startsWith("cycle.origin") && limits.position === null;
+    const fixed = this.fixed();
+    if (fixed.has(path)) return;
+    const needs =
+      path.startsWith("cycle.origin") &&
+      limits.position === null &&
+      !fixed.has("limits.position");
     this.arrange(() => {
       putAt(this.draft, path, result);
       this.typed.delete(path);
@@ -459,17 +516,22 @@ export class Store extends Entries {
       : null;
   }
 
-  /** Gives a result of the plan a tolerance, or none. */
+  /** Gives results of a cycle of the plan a tolerance, or none: by their codes, in one step. */
   tolerate(
     cycle: number,
-    code: string,
-    tolerance: ResultTolerance | undefined,
+    changes: Record<string, ResultTolerance | undefined>,
   ): void {
     if (this.refuses) return;
-    this.mark(`tolerances.${cycle}.${code}`);
+    this.mark(`tolerances.${cycle}.${Object.keys(changes)}`);
     const own = this.toleratedOf(cycle);
-    const { [code]: _, ...rest } = own?.tolerances ?? {};
-    own?.keep(tolerance === undefined ? rest : { ...rest, [code]: tolerance });
+    const all = { ...own?.tolerances, ...changes };
+    own?.keep(
+      Object.fromEntries(
+        Object.entries(all).filter(
+          ([, one]) => isObject(one) && Object.keys(one).length > 0,
+        ),
+      ),
+    );
     this.changed();
   }
 
@@ -642,11 +704,23 @@ export class Store extends Entries {
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
     putAt(this.draft, path, value);
+    if (typeof value === "number") this.untolerate(path);
     fixed.keep(this.draft);
     // What was typed inside a value that is another one now.
     if (typeof value === "object")
       for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
+  }
+
+  /** What followed from the tolerance of a size goes with it. */
+  private untolerate(path: string): void {
+    const [, code = ""] = /^cycle\.(\w+)$/.exec(path) ?? [];
+    const all = this.draft.tolerances as Draft | undefined;
+    const entry = all?.[code];
+    if (isObject(entry) && entry.tolerance === undefined) {
+      const { [code]: _, ...rest } = all as Draft;
+      this.draft.tolerances = rest;
+    }
   }
 
   /** What the user cannot change: what the page around fixes, unless it has another value than it must have. */

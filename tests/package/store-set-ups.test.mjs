@@ -361,31 +361,110 @@ test("another feature is placed beside what is there, as large as the last of it
 
 test("a ready set-up is for the machine of the job, in its units, and without an error", () => {
   const begunWith = new Set();
-  for (const { id, computes, workOffsets } of catalog().posts)
+  for (const { id, workOffsets } of catalog().posts)
     for (const units of ["mm", "inch"])
-      for (const setUp of SET_UPS) {
-        const store = begun("hole");
-        store.setUnits(units);
-        store.chooseControl(id);
-        store.put("stylus.diameter", units === "mm" ? 5 : 0.2);
-        if (!store.takesSetUp(setUp)) continue;
-        begunWith.add(`${setUp.key} ${id}`);
-        store.beginSetUp(setUp);
-        const name = `${id} ${units} ${setUp.key}`;
-        assert.equal(store.withheld, null, name);
-        assert.equal(store.get("control.post"), id);
-        assert.equal(store.get("stylus.diameter"), units === "mm" ? 5 : 0.2);
-        assert.equal(store.units, units);
-        const writes = setUp.writes && workOffsets > 0;
-        assert.equal(store.get("control.workOffset"), writes ? 1 : null, name);
-        assert.ok(
-          computes || !store.job.relations,
-          "what a control does not compute is not asked of it",
-        );
-        store.undo();
-        assert.equal(store.features.several, false);
-      }
-  assert.ok(begunWith.size > 40, [...begunWith].join());
+      for (const plane of ["G17", "G18", "G19"])
+        for (const workOffset of [null, 1])
+          for (const setUp of SET_UPS) {
+            const store = begun("hole");
+            store.setUnits(units);
+            store.chooseControl(id);
+            if (workOffsets > 0) store.put("control.workOffset", workOffset);
+            store.put("plane", plane);
+            store.put("stylus.diameter", units === "mm" ? 5 : 0.2);
+            if (!store.readySetUp(setUp)) continue;
+            if (plane === "G17") begunWith.add(`${setUp.key} ${id}`);
+            store.beginSetUp(setUp);
+            const name = `${id} ${units} ${plane} ${setUp.key}`;
+            assert.equal(store.withheld, null, name);
+            assert.equal(store.get("control.post"), id);
+            assert.equal(
+              store.get("stylus.diameter"),
+              units === "mm" ? 5 : 0.2,
+            );
+            assert.equal(store.units, units);
+            // What the card says is written is written, and from what it says.
+            const { x, y, z } = setUp.job.datum ?? {};
+            const { datum = {}, control } = store.job;
+            assert.deepEqual([datum.x, datum.y, datum.z], [x, y, z], name);
+            assert.equal(control.workOffset, setUp.writes ? 1 : null, name);
+            const written = store.plan.results
+              .map((/** @type {any} */ { code }) => code)
+              .filter((/** @type {string} */ code) =>
+                /^offset\.[xyz]$/.test(code),
+              );
+            assert.equal(
+              written.length,
+              [x, y, z].filter(Boolean).length,
+              `${name}: ${written}`,
+            );
+            store.undo();
+            assert.equal(store.features.several, false);
+          }
+  // Those with a result that another one follows are for controls that compute; a report is for every control.
+  for (const post of ["linuxcnc", "sinumerik", "fanuc", "haas"])
+    for (const { key } of SET_UPS)
+      assert.ok(begunWith.has(`${key} ${post}`), `${key} ${post}`);
+  for (const { id } of catalog().posts)
+    assert.ok(begunWith.has(`first-article ${id}`), id);
+});
+
+test("a set-up that the control's own cycles cannot do is in moves, and says so", () => {
+  const vise = SET_UPS.find(({ key }) => key === "vise");
+  const store = begun("hole");
+  store.chooseControl("haas");
+  store.put("control.form", "cycle");
+  const told = listen(store);
+  store.beginSetUp(vise);
+  assert.equal(store.get("control.form"), "moves");
+  assert.match(told.join(), /The program is in moves/);
+});
+
+test("a ready set-up is not offered where the page around fixes what it would change", () => {
+  const store = begun("hole", 1);
+  const offered = (/** @type {object} */ config) => {
+    assert.deepEqual(
+      store.outside.input("config", { format: 1, ...config }),
+      [],
+    );
+    return SET_UPS.filter((one) => store.readySetUp(one) !== null).map(
+      ({ key }) => key,
+    );
+  };
+  const all = SET_UPS.map(({ key }) => key);
+  assert.deepEqual(offered({}), all);
+  assert.deepEqual(offered({ allow: { setUps: false } }), []);
+  // Two of them need a limit of how far a place may be off; the report writes no work offset.
+  const locked = { locked: true };
+  assert.deepEqual(offered({ fields: { "limits.position": locked } }), [
+    "plate",
+    "first-article",
+  ]);
+  assert.deepEqual(offered({ allow: { workOffsets: [1] } }), [
+    "vise",
+    "bore-and-top",
+    "plate",
+  ]);
+  offered({ fields: { "limits.position": locked, "cycle.origin": locked } });
+  const before = JSON.stringify(store.job);
+  store.follow("cycle.origin[2]", "=TOP.point.z");
+  assert.equal(JSON.stringify(store.job), before);
+});
+
+test("another feature leaves what belongs to the place or the fault of the last one", () => {
+  const store = begun("hole");
+  store.put("cycle.touches", [
+    { point: [12.5, 0, -10], vector: [-1, 0, 0] },
+    { point: [-12.5, 0, -10], vector: [1, 0, 0] },
+    { point: [0, 12.5, -10], vector: [0, -1, 0] },
+  ]);
+  store.addFeature("hole");
+  assert.equal(store.get("cycle.touches"), undefined);
+  const wrong = begun("hole");
+  type(wrong, "cycle.diameter", "25 Q9");
+  wrong.addFeature("hole");
+  assert.equal(wrong.get("cycle.diameter"), 40);
+  assert.ok(wrong.get("cycle.origin[0]") > 20);
 });
 
 test("a place that follows a result has a limit, proposed and said", () => {

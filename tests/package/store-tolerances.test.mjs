@@ -74,7 +74,7 @@ test("what follows from a size out of its tolerance stands beside it, and the sh
   store.choose("hole");
   type(store, "cycle.diameter", "25 H7");
   assert.equal(store.sizeWithTolerance(0, "diameter"), "25 H7");
-  store.tolerate(0, "diameter", { action: "stop" });
+  store.tolerate(0, { diameter: { action: "stop" } });
   assert.match(program(store), /not 25 to 25\.021/);
   type(store, "cycle.diameter", "25");
   assert.equal(store.sizeWithTolerance(0, "diameter"), null);
@@ -87,6 +87,39 @@ function circles() {
   store.chooseControl("heidenhain");
   return store;
 }
+
+test("what follows from a tolerance goes with it", () => {
+  const store = new Store();
+  store.choose("hole");
+  type(store, "cycle.diameter", "25 H7");
+  store.tolerate(0, { diameter: { action: "stop" } });
+  assert.equal(store.withheld, null);
+  type(store, "cycle.diameter", "26");
+  assert.deepEqual([store.withheld, store.job.tolerances], [null, {}]);
+  // One that is written in the list is the list's.
+  store.tolerate(0, { diameter: { tolerance: "±0.1", action: "mark" } });
+  type(store, "cycle.diameter", "27");
+  assert.deepEqual(store.tolerance(0, "diameter"), {
+    tolerance: "±0.1",
+    action: "mark",
+  });
+  // An entry that says nothing is none, and two that are set together are one step.
+  const pocket = new Store();
+  pocket.choose("internal-rectangle");
+  for (const key of ["width1", "width2"])
+    type(pocket, `cycle.${key}`, "60 ±0.05");
+  pocket.settle();
+  pocket.tolerate(0, { width1: { action: "stop" }, width2: {} });
+  pocket.tolerate(0, { width1: {} });
+  assert.deepEqual(pocket.job.tolerances, {});
+  pocket.settle();
+  pocket.tolerate(0, {
+    width1: { action: "stop" },
+    width2: { action: "stop" },
+  });
+  pocket.undo();
+  assert.deepEqual(pocket.job.tolerances, {});
+});
 
 test("a diameter of two circles takes a class, and the result of a size beyond it is scrap", () => {
   const store = circles();
@@ -176,7 +209,7 @@ test("the tolerance of a result is kept through another cycle, another name and 
   store.choose("hole");
   store.put("cycle.diameter", 25);
   const give = (/** @type {object | undefined} */ tolerance) =>
-    store.tolerate(0, "diameter", tolerance);
+    store.tolerate(0, { diameter: tolerance });
   const held = () => store.tolerance(0, "diameter").tolerance;
   give({ tolerance: "H7" });
   const limits = () =>

@@ -10,7 +10,7 @@ class AmountPart extends Part {
   override render(): string {
     const { store } = this;
     const { program, table, safety } = store.plan;
-    if (store.blank) return "";
+    if (store.stale) return "";
     switch (this.of) {
       case "program":
         return this.t(

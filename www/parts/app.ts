@@ -706,6 +706,17 @@ export class App extends LitElement {
     if (index !== undefined)
       this.store.bringFeature(this.store.features.placeOf(Number(index)));
     const path = index === undefined ? wanted : `cycle${rest}`;
+    // The list of tolerances is no part of the form.
+    const [, listed] =
+      /^(tolerances\..+?)(\.(tolerance|action|wear).*)?$/.exec(wanted) ?? [];
+    if (listed) {
+      await this.open("measured");
+      await this.updateComplete;
+      const box = this.querySelector<HTMLElement>(`[id="f-${listed}"]`);
+      box?.scrollIntoView({ block: "center" });
+      box?.focus();
+      if (box) return;
+    }
     if (this.panels.includes("setup")) this.show("setup");
     await this.updateComplete;
     await this.renderRoot

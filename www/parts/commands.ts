@@ -178,7 +178,7 @@ class CommandsPart extends Part {
         event: ["about", event[1].replace("cycle.type", "cycle")],
       }),
     );
-    const setUps = SET_UPS.filter((one) => store.takesSetUp(one)).map(
+    const setUps = SET_UPS.filter((one) => store.readySetUp(one) !== null).map(
       ({ key, name, says }): Command => ({
         name: this.t(name),
         kind: this.t("Ready set-ups"),

@@ -52,7 +52,9 @@ export abstract class FieldPart extends Part {
     const stand = this.store.standIn(field);
     const index = /\[(\d)\]$/.exec(path)?.[1];
     const missing =
-      Array.isArray(stand) && index ? stand[Number(index)] : stand;
+      Array.isArray(stand) && index
+        ? stand[Number(index)]
+        : (this.middle(path) ?? stand);
     const held = (value === undefined ? missing : value) ?? "";
     const text =
       this.store.typed.get(path) ??
@@ -79,6 +81,22 @@ export abstract class FieldPart extends Part {
             ? html`<span class=${unit.length > 4 ? "unit long" : "unit"} id=${`u-${path}`}>${unit}</span>`
             : nothing
         }${proposed.length > 0 ? this.equals(path, name ?? field.label, proposed) : nothing}</span>`;
+  }
+
+  /** How much a size of the virtual part differs where nothing is said of it and it has a tolerance: to the middle of the zone. */
+  private middle(path: string): number | undefined {
+    const { store } = this;
+    const [, code = ""] = /^part\.sizes\.(\w+)$/.exec(path) ?? [];
+    const cycle = store.features.several ? store.features.inJob : 0;
+    const row = store.plan.results.find(
+      (one) => one.code === code && one.cycle === cycle,
+    );
+    return code === "" ||
+      store.stale ||
+      store.sizeWithTolerance(cycle, code) === null ||
+      !row
+      ? undefined
+      : tidy((row.truth ?? 0) - (row.nominal ?? 0));
   }
 
   /** The results that a field can follow, behind an equals sign. */
@@ -222,15 +240,14 @@ export abstract class FieldPart extends Part {
       !event.metaKey
     ) {
       // The size steps, and its tolerance stays.
-      const next = value.replace(
-        NOMINAL,
-        (_, sign: string, size: string) =>
-          sign +
-          tidy(
-            Number(size.replace(",", ".")) +
-              step * this.step(field, event.shiftKey),
-          ),
-      );
+      const next = value.replace(NOMINAL, (_, sign: string, size: string) => {
+        const stepped =
+          Number(size.replace(",", ".")) +
+          step * this.step(field, event.shiftKey);
+        // A size is larger than 0.
+        const text = stepped > 0 ? String(tidy(stepped)) : size;
+        return sign + (size.includes(",") ? text.replace(".", ",") : text);
+      });
       this.store.set(path, next);
       this.updateComplete.then(() => box.select());
     } else return;

@@ -3,6 +3,7 @@ import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
 import type { FieldEntry, Finding, ResultTolerance } from "../core/browser.js";
 import { isOut } from "../job.js";
+import { ACTIONS } from "../measured.js";
 import { deviations, inside } from "../sentences.js";
 import { sizeField } from "../store.js";
 import { w } from "../words.js";
@@ -95,7 +96,7 @@ class FormPart extends FieldPart {
     return html`
       <nav class="chips" aria-label=${this.t("Parts of the form")}>${
         store.features.several
-          ? html`${rows.map(({ one, place, now }) => html`<button type="button" class="chip" aria-current=${now ? "true" : nothing} @click=${() => store.bringFeature(place)}>${one.name}</button>`)}<button type="button" class="add" @click=${() => this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "add" }))}>${this.t("+ Add")}</button>`
+          ? html`${rows.map(({ one, place, now }) => html`<button type="button" class="chip" aria-current=${now ? "true" : nothing} @click=${() => store.bringFeature(place)}>${one.name}</button>`)}<button type="button" class="add" ?disabled=${store.readonly} @click=${() => this.dispatchEvent(new CustomEvent("ask", { bubbles: true, detail: "add" }))}>${this.t("+ Add")}</button>`
           : nothing
       }${chips.map(
         ([
@@ -277,24 +278,30 @@ class FormPart extends FieldPart {
       .map(({ path }) => /^cycle\.(\w+)$/.exec(path)?.[1] ?? "")
       .filter((key) => store.sizeWithTolerance(cycle, key) !== null);
     const { computes } = store.post ?? {};
-    if (keys.length === 0 || !computes || store.get("control.form") === "cycle")
+    const actions = keys.map(
+      (key) => store.tolerance(cycle, key)?.action ?? "go",
+    );
+    // Sizes of one cycle that end differently are set in the list of tolerances.
+    if (
+      new Set(actions).size !== 1 ||
+      !computes ||
+      store.get("control.form") === "cycle"
+    )
       return nothing;
-    const choices = [
-      ["go", w("continue")],
-      ["mark", w("mark it")],
-      ["stop", w("stop")],
-    ] as const;
-    const now = store.tolerance(cycle, keys[0] ?? "")?.action ?? "go";
     const take = (e: Event) => {
       const action = (e.target as HTMLSelectElement)
         .value as ResultTolerance["action"];
-      for (const key of keys) {
+      const changed = (key: string) => {
         const { action: _, ...own } = store.tolerance(cycle, key) ?? {};
-        store.tolerate(cycle, key, action === "go" ? own : { ...own, action });
-      }
+        return action === "go" ? own : { ...own, action };
+      };
+      store.tolerate(
+        cycle,
+        Object.fromEntries(keys.map((key) => [key, changed(key)])),
+      );
       store.settle();
     };
-    return html`<div class="row"><label for="f-out">${this.t("Out of tolerance")}</label><span class="choice"><select id="f-out" @change=${take}>${choices.map(([value, words]) => html`<option value=${value} .selected=${live(value === now)}>${this.t(words)}</option>`)}</select></span></div>`;
+    return html`<div class="row"><label for="f-out">${this.t("Out of tolerance")}</label><span class="choice"><select id="f-out" @change=${take}>${ACTIONS.map(([value, words]) => html`<option value=${value} .selected=${live(value === actions[0])}>${this.t(words)}</option>`)}</select></span></div>`;
   }
 
   /** The units of the job. */

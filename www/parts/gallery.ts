@@ -72,7 +72,7 @@ class GalleryPart extends Part {
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
     const ready = this.adds
       ? []
-      : SET_UPS.filter((one) => store.takesSetUp(one));
+      : SET_UPS.filter((one) => store.readySetUp(one) !== null);
     const things: (CycleEntry | SetUpEntry | null)[] = [
       ...all,
       ...ready,

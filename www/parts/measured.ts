@@ -8,7 +8,14 @@ import {
   svg,
   type Wear,
 } from "../core/browser.js";
-import { evaluated, number, places, Reports, shown } from "../measured.js";
+import {
+  ACTIONS,
+  evaluated,
+  number,
+  places,
+  Reports,
+  shown,
+} from "../measured.js";
 import { moveInWords } from "../sentences.js";
 import { w } from "../words.js";
 import { copied, copy, download } from "./download.js";
@@ -217,27 +224,28 @@ class MeasuredPart extends Part {
     const label = `${name}: ${store.say(said.meaning)}`;
     const text = (e: Event) => {
       const tolerance = (e.target as HTMLInputElement).value;
-      // With the text alone its tool would go, too.
-      const none = tolerance.trim() === "" && !own?.wear;
-      store.tolerate(cycle, code, none ? undefined : { ...own, tolerance });
+      // Without a text there is nothing to act upon; the number of its tool is kept while another text is typed.
+      const empty = tolerance.trim() === "";
+      const none = empty && (inSize !== null || !own?.wear);
+      const { tolerance: _, ...rest } = own ?? {};
+      store.tolerate(cycle, {
+        [code]: !none ? { ...own, tolerance } : inSize ? rest : undefined,
+      });
     };
     const act = (e: Event) => {
       if (own || inSize)
-        store.tolerate(cycle, code, {
-          ...own,
-          action: (e.target as HTMLSelectElement)
-            .value as ResultTolerance["action"],
+        store.tolerate(cycle, {
+          [code]: {
+            ...own,
+            action: (e.target as HTMLSelectElement)
+              .value as ResultTolerance["action"],
+          },
         });
       store.settle();
     };
-    const choices = [
-      ["go", w("continue")],
-      ["mark", w("mark it")],
-      ["stop", w("stop")],
-    ] as const;
     return html`<li><code title=${label}>${name}</code>
-      <input type="text" maxlength="64" spellcheck="false" autocomplete="off" aria-label=${this.t("Tolerance of {result}", label)} .value=${live(inSize ?? own?.tolerance ?? "")} title=${inSize ? this.t("The size says it") : nothing} ?disabled=${store.readonly || inSize !== null} @input=${text} @blur=${() => store.settle()} />
-      ${own || inSize ? html`<select aria-label=${this.t("What follows from {result} out of its tolerance", name)} ?disabled=${store.readonly} @change=${act}>${choices.map(([value, words]) => html`<option value=${value} ?selected=${(own?.action ?? "go") === value}>${this.t(words)}</option>`)}</select>` : nothing}
+      <input id=${`f-tolerances.${name}`} type="text" maxlength="64" spellcheck="false" autocomplete="off" aria-label=${this.t("Tolerance of {result}", label)} .value=${live(own?.tolerance ?? inSize ?? "")} title=${inSize ? this.t("The size says it") : nothing} ?disabled=${store.readonly || (inSize !== null && own?.tolerance === undefined)} @input=${text} @blur=${() => store.settle()} />
+      ${own || inSize ? html`<select aria-label=${this.t("What follows from {result} out of its tolerance", name)} ?disabled=${store.readonly} @change=${act}>${ACTIONS.map(([value, words]) => html`<option value=${value} ?selected=${(own?.action ?? "go") === value}>${this.t(words)}</option>`)}</select>` : nothing}
       ${(own || inSize) && limits && !store.stale ? html`<small>${shown(store, limits[0], digits)} … ${shown(store, limits[1], digits)}</small>` : nothing}
       ${own && (own.wear || this.corrects(code)) ? this.wear(cycle, code, name, own) : nothing}</li>`;
   }
@@ -281,11 +289,9 @@ class MeasuredPart extends Part {
           : { ...rest, [key]: Number.isNaN(number) ? typed : number };
       const { wear: __, ...bare } = own;
       const none = Object.keys(wear).length === 0;
-      store.tolerate(
-        cycle,
-        code,
-        none ? bare : { ...bare, wear: wear as unknown as Wear },
-      );
+      store.tolerate(cycle, {
+        [code]: none ? bare : { ...bare, wear: wear as unknown as Wear },
+      });
     };
     const left = (key: string) => () => {
       this.typed.delete(`${name} ${key}`);

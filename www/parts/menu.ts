@@ -26,6 +26,7 @@ const KEYS: [string, string][] = [
   [w("← → in the timeline"), w("move before, next move")],
   [w("Ctrl+← Ctrl+→ there"), w("touch before, next touch")],
   [w("Space there"), w("play, pause")],
+  [w("S there"), w("speed of the run")],
   [w("↑ ↓ in the program"), w("line by line through the moves")],
   [w("Ctrl+F in an opened program"), w("find words in it")],
   [

@@ -53,7 +53,7 @@ export class Timeline {
       this.faster();
     };
     return html`<div class="scrub" role="group" aria-label=${this.t("Timeline")} @keydown=${this.key}>
-        <button type="button" class="play" aria-label=${this.plays ? this.t("Pause") : this.t("Play")} title=${this.t("Play, pause (Space). Right click: speed")} ?disabled=${count === 0} @click=${this.toggle} @contextmenu=${faster}>${this.plays ? "❚❚" : "▶"}</button>
+        <button type="button" class="play" aria-label=${this.plays ? this.t("Pause") : this.t("Play")} title=${this.t("Play, pause (Space). Speed: S, or a right click")} ?disabled=${count === 0} @click=${this.toggle} @contextmenu=${faster}>${this.plays ? "❚❚" : "▶"}</button>
         <span class="track">
           <input id="scrub" type="range" min="0" max=${count} aria-label=${this.t("Move")} @input=${(e: Event) => this.step(Number((e.target as HTMLInputElement).value))} />
         </span>
@@ -181,6 +181,8 @@ export class Timeline {
     const target = event.target as HTMLElement;
     if (event.key === "Escape") this.store().pin(null);
     else if (event.key === " " && target.id === "scrub") this.toggle();
+    else if (/^s$/i.test(event.key) && !event.ctrlKey && !event.metaKey)
+      this.faster();
     else if (event.ctrlKey && event.key === "ArrowRight" && this.count > 0)
       this.toTouch(1);
     else if (event.ctrlKey && event.key === "ArrowLeft" && this.count > 0)
