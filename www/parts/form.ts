@@ -470,6 +470,8 @@ class FormPart extends FieldPart {
     const behind = DOORS.some(([, groups]) => groups.test(name));
     // What stands as in a new job is not worth the line.
     const said = sorted.filter(({ field, path }) => {
+      // The button that saves the program says its name.
+      if (path === "name") return faulty(path);
       return (
         FIRST.has(path) ||
         (!behind && this.store.cycle.fields.includes(field)) ||
@@ -645,8 +647,9 @@ class FormPart extends FieldPart {
 
   private box(placed: Placed): TemplateResult {
     const { field, path } = placed;
+    const held = this.store.get(path);
     const follows =
-      field.kind === "number" && typeof this.store.get(path) === "string";
+      field.kind === "number" && typeof held === "string" && /^\s*=/.test(held);
     const row = (body: TemplateResult) =>
       html`<div class=${follows ? "row follows" : "row"}><label for=${`f-${path}`} title=${field.help}>${field.label}</label>${body}${this.said(placed)}</div>`;
     switch (field.kind) {

@@ -74,10 +74,10 @@ class ResultsPart extends Part {
       ...bounds,
       verdict,
     );
-    const bad = isBad(r.verdict);
-    return html`<tr class="bar"><td colspan="6"><svg class=${bad ? "band bad" : "band"} viewBox="0 0 100 12" role="img" aria-label=${says}>
-      <title>${says}</title><rect x="25" y="3" width="50" height="6"></rect>
-      <line x1=${at(value - spread)} x2=${at(value + spread)} y1="6" y2="6"></line><circle cx=${at(value)} cy="6" r="3"></circle></svg></td></tr>`;
+    const x = (of: number) => `${at(of)}%`;
+    return html`<tr class="bar"><td colspan="6"><svg class=${isBad(r.verdict) ? "band bad" : "band"} width="100%" height="8" role="img" aria-label=${says}>
+      <title>${says}</title><rect width="100%" height="8" rx="4"></rect><rect class="in" x="25%" width="50%" height="8"></rect>
+      <line x1=${x(value - spread)} x2=${x(value + spread)} y1="4" y2="4"></line><circle cx=${x(value)} cy="4" r="4"></circle></svg><span aria-hidden="true">${bounds.map((bound) => html`<small>${bound}</small>`)}</span></td></tr>`;
   }
 
   /** As the form names it, where that has the same: the rotation of a result is against the nominal one. */
