@@ -28,9 +28,24 @@ pub struct RelationDef {
     pub most: Option<usize>,
     /// The codes of its results, in their order; of angles `.angle` is added to the first.
     pub results: &'static [&'static str],
+    /// What is drawn of it.
+    pub seen: Seen,
     write: Write,
     values: Values,
     problem: fn(&[[f64; 2]]) -> Option<Text>,
+}
+
+/// What a picture shows of a relation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// The line from the first place to the second.
+    Line,
+    /// Lines from the middle, its first two results, to each place.
+    Middle,
+    /// The circle through the places: its middle and, third, its diameter.
+    Circle,
+    /// Single values are no places.
+    Nothing,
 }
 
 /// Adds what is computed of these operands to a formula; of a single result the first of the two counts. `heights`: whether all of them are measured
@@ -50,6 +65,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: Some(2),
         results: &["distance", "rotation"],
+        seen: Seen::Line,
         write: line,
         values: line_of,
         problem: |of| {
@@ -65,6 +81,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: None,
         results: &["center.x", "center.y"],
+        seen: Seen::Middle,
         write: middle,
         values: |of, _| {
             [0, 1]
@@ -81,6 +98,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 3,
         most: None,
         results: &["center.x", "center.y", "diameter", "residual"],
+        seen: Seen::Circle,
         write: pitch_circle,
         values: |of, _| pitch_circle_of(of),
         problem: |of| {
@@ -98,6 +116,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: Some(2),
         results: &["difference"],
+        seen: Seen::Nothing,
         write: difference,
         values: |of, _| vec![Some(of[0][0] - of[1][0])],
         problem: |_| None,
@@ -110,6 +129,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: None,
         results: &["mean"],
+        seen: Seen::Nothing,
         write: mean,
         values: |of, directions| {
             vec![Some(mean_of(

@@ -73,6 +73,12 @@ pub const EDGES: [Pen; 2] = [
     pen(Colour::Actual, [1.5; 2], &[7.0, 4.0]),
 ];
 
+/// The line that a cycle or a relation is about: nominal, and as it really lies.
+pub const CENTRE_LINES: [Pen; 2] = [
+    pen(Colour::Wall, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
+    pen(Colour::Actual, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
+];
+
 /// The pen of a move. Its dashes say what it is; the colour only repeats it.
 pub const fn of(stroke: Stroke, rapid: bool) -> &'static Pen {
     const RAPID: Pen = pen(Colour::Position, [1.0, 1.5], &[12.0, 5.0]);
@@ -94,11 +100,6 @@ pub const fn of(stroke: Stroke, rapid: bool) -> &'static Pen {
 pub mod screen {
     use super::{Colour, Pen, pen};
 
-    /// The line that a cycle is about: nominal, and as it really lies.
-    pub const CENTRE_LINES: [Pen; 2] = [
-        pen(Colour::Wall, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
-        pen(Colour::Actual, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
-    ];
     /// From the middle of a circle to the handles of its touches.
     pub const SPREAD: Pen = pen(Colour::Ball, [1.0; 2], &[2.0, 4.0]);
     /// From the handle that shifts the part to the one that turns it.

@@ -12,7 +12,7 @@ use crate::view::numbers::Number;
 use crate::view::plate::Plate;
 use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, TouchShape};
-use crate::view::style::{self, Colour, EDGES, Pen};
+use crate::view::style::{self, CENTRE_LINES, Colour, EDGES, Pen};
 
 /// Width of the picture, and how much of it stays free at its edges, in its own units.
 const WIDTH: f64 = 480.0;
@@ -58,6 +58,7 @@ pub fn svg(scene: &Scene, legend: &Legend<'_>) -> String {
     }
     layout.arcs.iter().for_each(|arc| drawing.angle(arc));
     drawing.path(scene, legend.deviates, None);
+    drawing.relations(scene);
     layout
         .numbers
         .iter()
@@ -231,6 +232,20 @@ impl Drawing {
             }
             self.text.push_str(if hidden { "</g>\n" } else { "" });
         }
+    }
+
+    /// What relations are about.
+    fn relations(&mut self, scene: &Scene) {
+        if scene.related.is_empty() {
+            return;
+        }
+        let lines: Vec<Vec<Vec2>> = scene
+            .related
+            .iter()
+            .map(|line| line.map(|spot| self.camera.pixel(spot)).to_vec())
+            .collect();
+        let [stroke, dash] = attributes(&CENTRE_LINES[0]);
+        self.draw(&path(&lines, ""), &format!("fill=\"none\" {stroke}{dash}"));
     }
 
     /// Walls in one, their faces `solid`: else they let a section's hatching through.

@@ -329,14 +329,16 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
     await bar.getAttribute("aria-label"),
     "20.000, limits 19.950 and 20.050: good",
   );
+  /** Where something of the bar is, in percent of its width. */
+  const at = async (/** @type {string} */ what, /** @type {string} */ name) =>
+    Number.parseFloat((await bar.locator(what).getAttribute(name)) ?? "");
   assert.equal(
-    Number(await bar.locator("circle").getAttribute("cx")),
+    await at("circle", "cx"),
     50,
     "the nominal size is in the middle",
   );
   const spread = async () =>
-    Number(await bar.locator("line").getAttribute("x2")) -
-    Number(await bar.locator("line").getAttribute("x1"));
+    (await at("line", "x2")) - (await at("line", "x1"));
   const before = await spread();
   assert.ok(before > 0);
   await put("stylus.repeatability", 0.002);
@@ -348,15 +350,43 @@ test("a value with a tolerance has a bar: where it lies between its limits, and 
     sizes: { diameter1: -0.08 },
   });
   // 0.03 below the limit, where 0.1 are 50 wide.
-  assert.ok(
-    Math.abs(
-      Number(await bar.locator("circle").getAttribute("cx")) - (25 - 15),
-    ) < 0.5,
-  );
+  assert.ok(Math.abs((await at("circle", "cx")) - (25 - 15)) < 0.5);
   assert.match((await bar.getAttribute("class")) ?? "", /bad/);
   assert.equal(
     await bar.getAttribute("aria-label"),
     "19.920, limits 19.950 and 20.050: rework",
+  );
+});
+
+test("two tolerances of one size are put right where the error leads to", async () => {
+  await page.evaluate(() => {
+    const { store } = /** @type {any} */ (document.querySelector("touch-path"));
+    store.choose("hole");
+    store.tolerate(0, { diameter: { tolerance: "±0.1", action: "stop" } });
+  });
+  await put("cycle.diameter", "25 H7");
+  await page.getByRole("button", { name: "Go to it" }).click();
+  const box = page.locator("[id='f-tolerances.diameter']");
+  await settles(() =>
+    box.evaluate(
+      (it) => /** @type {Document} */ (it.getRootNode()).activeElement === it,
+    ),
+  );
+  assert.equal(await box.inputValue(), "±0.1");
+  await box.fill("");
+  // What follows from it stays, and holds for the size.
+  assert.deepEqual(
+    await page.evaluate(() => {
+      const { store } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      );
+      return [store.withheld, store.job.tolerances];
+    }),
+    [null, { diameter: { action: "stop" } }],
+  );
+  assert.deepEqual(
+    [await box.inputValue(), await box.isDisabled()],
+    ["25 H7", true],
   );
 });
 

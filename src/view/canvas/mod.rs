@@ -22,8 +22,8 @@ use crate::view::numbers::Number;
 use crate::view::plate::BAND;
 use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Line, Scene, Stroke};
-use crate::view::style::screen::{ARROWS, CENTRE_LINES};
-use crate::view::style::{self, Colour, EDGES};
+use crate::view::style::screen::ARROWS;
+use crate::view::style::{self, CENTRE_LINES, Colour, EDGES};
 
 /// What is pointed at and said beside the scene itself.
 #[derive(Clone, Copy, Debug)]
@@ -335,6 +335,9 @@ impl Painter {
         }
         if let Some(index) = marks.highlight {
             self.ball(scene, camera, index, marks.part);
+        }
+        for [from, to] in &scene.related {
+            self.dashes(camera.pixel(*from), camera.pixel(*to), &CENTRE_LINES[0]);
         }
         let lines = scene.centre_lines.into_iter().flatten().zip(&CENTRE_LINES);
         for ([from, to], pen) in lines.take(if marks.deviates { 2 } else { 1 }) {

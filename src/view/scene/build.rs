@@ -1,6 +1,7 @@
 //! The scene of a job's path: a function a layer.
 
-use crate::geom::{Vec2, Vec3};
+use crate::formula::{Operand, Seen};
+use crate::geom::{Plane, Vec2, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
 use crate::view::material::material;
@@ -102,6 +103,9 @@ pub fn between(
         unit: Some(1.0),
         radius: setup.radius,
         collision: collision.map(|(index, center)| (index, spot(center))),
+        related: related(path, setup.plane)
+            .map(|line| line.map(&spot))
+            .collect(),
         ..Scene::about(setup.plane, view)
     };
     for member in path.members.iter().skip(1) {
@@ -130,6 +134,45 @@ pub fn between(
         }
     }
     scene
+}
+
+/// How many chords a circle is drawn in.
+const CHORDS: usize = 72;
+
+/// What relations are about, on the nominal part: at the height of the cycles that they come from.
+fn related(path: &Path, plane: Plane) -> impl Iterator<Item = [Vec3; 2]> {
+    let [a, o, w] = plane.basis();
+    let nominal = |result: usize| path.formula.results[result].nominal;
+    let height = move |sources: &[usize]| {
+        sources
+            .iter()
+            .map(|member| path.members[*member].path.frame.origin.dot(w))
+            .fold(f64::NEG_INFINITY, f64::max)
+    };
+    path.relations.iter().flat_map(move |relation| {
+        let place = |operand: &Operand| match *operand {
+            Operand::Place([x, y]) => {
+                Some(a * nominal(x) + o * nominal(y) + w * height(&path.sources(x)))
+            }
+            Operand::Result(_) => None,
+        };
+        let places: Vec<Vec3> = relation.own.of.iter().filter_map(place).collect();
+        let own = |k: usize| nominal(relation.results.start + k);
+        let middle = || a * own(0) + o * own(1) + w * height(&relation.sources);
+        let lines: Vec<[Vec3; 2]> = match relation.own.relation.seen {
+            Seen::Line => vec![[places[0], places[1]]],
+            Seen::Middle => places.iter().map(|place| [middle(), *place]).collect(),
+            Seen::Circle => {
+                let at = |k: usize| {
+                    let (sin, cos) = (std::f64::consts::TAU * k as f64 / CHORDS as f64).sin_cos();
+                    middle() + (a * cos + o * sin) * (own(2) / 2.0)
+                };
+                (0..CHORDS).map(|k| [at(k), at(k + 1)]).collect()
+            }
+            Seen::Nothing => Vec::new(),
+        };
+        lines
+    })
 }
 
 /// What is looked at, and from where.

@@ -186,6 +186,8 @@ pub struct Scene {
     pub axes: [(&'static str, Vec2); 3],
     /// The line the cycle is about: nominal, and as it really lies.
     pub centre_lines: Option<[[Vec2; 2]; 2]>,
+    /// What the relations of a set-up are about, on the nominal part.
+    pub related: Vec<[Vec2; 2]>,
     /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
     /// Only seen from the top.
     pub spread: Option<(Vec2, f64, f64, f64)>,
@@ -420,6 +422,7 @@ impl Scene {
                     .flat_map(|block| block.corners.iter().copied()),
             )
             .chain(self.beyond.iter().copied())
+            .chain(self.related.iter().flatten().copied())
             // In this order, since a place that is not known is no number.
             .fold(start, |[low, high], place| {
                 [place.min(low), place.max(high)]

@@ -656,6 +656,66 @@ fn an_svg_is_to_scale_and_says_its_dimensions() {
     );
 }
 
+/// Four bores about (10, 5), 80 by 60 mm apart: their middle, the line through two of them, and their pitch circle, whose diameter is the diagonal, 100 mm.
+#[test]
+fn relations_are_drawn_where_their_places_are() {
+    let at = [[-30.0, -25.0], [50.0, -25.0], [50.0, 35.0], [-30.0, 35.0]];
+    let bores: Vec<String> = (1..)
+        .zip(at)
+        .map(|(n, [x, y])| {
+            format!(
+                r#"{{ "name": "B{n}", "type": "hole", "diameter": 12, "origin": [{x}, {y}, -5] }}"#
+            )
+        })
+        .collect();
+    let with_relation = |relation: &str| {
+        crate::common::job(&format!(
+            r#"{{ "format": 2, "cycles": [{}], "relations": [{relation}] }}"#,
+            bores.join(",")
+        ))
+    };
+    let seen = |relation: &str, view| built(&with_relation(relation), view).0.related;
+    let spots = at.map(|[x, y]| Vec2::new(x, y));
+    let middle = Vec2::new(10.0, 5.0);
+    let all = r#""of": ["B1", "B2", "B3", "B4"]"#;
+    let line = r#"{ "name": "LINE", "type": "line", "of": ["B1", "B3"] }"#;
+    let near = |found: &[[Vec2; 2]], wanted: &[[Vec2; 2]]| {
+        assert_eq!(found.len(), wanted.len());
+        for (found, wanted) in found.iter().flatten().zip(wanted.iter().flatten()) {
+            assert!(found.distance(*wanted) < 1e-9, "{found} {wanted}");
+        }
+    };
+    near(&seen(line, Projection::Top), &[[spots[0], spots[2]]]);
+    // From the front their height is seen.
+    near(
+        &seen(line, Projection::Front),
+        &[[Vec2::new(-30.0, -5.0), Vec2::new(50.0, -5.0)]],
+    );
+    near(
+        &seen(
+            &format!(r#"{{ "name": "MID", "type": "center", {all} }}"#),
+            Projection::Top,
+        ),
+        &spots.map(|spot| [middle, spot]),
+    );
+    let circle = seen(
+        &format!(r#"{{ "name": "PCD", "type": "pitch-circle", {all} }}"#),
+        Projection::Top,
+    );
+    assert!(circle.len() > 36);
+    for [from, to] in &circle {
+        assert!((from.distance(middle) - 50.0).abs() < 1e-9, "{from}");
+        assert!(to.distance(*from) < 5.0);
+    }
+    let step = r#"{ "name": "STEP", "type": "difference", "of": ["B1.diameter", "B2.diameter"] }"#;
+    assert!(seen(step, Projection::Top).is_empty());
+    // In the picture that is kept it is a thin line of long and short dashes.
+    let dashes = "stroke-dasharray=\"10 4 2 4\"";
+    let svg = |relation| job::svg(&with_relation(relation), Projection::Top).expect("a plan");
+    assert!(svg(line).contains(dashes));
+    assert!(!svg(step).contains(dashes));
+}
+
 #[test]
 fn an_svg_holds_no_markup_of_the_job_and_is_refused_with_the_jobs_findings() {
     let hostile = with(
