@@ -384,19 +384,19 @@ fn missing_limit(job: &Job, kind: Kind) -> Option<Text> {
         Kind::Place(_) => (
             job.limits.position,
             text!(
-                "A place that follows a result needs limits.position: how far from the nominal place the path may be shifted"
+                "A place that follows a result needs \"Position limit\": how far from the nominal place the path may be shifted"
             ),
         ),
         Kind::Rotation => (
             job.limits.angle,
             text!(
-                "A rotation that follows a result needs limits.angle: how far from the nominal one the path may be turned"
+                "A rotation that follows a result needs \"Angle limit\": how far from the nominal one the path may be turned"
             ),
         ),
         Kind::Size => (
             job.limits.size,
             text!(
-                "A size that follows a result needs limits.size: how far from the nominal one the path may grow or shrink"
+                "A size that follows a result needs \"Size limit\": how far from the nominal one the path may grow or shrink"
             ),
         ),
     };
@@ -512,7 +512,7 @@ fn check_turn(checker: &mut Checker, planned: &Planned, about: Vec3, index: usiz
     let most = job.limits.position.unwrap_or(f64::INFINITY);
     if far > most {
         let message = text!(
-            "Turned by limits.angle, this cycle lies {far} off its nominal place, and limits.position allows {limit}: on such a part the program stops before it writes",
+            "Turned by \"Angle limit\", this cycle lies {far} off its nominal place, and \"Position limit\" allows {limit}: on such a part the program stops before it writes",
             checker.length(far),
             checker.length(most)
         );
@@ -785,7 +785,7 @@ pub fn check_ways(whole: &Planned, checker: &mut Checker) {
             return checker.error("clear-too-low", "clear", message);
         }
         let message = text!(
-            "Move {move}, the way across to {cycle}, is {way} long, and a result may shift its end by {far}: it must be at least {least}, or limits.position smaller",
+            "Move {move}, the way across to {cycle}, is {way} long, and a result may shift its end by {far}: it must be at least {least}, or \"Position limit\" smaller",
             number,
             name,
             length,

@@ -520,7 +520,7 @@ pub fn check_circles(checker: &mut Checker, whole: &Planned) {
             continue;
         };
         let message = text!(
-            "The nominal places are {off} off one circle, more than limits.residual, {limit}",
+            "The nominal places are {off} off one circle, more than \"Residual limit\", {limit}",
             checker.length(off),
             checker.length(limit)
         );

@@ -215,7 +215,7 @@ fn one(
         check_middle(checker, limits, def, at);
         if own.limits.size.is_none() {
             let message = text!(
-                "Without limits.size the macro corrects the tool by whatever it meets, a chip or a wrong part too: enter a limit"
+                "Without \"Size limit\" the macro corrects the tool by whatever it meets, a chip or a wrong part too: enter a limit"
             );
             checker.warning("wear-unlimited", format!("{at}.wear"), message);
         }
@@ -462,21 +462,16 @@ fn check_limit(
     let least = plausible.wanted - plausible.limit - 1e-9;
     let most = plausible.wanted + plausible.limit + 1e-9;
     if low < least || high > most {
-        let key = match def.role {
-            Role::Size => "size",
-            Role::Angle | Role::Direction => "angle",
-            Role::Residual => "residual",
-            Role::Spread => {
-                let message = text!(
-                    "This tolerance reaches beyond repeat.spread: touches within it would be refused as an implausible measurement. Enter a larger limit there"
-                );
-                return checker.error("tolerance-beyond-limit", path, message);
-            }
-            _ => "position",
+        let limit = match def.role {
+            Role::Size => "Size limit",
+            Role::Angle | Role::Direction => "Angle limit",
+            Role::Residual => "Residual limit",
+            Role::Spread => "Largest spread",
+            _ => "Position limit",
         };
         let message = text!(
-            "This tolerance reaches beyond limits.{key}: a part within it would be refused as an implausible measurement. Enter a larger limit",
-            key
+            "This tolerance reaches beyond \"{limit}\": a part within it would be refused as an implausible measurement. Enter a larger limit",
+            Text::words(limit)
         );
         checker.error("tolerance-beyond-limit", path, message);
     }

@@ -676,7 +676,7 @@ impl<'a> Program<'a> {
             && self.request.limits.angle.is_some()
         {
             let message = text!(
-                "P9834 asks the angle after the second circle has written the work offset: let limits.angle be null, or write no work offset"
+                "P9834 asks the angle after the second circle has written the work offset: leave \"Angle limit\" empty, or write no work offset"
             );
             return Err(refused("limits-not-asked", "limits.angle", message));
         }
