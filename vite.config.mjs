@@ -145,7 +145,7 @@ const first = () => ({
           )
           .replace(
             / viewBox="0 0 480 \d+" width="480" height="\d+"/,
-            ` class="${units}" viewBox="39 50 402 263" aria-hidden="true"`,
+            ` class="${units}" viewBox="43 43 394 394" aria-hidden="true"`,
           )
           .replaceAll("touchpath-hatch", `first-hatch-${units}`);
       const cell = "<i></i><i></i><i></i>";

@@ -43,7 +43,12 @@ const seen = (/** @type {import("playwright-core").Page} */ tab) =>
 test("a first visit sees the picture before the page itself, where the page then draws it", async () => {
   const { own, tab, go } = await waiting(page.url(), "de-DE", /\/app-[^/]*$/);
   assert.deepEqual(await seen(tab), ["block", "none"]);
-  const ball = await tab.locator(".shell svg.mm circle").first().boundingBox();
+  const balls = await tab.locator(".shell svg.mm circle").evaluateAll((all) =>
+    all.map((one) => {
+      const { left, right, top, bottom } = one.getBoundingClientRect();
+      return { left, right, top, bottom };
+    }),
+  );
   go();
   await tab.locator("tp-picture canvas").first().waitFor();
   assert.equal(
@@ -52,9 +57,20 @@ test("a first visit sees the picture before the page itself, where the page then
     "the page took over",
   );
   const canvas = await tab.locator("tp-picture canvas").first().boundingBox();
+  assert.ok(canvas);
+  const { x, y, width, height } = canvas;
+  const ends = [
+    Math.min(...balls.map(({ left }) => left)) - x,
+    x + width - Math.max(...balls.map(({ right }) => right)),
+    Math.min(...balls.map(({ top }) => top)) - y,
+    y + height - Math.max(...balls.map(({ bottom }) => bottom)),
+  ];
+  const [left = 0, right = 0, above = 0, below = 0] = ends;
   assert.ok(
-    ball && canvas && ball.x > canvas.x && ball.x < canvas.x + canvas.width,
-    "it stood where the canvas is",
+    Math.min(...ends) > 0 &&
+      Math.abs(left - right) < width / 10 &&
+      Math.abs(above - below) < height / 10,
+    `the hole stood in the middle of where the canvas is: ${ends}`,
   );
   await own.close();
 });
