@@ -276,12 +276,14 @@ export class Store extends Entries {
       this.units,
     ) as unknown as Draft;
     const control: Draft = { ...(rest.control as Draft), form };
+    const { workOffsets = [1] } = this.rules.config?.allow ?? {};
+    const first = workOffsets.find((one) => one !== null) ?? null;
     return {
       ...rest,
       ...whole,
       control: {
         ...control,
-        workOffset: writes ? (control.workOffset ?? 1) : null,
+        workOffset: writes ? (control.workOffset ?? first) : null,
       },
       limits: { ...(rest.limits as Draft), ...(limits as Draft) },
       part: { ...(part as Draft), sizes: {} },

@@ -445,6 +445,8 @@ test("a ready set-up is not offered where the page around fixes what it would ch
     "bore-and-top",
     "plate",
   ]);
+  store.put("control.workOffset", null);
+  assert.ok(offered({ allow: { workOffsets: [null, 2] } }).includes("vise"));
   offered({ fields: { "limits.position": locked, "cycle.origin": locked } });
   const before = JSON.stringify(store.job);
   store.follow("cycle.origin[2]", "=TOP.point.z");
