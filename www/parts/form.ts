@@ -440,8 +440,9 @@ class FormPart extends FieldPart {
       if (is === chip.hasAttribute("aria-current")) continue;
       if (!is) chip.removeAttribute("aria-current");
       else chip.setAttribute("aria-current", "true");
-      if (is)
-        chips.scrollTo({ left: chip.offsetLeft - 40, behavior: "instant" });
+      // The features stand before the first group.
+      const left = now === groups[0] ? 0 : chip.offsetLeft - 40;
+      if (is) chips.scrollTo({ left, behavior: "instant" });
     }
   };
 
