@@ -1,5 +1,15 @@
-// Ready set-ups to begin a job with: several features that belong together, and what is written from them.
-import type { Draft } from "./job.js";
+// Ready set-ups to start a job from: features that belong together, and the datum written from them.
+import {
+  type Cycle,
+  convertUnits,
+  type Job,
+  JobError,
+  plan,
+} from "./core/browser.js";
+import { isWritten } from "./core/results.js";
+import type { Form } from "./entries.js";
+import { alike, type Draft, valueAt } from "./job.js";
+import type { Store } from "./store.js";
 import { w } from "./words.js";
 
 /** A set-up in mm, for any control. */
@@ -9,6 +19,12 @@ export interface SetUpEntry {
   says: string;
   /** Whether a work offset is written. */
   writes: boolean;
+  job: Draft;
+}
+
+/** A set-up as a job for one machine. */
+export interface ReadySetUp {
+  entry: SetUpEntry;
   job: Draft;
 }
 
@@ -24,7 +40,7 @@ export const SET_UPS: SetUpEntry[] = [
     key: "vise",
     name: w("Vise corner"),
     says: w(
-      "The top for Z, two walls for X and Y, and for the rotation where the control takes one.",
+      "The top for Z, two walls for X and Y, and for the rotation if the control supports it.",
     ),
     writes: true,
     job: {
@@ -70,7 +86,7 @@ export const SET_UPS: SetUpEntry[] = [
     key: "plate",
     name: w("Plate with four bores"),
     says: w(
-      "The origin in the middle of the bores, and the rotation from the line through two of them where the control takes one.",
+      "The origin in the middle of the bores, and the rotation from the line through two of them if the control supports it.",
     ),
     writes: true,
     job: {
@@ -117,3 +133,79 @@ export const SET_UPS: SetUpEntry[] = [
     },
   },
 ];
+
+/** The set-ups that the control of the job can write as their cards promise, in the form of the job or else in moves, and that the host page allows. */
+export function readySetUps(store: Store): ReadySetUp[] {
+  if (!store.rules.allowsSetUps) return [];
+  return SET_UPS.flatMap((entry) => {
+    const job = suitable(store, entry);
+    return job ? [{ entry, job }] : [];
+  });
+}
+
+function suitable(store: Store, entry: SetUpEntry): Draft | undefined {
+  const { post, form } = store.draft.control as Draft;
+  const types = (entry.job.cycles as { type: Cycle["type"] }[]).map(
+    ({ type }) => type,
+  );
+  if (!types.every((type) => store.rules.offers("cycles", type)))
+    return undefined;
+  return [...new Set([form, "moves"] as Form[])]
+    .filter(
+      (one) =>
+        store.rules.allowsForm(one) &&
+        types.every((type) => store.formsOf(post, type).includes(one)),
+    )
+    .map((one) => jobOf(store, entry, one))
+    .find((job) => keepsPromise(store, entry, job));
+}
+
+/** A set-up with the machine, feeds and units of the job in the form. */
+function jobOf(store: Store, { key, job, writes }: SetUpEntry, form: Form) {
+  const { cycle: _, part, tolerances: __, ...rest } = store.draft;
+  const mm = { format: 2, units: "mm", part: {}, ...job } as unknown as Job;
+  const { limits, ...whole } = convertUnits(
+    mm,
+    store.units,
+  ) as unknown as Draft;
+  const control = rest.control as Draft;
+  const { workOffsets = [1] } = store.rules.config?.allow ?? {};
+  const first = workOffsets.find((one) => one !== null) ?? null;
+  return {
+    ...rest,
+    ...whole,
+    control: {
+      ...control,
+      form,
+      workOffset: writes ? (control.workOffset ?? first) : null,
+    },
+    limits: { ...(rest.limits as Draft), ...(limits as Draft) },
+    part: { ...(part as Draft), sizes: {} },
+    name: key.toUpperCase(),
+  } as Draft;
+}
+
+/** Whether a job writes every axis of its set-up and keeps every locked field. Not every control can write a rotation: the cards say so. */
+function keepsPromise(
+  { rules, draft }: Store,
+  { job, writes }: SetUpEntry,
+  whole: Draft,
+): boolean {
+  const locked = rules.locked().filter((path) => !path.startsWith("cycle."));
+  if (
+    locked.some((path) => !alike(valueAt(whole, path), valueAt(draft, path))) ||
+    rules.judged(whole).some(({ level }) => level === "error")
+  )
+    return false;
+  try {
+    const { results } = plan(whole as unknown as Job);
+    const written: string[] = results.filter(isWritten).map(({ code }) => code);
+    const { rotation: _, ...axes } = (job.datum ?? {}) as Draft;
+    return writes
+      ? Object.keys(axes).every((axis) => written.includes(`offset.${axis}`))
+      : written.length === 0;
+  } catch (thrown) {
+    if (!(thrown instanceof JobError)) throw thrown;
+    return false;
+  }
+}

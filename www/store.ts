@@ -19,7 +19,7 @@ import {
 } from "./core/browser.js";
 import { LEVELS } from "./core/layout.js";
 import { programStem, stem } from "./core/names.js";
-import { codeOf, isWritten } from "./core/results.js";
+import { codeOf } from "./core/results.js";
 import { Entries, type Form, type Units } from "./entries.js";
 import { byCode, Features, type SetUpState } from "./features.js";
 import { Fixed } from "./fixed.js";
@@ -33,9 +33,7 @@ import {
   isObject,
   ownIn,
   putAt,
-  valueAt,
 } from "./job.js";
-import { tidy } from "./number.js";
 import {
   keepCam,
   keepFiles,
@@ -44,10 +42,11 @@ import {
   keptCam,
   keptFiles,
 } from "./persistence.js";
+import { placedBeside } from "./place-feature.js";
 import { type Preset, SECTIONS } from "./presets.js";
 import type { Reading } from "./read-text.js";
 import type { Rules } from "./rules.js";
-import type { SetUpEntry } from "./set-ups.js";
+import { type ReadySetUp, readySetUps } from "./set-ups.js";
 import { type Lang, w } from "./words.js";
 
 export { sizeField, type Units } from "./entries.js";
@@ -165,6 +164,7 @@ export class Store extends Entries {
   private given: Set<string> | null = new Set();
   /** Cycles that were left, so that coming back finds their forms and their measured points. */
   private left = new Map<string, Left>();
+  private ready?: { revision: number; setUps: ReadySetUp[] };
   private readonly history = new History<Moment>();
   /** Whether the user can change the job. What is put in from outside is taken all the same. */
   private shut = false;
@@ -178,7 +178,7 @@ export class Store extends Entries {
   /** What was saved, by the names of the files. */
   private readonly files: Map<string, string>;
 
-  /** `local`: the state is kept in this browser; `first`: what a job begins with, else the first cycle of the catalog. */
+  /** `local`: stores the state in this browser. `first`: cycle of a new job, by default the first one of the catalog. */
   constructor({
     local = false,
     first,
@@ -232,148 +232,31 @@ export class Store extends Entries {
     return this.features.compose(this.draft);
   }
 
-  /** Begins a job with a ready set-up, for the machine of the present one. */
-  beginSetUp(entry: SetUpEntry): void {
-    const job = this.readySetUp(entry);
+  /** The ready set-ups that suit the machine of the job. Planned on first use, once for each state of the job. */
+  get readySetUps(): ReadySetUp[] {
+    if (this.ready?.revision !== this.revision)
+      this.ready = { revision: this.revision, setUps: readySetUps(this) };
+    return this.ready.setUps;
+  }
+
+  /** Starts a job from the ready set-up with this key. */
+  beginSetUp(key: string): void {
+    const job = this.readySetUps.find((one) => one.entry.key === key)?.job;
     if (!job) return;
     const { form } = this.draft.control as Draft;
     this.load(job, "", this.given);
     if ((job.control as Draft).form !== form)
       this.tell([
-        w("The program is in moves: the control's own cycles do not compute"),
+        w(
+          "The program uses moves: native cycles cannot compute with each other's results",
+        ),
       ]);
   }
 
-  /** A ready set-up as a job for the machine of the present one. Null where that machine cannot write what the set-up is for, in the form of the present job or in moves, or the page around does not allow it. */
-  readySetUp(entry: SetUpEntry): Draft | null {
-    const { post, form } = this.draft.control as Draft;
-    const types = (entry.job.cycles as { type: Cycle["type"] }[]).map(
-      ({ type }) => type,
-    );
-    if (
-      !this.rules.allowsSetUps ||
-      !types.every((type) => this.rules.offers("cycles", type))
-    )
-      return null;
-    const forms = [...new Set([form, "moves"] as Form[])].filter(
-      (one) =>
-        this.rules.allowsForm(one) &&
-        types.every((type) => this.formsOf(post, type).includes(one)),
-    );
-    for (const one of forms) {
-      const job = this.setUpIn(entry, one);
-      if (this.keepsWord(entry, job)) return job;
-    }
-    return null;
-  }
-
-  /** A ready set-up for the machine of the job, in a form of its control. */
-  private setUpIn({ key, job, writes }: SetUpEntry, form: Form): Draft {
-    const { cycle: _, part, tolerances: __, ...rest } = this.draft;
-    const mm = { format: 2, units: "mm", part: {}, ...job };
-    const { limits, ...whole } = convertUnits(
-      mm as unknown as Job,
-      this.units,
-    ) as unknown as Draft;
-    const control: Draft = { ...(rest.control as Draft), form };
-    const { workOffsets = [1] } = this.rules.config?.allow ?? {};
-    const first = workOffsets.find((one) => one !== null) ?? null;
-    return {
-      ...rest,
-      ...whole,
-      control: {
-        ...control,
-        workOffset: writes ? (control.workOffset ?? first) : null,
-      },
-      limits: { ...(rest.limits as Draft), ...(limits as Draft) },
-      part: { ...(part as Draft), sizes: {} },
-      name: key.toUpperCase(),
-    };
-  }
-
-  /** Whether a job writes every axis that its set-up is for and changes nothing that the page around fixes. The rotation is written where the control takes one. */
-  private keepsWord({ job, writes }: SetUpEntry, whole: Draft): boolean {
-    const held = this.rules
-      .locked()
-      .filter((path) => !path.startsWith("cycle."));
-    if (
-      held.some((path) => !alike(valueAt(whole, path), this.get(path))) ||
-      this.rules.judged(whole).some(({ level }) => level === "error")
-    )
-      return false;
-    try {
-      const { results } = plan(whole as unknown as Job);
-      const written: string[] = results
-        .filter(isWritten)
-        .map(({ code }) => code);
-      const { rotation: _, ...axes } = (job.datum ?? {}) as Draft;
-      return writes
-        ? Object.keys(axes).every((axis) => written.includes(`offset.${axis}`))
-        : written.length === 0;
-    } catch (thrown) {
-      if (!(thrown instanceof JobError)) throw thrown;
-      return false;
-    }
-  }
-
-  /** A cycle as large as the last of its kind, beside what the plan has: along the abscissa, a clearance away. With the values of the catalog where the last one has errors. */
-  private beside(fresh: Draft): Draft {
-    const { plan: now, catalog } = this;
-    const fields =
-      catalog.cycles.find(({ type }) => type === fresh.type)?.fields ?? [];
-    const places = fields.filter(({ kind }) => /point$/i.test(kind));
-    const { tolerances: _, part: __, ...rest } = this.draft;
-    const alone = (cycle: Draft) => {
-      try {
-        return plan({ ...rest, cycle } as unknown as Job);
-      } catch (thrown) {
-        if (!(thrown instanceof JobError)) throw thrown;
-        return null;
-      }
-    };
-    // Touches of its own are places, too: those that the cycle makes go where it goes.
-    const like = { ...fresh };
-    const last = this.lastOf(String(fresh.type)) ?? {};
-    for (const { key } of fields)
-      if (key in last) like[key] = structuredClone(last[key]);
-    // What follows a result would lie upon the one that is like it.
-    for (const { key } of places)
-      like[key] = ((like[key] ?? [0, 0, 0]) as unknown[]).map((x) =>
-        typeof x === "number" ? x : 0,
-      );
-    if (typeof like.rotation === "string") like.rotation = 0;
-    const likely = alone(like);
-    const cycle = likely ? like : structuredClone(fresh);
-    const own = likely ?? alone(cycle);
-    if (!own || now.moves.length === 0) return cycle;
-    const axis = { G17: 0, G18: 2, G19: 1 }[String(this.get("plane"))] ?? 0;
-    const along = (of: Plan) => of.moves.map(({ to }) => to[axis] as number);
-    const free = this.units === "inch" ? 1 : 25;
-    const off = Math.ceil(
-      Math.max(...along(now)) + free - Math.min(...along(own)),
-    );
-    for (const { key, kind } of places) {
-      const place = (cycle[key] ?? [0, 0, 0]) as number[];
-      // 1411 counts in its plane: the abscissa is first.
-      const at = kind === "nominalPoint" ? 0 : axis;
-      place[at] = tidy((place[at] ?? 0) + off);
-      cycle[key] = place;
-    }
-    return cycle;
-  }
-
-  /** The last cycle of a type in the job. */
-  private lastOf(type: string): Draft | undefined {
-    const all = this.features.several
-      ? this.features.inOrder(this.draft).map(({ cycle }) => cycle)
-      : [this.draft.cycle as Draft];
-    return all.findLast((cycle) => cycle.type === type);
-  }
-
-  /** Adds a cycle of a type behind the one in hand, beside what is there and as large as the last of its kind, and brings it into the form. */
+  /** Adds a cycle of this type after the active one and makes it active: beside the other features, with the sizes of the last one of its type. */
   addFeature(type: Cycle["type"]): void {
     const fresh = this.freshOf(type) as { cycle: Draft };
-    const cycle = this.beside(fresh.cycle);
+    const cycle = placedBeside(this, fresh.cycle);
     this.arrange(() => {
       this.features.add(this.draft, cycle);
       this.features.bring(this.draft, this.features.hand + 1);
@@ -432,7 +315,7 @@ export class Store extends Entries {
     });
   }
 
-  /** Lets a field follow a result. A place needs a limit of how far off it may be: where there is none, 2 mm are proposed, and said. */
+  /** Makes a field follow a result. A followed position requires a limit: without one, sets 2 mm (0.08 inch) and announces it. */
   follow(path: string, result: string): void {
     const proposed = this.units === "inch" ? 0.08 : 2;
     const limits = this.draft.limits as Draft;
@@ -502,7 +385,7 @@ export class Store extends Entries {
       | undefined;
   }
 
-  /** The size of a cycle of the plan, by the code of its result, where it is written with a tolerance; null where it is a plain number. */
+  /** Text of a size that contains a tolerance, by cycle of the plan and code of the result; null if the size is a number or follows a result. */
   sizeWithTolerance(cycle: number, code: string): string | null {
     const { features, draft } = this;
     const own = features.several
@@ -518,7 +401,7 @@ export class Store extends Entries {
       : null;
   }
 
-  /** Gives results of a cycle of the plan a tolerance, or none: by their codes, in one step. */
+  /** Sets or removes the tolerances of several results of a cycle in one undo step. */
   tolerate(
     cycle: number,
     changes: Record<string, ResultTolerance | undefined>,
@@ -714,7 +597,7 @@ export class Store extends Entries {
     this.changed();
   }
 
-  /** What followed from the tolerance of a size goes with it. */
+  /** Removes the action and wear correction of a size that no longer has a tolerance. */
   private untolerate(path: string): void {
     const [, code = ""] = /^cycle\.(\w+)$/.exec(path) ?? [];
     const all = this.draft.tolerances as Draft | undefined;

@@ -1,6 +1,6 @@
 import { Part } from "./part.js";
 
-/** How much there is behind a door. */
+/** Amount in a panel, beside the door that opens it. No count of parameter rows: the table is made only when it is shown. */
 class AmountPart extends Part {
   protected override follows = ["change"];
   declare of: string;
@@ -9,20 +9,19 @@ class AmountPart extends Part {
 
   override render(): string {
     const { store } = this;
-    const { program, table, safety } = store.plan;
     if (store.stale) return "";
     switch (this.of) {
       case "program":
         return this.t(
           "{count} lines",
-          program.text.trimEnd().split("\n").length,
+          store.plan.program.text.trimEnd().split("\n").length,
         );
-      case "table":
-        return this.t("{count} rows", table.length);
       case "measured":
         return store.measured.trim() === "" ? this.t("none yet") : "";
       case "checks": {
-        const held = safety.filter(({ holds }) => holds === true).length;
+        const held = store.plan.safety.filter(
+          ({ holds }) => holds === true,
+        ).length;
         return this.t("{count} hold", held);
       }
       default:

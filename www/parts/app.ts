@@ -11,7 +11,6 @@ import { hold } from "../hold.js";
 import { isObject } from "../job.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
-import { SET_UPS } from "../set-ups.js";
 import { Store } from "../store.js";
 import { css } from "../styles.js";
 import { w } from "../words.js";
@@ -66,7 +65,7 @@ const PANELS = {
   measured: w("Measured values, report"),
   checks: w("Checks"),
 } as const;
-/** The same where there is room for a word. */
+/** Short label for a narrow tab. */
 const MEASURED = w("Measured");
 type Panel = keyof typeof PANELS;
 const NAME_OF = {
@@ -152,7 +151,7 @@ function redrawn(store: Store): void {
 export class App extends LitElement {
   private panel: Panel | null = null;
   private tool: Tool = "cycles";
-  /** Whether the gallery adds to the job what is chosen. */
+  /** Whether the gallery adds a feature instead of replacing the cycle. */
   private adds = false;
   /** The page of the manual that is shown. */
   private topic = "";
@@ -317,7 +316,7 @@ export class App extends LitElement {
     return (Object.keys(PANELS) as Panel[]).filter(fits);
   }
 
-  /** Whether there are parameters to show: of a page around that shows single panels only where it asks for them. */
+  /** Whether to show the parameters. A host page that shows single panels has to request them. */
   private get hasTable(): boolean {
     return this.asked || this.store.cam || this.around.links;
   }
@@ -382,7 +381,7 @@ export class App extends LitElement {
     const shows = (name: PanelName) => wanted.includes(name);
     const none = (name: string, is: boolean) => (is ? name : "");
     const role = panels.length < 2 ? nothing : "tabpanel";
-    // Where there is room the state of the job stands above its results.
+    // A wide page shows the state of the job above the results.
     const beside = this.width >= WIDE && panels.length > 0 && !this.around.lent;
     const first =
       this.width >= WIDE && active === "results" && panels.length > 1;
@@ -706,7 +705,7 @@ export class App extends LitElement {
     if (index !== undefined)
       this.store.bringFeature(this.store.features.placeOf(Number(index)));
     const path = index === undefined ? wanted : `cycle${rest}`;
-    // The list of tolerances is no part of the form.
+    // The list of tolerances is outside the form.
     const [, listed] =
       /^(tolerances\..+?)(\.(tolerance|action|wear).*)?$/.exec(wanted) ?? [];
     if (listed) {
@@ -926,10 +925,8 @@ export class App extends LitElement {
     await this.use("cycles");
     const { store } = this;
     if (path === "cycle.type") store.choose(name as Job["cycle"]["type"]);
-    else if (path === "set-up") {
-      const one = SET_UPS.find(({ key }) => key === name);
-      if (one) store.beginSetUp(one);
-    } else if (path === "units") store.setUnits(name as "mm" | "inch");
+    else if (path === "set-up") store.beginSetUp(name);
+    else if (path === "units") store.setUnits(name as "mm" | "inch");
     else if (path === "control.form") store.put(path, name);
     else if (!this.refused(name)) store.chooseControl(name);
   }

@@ -1,7 +1,6 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { catalog, type FieldEntry } from "../core/browser.js";
 import { found, hasWord, LENGTHS, textOf, wordsIn } from "../search.js";
-import { SET_UPS } from "../set-ups.js";
 import { w } from "../words.js";
 import { Part } from "./part.js";
 
@@ -19,7 +18,7 @@ interface Command {
   event: [name: string, detail: string];
 }
 
-/** What actions are looked for by besides their names. */
+/** Additional search words of actions. */
 const ALSO: Record<string, string> = {
   lengths: LENGTHS,
   measured: w("tolerance report inspection series log results"),
@@ -29,7 +28,7 @@ const ALSO: Record<string, string> = {
   presets: w("machine keep stylus feeds"),
 };
 const UNITS = "units millimetre metric imperial inches";
-/** The names that native cycles and macros go by. */
+/** Names and numbers of native cycles and macros. */
 const NATIVE =
   "Renishaw macros Inspection Plus G65 P9810 P9811 P9812 P9814 P9815 P9816 P9821 P9822 P9823 P9834 P9843 9812 9814 measuring cycles CYCLE977 CYCLE978 977 978 touch probe TCH PROBE 408 409 410 411 412 413 420 421 422 423 424 425 426 427 1411 native own";
 
@@ -131,7 +130,7 @@ class CommandsPart extends Part {
     );
   }
 
-  /** The other form of the program, where the control has it: by the names and numbers of its cycles. */
+  /** Command that switches between moves and native cycles, found by the names and numbers of these cycles. */
   private forms(): Command[] {
     const { store } = this;
     const { post } = store;
@@ -178,8 +177,8 @@ class CommandsPart extends Part {
         event: ["about", event[1].replace("cycle.type", "cycle")],
       }),
     );
-    const setUps = SET_UPS.filter((one) => store.readySetUp(one) !== null).map(
-      ({ key, name, says }): Command => ({
+    const setUps = store.readySetUps.map(
+      ({ entry: { key, name, says } }): Command => ({
         name: this.t(name),
         kind: this.t("Ready set-ups"),
         says: this.t(says),

@@ -36,7 +36,7 @@ const COUNTS = new Map<string, number>();
 /** What can be measured: every cycle with a sentence and a small drawing of its default job, made by the same code as the large picture. */
 class GalleryPart extends Part {
   protected override follows = ["change"];
-  /** Whether what is chosen is added to the job, and does not take the place of its cycle. */
+  /** Whether a click adds a feature instead of replacing the cycle. */
   declare adds: boolean;
 
   static override properties = { adds: { attribute: false } };
@@ -70,9 +70,7 @@ class GalleryPart extends Part {
           store.rules.offers("cycles", cycle.type),
       )
       .sort((a, b) => (a.number ?? last) - (b.number ?? last));
-    const ready = this.adds
-      ? []
-      : SET_UPS.filter((one) => store.readySetUp(one) !== null);
+    const ready = this.adds ? [] : store.readySetUps.map(({ entry }) => entry);
     const things: (CycleEntry | SetUpEntry | null)[] = [
       ...all,
       ...ready,
@@ -179,7 +177,7 @@ class GalleryPart extends Part {
   }
 
   private begin(one: SetUpEntry): void {
-    this.store.beginSetUp(one);
+    this.store.beginSetUp(one.key);
     this.dispatchEvent(new CustomEvent("chosen", { bubbles: true }));
   }
 
