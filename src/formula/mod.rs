@@ -24,7 +24,7 @@ pub use draft::{Draft, Expr, Value};
 pub use dual::Dual;
 pub use name::Name;
 pub use node::{CirclePart, Function, Node, NodeId, Op, Variable};
-pub use relate::{Operand, RELATIONS, Relating, Relation, RelationDef, Seen};
+pub use relate::{Operand, RELATIONS, Relating, Relation, RelationDef, RelationDrawing};
 pub use turned::Turn;
 
 use crate::formula::repeat::Repeats;

@@ -28,23 +28,23 @@ pub struct RelationDef {
     pub most: Option<usize>,
     /// The codes of its results, in their order; of angles `.angle` is added to the first.
     pub results: &'static [&'static str],
-    /// What is drawn of it.
-    pub seen: Seen,
+    /// How a picture draws it.
+    pub drawing: RelationDrawing,
     write: Write,
     values: Values,
     problem: fn(&[[f64; 2]]) -> Option<Text>,
 }
 
-/// What a picture shows of a relation.
+/// How a picture draws a relation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seen {
+pub enum RelationDrawing {
     /// The line from the first place to the second.
     Line,
-    /// Lines from the middle, its first two results, to each place.
+    /// Lines from the mean position (results 1 and 2) to each position.
     Middle,
-    /// The circle through the places: its middle and, third, its diameter.
+    /// The fitted circle: center (results 1 and 2) and diameter (result 3).
     Circle,
-    /// Single values are no places.
+    /// Nothing: single values have no position.
     Nothing,
 }
 
@@ -65,7 +65,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: Some(2),
         results: &["distance", "rotation"],
-        seen: Seen::Line,
+        drawing: RelationDrawing::Line,
         write: line,
         values: line_of,
         problem: |of| {
@@ -81,7 +81,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: None,
         results: &["center.x", "center.y"],
-        seen: Seen::Middle,
+        drawing: RelationDrawing::Middle,
         write: middle,
         values: |of, _| {
             [0, 1]
@@ -98,7 +98,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 3,
         most: None,
         results: &["center.x", "center.y", "diameter", "residual"],
-        seen: Seen::Circle,
+        drawing: RelationDrawing::Circle,
         write: pitch_circle,
         values: |of, _| pitch_circle_of(of),
         problem: |of| {
@@ -116,7 +116,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: Some(2),
         results: &["difference"],
-        seen: Seen::Nothing,
+        drawing: RelationDrawing::Nothing,
         write: difference,
         values: |of, _| vec![Some(of[0][0] - of[1][0])],
         problem: |_| None,
@@ -129,7 +129,7 @@ pub static RELATIONS: [RelationDef; 5] = [
         least: 2,
         most: None,
         results: &["mean"],
-        seen: Seen::Nothing,
+        drawing: RelationDrawing::Nothing,
         write: mean,
         values: |of, directions| {
             vec![Some(mean_of(

@@ -73,7 +73,7 @@ pub const EDGES: [Pen; 2] = [
     pen(Colour::Actual, [1.5; 2], &[7.0, 4.0]),
 ];
 
-/// The line that a cycle or a relation is about: nominal, and as it really lies.
+/// Center line of a cycle or relation: nominal, actual.
 pub const CENTRE_LINES: [Pen; 2] = [
     pen(Colour::Wall, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),
     pen(Colour::Actual, [1.0; 2], &[10.0, 4.0, 2.0, 4.0]),

@@ -234,7 +234,7 @@ impl Drawing {
         }
     }
 
-    /// What relations are about.
+    /// Lines of the relations.
     fn relations(&mut self, scene: &Scene) {
         if scene.related.is_empty() {
             return;

@@ -1,6 +1,6 @@
 //! The scene of a job's path: a function a layer.
 
-use crate::formula::{Operand, Seen};
+use crate::formula::{Operand, RelationDrawing};
 use crate::geom::{Plane, Vec2, Vec3};
 use crate::part::Run;
 use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
@@ -136,10 +136,10 @@ pub fn between(
     scene
 }
 
-/// How many chords a circle is drawn in.
+/// Number of chords that draw a circle.
 const CHORDS: usize = 72;
 
-/// What relations are about, on the nominal part: at the height of the cycles that they come from.
+/// Lines of the relations on the nominal part, at the height of the highest cycle that each one uses.
 fn related(path: &Path, plane: Plane) -> impl Iterator<Item = [Vec3; 2]> {
     let [a, o, w] = plane.basis();
     let nominal = |result: usize| path.formula.results[result].nominal;
@@ -159,17 +159,17 @@ fn related(path: &Path, plane: Plane) -> impl Iterator<Item = [Vec3; 2]> {
         let places: Vec<Vec3> = relation.own.of.iter().filter_map(place).collect();
         let own = |k: usize| nominal(relation.results.start + k);
         let middle = || a * own(0) + o * own(1) + w * height(&relation.sources);
-        let lines: Vec<[Vec3; 2]> = match relation.own.relation.seen {
-            Seen::Line => vec![[places[0], places[1]]],
-            Seen::Middle => places.iter().map(|place| [middle(), *place]).collect(),
-            Seen::Circle => {
+        let lines: Vec<[Vec3; 2]> = match relation.own.relation.drawing {
+            RelationDrawing::Line => vec![[places[0], places[1]]],
+            RelationDrawing::Middle => places.iter().map(|place| [middle(), *place]).collect(),
+            RelationDrawing::Circle => {
                 let at = |k: usize| {
                     let (sin, cos) = (std::f64::consts::TAU * k as f64 / CHORDS as f64).sin_cos();
                     middle() + (a * cos + o * sin) * (own(2) / 2.0)
                 };
                 (0..CHORDS).map(|k| [at(k), at(k + 1)]).collect()
             }
-            Seen::Nothing => Vec::new(),
+            RelationDrawing::Nothing => Vec::new(),
         };
         lines
     })

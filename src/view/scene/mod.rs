@@ -186,7 +186,7 @@ pub struct Scene {
     pub axes: [(&'static str, Vec2); 3],
     /// The line the cycle is about: nominal, and as it really lies.
     pub centre_lines: Option<[[Vec2; 2]; 2]>,
-    /// What the relations of a set-up are about, on the nominal part.
+    /// Lines of the relations of a set-up, on the nominal part.
     pub related: Vec<[Vec2; 2]>,
     /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
     /// Only seen from the top.
