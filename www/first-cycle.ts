@@ -1,2 +1,2 @@
-/** What a first visit begins with; vite.config.mjs keeps the answers of the module for it. */
+/** Cycle of a first visit. vite.config.mjs builds the answers for this cycle into the page. */
 export const FIRST_CYCLE = "hole";

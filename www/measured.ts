@@ -1,4 +1,4 @@
-// What was measured on a machine: its text, and what follows from it.
+// Evaluation of the text that a machine printed.
 import {
   type Finding,
   type Job,
@@ -14,27 +14,27 @@ export const places = (unit: string) => (unit === "inch" ? 4 : 3);
 export const number = (value: number | null, digits: number) =>
   value === null ? "–" : value.toFixed(digits).replace(/^-(0\.?0*)$/, "$1");
 
-/** The same as the language of the page writes it. */
+/** A number in the notation of the page's language. */
 export const shown = (store: Store, value: number | null, digits: number) =>
   store.number(number(value, digits));
 
-/** What a program does with a result out of its tolerance. */
+/** Actions of a program when a result is out of tolerance. */
 export const ACTIONS = [
   ["go", w("continue")],
   ["mark", w("mark it")],
   ["stop", w("stop")],
 ] as const;
 
-/** What was made of the measured text: what follows from it, or what is wrong with it; neither if no text was entered. */
+/** Results of the measured text, or its errors; neither if no text was entered. */
 export interface Evaluated {
-  /** That of the last part. */
+  /** The last part. */
   found?: Measurement;
   errors?: Finding[];
-  /** Those of all parts of a series, or of the one. */
+  /** All parts of a series. */
   parts?: Measurement[];
 }
 
-/** What makes reports: fetched when something was measured. */
+/** The module that makes reports, loaded on first use. */
 export class Reports {
   private module: typeof import("./core/report.js") | null = null;
 
@@ -54,15 +54,15 @@ export class Reports {
   }
 }
 
-/** What was asked for last: several parts show the same of one text. */
+/** The last answer: several parts of the page show the same text. */
 let last: { asked: unknown[]; answer: Evaluated } | null = null;
 
-/** What follows from the measured text. */
+/** Evaluates the measured text. */
 export function evaluated(store: Store, reports: Reports): Evaluated {
   const { measured, plan, stale } = store;
   if (measured.trim() === "") return {};
   const module = reports.get();
-  // With errors in the form the plan is an older one, and says nothing of the job.
+  // With errors in the form, the plan belongs to an earlier job.
   if (stale) return answered(store, null);
   const asked = [store, plan, measured, module];
   if (!last || asked.some((one, i) => one !== last?.asked[i]))

@@ -32,15 +32,15 @@ const THOUSANDS_BY_POINT = /^[+-]?[1-9]\d{0,2}(\.000)+(?!\d)/;
 /** A size and one or two small deviations, as drawings write a tolerance: `25+0.021`, `25 -0,02`, `25+0.021-0`. */
 const DEVIATIONS =
   /^(\d+[.,]?\d*)\s*[-+]\s*(\d*[.,]?\d+)(?:\s*[-+/]\s*[-+]?\s*(\d*[.,]?\d+))?$/;
-/** Two deviations that no sum has: each with its sign or a 0, apart by a slash or a blank. */
+/** Two deviations that cannot be terms of a sum: each signed or 0, separated by a slash or a blank. */
 const APART =
   /^\d+[.,]?\d*(?:\s*[-+]\d*[.,]?\d+|\s0)\s*[\s/]\s*(?:[-+]\d*[.,]?\d+|0)$/;
 /** `25e7` is a fit: as a number it would be larger than any part. */
 const FIT = /^\d+[.,]?\d*\s*e\s*([5-9]|1\d)$/i;
-/** A deviation that could be a term of a sum is smaller than this, in the units of the size, and less than a quarter of it. */
+/** Upper bound of a deviation that could also be a term of a sum, in the units of the size. A quarter of the size is a second bound. */
 const SMALL: Record<Units, number> = { mm: 0.5, inch: 0.02 };
 
-/** Whether a text in a field for a size says a tolerance, and not a sum. */
+/** Whether the text of a size contains a tolerance and is not a sum. */
 function isToleranced(text: string, units: Units): boolean {
   if (FIT.test(text) || APART.test(text)) return true;
   const [, size, ...deviations] = (DEVIATIONS.exec(text) ?? []).map((part) =>

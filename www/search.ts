@@ -9,7 +9,7 @@ export const LENGTHS = w(
   "tool length offset frame swivel nutating head axis SINUMERIK LENTOAX",
 );
 
-/** What people of other languages look for on a page in English, by a word of the cycle's name. */
+/** Search words in other languages for the English page, by a word in the cycle's name. */
 const ELSEWHERE: [RegExp, string][] = [
   [/hole|circles/, "bohrung kreis отверстие окружность 孔 圆"],
   [/boss|circles/, "zapfen welle бобышка вал 凸台 轴"],

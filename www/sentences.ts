@@ -179,14 +179,14 @@ export const ofRunout = (
     .map(say)
     .join(", ");
 
-/** A size as a drawing says it: `Ø25 H7`, `80`. */
+/** A size in drawing notation: `Ø25 H7`, `80`. */
 function sizeInWords(store: Store, key: string, value: unknown): string {
   const text =
     typeof value === "number" ? store.number(String(value)) : String(value);
   return `${key.startsWith("diameter") && !/^[Øø⌀]/.test(text) ? "Ø" : ""}${text.trim()}`;
 }
 
-/** The sizes of a cycle of the job: `Ø25 H7`, `80 × 50`; of an angle and of what follows a result nothing. */
+/** The lengths of a cycle in drawing notation: `Ø25 H7`, `80 × 50`. Omits sizes that follow a result. */
 export function sizesInWords(store: Store, cycle: Draft): string {
   const entry = store.catalog.cycles.find(({ type }) => type === cycle.type);
   const sizes = (entry?.fields ?? [])
@@ -201,16 +201,16 @@ export function sizesInWords(store: Store, cycle: Draft): string {
     .join(" × ");
 }
 
-/** A name as it stands inside a sentence: in German a noun has its capital anywhere. */
+/** A name inside a sentence. Other languages keep capitals: German nouns always have one. */
 export const inside = (store: Store, name: string) =>
   store.lang === "en" && !/^.[A-Z]|[a-z][A-Z]/.test(name)
     ? `${name.charAt(0).toLowerCase()}${name.slice(1)}`
     : name;
 
-/** So many features are named; of more the count is said. */
+/** Maximum number of features listed by name. */
 const MOST_NAMED = 3;
 
-/** What is probed: `hole Ø25 H7`, `TOP, CORNER and BORE`, `6 features`. */
+/** The probed features: `hole Ø25 H7`, `TOP, CORNER and BORE`, `6 features`. */
 export function whatInWords(store: Store): string {
   const names = store.features
     .inOrder(store.draft)

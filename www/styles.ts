@@ -1,4 +1,4 @@
-// Everything inside the element: a file for each area of the page. Later ones go before earlier ones.
+// Styles inside the element, one file for each area of the page. Later files override earlier ones.
 import features from "./styles/features.css?inline";
 import form from "./styles/form.css?inline";
 import frame from "./styles/frame.css?inline";

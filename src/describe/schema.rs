@@ -101,7 +101,7 @@ fn tolerances() -> Value {
                     (
                         "description",
                         text(
-                            "About the nominal value (H7, ±0.02, +0.021/0) or with it (25H7, 24.98..25.02). Left out where the size says it.",
+                            "About the nominal value (H7, ±0.02, +0.021/0) or with it (25H7, 24.98..25.02). Omit it if the size contains the tolerance.",
                         ),
                     ),
                 ]),
@@ -563,10 +563,10 @@ fn field(field: &Field) -> Value {
     Value::Map(entries)
 }
 
-/// A size with a class, or with one deviation or two, as a pattern.
+/// Pattern of a size with a tolerance class, or with one or two deviations.
 const TOLERANCED: &str = r"\s*[Øø⌀]?\s*\d+([.,]\d+)?\s*([A-Za-z]{1,2}\d{1,2}|(0\s*[ /]\s*)?(±|\+/-|[+−-])\s*[\d.,]+[\d.,\s+−/-]*)\s*";
 
-/// What a size takes beside a number.
+/// Added to the description of every size.
 const WITH_TOLERANCE: &str = "As text it has a tolerance: `25 H7`, `25 +0.021 0`, `25 ±0.05`.";
 
 fn whole(min: f64, max: f64) -> Value {

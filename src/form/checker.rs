@@ -644,7 +644,7 @@ impl Checked for String {
     }
 }
 
-/// The nominal value of a size that is written with its tolerance; none of anything else.
+/// Nominal value of a size that contains a tolerance; `None` for any other value.
 fn nominal_of(value: &Value, field: &Field, scale: f64) -> Option<Result<f64, Text>> {
     let Value::Text(text) = value else {
         return None;
@@ -660,7 +660,7 @@ fn nominal_of(value: &Value, field: &Field, scale: f64) -> Option<Result<f64, Te
     Some(tolerance::size(text, classes)?.map(|(nominal, _)| nominal))
 }
 
-/// What is reported of a value that should be a number.
+/// Message for a value that should be a number.
 fn not_a_number(value: &Value, field: &Field) -> Text {
     if let Value::Text(text) = value
         && let Some(nominal) = tolerance::toleranced(text)

@@ -185,7 +185,7 @@ pub fn resolved(job: &Value) -> Option<Value> {
     Some(whole)
 }
 
-/// Sizes with a tolerance in characters that a comment of any control takes, and the limit that follows from them.
+/// Writes sizes with a tolerance in characters that every control accepts in a comment, and adds the size limit that follows from them.
 fn put_sized(whole: &mut Value, job: &Value, def: &CycleDef, units: Units) {
     let Some(cycle) = whole.get_mut("cycle") else {
         return;

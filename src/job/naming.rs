@@ -48,7 +48,7 @@ fn size(field: &Field, value: Option<&Value>) -> Option<String> {
     let written = (size.is_finite() && size.abs() < 1e5)
         .then(|| decimal(size.abs(), DECIMALS).replace('.', "_"))?;
     let round = field.kind != Kind::Angle && field.key.starts_with("diameter");
-    // Names have no small letters, which would tell the class of a shaft from that of a hole.
+    // Names are upper case: h7 of a shaft would read as H7 of a hole.
     let class = match value? {
         Value::Text(text)
             if field.kind == Kind::Length && !text.contains(|c: char| c.is_ascii_lowercase()) =>

@@ -145,7 +145,7 @@ impl Planned {
     ) -> Vec<(&'static str, String)> {
         let named = |field: &'static str, value: String| {
             let key = field.strip_prefix("cycle.").unwrap_or(field);
-            // What stands behind the last blank is the value.
+            // The picture prints the part after the last blank in bold.
             let sized = self.job.sized.iter().find(|one| one.field.key == key);
             let value = sized.map_or(value, |one| one.text.trim().replace(' ', "\u{a0}"));
             let own = || {

@@ -16,7 +16,7 @@ use crate::tool_length::{self, Query, lentoax, sentence};
 /// The key of a job that holds the tolerances of its results.
 pub const TOLERANCES: &str = "tolerances";
 
-/// The limit of a size, mm, where the job gives none.
+/// Default size limit, mm.
 pub const USUAL_SIZE: f64 = 0.5;
 
 /// The format this crate writes and reads.
@@ -353,7 +353,7 @@ pub struct Job {
     /// What is known of the cycle's type.
     pub def: &'static CycleDef,
     pub cycle: Box<dyn Cycle>,
-    /// Its sizes that say their tolerance.
+    /// Sizes that contain a tolerance.
     pub sized: Vec<Sized>,
     /// How often it touches each point; none once.
     pub repeat: Option<Repeat>,
@@ -385,7 +385,7 @@ pub struct Job {
 }
 
 impl PartForm {
-    /// `resized`: whether its sizes are others than the nominal ones; `stated`: whether the job says so.
+    /// `resized`: whether a size differs from nominal; `stated`: whether the job states a difference.
     fn placement(&self, plane: Plane, resized: bool, stated: bool) -> PartPlacement {
         let still = self.offset == Vec3::ZERO && self.rotation == 0.0;
         PartPlacement {
@@ -624,7 +624,7 @@ impl Job {
     }
 }
 
-/// Whether a job says of its virtual part that a size is another one.
+/// Whether a job states a size of its virtual part that differs from nominal.
 fn states_sizes(value: &Value) -> bool {
     match value.get("part").and_then(|part| part.get("sizes")) {
         Some(Value::Map(sizes)) => sizes.iter().any(|(_, x)| *x != Value::Number(0.0)),
@@ -881,7 +881,7 @@ pub fn size_reach(field: &Field) -> Field {
     }
 }
 
-/// The cycle resized to the actual part; none where all sizes are nominal. A size with a tolerance that the part says nothing of is in the middle of its zone.
+/// The cycle with the sizes of the actual part; `None` if all sizes are nominal. A size with a tolerance is at the middle of its zone unless `part.sizes` states it.
 fn read_sizes(
     checker: &mut Checker,
     value: &Value,

@@ -1,4 +1,4 @@
-//! Sizes that say their tolerance, as drawings do: `"diameter": "25 H7"`.
+//! Sizes that contain their tolerance, as on a drawing: `"diameter": "25 H7"`.
 
 use crate::cycle::CycleDef;
 use crate::form::{Field, Kind, Value};
@@ -9,22 +9,22 @@ use crate::tolerance;
 pub struct Sized {
     /// The field of the cycle, and the code of the result.
     pub field: &'static Field,
-    /// As it was written.
+    /// Text of the job.
     pub text: String,
     /// The nominal size: mm, or degrees.
     pub nominal: f64,
-    /// The smallest and the largest size that it allows: mm, or degrees.
+    /// Smallest and largest size within the tolerance: mm, or degrees.
     pub limits: [f64; 2],
 }
 
 impl Sized {
-    /// The size of a part in the middle of the zone, less the nominal one.
+    /// Middle of the tolerance zone minus nominal: mm, or degrees.
     pub fn middle(&self) -> f64 {
         f64::midpoint(self.limits[0], self.limits[1]) - self.nominal
     }
 }
 
-/// The sizes of a cycle that say a tolerance. `scale` is millimetres in a unit of the job.
+/// The sizes of a cycle that contain a tolerance. `scale` is millimetres per unit of the job.
 pub fn of(def: &CycleDef, cycle: &Value, scale: f64) -> Vec<Sized> {
     let one = |field: &'static Field| {
         let unit = match field.kind {
@@ -47,7 +47,7 @@ pub fn of(def: &CycleDef, cycle: &Value, scale: f64) -> Vec<Sized> {
     def.fields.iter().filter_map(one).collect()
 }
 
-/// The limit of sizes, mm, of a job that gives none: as far beyond the widest tolerance as it is `usual` beyond a size without one.
+/// Size limit, mm, for a job without one: `usual` plus the largest deviation that a tolerance allows. `None` if no size has a tolerance.
 pub fn size_limit(sized: &[Sized], usual: f64) -> Option<f64> {
     let lengths = sized.iter().filter(|one| one.field.kind == Kind::Length);
     let reach = lengths.flat_map(|one| one.limits.map(|limit| (limit - one.nominal).abs()));

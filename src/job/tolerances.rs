@@ -12,17 +12,17 @@ use crate::path::Path;
 use crate::text::{Text, text, words};
 use crate::tolerance;
 
-/// A tolerance that a job gives to a result: by an entry of `tolerances`, in the size itself, or by both, the size then with the tolerance and the entry
-/// with what follows from it.
+/// Tolerance of a result: an entry of `tolerances`, a size that contains its tolerance, or both. With both, the size gives the tolerance and the entry gives
+/// action and wear correction.
 struct Given<'v> {
     /// The result of the whole job.
     index: usize,
-    /// Its code, as it was written.
+    /// Code of the result, as the job writes it.
     key: &'v str,
-    /// The path of the entry; of a size without one that of the size.
+    /// Path of the entry; without an entry, path of the size.
     at: String,
     entry: Option<&'v Value>,
-    /// What the size says, and its path.
+    /// Text of the size, and its path.
     size: Option<(String, String)>,
 }
 
@@ -53,7 +53,7 @@ pub fn read(checker: &mut Checker, value: &Value, planned: &mut Planned) {
     check_stores(checker, &planned.path.formula, &all);
 }
 
-/// The entries of `tolerances` whose results the job has.
+/// The entries of `tolerances` for results of the job. Reports the others.
 fn of_entries<'v>(
     checker: &mut Checker,
     entries: &'v [(String, Value)],
@@ -99,7 +99,7 @@ fn twice(key: &str) -> Text {
     text!("{name} has two tolerances: give it one", printable(key))
 }
 
-/// The sizes that say their tolerance: with the entries of their results, or by themselves.
+/// Adds the sizes that contain a tolerance, each to the entry of its result if there is one.
 fn add_sizes(checker: &mut Checker, planned: &Planned, all: &mut Vec<Given<'_>>) {
     let several = &planned.path.members;
     let mut add = |cycle: &Planned, first: usize, place: &str| {
@@ -229,7 +229,7 @@ fn one(
     Some(tolerance)
 }
 
-/// Whether an entry is an object; reports what it has beside the known keys.
+/// Whether an entry is an object. Reports unknown keys.
 fn check_keys(checker: &mut Checker, entry: &Value, at: &str) -> Option<()> {
     let Value::Map(entries) = entry else {
         let message = text!(

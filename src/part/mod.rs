@@ -27,7 +27,7 @@ pub struct PartPlacement {
     pub turn: f64,
     /// Whether it is the nominal part in its nominal place.
     pub nominal: bool,
-    /// Whether the job says that it is another one, or lies elsewhere. A size with a tolerance is in the middle of its zone without a word.
+    /// Whether the job states a displacement or a size. A size with a tolerance is at the middle of its zone without being stated.
     pub stated: bool,
 }
 

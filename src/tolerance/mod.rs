@@ -14,7 +14,7 @@ use crate::num::decimal;
 use crate::text::{Text, text};
 use iso286::{GRADES, HOLE_J, MAIN_BANDS, NONE, SHAFT_J, SHAFT_K, SHAFTS, SUB_BANDS};
 
-/// The most characters of a tolerance, or of a size with one.
+/// Maximum length of a tolerance, or of a size with a tolerance, in characters.
 pub const LONGEST: usize = 64;
 
 /// The forms a value may have, for people.
@@ -125,7 +125,7 @@ pub fn parse(text: &str, to_mm: f64) -> Result<Nominal, Text> {
 }
 
 /// The nominal size of a text that reads as a size with a tolerance, also as drawings write it: `25H7`, `25 h6`, `25+0.021`, `25 ±0.02`, `25 +0,021/0`.
-/// None where it reads as something else, such as a number, a fraction or a sum: `25+1` is one, `25 ±1` is none.
+/// `None` for any other text, such as a number, a fraction or a sum: `25+1` is a sum, `25 ±1` is not.
 pub fn toleranced(text: &str) -> Option<f64> {
     let plain = text
         .trim()
@@ -144,7 +144,7 @@ pub fn toleranced(text: &str) -> Option<f64> {
         return None;
     }
     let signs = |c: char| "+-±/() ".contains(c);
-    // As no sum is written: `±1`, `+1/-0.5`, `+1 0`.
+    // These cannot be sums: `±1`, `+1/-0.5`, `+1 0`.
     let drawn = rest.contains(['±', '/', ' ']) && result::are_deviations(rest);
     let deviations = || {
         let mut terms = rest.split(signs).filter(|term| !term.is_empty()).peekable();
@@ -157,8 +157,8 @@ pub fn toleranced(text: &str) -> Option<f64> {
     (is_class(rest) || drawn || deviations()).then_some(nominal)
 }
 
-/// The nominal size of such a text, and the smallest and the largest that it allows, in its units. `to_mm` is millimetres in one; none of an angle, which
-/// has no classes. None where the text is no size with a tolerance.
+/// Nominal, smallest and largest size of a text with a tolerance, in the units of the text. `to_mm` is millimetres per unit; `None` for an angle, which has no
+/// classes. `None` if the text contains no tolerance.
 pub fn size(text: &str, to_mm: Option<f64>) -> Option<Result<(f64, [f64; 2]), Text>> {
     let nominal = toleranced(text)?;
     let limits = of_result(text, nominal, to_mm).map(|(limits, _)| limits);
@@ -170,7 +170,7 @@ pub fn size(text: &str, to_mm: Option<f64>) -> Option<Result<(f64, [f64; 2]), Te
     }))
 }
 
-/// A size with a tolerance with every length multiplied by `by`. Where `25+0.5` would become a sum, its deviations are written apart.
+/// Multiplies every length of a size with a tolerance by `by`. Separates the deviations if the result would otherwise be a sum, such as `50.8+1.27`.
 pub fn convert_size(text: &str, by: impl Fn(f64) -> f64) -> String {
     let converted = convert_of_result(text, by);
     if toleranced(&converted).is_some() {
@@ -194,7 +194,7 @@ pub fn convert_size(text: &str, by: impl Fn(f64) -> f64) -> String {
     }
 }
 
-/// The class of a size that is written with one: `H7` of `25 H7`.
+/// The tolerance class in a size: `H7` in `25 H7`.
 pub fn class_of(text: &str) -> Option<&str> {
     let class = text
         .trim_start_matches(|c: char| !c.is_ascii_alphabetic())

@@ -60,7 +60,7 @@ impl<'t> Deviations<'t> {
     }
 }
 
-/// Whether a text is one or two deviations, such as `±0.02` or `+0.021/0`.
+/// Whether a text consists of one or two deviations, such as `±0.02` or `+0.021/0`.
 pub fn are_deviations(text: &str) -> bool {
     matches!(Deviations::read(&tidied(text)), Some(Deviations::Given(_)))
 }

@@ -759,8 +759,8 @@ export interface Job {
 /** The tolerance of a result, and what follows from a value out of it. */
 export interface ResultTolerance {
   /**
-   * About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees. Left out where the
-   * size says it.
+   * About the nominal value (`H7`, `±0.02`, `+0.021/0`), or with it (`25H7`, `24.98..25.02`). In the job's units, of an angle in degrees.
+   * Omit it if the size contains the tolerance.
    */
   tolerance?: string;
   /** The program continues, shows the result and continues, or stops with an alarm. Left out: `go`. */

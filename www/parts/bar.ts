@@ -21,13 +21,13 @@ const SETS: [
   [0, 3, w("sets preset X Y, mean of both circles")],
 ];
 
-/** The finding that shank and body of the probe are not known, and so are not checked. */
+/** Code of the finding that shank and body of the probe are unknown and therefore not checked. */
 export const STYLUS_UNKNOWN = "stylus-not-known";
 
-/** Stand in the sentence for what is chosen there: no language writes them. */
+/** Placeholders of the menus in the sentence; no language uses brackets. */
 const SLOTS = ["[what]", "[machine]", "[does]"];
 
-/** The head of the page: a sentence of what is measured, on which machine, and what the program does with it; and what is handed out. */
+/** Head of the page: the sentence with features, machine and write summary, and the buttons for undo and save. */
 class BarPart extends FieldPart {
   protected override follows = ["change", "machines"];
   /** Whether links to the job are handed out. */
@@ -62,10 +62,10 @@ class BarPart extends FieldPart {
     `;
   }
 
-  /** The sentence in the order of the language: its words, and between them what is chosen. */
+  /** The sentence in the word order of the language, with a menu for each placeholder. */
   private sentence(): (TemplateResult | typeof nothing)[] {
     const { store } = this;
-    // A sign behind a choice stays with it.
+    // Punctuation after a menu stays on the same line.
     const slots: Record<
       string,
       (sign: string) => TemplateResult | typeof nothing
@@ -93,7 +93,7 @@ class BarPart extends FieldPart {
       );
   }
 
-  /** The ball of the probe, and the way to what is known of it. What is not known is a dot. */
+  /** Ball diameter, as a link to the fields of the probe. A dot marks an unknown shank or body. */
   private probe(): TemplateResult {
     const unknown = this.store.findings.find(
       ({ code }) => code === STYLUS_UNKNOWN,
@@ -104,7 +104,7 @@ class BarPart extends FieldPart {
     return html`<button type="button" class="probe" title=${about} @click=${() => this.dispatchEvent(new CustomEvent("go", { detail: unknown ? "stylus.length" : "stylus.diameter", bubbles: true }))}>${probeInWords(this.store)}${unknown ? html`<span class="dot" aria-label=${about} role="img"></span>` : nothing}</button>`;
   }
 
-  /** Whether the page around hides a field, and nothing is wrong with it. */
+  /** Whether the host page hides a field that has no error. */
   private hides(path: string): boolean {
     return !this.store.rules.showsField(path) && !this.isBad(path);
   }

@@ -60,7 +60,7 @@ export abstract class DrawnPart extends CanvasPart {
     return this.querySelector("canvas.over") as HTMLCanvasElement;
   }
 
-  /** A cube: each of its faces is a view, and its corner the one that shows all three. */
+  /** View cube: a button for each face, and one at the corner for the isometric view. */
   protected tools(label: string): TemplateResult {
     return html`<div class="cube" role="toolbar" aria-label=${label}>
         ${VIEWS.map((name) => html`<button type="button" class=${name} title=${this.t(VIEW_NAMES[name])} aria-pressed=${this.look === name ? "true" : "false"} @click=${() => this.turn(name)}><span class="unseen">${this.t(VIEW_NAMES[name])}</span></button>`)}

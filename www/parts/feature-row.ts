@@ -7,7 +7,7 @@ import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
 
-/** The small drawing of a cycle, made by the same code as the large picture. */
+/** Small drawing of a cycle. */
 class MiniPart extends Part {
   protected override follows: string[] = [];
   declare type: CycleEntry["type"];
@@ -50,7 +50,7 @@ class MiniPart extends Part {
 
 customElements.define("tp-mini", MiniPart);
 
-/** What a cycle gives, by its results: places, a rotation, a size. */
+/** Results of a cycle in a few signs: `X Y ∠`, or `judged`. */
 function givesInWords(store: Store, index: number): string {
   const rows = store.plan.results.filter(
     ({ cycle, value }) => cycle === index && value !== null,
@@ -73,7 +73,7 @@ function givesInWords(store: Store, index: number): string {
   ].join(" ");
 }
 
-/** The gravest level of what is said of a feature. */
+/** Highest level of the findings of a feature. */
 function levelOf(
   store: Store,
   place: number,
@@ -90,7 +90,7 @@ function levelOf(
   );
 }
 
-/** A feature of the job, by its place in the list; the only one of a job of one cycle. */
+/** A feature of the job with its position in the list. */
 interface Row {
   one: Pick<Feature, "name" | "cycle" | "off">;
   place: number;
@@ -99,7 +99,7 @@ interface Row {
   now: boolean;
 }
 
-/** The features of the job: of one cycle that one. */
+/** Rows for the features of the job; one row for a job with one cycle. */
 export function rowsOf(store: Store): Row[] {
   const { features, draft } = store;
   if (!features.several) {
@@ -117,7 +117,7 @@ export function rowsOf(store: Store): Row[] {
   }));
 }
 
-/** A row of the list: a drawing, a name, what it is and what it gives. Of the open one also what can be done with it. */
+/** Row of the list: drawing, name, type, sizes and results. The open row also has the buttons that move, copy and remove it. */
 export function featureRow(
   store: Store,
   { one, place, count, now }: Row,
@@ -154,10 +154,10 @@ export function featureRow(
       ${now ? acts(store, one.name, place, count, one.off) : nothing}</div>`;
 }
 
-/** One sheet upon another. */
+/** Icon: two overlapping sheets. */
 const TWICE = html`<svg class="sign" viewBox="0 0 16 16" aria-hidden="true"><path d="M2 5h9v9H2zM5 5V2h9v9h-3"></path></svg>`;
 
-/** What can be done with the open feature of several. */
+/** Name field and buttons of the open feature in a job with several. */
 function acts(
   store: Store,
   name: string,

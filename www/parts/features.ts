@@ -15,7 +15,7 @@ interface Operands {
   results: string[];
 }
 
-/** What the features of a program have in common: another one, what is computed of them, and what is written at the end. */
+/** Below the list: the button that adds a feature, the relations, and the sources of the written datum. */
 class FeaturesPart extends Part {
   protected override follows = ["change"];
 
@@ -46,7 +46,7 @@ class FeaturesPart extends Part {
     </div>`;
   }
 
-  /** Whether it is open what is written from where. */
+  /** Whether the sources of the datum are unfolded. */
   private open = false;
 
   private clear(box: HTMLInputElement): void {
@@ -214,7 +214,7 @@ class FeaturesPart extends Part {
     };
   }
 
-  /** The way to another feature of this program. */
+  /** Button that opens the gallery to add a feature. */
   private adding(several: boolean): TemplateResult | typeof nothing {
     const { store } = this;
     if (store.readonly || (!several && store.cycle.touches === false))

@@ -20,7 +20,7 @@ interface Choice {
   under?: string;
 }
 
-/** The nominal size in front of a tolerance. */
+/** Nominal size before a tolerance. */
 const NOMINAL = /^(\s*[Øø⌀]?\s*)(\d+(?:[.,]\d+)?)/;
 
 /** Choices by their headings, in order. */
@@ -83,7 +83,7 @@ export abstract class FieldPart extends Part {
         }${proposed.length > 0 ? this.equals(path, name ?? field.label, proposed) : nothing}</span>`;
   }
 
-  /** How much a size of the virtual part differs where nothing is said of it and it has a tolerance: to the middle of the zone. */
+  /** Deviation of a size of the virtual part that the job does not state: the middle of its tolerance zone. */
   private middle(path: string): number | undefined {
     const { store } = this;
     const [, code = ""] = /^part\.sizes\.(\w+)$/.exec(path) ?? [];
@@ -99,7 +99,7 @@ export abstract class FieldPart extends Part {
       : tidy((row.truth ?? 0) - (row.nominal ?? 0));
   }
 
-  /** The results that a field can follow, behind an equals sign. */
+  /** Menu of the results that a field can follow. */
   private equals(
     path: string,
     label: string,
@@ -239,7 +239,7 @@ export abstract class FieldPart extends Part {
       !event.altKey &&
       !event.metaKey
     ) {
-      // The size steps, and its tolerance stays.
+      // Only the nominal size changes.
       const next = value.replace(NOMINAL, (_, sign: string, size: string) => {
         const stepped =
           Number(size.replace(",", ".")) +

@@ -24,7 +24,7 @@ const MANY = {
   info: w("{count} notes"),
 } as const;
 
-/** What always holds for a control, in a few words; the gravest first. */
+/** Notes that always apply to a control, most severe first. */
 const ALWAYS: Record<string, string> = {
   "positioning-not-watched": w("Positioning is not watched."),
   "approach-not-watched": w("The first way is not watched."),
@@ -55,7 +55,7 @@ export function nominal(store: Store): TemplateResult {
   return html`<button type="button" class="quiet nominal" ?disabled=${store.readonly} @click=${() => store.putNominal()}>${store.t("Back to nominal")}</button>`;
 }
 
-/** The state of the job: whether it may be saved, or what the gravest finding says; what the run comes to. A line at the foot, or above the results. */
+/** State of the job: ready to save, or the most severe finding, and a summary of the run. One line in the footer, several lines above the results. */
 class FindingsPart extends Part {
   protected override follows = ["change"];
   /** What is shown of the job: there is no way to what is not. */
@@ -66,7 +66,7 @@ class FindingsPart extends Part {
   declare said: Said | null;
   /** Whether the program is saved here. */
   declare saves: boolean;
-  /** Whether it stands above the results, where there is room for more than a line. */
+  /** Whether it is shown above the results, with several lines. */
   declare tall: boolean;
 
   static override properties = {
@@ -83,7 +83,7 @@ class FindingsPart extends Part {
   override render(): TemplateResult {
     // What holds for the control always stands at its name.
     const { stale } = this.store;
-    // What is not known of the probe is a mark at its name.
+    // The bar marks an unknown probe with a dot.
     const findings = this.store.ofJob.filter(
       ({ code }) => code !== STYLUS_UNKNOWN,
     );
@@ -119,7 +119,7 @@ class FindingsPart extends Part {
     `;
   }
 
-  /** What the run comes to, how many rules hold, and what always holds for the control. */
+  /** Touches, time, number of rules met, and the note on the control. */
   private sum(): TemplateResult {
     const { store } = this;
     const { touches, time, safety } = store.plan;
@@ -138,7 +138,7 @@ class FindingsPart extends Part {
     return html`${run} ${held > 0 ? this.t(rules, held) : nothing} ${this.always()}`;
   }
 
-  /** What holds for this control always, and its page behind it. */
+  /** Note that always applies to this control, as a link to its manual page. */
   private always(): TemplateResult | typeof nothing {
     const { store } = this;
     const { title = "", id = "" } = store.post ?? {};

@@ -30,7 +30,7 @@ const TOUCH: FieldEntry = {
   when: null,
 };
 
-/** What stands in the sentence at the head, not in the form. */
+/** Fields of the sentence at the head, not repeated in the form. */
 const IN_BAR = new Set(["control.post", "control.workOffset", "units"]);
 /** What a folded group says in any case. */
 const FIRST = new Set(["stylus.diameter", "name"]);
@@ -46,7 +46,7 @@ const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
 const FOR_CAM = /^Postprocessor/;
 const USUAL = w("Clearances, touches, feeds");
 const MACHINE = w("Machine and probe");
-/** What is set once and seldom looked at stands behind a door: the groups of each, in their order. */
+/** Folded sections for groups that are rarely changed, in order. */
 const DOORS: [door: string, groups: RegExp][] = [
   [
     USUAL,
@@ -123,7 +123,7 @@ class FormPart extends FieldPart {
     `;
   }
 
-  /** The groups of the form: the cycle's own, and those behind doors. */
+  /** The groups of the form: those of the cycle, and those in folded sections. */
   private parted(): { own: Group[]; doors: Door[] } {
     const all = this.groups();
     const doorOf = (name: string) =>
@@ -135,7 +135,7 @@ class FormPart extends FieldPart {
     return { own: all.filter(([name]) => !doorOf(name)), doors };
   }
 
-  /** A door: closed, it says what is not as usual. */
+  /** Folded section. Its summary lists the values that differ from a new job. */
   private door({ name, groups }: Door): TemplateResult | typeof nothing {
     if (groups.length === 0) return nothing;
     const open = this.opened.get(name) ?? this.all;
@@ -248,7 +248,7 @@ class FormPart extends FieldPart {
         sizeField(field, this.store.words) as FieldEntry,
         VIRTUAL,
       );
-    // What is typed first: how large it is.
+    // The size comes first.
     const order = (name: string) =>
       name === "Size" ? -1 : FOR_CAM.test(name) ? 1 : 0;
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
@@ -270,7 +270,7 @@ class FormPart extends FieldPart {
             ${fields.some((placed) => placed.path === "tool.type") ? this.frame() : nothing}`;
   }
 
-  /** What the program does with a size that is out of the tolerance that it is typed with. */
+  /** Menu of the action when a size is out of tolerance. */
   private outOf(fields: Placed[]): TemplateResult | typeof nothing {
     const { store } = this;
     const cycle = store.features.several ? store.features.inJob : 0;
@@ -281,7 +281,7 @@ class FormPart extends FieldPart {
     const actions = keys.map(
       (key) => store.tolerance(cycle, key)?.action ?? "go",
     );
-    // Sizes of one cycle that end differently are set in the list of tolerances.
+    // Sizes with different actions are set in the list of tolerances.
     if (
       new Set(actions).size !== 1 ||
       !computes ||
@@ -440,7 +440,7 @@ class FormPart extends FieldPart {
       if (is === chip.hasAttribute("aria-current")) continue;
       if (!is) chip.removeAttribute("aria-current");
       else chip.setAttribute("aria-current", "true");
-      // The features stand before the first group.
+      // The chips of the features come before the first group.
       const left = now === groups[0] ? 0 : chip.offsetLeft - 40;
       if (is) chips.scrollTo({ left, behavior: "instant" });
     }
@@ -471,7 +471,7 @@ class FormPart extends FieldPart {
     const behind = DOORS.some(([, groups]) => groups.test(name));
     // What stands as in a new job is not worth the line.
     const said = sorted.filter(({ field, path }) => {
-      // The button that saves the program says its name.
+      // The save button already shows the name.
       if (path === "name") return faulty(path);
       return (
         FIRST.has(path) ||

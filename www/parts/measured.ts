@@ -21,7 +21,7 @@ import { w } from "../words.js";
 import { copied, copy, download } from "./download.js";
 import { Part } from "./part.js";
 
-/** What a machine measured, and what is judged of it: values, tolerances, a report. */
+/** Measured values, tolerances and the inspection report. */
 class MeasuredPart extends Part {
   protected override follows = ["change"];
   /** What makes reports, and takes a series apart: fetched when something was measured. */
@@ -224,7 +224,7 @@ class MeasuredPart extends Part {
     const label = `${name}: ${store.say(said.meaning)}`;
     const text = (e: Event) => {
       const tolerance = (e.target as HTMLInputElement).value;
-      // Without a text there is nothing to act upon; the number of its tool is kept while another text is typed.
+      // An entry without text is removed. The tool is kept while a new text is typed.
       const empty = tolerance.trim() === "";
       const none = empty && (inSize !== null || !own?.wear);
       const { tolerance: _, ...rest } = own ?? {};
@@ -244,7 +244,7 @@ class MeasuredPart extends Part {
       store.settle();
     };
     return html`<li><code title=${label}>${name}</code>
-      <input id=${`f-tolerances.${name}`} type="text" maxlength="64" spellcheck="false" autocomplete="off" aria-label=${this.t("Tolerance of {result}", label)} .value=${live(own?.tolerance ?? inSize ?? "")} title=${inSize ? this.t("The size says it") : nothing} ?disabled=${store.readonly || (inSize !== null && own?.tolerance === undefined)} @input=${text} @blur=${() => store.settle()} />
+      <input id=${`f-tolerances.${name}`} type="text" maxlength="64" spellcheck="false" autocomplete="off" aria-label=${this.t("Tolerance of {result}", label)} .value=${live(own?.tolerance ?? inSize ?? "")} title=${inSize ? this.t("The size contains it") : nothing} ?disabled=${store.readonly || (inSize !== null && own?.tolerance === undefined)} @input=${text} @blur=${() => store.settle()} />
       ${own || inSize ? html`<select aria-label=${this.t("What follows from {result} out of its tolerance", name)} ?disabled=${store.readonly} @change=${act}>${ACTIONS.map(([value, words]) => html`<option value=${value} ?selected=${(own?.action ?? "go") === value}>${this.t(words)}</option>`)}</select>` : nothing}
       ${(own || inSize) && limits && !store.stale ? html`<small>${shown(store, limits[0], digits)} … ${shown(store, limits[1], digits)}</small>` : nothing}
       ${own && (own.wear || this.corrects(code)) ? this.wear(cycle, code, name, own) : nothing}</li>`;

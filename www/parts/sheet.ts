@@ -65,7 +65,7 @@ class SheetPart extends Part {
     const { plan, units, shown: job, cycle } = this.store;
     const { program } = plan;
     const post = this.store.postOf(program.post);
-    // Of several features one large picture, and a table each.
+    // Several features: one large picture and a table for each.
     const several = plan.cycles.length > 1;
     const dense =
       plan.results.length > MANY_RESULTS || plan.touches.length > MANY_TOUCHES;
@@ -134,7 +134,7 @@ class SheetPart extends Part {
     `;
   }
 
-  /** What is expected, with boxes for what was: a table of each feature, and one of what is written. */
+  /** Expected results with boxes for the reported ones: a table for each feature and one for the written values. */
   private expected(
     number: (x: number | null) => string,
     sigmas: (x: number | null) => string,
