@@ -171,6 +171,14 @@ export class Features {
     );
   }
 
+  /** The last cycle of a type in the job. */
+  lastOf(form: Draft, type: unknown): Draft | undefined {
+    const all = this.several
+      ? this.inOrder(form).map(({ cycle }) => cycle)
+      : [form.cycle as Draft];
+    return all.findLast((cycle) => cycle.type === type);
+  }
+
   /** Takes a job of several cycles, and gives the form of the first of them. */
   take(job: Draft, catalog: Catalog): Draft {
     const { cycles, clear, datum, part, relations, tolerances, ...rest } = job;

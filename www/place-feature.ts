@@ -1,8 +1,8 @@
 // Position and sizes of a feature that is added to a job.
 import { type Job, JobError, type Plan, plan } from "./core/browser.js";
+import type { Entries } from "./entries.js";
 import type { Draft } from "./job.js";
 import { tidy } from "./number.js";
-import type { Store } from "./store.js";
 
 /** Index of the abscissa in each plane. */
 const ABSCISSA: Record<string, number> = { G17: 0, G18: 2, G19: 1 };
@@ -10,15 +10,19 @@ const ABSCISSA: Record<string, number> = { G17: 0, G18: 2, G19: 1 };
 const CLEARANCE = { mm: 25, inch: 1 };
 
 /**
- * A new cycle with the sizes of the last one of its type, moved along the abscissa until its path is clear of the plan. Keeps the catalog's values if the
- * last one has errors.
+ * A new cycle with the sizes of the last one of its type, moved along the abscissa until its path is clear of the present plan. Keeps the catalog's values
+ * if the last one has errors.
  */
-export function placedBeside(store: Store, fresh: Draft): Draft {
-  const { plan: present, catalog } = store;
+export function placedBeside(
+  job: Entries,
+  present: Plan,
+  fresh: Draft,
+  last: Draft = {},
+): Draft {
   const fields =
-    catalog.cycles.find(({ type }) => type === fresh.type)?.fields ?? [];
+    job.catalog.cycles.find(({ type }) => type === fresh.type)?.fields ?? [];
   const points = fields.filter(({ kind }) => /point$/i.test(kind));
-  const { tolerances: _, part: __, ...rest } = store.draft;
+  const { tolerances: _, part: __, ...rest } = job.draft;
   const planAlone = (cycle: Draft) => {
     try {
       return plan({ ...rest, cycle } as unknown as Job);
@@ -29,7 +33,6 @@ export function placedBeside(store: Store, fresh: Draft): Draft {
   };
   // Fields only: picked touches are positions and would stay where they are.
   const like = { ...fresh };
-  const last = lastOf(store, fresh.type) ?? {};
   for (const { key } of fields)
     if (key in last) like[key] = structuredClone(last[key]);
   // A followed position or rotation would put both features in one position.
@@ -42,11 +45,11 @@ export function placedBeside(store: Store, fresh: Draft): Draft {
   const cycle = planned ? like : structuredClone(fresh);
   const own = planned ?? planAlone(cycle);
   if (!own || present.moves.length === 0) return cycle;
-  const axis = ABSCISSA[String(store.get("plane"))] ?? 0;
+  const axis = ABSCISSA[String(job.get("plane"))] ?? 0;
   const along = (of: Plan) => of.moves.map(({ to }) => to[axis] as number);
   const shift = Math.ceil(
     Math.max(...along(present)) +
-      CLEARANCE[store.units] -
+      CLEARANCE[job.units] -
       Math.min(...along(own)),
   );
   for (const { key, kind } of points) {
@@ -57,12 +60,4 @@ export function placedBeside(store: Store, fresh: Draft): Draft {
     cycle[key] = point;
   }
   return cycle;
-}
-
-/** The last cycle of a type in the job. */
-function lastOf({ features, draft }: Store, type: unknown): Draft | undefined {
-  const all = features.several
-    ? features.inOrder(draft).map(({ cycle }) => cycle)
-    : [draft.cycle as Draft];
-  return all.findLast((cycle) => cycle.type === type);
 }

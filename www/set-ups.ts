@@ -7,9 +7,8 @@ import {
   plan,
 } from "./core/browser.js";
 import { isWritten } from "./core/results.js";
-import type { Form } from "./entries.js";
+import type { Entries, Form } from "./entries.js";
 import { alike, type Draft, valueAt } from "./job.js";
-import type { Store } from "./store.js";
 import { w } from "./words.js";
 
 /** A set-up in mm, for any control. */
@@ -135,41 +134,41 @@ export const SET_UPS: SetUpEntry[] = [
 ];
 
 /** The set-ups that the control of the job can write as their cards promise, in the form of the job or else in moves, and that the host page allows. */
-export function readySetUps(store: Store): ReadySetUp[] {
-  if (!store.rules.allowsSetUps) return [];
+export function readySetUps(present: Entries): ReadySetUp[] {
+  if (!present.rules.allowsSetUps) return [];
   return SET_UPS.flatMap((entry) => {
-    const job = suitable(store, entry);
+    const job = suitable(present, entry);
     return job ? [{ entry, job }] : [];
   });
 }
 
-function suitable(store: Store, entry: SetUpEntry): Draft | undefined {
-  const { post, form } = store.draft.control as Draft;
+function suitable(present: Entries, entry: SetUpEntry): Draft | undefined {
+  const { post, form } = present.draft.control as Draft;
   const types = (entry.job.cycles as { type: Cycle["type"] }[]).map(
     ({ type }) => type,
   );
-  if (!types.every((type) => store.rules.offers("cycles", type)))
+  if (!types.every((type) => present.rules.offers("cycles", type)))
     return undefined;
   return [...new Set([form, "moves"] as Form[])]
     .filter(
       (one) =>
-        store.rules.allowsForm(one) &&
-        types.every((type) => store.formsOf(post, type).includes(one)),
+        present.rules.allowsForm(one) &&
+        types.every((type) => present.formsOf(post, type).includes(one)),
     )
-    .map((one) => jobOf(store, entry, one))
-    .find((job) => keepsPromise(store, entry, job));
+    .map((one) => jobOf(present, entry, one))
+    .find((job) => keepsPromise(present, entry, job));
 }
 
 /** A set-up with the machine, feeds and units of the job in the form. */
-function jobOf(store: Store, { key, job, writes }: SetUpEntry, form: Form) {
-  const { cycle: _, part, tolerances: __, ...rest } = store.draft;
+function jobOf(present: Entries, { key, job, writes }: SetUpEntry, form: Form) {
+  const { cycle: _, part, tolerances: __, ...rest } = present.draft;
   const mm = { format: 2, units: "mm", part: {}, ...job } as unknown as Job;
   const { limits, ...whole } = convertUnits(
     mm,
-    store.units,
+    present.units,
   ) as unknown as Draft;
   const control = rest.control as Draft;
-  const { workOffsets = [1] } = store.rules.config?.allow ?? {};
+  const { workOffsets = [1] } = present.rules.config?.allow ?? {};
   const first = workOffsets.find((one) => one !== null) ?? null;
   return {
     ...rest,
@@ -187,7 +186,7 @@ function jobOf(store: Store, { key, job, writes }: SetUpEntry, form: Form) {
 
 /** Whether a job writes every axis of its set-up and keeps every locked field. Not every control can write a rotation: the cards say so. */
 function keepsPromise(
-  { rules, draft }: Store,
+  { rules, draft }: Entries,
   { job, writes }: SetUpEntry,
   whole: Draft,
 ): boolean {

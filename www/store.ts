@@ -256,7 +256,8 @@ export class Store extends Entries {
   /** Adds a cycle of this type after the active one and makes it active: beside the other features, with the sizes of the last one of its type. */
   addFeature(type: Cycle["type"]): void {
     const fresh = this.freshOf(type) as { cycle: Draft };
-    const cycle = placedBeside(this, fresh.cycle);
+    const last = this.features.lastOf(this.draft, type);
+    const cycle = placedBeside(this, this.plan, fresh.cycle, last);
     this.arrange(() => {
       this.features.add(this.draft, cycle);
       this.features.bring(this.draft, this.features.hand + 1);

@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type CycleEntry, catalog, defaultJob, plan } from "../core/browser.js";
 import { found, LENGTHS, textOf } from "../search.js";
-import { SET_UPS, type SetUpEntry } from "../set-ups.js";
+import type { SetUpEntry } from "../set-ups.js";
 import { w } from "../words.js";
 import { Drawing } from "./drawing.js";
 import { Part } from "./part.js";
@@ -209,6 +209,7 @@ class GalleryPart extends Part {
   };
 
   private readonly paint = (): void => {
+    const ready = this.store.readySetUps;
     for (const button of this.querySelectorAll<HTMLElement>(
       "button:is([data-type], [data-set-up])",
     )) {
@@ -219,7 +220,10 @@ class GalleryPart extends Part {
       const job = () =>
         type
           ? defaultJob(type as CycleEntry["type"])
-          : { format: 2, ...SET_UPS.find((one) => one.key === setUp)?.job };
+          : {
+              format: 2,
+              ...ready.find(({ entry }) => entry.key === setUp)?.entry.job,
+            };
       const drawing =
         this.drawings.get(key) ??
         new Drawing(canvas, (view) => view.showSmall(job()));
