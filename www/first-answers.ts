@@ -66,6 +66,7 @@ export function answers(): Raw {
     exportTable: early,
     svg: early,
     convertUnits: early,
+    proposedStock: early,
     lentoax: early,
     lentoaxWords: early,
   };

@@ -31,8 +31,8 @@ export function complete(job: Draft, catalog: Catalog): Draft {
     control.map((field) => [field.key, field.default]),
   );
   const whole = over(fresh, job);
-  for (const { path } of catalog.sections)
-    if (path !== "") whole[path] = over(fresh[path], job[path]);
+  for (const { path, optional } of catalog.sections)
+    if (path !== "" && !optional) whole[path] = over(fresh[path], job[path]);
   whole.cycle = over(fresh.cycle, cycle);
   for (const { key, optional } of catalog.cycles.find(
     (c) => c.type === cycle.type,

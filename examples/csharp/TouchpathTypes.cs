@@ -490,6 +490,8 @@ namespace Touchpath
     {
         /// <summary>Its key in the job, empty for the job itself.</summary>
         public string Path { get; set; }
+        /// <summary>Whether it may be `null`, which is then its default.</summary>
+        public bool Optional { get; set; }
         /// <summary>The fields of the section, in order.</summary>
         public FieldEntry[] Fields { get; set; }
     }

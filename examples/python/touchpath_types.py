@@ -470,6 +470,8 @@ class SafetyRow(TypedDict):
 class SectionEntry(TypedDict):
     # Its key in the job, empty for the job itself.
     path: str
+    # Whether it may be `null`, which is then its default.
+    optional: bool
     # The fields of the section, in order.
     fields: list[FieldEntry]
 

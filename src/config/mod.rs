@@ -145,7 +145,7 @@ fn field_at(path: &str, def: &'static crate::cycle::CycleDef) -> Option<&'static
                 .find(|form| inner.strip_prefix('.') == Some(form.key))?
                 .fields
         }
-        None => job::SECTIONS.iter().find(|(name, _)| *name == section)?.1,
+        None => job::section(section)?.fields,
     };
     fields.iter().find(|field| field.key == key)
 }

@@ -7,7 +7,7 @@ use crate::config::{Config, Rule, fill};
 use crate::cycle::CYCLES;
 use crate::form::{Checker, Choice, Field, Finding, Kind, Level, Section, Value, form, printable};
 use crate::geom::Vec3;
-use crate::job::{FORMAT, Job, JobError, SECTIONS, UNITS, Units};
+use crate::job::{FORMAT, Job, JobError, SECTIONS, STOCK, UNITS, Units};
 use crate::text::{text, words};
 
 const LEVELS: &[Choice] = &[
@@ -309,8 +309,8 @@ fn read_machines(checker: &mut Checker, value: Option<&Value>, units: Units) {
     for (at, machine) in entries(checker, value, "machines") {
         let sections = SECTIONS
             .iter()
-            .map(|(name, _)| *name)
-            .filter(|name| !["", "part"].contains(name));
+            .map(|section| section.key)
+            .filter(|name| !["", "part", STOCK.key].contains(name));
         let known: Vec<&str> = sections.chain(["name", "overtravel"]).collect();
         Section::new(checker, Some(machine), &at).only(&[], &known);
         read_name(checker, machine, &at);

@@ -133,6 +133,8 @@ impl RelationEntry {
 pub struct SectionEntry {
     /// Its key in the job, empty for the job itself.
     pub path: &'static str,
+    /// Whether it may be `null`, which is then its default.
+    pub optional: bool,
     /// The fields of the section, in order.
     pub fields: Vec<FieldEntry>,
 }
@@ -283,9 +285,10 @@ pub fn catalog() -> Catalog {
         cycles: CYCLES.iter().map(|def| cycle_entry(def)).collect(),
         sections: SECTIONS
             .iter()
-            .map(|(path, fields)| SectionEntry {
-                path,
-                fields: entries(fields),
+            .map(|form| SectionEntry {
+                path: form.key,
+                optional: form.optional,
+                fields: entries(form.fields),
             })
             .collect(),
         relations: RELATIONS.iter().map(RelationEntry::of).collect(),

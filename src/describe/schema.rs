@@ -17,9 +17,9 @@ use crate::path::MAX_TOUCHES;
 pub fn job_schema() -> Value {
     let formats = [FORMAT, SET_UP_FORMAT].map(Value::Number).to_vec();
     let mut properties = vec![("format".to_owned(), map([("enum", Value::List(formats))]))];
-    for (path, fields) in SECTIONS {
-        let own = fields.iter().map(|f| (f.key.to_owned(), field(f)));
-        match *path {
+    for form in SECTIONS {
+        let own = form.fields.iter().map(|f| (f.key.to_owned(), field(f)));
+        match form.key {
             "" => properties.extend(own),
             "part" => {
                 let sizes = map([
@@ -35,7 +35,15 @@ pub fn job_schema() -> Value {
                 "tool".to_owned(),
                 object(own.chain([("frame".to_owned(), frame())]), &[]),
             )),
-            _ => properties.push(((*path).to_owned(), object(own, &[]))),
+            path => {
+                let section = object(own, &[]);
+                let value = if form.optional {
+                    nullable(section)
+                } else {
+                    section
+                };
+                properties.push((path.to_owned(), value));
+            }
         }
     }
     let cycles = CYCLES.iter().map(|def| cycle(def, Vec::new())).collect();
@@ -297,10 +305,10 @@ fn set_up() -> [(String, Value); 4] {
 /// The ranges of lengths and feeds of a whole job whose units are so many mm.
 fn ranges(scale: f64) -> Value {
     let mut properties = Vec::new();
-    for (path, fields) in SECTIONS {
-        match *path {
-            "" => properties.extend(ends(fields, scale)),
-            _ => properties.extend(inside((*path).to_owned(), ends(fields, scale))),
+    for form in SECTIONS {
+        match form.key {
+            "" => properties.extend(ends(form.fields, scale)),
+            path => properties.extend(inside(path.to_owned(), ends(form.fields, scale))),
         }
     }
     let cycle = |def: &&CycleDef| {

@@ -2,7 +2,7 @@
 
 use crate::form::field::Checked;
 use crate::form::{Default, Field, Finding, Kind, Level, Range, Shown, SubForm, Value};
-use crate::geom::Vec3;
+use crate::geom::{AXIS_NAMES, Vec3};
 use crate::num::decimal;
 use crate::text::{Part, Text, text, words};
 use crate::tolerance::{self, Nominal};
@@ -179,6 +179,12 @@ impl Checker {
     /// A length in mm as a bare number in the job's units.
     pub fn number(&self, mm: f64) -> String {
         decimal(mm / self.scale, if self.scale == 1.0 { 4 } else { 5 })
+    }
+
+    /// A position in the job's units, for a message: `X 1, Y 2, Z 3`.
+    pub fn position(&self, mm: Vec3) -> String {
+        let axis = |i: usize| format!("{} {}", AXIS_NAMES[i], self.number(mm[i]));
+        [0, 1, 2].map(axis).join(", ")
     }
 }
 

@@ -75,7 +75,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("code-twice", "A custom code is given more than once."),
     (
         "collision",
-        "A positioning move or a retract hits the feature, nominal or displaced.",
+        "A positioning move or a retract hits the feature, nominal or displaced, or the stock.",
     ),
     (
         "contact-at-start",
@@ -633,7 +633,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "shank-collision",
-        "The shank or the probe body above the ball hits the feature, nominal or displaced.",
+        "The shank or the probe body above the ball hits the feature, nominal or displaced, or the stock.",
     ),
     (
         "short-arc",

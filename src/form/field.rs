@@ -118,6 +118,26 @@ pub struct SubForm {
     pub optional: bool,
 }
 
+impl SubForm {
+    /// A form whose fields have their defaults where the job says nothing.
+    pub const fn required(key: &'static str, fields: &'static [Field]) -> Self {
+        SubForm {
+            key,
+            fields,
+            optional: false,
+        }
+    }
+
+    /// A form that may be `null`, and is where the job says nothing.
+    pub const fn optional(key: &'static str, fields: &'static [Field]) -> Self {
+        SubForm {
+            key,
+            fields,
+            optional: true,
+        }
+    }
+}
+
 /// One word of a [`Kind::Choice`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {

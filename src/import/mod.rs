@@ -183,7 +183,7 @@ fn has_place(def: &CycleDef, path: &str) -> bool {
     };
     SECTIONS
         .iter()
-        .any(|(section, fields)| *section != "part" && known(section, fields))
+        .any(|form| form.key != "part" && known(form.key, form.fields))
         || known("cycle", def.fields)
         || def.sections.iter().any(|s| {
             plain.strip_prefix("cycle.") == Some(s.key)

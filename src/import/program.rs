@@ -449,9 +449,9 @@ fn of_set_up(path: &str) -> Option<String> {
 /// A path as the fields spell it.
 fn spelled(def: &CycleDef, path: &str) -> String {
     let keys = || {
-        let sections = SECTIONS.iter().flat_map(|(section, fields)| {
-            std::iter::once(*section).chain(fields.iter().map(|f| f.key))
-        });
+        let sections = SECTIONS
+            .iter()
+            .flat_map(|form| std::iter::once(form.key).chain(form.fields.iter().map(|f| f.key)));
         let own = def.fields.iter().map(|f| f.key);
         let inner = def
             .sections
@@ -481,13 +481,13 @@ fn word(def: &CycleDef, path: &str, text: &str) -> String {
     if text.bytes().any(|b| b.is_ascii_lowercase()) {
         return text.to_owned();
     }
-    let choices = SECTIONS.iter().find_map(|(section, fields)| {
-        let key = if section.is_empty() {
+    let choices = SECTIONS.iter().find_map(|form| {
+        let key = if form.key.is_empty() {
             Some(path)
         } else {
-            path.strip_prefix(section)?.strip_prefix('.')
+            path.strip_prefix(form.key)?.strip_prefix('.')
         };
-        fields
+        form.fields
             .iter()
             .find(|f| Some(f.key) == key)
             .map(|field| field.kind)

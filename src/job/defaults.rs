@@ -1,7 +1,7 @@
 //! Complete jobs: every value that a job leaves out.
 
 use crate::cycle::{self, CycleDef, REPEAT};
-use crate::form::{Default, Field, Value};
+use crate::form::{Default, Field, SubForm, Value};
 use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, names};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, USUAL_SIZE, Units};
@@ -105,7 +105,10 @@ pub fn section_defaults_in(fields: &[Field], units: Units) -> Value {
 fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
     let default_values = |fields: &[Field]| default_values(fields, units, inch);
     let mut job = vec![("format".to_owned(), Value::Number(FORMAT))];
-    for (path, fields) in SECTIONS {
+    for SubForm {
+        key: path, fields, ..
+    } in SECTIONS.iter().filter(|form| !form.optional)
+    {
         if path.is_empty() {
             job.extend(default_values(fields));
         } else {
@@ -156,26 +159,31 @@ pub fn resolved(job: &Value) -> Option<Value> {
     let units = Units::of(job);
     let def = cycle::find(key)?;
     let mut whole = complete_job(def, units, Inch::Exact);
-    for section in def.sections {
-        // A form inside the form that is there has all its fields.
-        if matches!(
-            job.get("cycle").and_then(|c| c.get(section.key)),
-            Some(Value::Map(_))
-        ) {
-            let values = Value::Map(default_values(section.fields, units, Inch::Exact));
-            overlay(
-                &mut whole,
-                &Value::Map(vec![(
-                    "cycle".to_owned(),
-                    Value::Map(vec![(section.key.to_owned(), values)]),
-                )]),
-            );
+    // An optional form that is given has all its fields.
+    let given = |place: Option<&Value>, form: &SubForm| {
+        matches!(place?.get(form.key), Some(Value::Map(_))).then(|| {
+            let values = default_values(form.fields, units, Inch::Exact);
+            Value::Map(vec![(form.key.to_owned(), Value::Map(values))])
+        })
+    };
+    for form in def.sections {
+        if let Some(values) = given(job.get("cycle"), form) {
+            overlay(&mut whole, &Value::Map(vec![("cycle".to_owned(), values)]));
+        }
+    }
+    for form in SECTIONS.iter().filter(|form| form.optional) {
+        if let Some(values) = given(Some(job), form) {
+            overlay(&mut whole, &values);
         }
     }
     overlay(&mut whole, job);
     put_sized(&mut whole, job, def, units);
     if let Value::Map(entries) = &mut whole {
-        entries.retain(|(key, _)| key != TOLERANCES);
+        let left_out = |key: &str, value: &Value| {
+            let optional = |form: &SubForm| form.optional && form.key == key;
+            *value == Value::Null && SECTIONS.iter().any(optional)
+        };
+        entries.retain(|(key, value)| key != TOLERANCES && !left_out(key, value));
         entries.extend(plain_tolerances(job));
         entries
             .iter_mut()

@@ -47,11 +47,11 @@ pub fn misfit(job: &Value) -> Option<Text> {
     let Some(def) = def else {
         return Some(text!("cycle.type must name a cycle that is known here"));
     };
-    let sections = SECTIONS.iter().map(|(key, fields)| {
-        if key.is_empty() {
-            leaves(job, "", fields)
+    let sections = SECTIONS.iter().map(|form| {
+        if form.key.is_empty() {
+            leaves(job, "", form.fields)
         } else {
-            section(job, "", key, fields)
+            section(job, "", form.key, form.fields)
         }
     });
     let cycles = std::iter::once_with(|| leaves(cycle, "cycle.", def.fields)).chain(

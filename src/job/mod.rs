@@ -23,11 +23,14 @@ mod naming;
 mod picture;
 mod plan;
 mod planned;
+#[cfg(any(test, target_arch = "wasm32"))]
+mod proposed_stock;
 mod relations;
 mod rows;
 mod sections;
 mod set_up;
 mod sized;
+mod stock;
 #[cfg(any(test, target_arch = "wasm32"))]
 mod stretch;
 mod stylus;
@@ -70,7 +73,9 @@ pub(crate) use picture::Picture;
 pub(crate) use plan::minutes;
 pub(crate) use plan::{plan_with_path, planned, writes_any};
 pub(crate) use planned::Planned;
-pub(crate) use sections::{Job, SECTIONS, TOLERANCES, UNITS, size_reach};
+#[cfg(any(test, target_arch = "wasm32"))]
+pub(crate) use proposed_stock::proposed_stock;
+pub(crate) use sections::{Job, SECTIONS, STOCK, TOLERANCES, UNITS, section, size_reach};
 #[cfg(target_arch = "wasm32")]
 pub(crate) use stretch::{NumberField, with_number};
 #[cfg(target_arch = "wasm32")]

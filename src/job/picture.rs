@@ -4,6 +4,8 @@ use crate::form::{Seen, Value};
 use crate::geom::Vec3;
 use crate::job::{JobError, Planned, plan_with_path};
 use crate::num::decimal;
+use crate::part::{self, Stock};
+use crate::path::ONE_LEVEL;
 use crate::view::scene::{self, Actual, Projection, Scene};
 use crate::view::{self, Legend};
 
@@ -56,6 +58,10 @@ impl Planned {
             }
             scene
         };
+        if let Some(stock) = &job.stock {
+            let openings = part::openings(path, job.setup.radius);
+            scene.put_stock(stock, &openings, job.setup.plane, view);
+        }
         scene.unit = Some(job.scale);
         scene.stylus = scene::stylus::outlines(&job.shape, job.setup.radius, job.setup.plane, view);
         let names = self
@@ -99,8 +105,19 @@ impl Planned {
             &job.setup,
             &path.feeds.unwrap_or(job.feeds),
             &actual,
-            view,
+            (view, self.own_stock()),
         )
+    }
+
+    /// The stock that the material of one cycle is a part of: what stands on top of it is a body of its own.
+    fn own_stock(&self) -> Option<&Stock> {
+        let up = self.path.frame.w;
+        let below = |top: f64, stock: &Stock| top <= stock.top(up) + ONE_LEVEL;
+        let stock = self.job.stock.as_ref()?;
+        self.path
+            .top
+            .is_none_or(|top| below(top, stock))
+            .then_some(stock)
     }
 
     /// Whether a view shows a field's dimension or angle in true size, or the place, height or turn that it gives.

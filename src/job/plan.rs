@@ -8,7 +8,6 @@ use crate::control::safety::Verdict;
 use crate::control::{Form, Header, Request};
 use crate::form::{Checker, Finding, Value};
 use crate::formula::{self, Role};
-use crate::geom::AXIS_NAMES;
 use crate::geom::Vec3;
 use crate::job::cycles::is_set_up;
 use crate::job::defaults::{is_default, overlay};
@@ -19,9 +18,9 @@ use crate::job::rows::{
     Move, Plan, ProgramText, ProofRow, ResultRow, SafetyRow, TouchPoint, move_row, result_rows,
     triple,
 };
-use crate::job::stylus::{report_stylus, report_unknown};
+use crate::job::stylus::{purpose, report_stylus, report_unknown};
 use crate::job::{
-    Job, JobError, SECTIONS, datum, follows, relations, resolved, set_up, tolerances, wear,
+    Job, JobError, datum, follows, relations, resolved, set_up, stock, tolerances, wear,
 };
 use crate::num::{decimal, tidy};
 use crate::part;
@@ -73,10 +72,7 @@ fn report_unused(job: &Job, value: &Value, checker: &mut Checker) {
         let Some(given) = value.get(section).and_then(|entries| entries.get(key)) else {
             continue;
         };
-        let fields = SECTIONS
-            .iter()
-            .find(|(path, _)| *path == section)
-            .map_or(&[][..], |(_, fields)| *fields);
+        let fields = super::section(section).map_or(&[][..], |form| form.fields);
         let Some(field) = fields
             .iter()
             .find(|field| field.key == key)
@@ -429,6 +425,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     } = planned;
     if members.is_empty() {
         report_path(planned, checker);
+        stock::report(planned, checker);
         if checker.failed() {
             return Err(JobError {
                 findings: std::mem::take(checker).findings(),
@@ -459,6 +456,7 @@ fn results_of(planned: &Planned, checker: &mut Checker) -> Result<Vec<ResultRow>
     }
     set_up::check(planned, checker);
     set_up::report_crossing(planned, checker);
+    stock::report(planned, checker);
     let failed = checker.failed() || own.iter().any(Checker::failed);
     // Where the program stops in a cycle, or before one, the cycles in front of it have measured.
     let collides = planned
@@ -807,20 +805,12 @@ fn report_collision(
     checker: &mut Checker,
 ) {
     let step = &path.moves[index];
-    let place: Vec<String> = (0..3)
-        .map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i])))
-        .collect();
-    let what = match step.purpose {
-        Purpose::Position => text!("positioning"),
-        Purpose::Back(k) => text!("back from touch {touch}", k + 1),
-        Purpose::Touch(k) | Purpose::Search(k) => text!("touch {touch}", k + 1),
-    };
     let message = text!(
         "Move {move} (step {step}, {purpose}) hits the part with the ball centre at {place}",
         index + 1,
         step.step,
-        what,
-        place.join(", ")
+        purpose(step.purpose),
+        checker.position(center)
     );
     if field == "cycle" {
         checker.error("collision", field, message);

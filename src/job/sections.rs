@@ -2,13 +2,13 @@
 
 use crate::control::{self, Form, Header, POSTS, PostDef, Report, WRITE_OFFSET};
 use crate::cycle::{self, CYCLES, Cycle, CycleDef, REPEAT, Repeat};
-use crate::form::{Checker, Choice, Field, Section, Value, form};
+use crate::form::{Checker, Choice, Field, Section, SubForm, Value, form};
 use crate::formula::{Limits, Wear};
 use crate::geom::{AXIS_NAMES, Plane, Rigid, Vec3};
 use crate::job::lentoax::{LENGTH_TYPE, read_frame};
 use crate::job::sized::{self, Sized};
 use crate::job::wear;
-use crate::part::{Machine, PartPlacement, Scatter, Shape};
+use crate::part::{Machine, PartPlacement, Scatter, Shape, Stock};
 use crate::path::{Feeds, Setup};
 use crate::text::text;
 use crate::tool_length::{self, Query, lentoax, sentence};
@@ -315,17 +315,36 @@ form! {
     }
 }
 
-/// The sections of a job that are plain forms: path and fields.
-pub const SECTIONS: &[(&str, &[Field])] = &[
-    ("", General::FIELDS),
-    ("stylus", Stylus::FIELDS),
-    ("feeds", FeedForm::FIELDS),
-    ("limits", LimitsForm::FIELDS),
-    ("machine", MachineForm::FIELDS),
-    ("control", Control::FIELDS),
-    ("tool", ToolForm::FIELDS),
-    ("part", PartForm::FIELDS),
+form! {
+    /// The stock: a block, parallel to the axes, into which the features are cut. Null: not known, and not checked.
+    pub struct StockForm {
+        /// Corner of the block with the smallest X, Y and Z.
+        origin: Vec3 = Field::point("origin", "Lowest corner").at([-50.0, -50.0, -20.0]).group("Stock"),
+        /// Length of the block along X, Y and Z.
+        size: Vec3 = Field::point("size", "Size").at([100.0, 100.0, 20.0]).range(0.01, 100_000.0).group("Stock"),
+    }
+}
+
+/// The sections of a job that are plain forms. The key of the job itself is empty.
+pub const SECTIONS: &[SubForm] = &[
+    SubForm::required("", General::FIELDS),
+    SubForm::required("stylus", Stylus::FIELDS),
+    SubForm::required("feeds", FeedForm::FIELDS),
+    SubForm::required("limits", LimitsForm::FIELDS),
+    SubForm::required("machine", MachineForm::FIELDS),
+    SubForm::required("control", Control::FIELDS),
+    SubForm::required("tool", ToolForm::FIELDS),
+    STOCK,
+    SubForm::required("part", PartForm::FIELDS),
 ];
+
+/// The stock.
+pub const STOCK: SubForm = SubForm::optional("stock", StockForm::FIELDS);
+
+/// The section with this key.
+pub fn section(key: &str) -> Option<&'static SubForm> {
+    SECTIONS.iter().find(|section| section.key == key)
+}
 
 /// A checked job. Lengths in mm.
 #[derive(Debug)]
@@ -380,6 +399,8 @@ pub struct Job {
     /// The tools that are corrected, by the codes of the results.
     pub wear: Vec<(String, Wear)>,
     pub placement: PartPlacement,
+    /// The block that the features are cut into; none is not known.
+    pub stock: Option<Stock>,
     /// The cycle with the actual part's sizes; none where they are nominal.
     pub actual: Option<Box<dyn Cycle>>,
 }
@@ -477,10 +498,11 @@ impl Job {
             General::FIELDS,
             &[
                 "format", "stylus", "feeds", "limits", "machine", "cycle", "control", "tool",
-                "part", TOLERANCES,
+                "part", STOCK.key, TOLERANCES,
             ],
         );
         let general = General::read(&mut root);
+        let stock = root.sub(&STOCK, StockForm::read);
         let stylus: Stylus =
             read_section(checker, value, "stylus", Stylus::FIELDS, &[], Stylus::read);
         let feeds: FeedForm = read_section(
@@ -619,6 +641,7 @@ impl Job {
             set_up: control.set_up,
             wear: wear::of(value.get(TOLERANCES), units.scale()),
             placement: part.placement(plane, sizes.is_some(), states_sizes(value)),
+            stock: stock.map(|StockForm { origin, size }| Stock::new(origin, size)),
             actual: sizes,
         })
     }

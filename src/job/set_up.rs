@@ -8,7 +8,7 @@ use std::cell::OnceCell;
 use crate::control::own::Several;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
-use crate::geom::{AXIS_NAMES, Vec3};
+use crate::geom::Vec3;
 use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names};
 use crate::job::follows::{self, Earlier};
 use crate::job::planned::{Planned, several};
@@ -602,9 +602,7 @@ pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
     };
     let Some((index, center)) = found else { return };
     let path = &whole.path;
-    let place: Vec<String> = (0..3)
-        .map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(center[i])))
-        .collect();
+    let place = checker.position(center);
     let name = path.members[path.member_of_move(index).unwrap_or(0)]
         .name
         .clone();
@@ -613,14 +611,14 @@ pub fn report_crossing(whole: &Planned, checker: &mut Checker) {
             "Move {move}, on the way to {cycle}, hits the feature of another cycle with the ball centre at {place}",
             index + 1,
             name,
-            place.join(", ")
+            place
         )
     } else {
         text!(
             "Move {move}, of {cycle}, hits the feature of another cycle with the ball centre at {place}",
             index + 1,
             name,
-            place.join(", ")
+            place
         )
     };
     match on {

@@ -2,7 +2,7 @@
 
 use crate::cycle;
 use crate::form::{Field, Kind, Value};
-use crate::job::sections::{SECTIONS, Units};
+use crate::job::sections::{self, Units};
 
 /// A field of a job that holds a number.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +23,7 @@ impl NumberField {
         };
         let fields = match place.get("type") {
             Some(Value::Text(cycle)) if section == "cycle" => cycle::find(cycle)?.fields,
-            _ => SECTIONS.iter().find(|(path, _)| *path == section)?.1,
+            _ => sections::section(section)?.fields,
         };
         let field = fields.iter().find(|field| field.key == key)?;
         match place.get(key)? {

@@ -1,7 +1,6 @@
 //! Whether the shank and the probe body clear the part, and what of that is not known.
 
 use crate::form::Checker;
-use crate::geom::AXIS_NAMES;
 use crate::job::Job;
 use crate::part::{self, Above, Run, Struck};
 use crate::path::{Path, Purpose, Surface};
@@ -43,14 +42,6 @@ fn report_struck(
     checker: &mut Checker,
 ) {
     let step = &path.moves[struck.index];
-    let place: Vec<String> = (0..3)
-        .map(|i| format!("{} {}", AXIS_NAMES[i], checker.number(struck.center[i])))
-        .collect();
-    let what = match step.purpose {
-        Purpose::Position => text!("positioning"),
-        Purpose::Back(k) => text!("back from touch {touch}", k + 1),
-        Purpose::Touch(k) | Purpose::Search(k) => text!("touch {touch}", k + 1),
-    };
     let [shank, length] =
         [job.shape.shank, job.shape.length].map(|x| checker.length(x.unwrap_or(0.0)));
     let (part, remedy) = match struck.part {
@@ -75,12 +66,21 @@ fn report_struck(
         "Move {move} (step {step}, {purpose}): {part} hits the part with the ball centre at {place}: {remedy}",
         struck.index + 1,
         step.step,
-        what,
+        purpose(step.purpose),
         part,
-        place.join(", "),
+        checker.position(struck.center),
         remedy
     );
     checker.error("shank-collision", field, message);
+}
+
+/// What a move is for, in words.
+pub fn purpose(purpose: Purpose) -> Text {
+    match purpose {
+        Purpose::Position => text!("positioning"),
+        Purpose::Back(k) => text!("back from touch {touch}", k + 1),
+        Purpose::Touch(k) | Purpose::Search(k) => text!("touch {touch}", k + 1),
+    }
 }
 
 /// What is not given, and so is not checked: one note, where the path goes deeper than a ball, or nothing says how deep it goes.
@@ -90,7 +90,8 @@ pub fn report_unknown(job: &Job, path: &Path, checker: &mut Checker) {
     if path.moves.is_empty() || !path.surfaces.iter().any(|surface| is_beside(path, surface)) {
         return;
     }
-    let message: Text = match (path.top, shape.length) {
+    let stock = job.stock.map(|stock| stock.top(path.frame.w));
+    let message: Text = match (path.top.or(stock), shape.length) {
         (Some(top), _) => {
             let depth = top - lowest(path);
             if known || depth <= 2.0 * job.setup.radius {

@@ -97,13 +97,13 @@ pub fn convert_units(job: &Value, units: &str) -> Result<Value, JobError> {
         return Ok(job);
     }
     let to = Target::of(units);
-    for (path, fields) in SECTIONS {
-        let section = if path.is_empty() {
+    for form in SECTIONS {
+        let section = if form.key.is_empty() {
             Some(&mut job)
         } else {
-            job.get_mut(path)
+            job.get_mut(form.key)
         };
-        convert_fields(section, fields, to);
+        convert_fields(section, form.fields, to);
     }
     convert_tolerances(job.get_mut(TOLERANCES), to);
     if is_set_up(&job) {

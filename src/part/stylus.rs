@@ -41,17 +41,17 @@ pub struct Struck {
 
 /// The lower end of a cylinder.
 #[derive(Clone, Copy, Debug)]
-struct Disc {
-    part: Above,
-    radius: f64,
+pub(super) struct Disc {
+    pub(super) part: Above,
+    pub(super) radius: f64,
     /// How far above the ball centre.
-    rise: f64,
+    pub(super) rise: f64,
 }
 
 impl Shape {
     /// What can meet a part that a ball of this radius does not meet, as far as it is known. The body can only be held against a top side that is
     /// known: a wall whose end is not known would always be in its way.
-    fn discs(&self, ball: f64, topped: bool) -> Vec<Disc> {
+    pub(super) fn discs(&self, ball: f64, topped: bool) -> Vec<Disc> {
         let shank = self.shank.map(|shank| Disc {
             part: Above::Shank,
             radius: shank / 2.0,
@@ -153,7 +153,7 @@ fn below(top: f64, [begin, end]: [f64; 2]) -> Option<[f64; 2]> {
 
 /// The fraction of the way at which a level disc meets a body of flat faces. Along slopes a move is taken to run at the height of its lower end,
 /// where the material is widest.
-fn meet_flat(body: &Body, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
+pub(super) fn meet_flat(body: &Body, up: Vec3, radius: f64, from: Vec3, to: Vec3) -> Option<f64> {
     let heights = [from, to].map(|p| p.dot(up));
     let (prism, top) = body.cut(up, heights[0].min(heights[1]))?;
     let [begin, end] = top.map_or(Some([0.0, 1.0]), |top| below(top, heights))?;

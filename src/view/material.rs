@@ -27,6 +27,11 @@ pub enum Material {
         /// From the middle to the end of the plate.
         reach: f64,
     },
+    /// A stock, with the outlines of what is open in it.
+    Body {
+        outline: Vec<Vec2>,
+        open: Vec<Vec<Vec2>>,
+    },
     /// A stud.
     Within { center: Vec2, radius: f64 },
 }
@@ -160,6 +165,7 @@ impl Material {
                 out.push(within);
             }
             Material::Within { center, radius } => out.push(circle(*center, *radius)),
+            Material::Body { outline, .. } => out.push(outline.clone()),
             Material::Face { corners } => out.push(corners.to_vec()),
             Material::Behind {
                 edge: Edge {
@@ -186,7 +192,7 @@ impl Material {
                     at(a, -before, deep),
                 ];
                 for (point, way) in bounds {
-                    outline = behind(&outline, *point, *way);
+                    outline = within(&outline, *point, *way);
                 }
                 if area(&outline) < 0.0 {
                     outline.reverse();
@@ -202,8 +208,10 @@ pub fn outlines(all: &[Material], camera: &Camera, most: f64) -> [Vec<Vec<Vec2>>
     let (mut filled, mut air) = (Vec::new(), Vec::new());
     for material in all {
         material.outlines(camera, most, &mut filled);
-        if let Material::Around { center, radius, .. } = material {
-            air.push(circle(*center, *radius));
+        match material {
+            Material::Around { center, radius, .. } => air.push(circle(*center, *radius)),
+            Material::Body { open, .. } => air.extend_from_slice(open),
+            _ => {}
         }
     }
     for at in filled.iter_mut().chain(&mut air).flatten() {
@@ -218,7 +226,7 @@ fn depth(at: Vec2, point: Vec2, way: Vec2) -> f64 {
 }
 
 /// What of an outline lies behind a line, which is a point and the way into the material.
-fn behind(outline: &[Vec2], point: Vec2, way: Vec2) -> Vec<Vec2> {
+pub(super) fn within(outline: &[Vec2], point: Vec2, way: Vec2) -> Vec<Vec2> {
     let depth = |at: Vec2| depth(at, point, way);
     let mut kept = Vec::with_capacity(outline.len() + 1);
     for (k, from) in outline.iter().enumerate() {
@@ -235,7 +243,7 @@ fn behind(outline: &[Vec2], point: Vec2, way: Vec2) -> Vec<Vec2> {
 }
 
 /// Counter-clockwise.
-fn circle(center: Vec2, radius: f64) -> Vec<Vec2> {
+pub(super) fn circle(center: Vec2, radius: f64) -> Vec<Vec2> {
     let corner = |k: usize| {
         center + Vec2::from_angle(k as f64 * std::f64::consts::TAU / CORNERS as f64) * radius
     };

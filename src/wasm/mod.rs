@@ -66,6 +66,14 @@ pub fn job_name(codes: &[f64], text: &str) -> String {
     job::job_name(&decoded(codes, text))
 }
 
+/// A stock that fits the features of a job; null where none does.
+#[wasm_bindgen(js_name = proposedStock)]
+pub fn proposed_stock(codes: &[f64], text: &str) -> JsValue {
+    job::planned(&decoded(codes, text))
+        .and_then(|planned| job::proposed_stock(&planned))
+        .map_or(JsValue::NULL, |stock| value_to_js(&stock))
+}
+
 /// Why the form cannot show a job; null where it can.
 #[wasm_bindgen]
 pub fn misfit(codes: &[f64], text: &str) -> Result<JsValue, JsValue> {

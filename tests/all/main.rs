@@ -39,6 +39,7 @@ mod runout;
 mod safety;
 mod set_ups;
 mod sinumerik;
+mod stock;
 mod stylus;
 mod table;
 mod tolerances;

@@ -60,6 +60,14 @@ export function jobName(job: unknown): string {
   return on(job, raw.jobName);
 }
 
+/**
+ * A stock that fits the features of a job, in its units: flush with the walls that are touched from outside, with a margin of 10 mm around the other features,
+ * its top at the highest top side. Null where the job has errors, where nothing is touched, and where the path would hit that block.
+ */
+export function proposedStock(job: unknown): Job["stock"] {
+  return on(job, raw.proposedStock);
+}
+
 /** Why the form cannot show a job, as a sentence that names the path; null where it can. A single value may still be wrong. @internal */
 export function misfit(job: unknown): Said | null {
   return on(job, (codes, text) => raw.misfit(codes, text));

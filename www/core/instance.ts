@@ -28,6 +28,7 @@ export interface Raw {
   catalog(): unknown;
   defaultJob(type: unknown, units: unknown): unknown;
   jobName(codes: Float64Array, text: string): unknown;
+  proposedStock(codes: Float64Array, text: string): unknown;
   misfit(codes: Float64Array, text: string): unknown;
   check(codes: Float64Array, text: string): unknown;
   plan(codes: Float64Array, text: string, sink: Sink): void;

@@ -743,6 +743,13 @@ export interface Job {
     /** The active frame's steps, in order. */
     frame?: FrameStep[];
   };
+  /** The block that the features are cut into, parallel to the axes; `null`: not known, and not checked. */
+  stock?: {
+    /** Corner of the block with the smallest X, Y and Z. */
+    origin?: Vec3;
+    /** Length of the block along X, Y and Z. */
+    size?: Vec3;
+  } | null;
   part?: {
     /** How far the part is shifted. */
     offset?: Vec3;

@@ -689,6 +689,8 @@ export interface CycleEntry {
 export interface SectionEntry {
   /** Its key in the job, empty for the job itself. */
   path: string;
+  /** Whether it may be `null`, which is then its default. */
+  optional: boolean;
   /** The fields of the section, in order. */
   fields: FieldEntry[];
 }

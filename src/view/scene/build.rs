@@ -2,7 +2,7 @@
 
 use crate::formula::{Operand, RelationDrawing};
 use crate::geom::{Plane, Vec2, Vec3};
-use crate::part::Run;
+use crate::part::{Run, Stock};
 use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
 use crate::view::material::material;
 use crate::view::scene::blocks::blocks;
@@ -28,19 +28,20 @@ pub struct Actual<'a> {
     pub magnify: f64,
 }
 
-/// The scene of a path.
+/// The scene of a path. Where its material is a part of a stock, that is drawn as one body.
 pub fn build(
     path: &Path,
     setup: &Setup,
     feeds: &Feeds,
     actual: &Actual<'_>,
-    view: Projection,
+    (view, stock): (Projection, Option<&Stock>),
 ) -> Scene {
     let look = Look {
         path,
         setup,
         actual,
         view,
+        stock,
         towards: view.towards(setup.plane),
     };
     let spot = |p: Vec3| look.spot(p);
@@ -55,7 +56,11 @@ pub fn build(
             .map(|(index, center)| (index, spot(center))),
         ..Scene::about(setup.plane, view)
     };
-    let backs = if view == Projection::Isometric {
+    let backs = if view == Projection::Isometric && stock.is_some() {
+        scene.walls = nearest_last(look.walls(|_, _| None));
+        scene.dimensions = tilted(path, setup.plane, view);
+        Backs::default()
+    } else if view == Projection::Isometric {
         scene.walls = nearest_last(look.walls(topped));
         scene.tops = tops(path, spot);
         scene.blocks = blocks(path, look.towards, spot);
@@ -181,6 +186,7 @@ struct Look<'a> {
     setup: &'a Setup,
     actual: &'a Actual<'a>,
     view: Projection,
+    stock: Option<&'a Stock>,
     /// The direction towards who looks.
     towards: Vec3,
 }
@@ -201,7 +207,21 @@ impl Look<'_> {
         let faces = wall.normal.dot(self.towards) > 0.0;
         WallShape {
             faces,
-            ..shape(wall, self.path.frame.w, |p| self.spot(p))
+            ..shape(&self.ended(*wall), self.path.frame.w, |p| self.spot(p))
+        }
+    }
+
+    /// A wall as it is drawn: one whose ends are not known is as high as the stock.
+    fn ended(&self, wall: Wall) -> Wall {
+        let up = self.path.frame.w;
+        match self.stock {
+            Some(stock) if !wall.has_top && wall.normal.dot(up).abs() < 1e-6 => Wall {
+                point: wall.point + up * (stock.top(up) - wall.point.dot(up)),
+                drawn_depth: (stock.high - stock.low).dot(up),
+                has_top: true,
+                ..wall
+            },
+            _ => wall,
         }
     }
 

@@ -3,6 +3,7 @@
 pub mod blocks;
 mod build;
 pub mod program;
+mod stock;
 pub mod stylus;
 pub mod top_faces;
 

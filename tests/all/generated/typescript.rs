@@ -5,7 +5,7 @@ use std::fmt::Write;
 use touchpath::cycle::{CYCLES, CycleDef};
 use touchpath::form::{Field, Kind, SubForm};
 use touchpath::formula::{RELATIONS, RelationDef};
-use touchpath::job::SECTIONS;
+use touchpath::job::{SECTIONS, STOCK};
 
 const HEAD: &str = r#"// Generated from the crate's one list of fields: `UPDATE=1 cargo test --lib generated` writes it.
 
@@ -287,21 +287,28 @@ pub fn job_types() -> String {
     text.push_str(
         ";\n\n/** A probing job. What is left out takes the catalog's default. */\nexport interface Job {\n  format: 1;\n",
     );
-    for (path, fields) in SECTIONS {
-        if path.is_empty() {
-            members(&mut text, fields, "  ");
+    for section in SECTIONS {
+        if section.key.is_empty() {
+            members(&mut text, section.fields, "  ");
             continue;
         }
-        writeln!(text, "  {path}?: {{").unwrap();
-        members(&mut text, fields, "    ");
-        match *path {
+        if section.key == STOCK.key {
+            text.push_str("  /** The block that the features are cut into, parallel to the axes; `null`: not known, and not checked. */\n");
+        }
+        writeln!(text, "  {}?: {{", section.key).unwrap();
+        members(&mut text, section.fields, "    ");
+        match section.key {
             "tool" => text.push_str("    /** The active frame's steps, in order. */\n    frame?: FrameStep[];\n"),
             "part" => text.push_str(
                 "    /** By how much a size of the part differs, by the field's key. */\n    sizes?: Record<string, number>;\n",
             ),
             _ => {}
         }
-        text.push_str("  };\n");
+        text.push_str(if section.optional {
+            "  } | null;\n"
+        } else {
+            "  };\n"
+        });
     }
     text.push_str(TOLERANCES);
     text.push_str("  cycle: Cycle;\n}\n");
