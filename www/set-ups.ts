@@ -5,6 +5,7 @@ import {
   type Job,
   JobError,
   plan,
+  proposedStock,
 } from "./core/browser.js";
 import { isWritten } from "./core/results.js";
 import type { Entries, Form } from "./entries.js";
@@ -170,7 +171,7 @@ function jobOf(present: Entries, { key, job, writes }: SetUpEntry, form: Form) {
   const control = rest.control as Draft;
   const { workOffsets = [1] } = present.rules.config?.allow ?? {};
   const first = workOffsets.find((one) => one !== null) ?? null;
-  return {
+  const made = {
     ...rest,
     ...whole,
     control: {
@@ -181,7 +182,8 @@ function jobOf(present: Entries, { key, job, writes }: SetUpEntry, form: Form) {
     limits: { ...(rest.limits as Draft), ...(limits as Draft) },
     part: { ...(part as Draft), sizes: {} },
     name: key.toUpperCase(),
-  } as Draft;
+  };
+  return { ...made, stock: proposedStock(made) } as Draft;
 }
 
 /** Whether a job writes every axis of its set-up and keeps every locked field. Not every control can write a rotation: the cards say so. */

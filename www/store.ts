@@ -13,6 +13,7 @@ import {
   misfit,
   type Plan,
   plan,
+  proposedStock,
   type ResultTolerance,
   type Said,
   type Words,
@@ -253,14 +254,17 @@ export class Store extends Entries {
       ]);
   }
 
-  /** Adds a cycle of this type after the active one and makes it active: beside the other features, with the sizes of the last one of its type. */
+  /** Adds a cycle of this type after the active one and makes it active: beside the other features, with the sizes of the last one of its type. A stock that fits the features fits the new one, too. */
   addFeature(type: Cycle["type"]): void {
     const fresh = this.freshOf(type) as { cycle: Draft };
     const last = this.features.lastOf(this.draft, type);
     const cycle = placedBeside(this, this.plan, fresh.cycle, last);
+    const { stock } = this.draft;
+    const fits = stock && alike(stock, proposedStock(this.job));
     this.arrange(() => {
       this.features.add(this.draft, cycle);
       this.features.bring(this.draft, this.features.hand + 1);
+      if (fits) this.draft.stock = proposedStock(this.job) ?? stock;
     });
   }
 

@@ -492,3 +492,48 @@ test("a place that follows a result has a limit, proposed and said", () => {
     );
   }
 });
+
+test("the stock of a ready set-up fits its features, and those that are added", () => {
+  const store = begun("hole");
+  assert.equal(store.get("stock") ?? null, null);
+  store.beginSetUp("plate");
+  const [low, size] = [store.get("stock.origin"), store.get("stock.size")];
+  // Bores of 12 at ±40 and ±25, and 10 mm around them.
+  assert.deepEqual(
+    [low.slice(0, 2), size.slice(0, 2)],
+    [
+      [-56, -41],
+      [112, 82],
+    ],
+  );
+  assert.equal(low[2] + size[2], 0, "its top is the top of the bores");
+  store.addFeature("hole");
+  const wider = store.get("stock.size");
+  assert.ok(wider[0] > size[0] && wider[1] === size[1], wider);
+  assert.equal(store.withheld, null);
+  store.undo();
+  assert.deepEqual(store.get("stock.size"), size);
+  // One that was typed stays as it is.
+  type(store, "stock.size[0]", "150");
+  store.addFeature("hole");
+  assert.equal(store.get("stock.size[0]"), 150);
+});
+
+test("a stock is converted, saved with the program and given back by it", () => {
+  const store = begun("hole");
+  store.put("stock", { origin: [-50, -40, -25.4], size: [100, 80, 25.4] });
+  store.setUnits("inch");
+  assert.equal(store.get("stock.size[2]"), 1);
+  const again = new Store();
+  again.open(read(program(store)));
+  assert.deepEqual(again.get("stock"), store.get("stock"));
+  // The surface is 6 mm below the top of this block.
+  const low = begun("surface");
+  low.put("stock", { origin: [-50, -50, -20], size: [100, 100, 26] });
+  assert.deepEqual(
+    low.findings
+      .filter((/** @type {any} */ { level }) => level === "error")
+      .map((/** @type {any} */ { code, path }) => [code, path]),
+    [["collision", "stock"]],
+  );
+});

@@ -268,3 +268,22 @@ test("results of earlier cycles and relations are proposed in the boxes that can
   await list().first().click();
   assert.deepEqual(await proposed("cycle.origin[0]"), []);
 });
+
+test("a stock is one block that fits the features, and an error in it leads to its fields", async () => {
+  await field("cycle.type").selectOption("hole");
+  await button("+ Add a feature").click();
+  await page.locator('tp-gallery [data-type="surface"]').click();
+  await page.getByLabel("One block that the features are cut into").check();
+  const size = await field("stock.size[0]").inputValue();
+  assert.ok(Number(size) > 60, size);
+  assert.equal(await page.locator(".verdict .error").count(), 0);
+  // 6 mm more than the surface that is touched: the ball would be in the block.
+  const height = Number(await field("stock.size[2]").inputValue());
+  await put("stock.size[2]", height + 6);
+  await page.locator(".fold", { hasText: "Stock and virtual part" }).click();
+  assert.match(await textOf(page.locator(".verdict")), /hits the stock/);
+  await page.getByRole("button", { name: "Go to it" }).first().click();
+  assert.ok(await field("stock.origin[0]").isVisible());
+  await button("Fit it to the features").click();
+  assert.equal(Number(await field("stock.size[2]").inputValue()), height);
+});

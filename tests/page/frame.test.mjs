@@ -144,10 +144,10 @@ test("a touch at F3000 and a part turned by 20° are seen without opening anythi
     /warning/,
   );
   assert.match(
-    (await folded("Virtual part").getAttribute("class")) ?? "",
+    (await folded("Stock and virtual part").getAttribute("class")) ?? "",
     /warning/,
   );
-  assert.match(await textOf(folded("Virtual part")), /turned 20°/);
+  assert.match(await textOf(folded("Stock and virtual part")), /turned 20°/);
   assert.match(await textOf(folded("Clearances, touches, feeds")), /3000/);
 });
 

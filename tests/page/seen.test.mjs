@@ -206,7 +206,7 @@ test("forms of cycles that were left were gone after a reload", async () => {
 
 test("a cycle that touches nothing asks for no probe, feeds or part, and has nothing to drag", async () => {
   const groups = () => page.locator("tp-form .fold b").allTextContents();
-  assert.ok((await groups()).includes("Virtual part"));
+  assert.ok((await groups()).includes("Stock and virtual part"));
   await field("cycle.type").selectOption("probe-on-off");
   assert.deepEqual(await groups(), [
     "Clearances, touches, feeds",

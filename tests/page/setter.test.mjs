@@ -80,7 +80,7 @@ test("a first visit is a bore with five fields and three doors beside it; what C
   assert.deepEqual(await groups(), [
     "Clearances, touches, feeds",
     "Machine and probe",
-    "Virtual part",
+    "Stock and virtual part",
   ]);
   const { controls, words } = await shown();
   assert.ok(controls <= 32 && words <= 200, `${controls} ${words}`);

@@ -1,7 +1,12 @@
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
-import type { FieldEntry, Finding, ResultTolerance } from "../core/browser.js";
+import {
+  type FieldEntry,
+  type Finding,
+  proposedStock,
+  type ResultTolerance,
+} from "../core/browser.js";
 import { isOut } from "../job.js";
 import { ACTIONS } from "../measured.js";
 import { deviations, inside } from "../sentences.js";
@@ -38,7 +43,7 @@ const VIRTUAL = "Virtual part";
 const PICKED = w("Picked touches");
 /** What only touches need. */
 const OF_TOUCHES =
-  /^(stylus|feeds|limits|machine|part|overtravel|control\.(protection|orient|report))\b/;
+  /^(stylus|feeds|limits|machine|part|stock|overtravel|control\.(protection|orient|report))\b/;
 /** As many touches are listed; no cycle takes as many. */
 const MOST_ROWS = 50;
 const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
@@ -46,6 +51,8 @@ const idOf = (group: string) => `group-${group.replaceAll(/\W+/g, "-")}`;
 const FOR_CAM = /^Postprocessor/;
 const USUAL = w("Clearances, touches, feeds");
 const MACHINE = w("Machine and probe");
+const STOCK = "Stock";
+const PART = w("Stock and virtual part");
 /** Folded sections for groups that are rarely changed, in order. */
 const DOORS: [door: string, groups: RegExp][] = [
   [
@@ -53,7 +60,7 @@ const DOORS: [door: string, groups: RegExp][] = [
     /^(Touches|Clearances|Repeated touches|Feeds and limits|After probing|Postprocessor)/,
   ],
   [MACHINE, /^(Program and machine|Probe|Tool length \(SINUMERIK\))$/],
-  [VIRTUAL, /^Virtual part$/],
+  [PART, /^(Stock|Virtual part)$/],
 ];
 /** The groups of a cycle that need no heading. */
 const PLAIN = /^(Place|Size)$/;
@@ -146,7 +153,7 @@ class FormPart extends FieldPart {
           .map(([group, fields]) => this.summary(group, fields))
           .filter(Boolean)
           .join(" · ");
-    const usual = name === VIRTUAL ? "" : this.t("as usual");
+    const usual = name === PART ? "" : this.t("as usual");
     const alone = groups.length === 1;
     const body = groups.map(
       ([group, fields]) =>
@@ -170,7 +177,7 @@ class FormPart extends FieldPart {
     const { type } = this.store.cycle;
     if (this.shown !== "" && this.shown !== type) this.scrollTop = 0;
     this.shown = type;
-    this.store.partOpen = this.opened.get(VIRTUAL) ?? this.all;
+    this.store.partOpen = this.opened.get(PART) ?? this.all;
     this.mark();
   }
 
@@ -182,7 +189,12 @@ class FormPart extends FieldPart {
       const holds = (placed: Placed) =>
         path?.startsWith(placed.path) || placed.path.startsWith(`${path}.`);
       const door = DOORS.find(([, groups]) => groups.test(name))?.[0] ?? name;
-      if (path !== undefined && fields.some(holds)) this.opened.set(door, true);
+      const within = this.optional.get(name);
+      if (
+        path !== undefined &&
+        (fields.some(holds) || (within && path.startsWith(within.path)))
+      )
+        this.opened.set(door, true);
     }
     this.requestUpdate();
     return this.updateComplete;
@@ -221,19 +233,14 @@ class FormPart extends FieldPart {
     const { sections } = this.store.catalog;
     for (const field of this.store.cycle.fields)
       add(`cycle.${field.key}`, field);
-    for (const { key, optional, fields } of this.store.cycle.sections) {
-      if (optional)
-        this.optional.set(fields[0]?.group ?? key, {
-          path: `cycle.${key}`,
-          fields,
-        });
-      const group = fields[0]?.group ?? key;
-      if (optional && isOut(this.store.get(`cycle.${key}`))) {
-        if (this.store.cam || !FOR_CAM.test(group)) groups.set(group, []);
-      } else
+    for (const { key, optional, fields } of this.store.cycle.sections)
+      if (!optional || this.offers(`cycle.${key}`, fields, groups))
         for (const field of fields) add(`cycle.${key}.${field.key}`, field);
-    }
-    for (const { path, fields } of sections) {
+    for (const { path, optional, fields } of sections) {
+      if (optional) {
+        const hidden = maxTouches === 0 || !this.store.rules.showsField(path);
+        if (hidden || !this.offers(path, fields, groups)) continue;
+      }
       // A cycle with a touch probe table of its own has its own feeds and search length.
       if (own && path === "feeds") continue;
       if (path === "tool" && !post?.firstLength) continue;
@@ -252,6 +259,20 @@ class FormPart extends FieldPart {
     const order = (name: string) =>
       name === "Size" ? -1 : FOR_CAM.test(name) ? 1 : 0;
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
+  }
+
+  /** Offers a form inside the form that may be left out, and says whether it is used. */
+  private offers(
+    path: string,
+    fields: FieldEntry[],
+    groups: Map<string, Placed[]>,
+  ): boolean {
+    const group = fields[0]?.group ?? path;
+    this.optional.set(group, { path, fields });
+    const used = !isOut(this.store.get(path));
+    if (!used && (this.store.cam || !FOR_CAM.test(group)))
+      groups.set(group, []);
+    return used;
   }
 
   private get isPicked(): boolean {
@@ -362,7 +383,7 @@ class FormPart extends FieldPart {
     const of = (f: Finding) =>
       f.path === path ||
       f.path.startsWith(`${path}[`) ||
-      (f.path === "part" && path.startsWith("part."));
+      (["part", "stock"].includes(f.path) && path.startsWith(`${f.path}.`));
     return this.store.findings.filter(of).map((f) => f.level);
   }
 
@@ -457,6 +478,10 @@ class FormPart extends FieldPart {
 
   /** The values of a folded group in one line. */
   private summary(name: string, fields: Placed[]): string {
+    if (name === STOCK) {
+      const { size } = (this.store.get("stock") ?? {}) as { size?: unknown[] };
+      return size?.map((x) => this.store.number(String(x))).join(" × ") ?? "";
+    }
     if (name === VIRTUAL)
       return deviations(this.store).join(" · ") || this.t("nominal");
     // What is at fault first, then the feed that the probe meets the part with, and its ball.
@@ -525,12 +550,21 @@ class FormPart extends FieldPart {
   private switch(group: string): TemplateResult | typeof nothing {
     const section = this.optional.get(group);
     if (!section) return nothing;
+    const { store } = this;
+    const { path } = section;
+    const isStock = path === "stock";
     const values = () =>
+      (isStock ? proposedStock(store.job) : null) ??
       Object.fromEntries(
-        section.fields.map((f) => [f.key, this.store.begins(f) ?? null]),
+        section.fields.map((f) => [f.key, store.begins(f) ?? null]),
       );
-    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${!isOut(this.store.get(section.path))}
-      @change=${(e: Event) => this.store.put(section.path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${this.t("Use it")}</label></div>`;
+    const used = !isOut(store.get(path));
+    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${used}
+      @change=${(e: Event) => store.put(path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${isStock ? this.t("One block that the features are cut into") : this.t("Use it")}</label></div>${
+        isStock && used
+          ? html`<button type="button" @click=${() => store.put(path, values())}>${this.t("Fit it to the features")}</button>`
+          : nothing
+      }`;
   }
 
   /** The styli that the page around offers. */

@@ -220,10 +220,7 @@ class GalleryPart extends Part {
       const job = () =>
         type
           ? defaultJob(type as CycleEntry["type"])
-          : {
-              format: 2,
-              ...ready.find(({ entry }) => entry.key === setUp)?.entry.job,
-            };
+          : ready.find(({ entry }) => entry.key === setUp)?.job;
       const drawing =
         this.drawings.get(key) ??
         new Drawing(canvas, (view) => view.showSmall(job()));
