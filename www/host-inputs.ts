@@ -55,7 +55,7 @@ function unnamed(job: Draft): Draft {
 
 /** What it asks of the store. */
 interface Jobs extends Entries {
-  byUser: boolean;
+  asHost<T>(change: () => T): T;
   readonly revision: number;
   readonly job: Draft;
   readonly longest: number;
@@ -282,8 +282,11 @@ export class Outside {
 
   /** Takes a job, a cycle, a control, units or a config. What cannot be taken changes nothing: why, as findings. */
   input(input: Input, value: unknown): Finding[] {
+    return this.store.asHost(() => this.put(input, value));
+  }
+
+  private put(input: Input, value: unknown): Finding[] {
     const { store } = this;
-    store.byUser = false;
     try {
       if (input === "job") return this.take(value);
       const refusals = this.refusals(input, value);
@@ -317,8 +320,6 @@ export class Outside {
           input,
         ),
       ];
-    } finally {
-      store.byUser = true;
     }
   }
 
@@ -345,18 +346,14 @@ export class Outside {
   release(input: keyof Asked | "config"): void {
     if (input === "config") {
       if (!this.rules.config) return;
-      this.store.byUser = false;
       this.rules = new Rules();
-      this.store.reconsider();
-      this.store.byUser = true;
+      this.store.asHost(() => this.store.reconsider());
       return;
     }
     if (this.asked[input] === undefined) return;
     const { [input]: _, ...rest } = this.asked;
     this.asked = rest;
-    this.store.byUser = false;
-    this.store.reconsider();
-    this.store.byUser = true;
+    this.store.asHost(() => this.store.reconsider());
   }
 
   /** A job as the host gives it, with what is asked for, or why it cannot be shown. */

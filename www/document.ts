@@ -1,0 +1,441 @@
+// The job as it stands in the form: what was typed, who may change it, and the steps that can be taken back.
+import {
+  type Cycle,
+  convertUnits,
+  defaultJob,
+  type FieldEntry,
+  JobError,
+  jobName,
+  type Said,
+  type Words,
+} from "./core/browser.js";
+import type { Units } from "./entries.js";
+import { byCode, type SetUpState } from "./features.js";
+import { Fixed } from "./fixed.js";
+import { History } from "./history.js";
+import { alike, complete, type Draft, dropAt, isObject, putAt } from "./job.js";
+import { Output } from "./output.js";
+import type { Reading } from "./read-text.js";
+import type { Rules } from "./rules.js";
+import { type Lang, w } from "./words.js";
+
+/** What is kept of a cycle whose form was left. */
+export interface Left {
+  units: Units;
+  cycle: Draft;
+  points: Points;
+  /** How much larger the sizes of the virtual part are. */
+  sizes?: Draft;
+  /** The tolerances of its results. */
+  tolerances?: Draft;
+}
+
+/** Measured points as text, by the units they were typed in: read in other units they would be other points. */
+export type Points = Record<Units, string>;
+export const noPoints = (): Points => ({ mm: "", inch: "" });
+
+/** Why nothing was changed: the job can only be looked at. */
+export const LOOK_ONLY: Said = [
+  w("Nothing was changed: this job is read-only"),
+];
+
+/** Everything that a user can change, at a moment. */
+interface Moment {
+  draft: Draft;
+  typed: [string, string][];
+  points: Points;
+  left: [string, Left][];
+  given: string[] | null;
+  document: number;
+  features: SetUpState;
+}
+
+/** The job in the form. Every change of it comes through here. */
+export abstract class Document extends Output {
+  /** The job as it stands in the form. */
+  draft!: Draft;
+  /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
+  typed = new Map<string, string>();
+  /** The points that a machine measured for this job. */
+  protected points = noPoints();
+  /** Whether the page around gave them: the user's undo keeps them then. */
+  protected pointsGiven = false;
+  /** The paths that were given a value; the other fields still have their defaults. Null for a job that was given whole. */
+  protected given: Set<string> | null = new Set();
+  /** Cycles that were left, so that coming back finds their forms and their measured points. */
+  protected left = new Map<string, Left>();
+  protected readonly history = new History<Moment>();
+  /** Whether the user can change the job. What is put in from outside is taken all the same. */
+  protected shut = false;
+  /** Whether what changes now is changed by the page around. */
+  protected host = false;
+  /** The name that the job has by itself: while it has this one, it follows what is measured. Null where the job is another one. */
+  protected ownName: string | null = null;
+  /** The number of documents so far. */
+  protected documents = 0;
+  /** The control that had a work offset which the present one has not: with another control it comes back. */
+  protected lost: Draft | null = null;
+  /** The control that the job was for before this one. */
+  protected beforeControl: Draft | null = null;
+
+  /** The rules of the page around. */
+  get rules(): Rules {
+    return this.outside.rules;
+  }
+
+  /** The whole job: of one cycle the form itself, of a set-up all of its cycles. */
+  get job(): Draft {
+    return this.features.compose(this.draft);
+  }
+
+  /** Whether the job can only be looked at. */
+  get readonly(): boolean {
+    return this.shut;
+  }
+
+  set readonly(shut: boolean) {
+    if (shut === this.shut) return;
+    this.shut = shut;
+    this.asHost(() => this.dispatchEvent(new Event("change")));
+  }
+
+  /** Forgets the steps that could be taken back. */
+  clear(): void {
+    this.history.clear();
+  }
+
+  /** Whether a change is the user's, and not one of the page around. */
+  get byUser(): boolean {
+    return !this.host;
+  }
+
+  /** Makes changes of the page around: they are no steps of the user, and neither locks nor a read-only job keep them out. */
+  asHost<T>(change: () => T): T {
+    const before = this.host;
+    this.host = true;
+    try {
+      return change();
+    } finally {
+      this.host = before;
+    }
+  }
+
+  /** Whether a change is the user's and the job is not to be changed. */
+  protected get refuses(): boolean {
+    return this.shut && this.byUser;
+  }
+
+  get measured(): string {
+    return this.points[this.units];
+  }
+
+  set measured(text: string) {
+    // What the page around sets is not a step of the user's.
+    if (this.byUser) this.mark("measured");
+    this.pointsGiven = !this.byUser;
+    this.points = { ...this.points, [this.units]: text };
+    this.keep();
+    this.dispatchEvent(new Event("change"));
+  }
+
+  /** The points of a log that was opened. */
+  openPoints(text: string): void {
+    this.settle();
+    this.measured = text;
+    this.settle();
+  }
+
+  /** Sets a value; every keystroke comes through here. Changes of one path are one step back until `settle`. */
+  set(path: string, value: unknown, typed?: string): void {
+    const fixed = this.fixed();
+    if (this.refuses || fixed.has(path)) return;
+    this.mark(path);
+    this.given?.add(path.replace(/\[\d\]$/, ""));
+    // What the user chooses now holds, also that none is written.
+    if (path === "control.workOffset") this.lost = null;
+    if (typed === undefined) this.typed.delete(path);
+    else this.typed.set(path, typed);
+    putAt(this.draft, path, value);
+    if (typeof value === "number") this.untolerate(path);
+    fixed.keep(this.draft);
+    // What was typed inside a value that is another one now.
+    if (typeof value === "object")
+      for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
+    this.changed();
+  }
+
+  /** Removes the action and wear correction of a size that no longer has a tolerance. */
+  protected untolerate(path: string): void {
+    const [, code = ""] = /^cycle\.(\w+)$/.exec(path) ?? [];
+    const all = this.draft.tolerances as Draft | undefined;
+    const entry = all?.[code];
+    if (isObject(entry) && entry.tolerance === undefined) {
+      const { [code]: _, ...rest } = all as Draft;
+      this.draft.tolerances = rest;
+    }
+  }
+
+  /** What the user cannot change: what the page around fixes, unless it has another value than it must have. */
+  protected fixed(bare = false): Fixed {
+    const wrong = new Set(
+      this.findings
+        .filter(({ code }) => code === "locked")
+        .map(({ path }) => path),
+    );
+    const locked = this.byUser ? this.rules.locked(bare) : [];
+    return new Fixed(
+      this.draft,
+      locked.filter((path) => !wrong.has(path)),
+    );
+  }
+
+  /** Sets a value by one act of the user, such as a choice: a step of its own. */
+  put(path: string, value: unknown): void {
+    this.settle();
+    this.set(path, value);
+    this.settle();
+  }
+
+  /** The virtual part lies as the drawing says. */
+  putNominal(): void {
+    this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
+  }
+
+  /** Takes a key out of the job. */
+  drop(path: string): void {
+    if (this.refuses) return;
+    this.mark(null);
+    dropAt(this.draft, path);
+    this.forget(path);
+    this.changed();
+  }
+
+  /** A number field shows its number again, not the sum that was typed. */
+  tidy(path: string): void {
+    if (this.typed.delete(path)) this.changed();
+  }
+
+  protected forget(prefix: string): void {
+    for (const path of [...this.typed.keys()])
+      if (path.startsWith(prefix)) this.typed.delete(path);
+  }
+
+  /** Other units: the values shown are converted, the geometry stays. */
+  setUnits(units: Units): void {
+    if (this.refuses) return;
+    if (units === this.draft.units) return;
+    this.mark(null);
+    // Numbers in units that are none cannot be converted: they stay, and now have units.
+    const known = this.draft.units === "mm" || this.draft.units === "inch";
+    const old = this.draft;
+    const untouched = known ? this.untouched() : [];
+    this.draft = known
+      ? (convertUnits(old, units) as unknown as Draft)
+      : { ...old, units };
+    if (known) this.features.convert(old.units as Units, units);
+    for (const [path, field] of untouched)
+      putAt(this.draft, path, structuredClone(this.begins(field, units)));
+    this.typed.clear();
+    this.changed();
+  }
+
+  /** The fields that still hold what a new job begins with. */
+  protected untouched(): [string, FieldEntry][] {
+    const { given } = this;
+    if (!given) return [];
+    const isGiven = (path: string) =>
+      [...given].some((one) => path === one || path.startsWith(`${one}.`));
+    const locked = this.rules.locked();
+    return [...this.metric()].filter(
+      ([path, field]) =>
+        !isGiven(path) &&
+        !locked.includes(path) &&
+        alike(this.get(path), this.begins(field)),
+    );
+  }
+
+  /** What is changed next is a step of its own. */
+  settle(): void {
+    this.history.settle();
+    this.dispatchEvent(new Event("settled"));
+  }
+
+  get canUndo(): boolean {
+    return !this.shut && this.history.canUndo;
+  }
+
+  get canRedo(): boolean {
+    return !this.shut && this.history.canRedo;
+  }
+
+  /** Takes the last step back, whatever it was: a field, a drag, a file, a reset. */
+  undo(): void {
+    if (!this.refuses) this.become(this.history.undo(() => this.moment()));
+  }
+
+  redo(): void {
+    if (!this.refuses) this.become(this.history.redo(() => this.moment()));
+  }
+
+  protected moment(): Moment {
+    const { typed, points, left, given, document } = this;
+    return {
+      draft: structuredClone(this.draft),
+      typed: [...typed],
+      points: { ...points },
+      left: [...left],
+      given: given && [...given],
+      document,
+      features: this.features.state(),
+    };
+  }
+
+  /** Before a change: what it is of decides whether it can be taken back by itself. */
+  protected mark(changing: string | null): void {
+    this.history.mark(changing, () => this.moment());
+  }
+
+  /** Becomes what it was at a moment. */
+  protected become(moment: Moment | undefined): void {
+    if (!moment) return;
+    const fixed = this.fixed(true);
+    this.draft = moment.draft;
+    this.features.become(moment.features);
+    fixed.keep(this.draft);
+    this.typed = new Map(moment.typed);
+    if (!this.pointsGiven) this.points = moment.points;
+    this.left = new Map(moment.left);
+    this.given = moment.given && new Set(moment.given);
+    this.document = moment.document;
+    this.ownName = null;
+    this.pinned = null;
+    this.highlight = null;
+    this.changed();
+  }
+
+  /** Says what was done beside what was asked for. */
+  protected tell(said: Said): void {
+    this.dispatchEvent(new CustomEvent("told", { detail: said }));
+  }
+
+  /** Another language for everything that is shown. The job stays as it is. */
+  translate(lang: Lang, words: Words): void {
+    this.asHost(() => {
+      this.speak(lang, words);
+      this.dispatchEvent(new Event("change"));
+    });
+  }
+
+  /** What is asked of the job has changed, and not the job. */
+  reconsider(): void {
+    this.changed();
+  }
+
+  protected changed(): void {
+    this.nameAnew();
+    this.compute();
+    this.keep();
+    this.dispatchEvent(new Event("change"));
+    if (this.history.settled) this.dispatchEvent(new Event("settled"));
+  }
+
+  /** A name that was not typed follows what is measured. */
+  protected nameAnew(): void {
+    const name = jobName(this.job);
+    if (this.ownName !== null && this.draft.name === this.ownName)
+      this.draft.name = name;
+    this.ownName = name;
+  }
+
+  /** The default job of a cycle in the job's units, with what the rules of the page around say of it. */
+  protected freshOf(type: Cycle["type"]): Draft {
+    return this.rules.laid(
+      structuredClone(defaultJob(type, this.units)) as unknown as Draft,
+    );
+  }
+
+  /** Takes a whole job, one that fits the form. `given`: the paths that were given a value. */
+  load(job: Draft, measured = "", given: Set<string> | null = null): void {
+    if (this.refuses) return;
+    const fixed = this.fixed(true);
+    this.mark(null);
+    this.document = ++this.documents;
+    this.beforeControl = null;
+    this.lost = null;
+    this.ownName = null;
+    this.given = given;
+    this.draft = this.formOf(job);
+    fixed.keep(this.draft);
+    this.points = { ...noPoints(), [this.units]: measured };
+    this.left = new Map(
+      [...this.left].map(([type, left]) => [
+        type,
+        { ...left, points: noPoints() },
+      ]),
+    );
+    this.typed.clear();
+    this.pinned = null;
+    this.highlight = null;
+    this.changed();
+  }
+
+  /** The form of a job: of a set-up that of its first cycle, and the others wait. */
+  protected formOf(job: Draft): Draft {
+    const several = Array.isArray(job.cycles);
+    const { tolerances } = job;
+    const single = several
+      ? this.features.take(job, this.catalog)
+      : {
+          ...job,
+          ...(isObject(tolerances) ? { tolerances: byCode(tolerances) } : {}),
+        };
+    if (!several) this.features.alone();
+    return complete(this.outside.filled(single) as Draft, this.catalog);
+  }
+
+  /** Takes another document: nothing of the one before can be taken back, or comes back with a cycle. */
+  replace(whole: Draft): void {
+    if (this.refuses) return;
+    const same =
+      alike((whole.cycle as Draft | undefined)?.type, this.cycle.type) &&
+      whole.units === this.draft.units;
+    this.load(whole, same ? this.measured : "");
+    this.left = new Map();
+    this.clear();
+  }
+
+  /** Takes the job of a link. Throws `JobError`, and changes nothing, where it cannot be shown. */
+  take(job: unknown, measured: string): void {
+    if (this.refuses) throw this.refusal(LOOK_ONLY);
+    const problem = this.unusable(job);
+    if (problem)
+      throw this.refusal([
+        w(
+          "Nothing was changed: the job of this link cannot be used: {problem}",
+        ),
+        problem,
+      ]);
+    this.load(job as Draft, measured);
+  }
+
+  /** Takes the job of a text that was read. Throws `JobError`, and changes nothing, if the text holds no job, or one that the form cannot show. */
+  open({ imported, findings }: Reading): void {
+    if (this.refuses) throw this.refusal(LOOK_ONLY);
+    if (!imported) throw new JobError(findings[0]?.message ?? "", findings);
+    const problem: Said | null =
+      imported.kind === "moves"
+        ? [w("this program says no job")]
+        : this.unusable(imported.job);
+    if (problem)
+      throw this.refusal(
+        [w("Nothing was changed: {problem}"), problem],
+        findings,
+      );
+    this.load(
+      this.outside.ofText(imported.job as unknown as Draft, imported.findings),
+    );
+  }
+
+  /** Stores the state in this browser, where it is to be stored. */
+  protected abstract keep(): void;
+}

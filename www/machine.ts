@@ -1,0 +1,151 @@
+// The machine of the job: control, work offset, probe, and presets of them.
+import { convertUnits } from "./core/browser.js";
+import { Document, LOOK_ONLY } from "./document.js";
+import type { Form } from "./entries.js";
+import { complete, type Draft, isObject } from "./job.js";
+import { type Preset, SECTIONS } from "./presets.js";
+import { w } from "./words.js";
+
+/** Changes the machine of the job. */
+export abstract class Machine extends Document {
+  /** The job for a stylus of the page around. */
+  useStylus(stylus: Draft): void {
+    this.put("stylus", { ...(this.draft.stylus as Draft), ...stylus });
+  }
+
+  /** Another control, and what of the job it has not. */
+  chooseControl(post: unknown, form?: Form): void {
+    const old = this.draft.control as Draft;
+    if (post !== old.post) this.beforeControl = old;
+    this.put("control", {
+      ...this.controlOf(post, form),
+      workOffset: this.offsetFor(post),
+    });
+    this.tellLost(old);
+  }
+
+  /** The work offset on another control: the job's, or else the one that the present control has not. */
+  protected offsetFor(post: unknown): unknown {
+    const old = this.draft.control as Draft;
+    if (old.workOffset === null && this.lost)
+      return this.offsetOn(post, this.lost);
+    const offset = this.offsetOn(post, old);
+    if (offset === null && old.workOffset !== null) this.lost = old;
+    return offset;
+  }
+
+  /** Says that a work offset is not written any more, where this control has none of that name. */
+  protected tellLost({ post, workOffset }: Draft): void {
+    if (
+      typeof workOffset !== "number" ||
+      (this.draft.control as Draft).workOffset !== null
+    )
+      return;
+    const word = this.offsetWord(post, workOffset) ?? String(workOffset);
+    this.tell([
+      w("This control has no {offset}: the program now writes no work offset"),
+      word,
+    ]);
+  }
+
+  /**
+   * The control for another cycle: that of the job if it takes the cycle, else the one before it, else the one that the cycle is usually for. The
+   * control that the page around asks for stays: where it does not take the cycle, the job has an error.
+   */
+  protected takeControl(type: string, usual: Draft): void {
+    const old = this.draft.control as Draft;
+    const takes =
+      [old, this.beforeControl, usual].find(
+        (one) => one && this.serves(one.post, type),
+      ) ?? usual;
+    const forms = this.formsOf(takes.post, type);
+    const form = forms.includes(takes.form as Form)
+      ? takes.form
+      : (forms[0] ?? takes.form);
+    if (takes.post === old.post) {
+      const workOffset = this.ownPreset(old.post, type) ? null : old.workOffset;
+      this.draft.control = { ...old, form, workOffset };
+    } else {
+      const workOffset = this.offsetFor(takes.post);
+      this.beforeControl = old;
+      this.draft.control = { ...old, post: takes.post, form, workOffset };
+    }
+  }
+
+  /** Whether a control takes a cycle, or the page around asks for it. */
+  protected serves(post: unknown, type: string): boolean {
+    return post === this.outside.post || this.formsOf(post, type).length > 0;
+  }
+
+  /** What belongs to the machine, as a preset. Which work offset is written belongs to the job. */
+  preset(name: string): Preset {
+    const sections = structuredClone(
+      Object.fromEntries(
+        SECTIONS.map((section) => [section, this.draft[section]]),
+      ),
+    );
+    delete (sections.control as Draft).workOffset;
+    return {
+      name,
+      units: this.units,
+      overtravel: this.draft.overtravel,
+      sections,
+    };
+  }
+
+  /**
+   * Takes these sections of a preset, in this job's units; the work offset stays, if the control has it. Throws `JobError`, and changes nothing, where
+   * it does not fit.
+   */
+  usePreset(
+    preset: Preset,
+    parts: readonly string[] = [...Object.keys(preset.sections), "overtravel"],
+  ): void {
+    if (this.refuses) throw this.refusal(LOOK_ONLY);
+    const { units: held, draft } = this;
+    const old = draft.control as Draft;
+    const all: Draft = { ...preset.sections, overtravel: preset.overtravel };
+    const taken = Object.fromEntries(
+      Object.entries(all).filter(
+        ([key, x]) => parts.includes(key) && x !== undefined,
+      ),
+    );
+    if (isObject(taken.control)) {
+      const { post } = taken.control;
+      const forms = this.formsOf(post, this.cycle.type);
+      const form = forms.includes(taken.control.form as Form)
+        ? taken.control.form
+        : (forms[0] ?? taken.control.form);
+      taken.control = {
+        ...taken.control,
+        form,
+        workOffset: this.offsetOn(post),
+      };
+    }
+    const job = {
+      ...structuredClone(draft),
+      ...structuredClone(taken),
+      units: preset.units,
+    };
+    const problem = this.unusable(job);
+    if (problem)
+      throw this.refusal([
+        w("Nothing was changed: this machine cannot be used: {problem}"),
+        problem,
+      ]);
+    const whole = complete(this.outside.filled(job) as Draft, this.catalog);
+    const fitted = (preset.units === held
+      ? whole
+      : convertUnits(whole, held)) as unknown as Draft;
+    this.mark(null);
+    const fixed = this.fixed();
+    for (const key of Object.keys(taken)) {
+      draft[key] = structuredClone(fitted[key]);
+      this.given?.add(key);
+      this.forget(key);
+    }
+    fixed.keep(draft);
+    this.changed();
+    this.tellLost(old);
+  }
+}

@@ -1,0 +1,275 @@
+// What follows from the job: its plan, its findings, and the names and sentences of what is saved.
+import {
+  check,
+  type Finding,
+  type Job,
+  JobError,
+  misfit,
+  type Plan,
+  plan,
+  type Said,
+} from "./core/browser.js";
+import { LEVELS } from "./core/layout.js";
+import { programStem, stem } from "./core/names.js";
+import { codeOf } from "./core/results.js";
+import { Entries } from "./entries.js";
+import { Features } from "./features.js";
+import type { Outside } from "./host-inputs.js";
+import type { Draft } from "./job.js";
+import { keepFiles } from "./persistence.js";
+import { w } from "./words.js";
+
+/** Where no form of the document has had a plan. */
+const NO_PLAN: Plan = {
+  touches: [],
+  moves: [],
+  cycles: [],
+  relations: [],
+  datum: [],
+  length: 0,
+  time: 0,
+  program: {
+    post: "",
+    extension: "",
+    text: "",
+    moveLines: [],
+    writes: [],
+    does: "",
+    said: [""],
+    proof: null,
+    own: false,
+  },
+  table: [],
+  results: [],
+  triggers: [],
+  findings: [],
+  safety: [],
+};
+
+/** What the blocks of a program are: the hash over them that its header says, or else all of it. */
+const contentOf = (text: string): string =>
+  /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
+
+/** The plan of the job in the form, and the move of it that is lit. */
+export abstract class Output extends Entries {
+  /** The cycles of a set-up, of which one is in the form. */
+  readonly features = new Features();
+  findings: Finding[] = [];
+  /** The last good plan of this document; an empty one where there was none. */
+  plan: Plan = NO_PLAN;
+  /** The program that was saved last. */
+  saved: string | null = null;
+  /** Counts the forms that were computed: another number is another form, also where it has errors. */
+  revision = 0;
+  /** The number of the document that the job is: another one, the defaults and another cycle have another number, also when they are taken back. */
+  document = 0;
+  /** Whether `plan` is of an earlier form, since the present one has errors. */
+  stale = false;
+  /** The document that `plan` is of. */
+  protected planned = -1;
+  /** The job that `plan` is of. */
+  shown!: Draft;
+  /** The move that is pointed at, or else the one that is pinned. */
+  highlight: number | null = null;
+  /** The move that stays lit when the pointer leaves. */
+  protected pinned: number | null = null;
+  /** The path of the field that has the focus. */
+  focused: string | null = null;
+  /** What was saved, by the names of the files. */
+  protected files = new Map<string, string>();
+
+  /** What the page around puts in. */
+  abstract readonly outside: Outside;
+
+  /** The whole job. */
+  abstract get job(): Draft;
+
+  /** Whether the state is stored in this browser. */
+  protected abstract readonly local: boolean;
+
+  /** Brings the cycle at a place into the form. */
+  abstract bringFeature(index: number): void;
+
+  /** Plans the job. The last good plan of the document stays where the job has errors. */
+  protected compute(): void {
+    this.revision++;
+    const { job } = this;
+    let made: Plan | null = null;
+    let findings: Finding[];
+    try {
+      made = plan(job as unknown as Job);
+      findings = made.findings;
+    } catch (thrown) {
+      findings = thrown instanceof JobError ? thrown.findings : check(job);
+    }
+    const ruled = this.rules.judged(job);
+    if (ruled.some(({ level }) => level === "error")) made = null;
+    this.findings = [
+      ...this.inForm([...findings, ...ruled]),
+      ...this.outside.differences(),
+    ];
+    this.stale = made === null;
+    if (made) {
+      this.plan = made;
+      this.shown = structuredClone(job);
+      this.planned = this.document;
+      const count = made.moves.length;
+      if (this.pinned !== null && this.pinned >= count) this.pinned = null;
+      if (this.highlight !== null && this.highlight >= count)
+        this.highlight = this.pinned;
+    } else if (this.planned !== this.document) {
+      // The plan of another document says nothing of this one, not even of how it was.
+      this.planned = -1;
+      this.plan = NO_PLAN;
+      this.shown = structuredClone(job);
+    }
+  }
+
+  /** Findings of a set-up with the paths that its form has. */
+  protected inForm(findings: Finding[]): Finding[] {
+    const { features } = this;
+    return features.several
+      ? findings.map((f) => ({ ...f, path: features.inForm(f.path) }))
+      : findings;
+  }
+
+  /** Whether a finding says how the control always is, and nothing about this job. */
+  stands({ code, level }: Finding): boolean {
+    return level !== "error" && this.catalog.standing.includes(code);
+  }
+
+  /** The findings about this job. */
+  get ofJob(): Finding[] {
+    return this.findings.filter((f) => !this.stands(f));
+  }
+
+  /** Findings at a path, the gravest first. */
+  at(path: string): Finding[] {
+    const own = this.findings.filter((f) => f.path === path);
+    return own.sort(
+      (a, b) => LEVELS.indexOf(a.level) - LEVELS.indexOf(b.level),
+    );
+  }
+
+  /** Whether the plan is of a cycle of the control's own. */
+  get ownCycle(): boolean {
+    return (this.shown.control as Draft | undefined)?.form === "cycle";
+  }
+
+  /** Whether there is nothing to show: the form has errors, and `plan` is empty. */
+  get blank(): boolean {
+    return this.stale && this.plan === NO_PLAN;
+  }
+
+  /** Why nothing of the plan is handed out: the form's first error. Null where the plan is the form's. */
+  get withheld(): string | null {
+    if (!this.stale) return null;
+    const error = this.findings.find((f) => f.level === "error");
+    return this.say(error?.said ?? [w("No plan can be made of this form")]);
+  }
+
+  /** Whether nothing on the control of the plan computes results: neither the program nor a cycle of its own. */
+  get bare(): boolean {
+    const { post, form } = this.shown.control as { post: string; form: string };
+    return form !== "cycle" && this.postOf(post)?.computes === false;
+  }
+
+  /** What is said of something of a cycle, with the name of that cycle in front of it; of a job of one cycle as it is. */
+  ofCycle(cycle: number, what: string): string {
+    return codeOf(this.plan, cycle, what);
+  }
+
+  /** The number of a touch in its cycle, from 1. */
+  touchNumber(touch: number): number {
+    const { touches } = this.plan;
+    const cycle = touches[touch]?.cycle ?? 0;
+    return touch - touches.findIndex((one) => one.cycle === cycle) + 1;
+  }
+
+  /** The documented steps of a cycle of the plan, by its place in the job. */
+  stepsOf(cycle: number): string[] {
+    const own = (this.shown.cycles as Draft[] | undefined)?.[cycle];
+    return own
+      ? (this.catalog.cycles.find((c) => c.type === own.type)?.steps ?? [])
+      : this.cycle.steps;
+  }
+
+  /** What the program of the plan does with offsets and presets, in a sentence. */
+  get does(): string {
+    return this.say(this.plan.program.said);
+  }
+
+  /** What the program does with the work offset of a number, in words. */
+  writes(offset: number): string {
+    const word = this.post?.workOffsetWords[offset - 1] ?? `#${offset}`;
+    return this.stale || offset !== this.get("control.workOffset")
+      ? this.t("writes {offset}", word)
+      : this.does;
+  }
+
+  /** Whether a program of this name was saved before, and had other blocks than the one of the plan. */
+  replaces(file: string): boolean {
+    const before = this.files.get(file);
+    return before !== undefined && before !== contentOf(this.plan.program.text);
+  }
+
+  /** The program of the plan was saved as this file. */
+  remember(file: string): void {
+    this.files.delete(file);
+    this.files.set(file, contentOf(this.plan.program.text));
+    if (this.local) keepFiles(this.files);
+    this.dispatchEvent(new Event("change"));
+  }
+
+  /** The name of the program's file. */
+  fileName(extension: string): string {
+    return `${programStem(this.draft.name, this.stale ? "" : this.plan.program.text)}.${extension}`;
+  }
+
+  /** The name of any other file of this job: the cycle is in it. */
+  otherName(what: string): string {
+    return this.features.several
+      ? `${stem(this.draft.name)}${what}`
+      : `${stem(this.draft.name)}-${this.cycle.type}${what}`;
+  }
+
+  /** Points at a move; at none, the pinned one stays lit. */
+  point(index: number | null): void {
+    const lit = index ?? this.pinned;
+    if (lit === this.highlight) return;
+    this.highlight = lit;
+    this.dispatchEvent(new Event("highlight"));
+  }
+
+  /** Keeps a move lit, or none. */
+  pin(index: number | null): void {
+    const cycle = index === null ? undefined : this.plan.moves[index]?.cycle;
+    if (cycle !== undefined && !this.stale)
+      this.bringFeature(this.features.placeOf(cycle));
+    const before = this.pinned;
+    this.pinned = index;
+    this.point(index);
+    if (index !== before) this.dispatchEvent(new Event("select"));
+  }
+
+  /** The move that stays lit. */
+  get selected(): number | null {
+    return this.pinned;
+  }
+
+  /** A field has the focus. */
+  focus(path: string | null): void {
+    if (path === this.focused) return;
+    this.focused = path;
+    this.dispatchEvent(new Event("focus"));
+    this.dispatchEvent(new Event("select"));
+  }
+
+  /** Why a job cannot be shown; null where it can. */
+  unusable(job: unknown): Said | null {
+    const format = check(job).find(
+      (f) => f.level === "error" && f.path === "format",
+    );
+    return misfit(job) ?? format?.said ?? null;
+  }
+}

@@ -1,0 +1,235 @@
+// The features of the job: their order, what follows what, and the tolerances of their results.
+import {
+  type Cycle,
+  proposedStock,
+  type ResultTolerance,
+} from "./core/browser.js";
+import type { Features } from "./features.js";
+import { alike, type Draft, isObject, putAt } from "./job.js";
+import { Machine } from "./machine.js";
+import { placedBeside } from "./place-feature.js";
+import { type ReadySetUp, readySetUps } from "./set-ups.js";
+import { w } from "./words.js";
+
+/** Changes the list of features. */
+export abstract class PartEditor extends Machine {
+  protected ready?: { revision: number; setUps: ReadySetUp[] };
+
+  /** The ready set-ups that suit the machine of the job. Planned on first use, once for each state of the job. */
+  get readySetUps(): ReadySetUp[] {
+    if (this.ready?.revision !== this.revision)
+      this.ready = { revision: this.revision, setUps: readySetUps(this) };
+    return this.ready.setUps;
+  }
+
+  /** Starts a job from the ready set-up with this key. */
+  beginSetUp(key: string): void {
+    const job = this.readySetUps.find((one) => one.entry.key === key)?.job;
+    if (!job) return;
+    const { form } = this.draft.control as Draft;
+    this.load(job, "", this.given);
+    if ((job.control as Draft).form !== form)
+      this.tell([
+        w(
+          "The program uses moves: native cycles cannot compute with each other's results",
+        ),
+      ]);
+  }
+
+  /** Adds a cycle of this type after the active one and makes it active: beside the other features, with the sizes of the last one of its type. A stock that fits the features fits the new one, too. */
+  addFeature(type: Cycle["type"]): void {
+    const fresh = this.freshOf(type) as { cycle: Draft };
+    const last = this.features.lastOf(this.draft, type);
+    const cycle = placedBeside(this, this.plan, fresh.cycle, last);
+    const { stock } = this.draft;
+    const fits = stock && alike(stock, proposedStock(this.job));
+    this.arrange(() => {
+      this.features.add(this.draft, cycle);
+      this.features.bring(this.draft, this.features.hand + 1);
+      if (fits) this.draft.stock = proposedStock(this.job) ?? stock;
+    });
+  }
+
+  /** The same as the one at a place, behind it, and in the form. */
+  duplicateFeature(index: number): void {
+    this.arrange(() => {
+      this.features.bring(this.draft, index);
+      const { cycle, part, tolerances } = structuredClone(this.draft) as Record<
+        string,
+        Draft
+      >;
+      this.features.add(this.draft, cycle as Draft, {
+        sizes: part?.sizes as Draft,
+        tolerances: tolerances ?? {},
+      });
+      this.features.bring(this.draft, index + 1);
+    });
+  }
+
+  removeFeature(index: number): void {
+    this.arrange(() => this.features.remove(this.draft, index));
+  }
+
+  moveFeature(from: number, to: number): void {
+    this.arrange(() => this.features.move(this.draft, from, to));
+  }
+
+  renameFeature(index: number, name: string): void {
+    this.arrange(() => this.features.rename(this.draft, index, name, true));
+  }
+
+  /** Leaves one out of the program, or takes it in again. One stays in. */
+  switchFeature(index: number): void {
+    const { all } = this.features;
+    const one = all[index];
+    if (!one || (!one.off && all.filter(({ off }) => !off).length === 1))
+      return;
+    this.arrange(() => {
+      this.features.stow(this.draft);
+      this.features.all[index] = {
+        ...(this.features.all[index] as typeof one),
+        off: !one.off,
+      };
+    });
+  }
+
+  /** Brings the cycle at a place into the form. Nothing of the job is changed. */
+  bringFeature(index: number): void {
+    if (!this.features.several || index === this.features.hand) return;
+    this.features.bring(this.draft, index);
+    this.typed.clear();
+    this.focus(null);
+    this.changed();
+  }
+
+  /** What is written into an axis: a result, none, or what is proposed. */
+  writeFrom(axis: string, from: string | null | undefined): void {
+    this.arrange(() => {
+      const { [axis]: _, ...rest } = this.features.datum;
+      this.features.datum =
+        from === undefined ? rest : { ...rest, [axis]: from };
+    });
+  }
+
+  /** Makes a field follow a result. A followed position requires a limit: without one, sets 2 mm (0.08 inch) and announces it. */
+  follow(path: string, result: string): void {
+    const proposed = this.units === "inch" ? 0.08 : 2;
+    const limits = this.draft.limits as Draft;
+    const fixed = this.fixed();
+    if (fixed.has(path)) return;
+    const needs =
+      path.startsWith("cycle.origin") &&
+      limits.position === null &&
+      !fixed.has("limits.position");
+    this.arrange(() => {
+      putAt(this.draft, path, result);
+      this.typed.delete(path);
+      if (needs) putAt(this.draft, "limits.position", proposed);
+    });
+    if (needs)
+      this.tell([
+        w("{what} is followed up to {limit} away: Position limit"),
+        result.slice(1),
+        `${proposed} ${this.units}`,
+      ]);
+  }
+
+  /** The height between the cycles. */
+  clearAt(height: number | null): void {
+    this.arrange(() => {
+      this.features.clear = height;
+    });
+  }
+
+  /** Changes what is computed of the results of cycles. */
+  relate(change: (features: Features) => void): void {
+    this.arrange(() => {
+      const { features, draft } = this;
+      features.stow(draft);
+      change(features);
+      // What follows a relation goes by its new name, in the form too.
+      draft.cycle = features.all[features.hand]?.cycle ?? draft.cycle;
+    });
+  }
+
+  /** Where the tolerances of a result are kept: of the cycle in hand in the form. Undefined for a cycle that is no longer in the program. */
+  protected toleratedOf(
+    cycle: number,
+  ): { tolerances: Draft; keep: (tolerances: Draft) => void } | undefined {
+    const { features, draft, plan } = this;
+    // By its name: where the form has errors, the plan may be of another order.
+    const name = [...plan.cycles, ...plan.relations][cycle]?.toLowerCase();
+    const named = (one: { name: string }) => one.name.toLowerCase() === name;
+    const own = [...features.all, ...features.relations].find(named);
+    if (!features.several || own === features.all[features.hand]) {
+      const keep = (tolerances: Draft) => {
+        draft.tolerances = tolerances;
+      };
+      return { tolerances: (draft.tolerances ?? {}) as Draft, keep };
+    }
+    if (!own) return undefined;
+    const keep = (tolerances: Draft) => {
+      own.tolerances = tolerances;
+    };
+    return { tolerances: own.tolerances, keep };
+  }
+
+  /** The tolerance of a result of the plan; undefined where it has none. */
+  tolerance(cycle: number, code: string): ResultTolerance | undefined {
+    return this.toleratedOf(cycle)?.tolerances[code] as
+      | ResultTolerance
+      | undefined;
+  }
+
+  /** Text of a size that contains a tolerance, by cycle of the plan and code of the result; null if the size is a number or follows a result. */
+  sizeWithTolerance(cycle: number, code: string): string | null {
+    const { features, draft } = this;
+    const own = features.several
+      ? features.inOrder(draft)[features.placeOf(cycle)]?.cycle
+      : (draft.cycle as Draft);
+    const entry = this.catalog.cycles.find(({ type }) => type === own?.type);
+    const size = entry?.fields.find(
+      ({ key, size, kind }) => size && kind === "number" && key === code,
+    );
+    const value = size && own?.[code];
+    return typeof value === "string" && !value.trimStart().startsWith("=")
+      ? value
+      : null;
+  }
+
+  /** Sets or removes the tolerances of several results of a cycle in one undo step. */
+  tolerate(
+    cycle: number,
+    changes: Record<string, ResultTolerance | undefined>,
+  ): void {
+    if (this.refuses) return;
+    this.mark(`tolerances.${cycle}.${Object.keys(changes)}`);
+    const own = this.toleratedOf(cycle);
+    const all = { ...own?.tolerances, ...changes };
+    own?.keep(
+      Object.fromEntries(
+        Object.entries(all).filter(
+          ([, one]) => isObject(one) && Object.keys(one).length > 0,
+        ),
+      ),
+    );
+    this.changed();
+  }
+
+  /** Changes the list of cycles, in one step. */
+  protected arrange(change: () => void): void {
+    if (this.refuses) return;
+    this.settle();
+    this.mark(null);
+    const before = this.draft.cycle;
+    change();
+    if (this.draft.cycle !== before) {
+      this.typed.clear();
+      this.pinned = null;
+      this.highlight = null;
+    }
+    this.given?.add("cycle");
+    this.settle();
+    this.changed();
+  }
+}
