@@ -3,8 +3,11 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
-/** What a first visit begins with: www/first-cycle.ts says the same. */
-const FIRST_CYCLE = "hole";
+/** Cycle of a first visit. */
+const [, FIRST_CYCLE = ""] =
+  /FIRST_CYCLE = "([\w-]+)"/.exec(
+    readFileSync(new URL("www/first-cycle.ts", import.meta.url), "utf8"),
+  ) ?? [];
 
 const { version } = JSON.parse(
   readFileSync(new URL("package.json", import.meta.url), "utf8"),

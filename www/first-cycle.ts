@@ -1,2 +1,2 @@
-/** Cycle of a first visit. vite.config.mjs builds the answers for this cycle into the page. */
+/** Cycle of a first visit. vite.config.mjs reads it here and builds the answers for it into the page. */
 export const FIRST_CYCLE = "hole";

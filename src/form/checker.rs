@@ -686,7 +686,7 @@ fn not_a_number(value: &Value, field: &Field) -> Text {
         );
     }
     if let Value::Text(text) = value {
-        return not_read(text.trim(), field.label);
+        return not_read(text.trim(), field);
     }
     if field.null.is_some() {
         text!(
@@ -704,7 +704,8 @@ fn not_a_number(value: &Value, field: &Field) -> Text {
 }
 
 /// Why a text in the place of a number is not read: which of its readings is refused, and what to enter.
-fn not_read(text: &str, label: &'static str) -> Text {
+fn not_read(text: &str, field: &Field) -> Text {
+    let label = field.label;
     if text.is_empty() {
         return text!("{label} must be a number, not empty", label);
     }
@@ -751,6 +752,13 @@ fn not_read(text: &str, label: &'static str) -> Text {
     {
         return text!(
             "{label} must be a number, not \"{text}\": enter * to multiply",
+            label,
+            shown
+        );
+    }
+    if field.size {
+        return text!(
+            "{label} must be a number, not \"{text}\", or a number with a tolerance: 25 H7, 25 +0.021 0 or 25 ±0.05",
             label,
             shown
         );
