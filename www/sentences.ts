@@ -3,6 +3,13 @@ import type { Plan, ResultRow, Said } from "./core/types.js";
 import type { Draft, Store } from "./store.js";
 import { w } from "./words.js";
 
+/** What the dialects of opened programs are called. */
+export const DIALECTS = {
+  iso: "ISO",
+  sinumerik: "SINUMERIK",
+  klartext: "HEIDENHAIN",
+} as const;
+
 /** What feeds are called. */
 const FEEDS: Record<Plan["moves"][number]["feed"], string> = {
   approach: w("approach"),

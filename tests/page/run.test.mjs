@@ -82,6 +82,30 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
   );
 });
 
+test("a routine that computes with its touches was drawn up to the first of them: its start and its touches are assumed, and said so", async () => {
+  await openText(
+    "G21 G90\nG0 Z20\nG0 X0 Y0\nG1 Z-5 F300\nG38.2 X20 F100\n#1 = #5061\nG1 X[#1-2] F300\nG38.2 Y[#1 * 2] F100\nG10 L20 P1 X0 Y0\nM2\n",
+    "routine.ngc",
+  );
+  const viewer = page.locator("tp-viewer");
+  await viewer.waitFor();
+  const moves = async () =>
+    viewer.evaluate((node) => [.../** @type {any} */ (node).moves.to]);
+  // The second touch goes to twice the place of the first.
+  assert.deepEqual((await moves()).slice(-3), [18, 40, -5]);
+  assert.match(await textOf(viewer.locator(".assumed")), /starts at X0 Y0 Z0/);
+  // What is wrong with it comes first, with its line.
+  assert.match(await textOf(viewer.locator(".said")), /^\s*3 faults.*Line 9/s);
+  assert.match(
+    await textOf(page.locator(".sentence")),
+    /^Read routine\.ngc as ISO: 6 moves, 2 of them touches$/,
+  );
+  // What is typed takes the place of what is assumed.
+  await page.locator("#meets-at").selectOption("half");
+  await settles(async () => (await moves()).at(-2) === 20);
+  assert.equal(await viewer.locator(".assumed").count(), 0);
+});
+
 test("a cycle of the control's own was a line that is not understood: it is named, with what contradicts in it", async () => {
   await openText(
     "%\nO1\nG21 G90\nG0 X0. Y0. Z5.\nG65 P9812 X30. Y20. Q5.\nG0 X0. Y0. Z-5.\nG65 P9814 D25.\nM30\n%\n",
@@ -108,7 +132,6 @@ test("a program could not be tried on a part: it is run on the one in the form",
     "G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n",
     "form.ngc",
   );
-  await page.getByText("Run it with what you know").click();
   await begins("0", "0", "-5");
   await page.locator("#meets-at").selectOption("form");
   // The pocket of the form is 80 wide, the ball has a radius of 3: 37.
@@ -137,7 +160,6 @@ test("a part that lies off could not be put into the picture: by hand, and the p
     "G21 G90\nG38.3 X60 F50\n#<x> = #5061\nG1 X0 F900\nG1 Y#<x>\nM2\n",
     "hand.ngc",
   );
-  await page.getByText("Run it with what you know").click();
   await begins("0", "0", "-5");
   await page.locator("#meets-at").selectOption("hand");
   await page.locator("#hand-kind").selectOption("internal-rectangle");

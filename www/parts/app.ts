@@ -11,6 +11,7 @@ import { hold } from "../hold.js";
 import { isObject } from "../job.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
+import { DIALECTS } from "../sentences.js";
 import { Store } from "../store.js";
 import { css } from "../styles.js";
 import { w } from "../words.js";
@@ -400,7 +401,7 @@ export class App extends LitElement {
         @machine=${(e: CustomEvent<Preset>) => this.machine(e.detail)} @say=${(e: CustomEvent<Said>) => this.tell(e.detail, true)} @go=${(e: CustomEvent<string>) => this.find(e.detail)} @lines=${(e: CustomEvent<number[]>) => this.with("program").showLines(e.detail)}>
       <header part="bar" ?hidden=${this.around.lent}>
         <slot name="header"><h1 role=${this.around.links ? nothing : "presentation"}>Touchpath</h1></slot>
-        <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .saves=${!narrow}></tp-bar>
+        <tp-bar .store=${store} .links=${this.around.links} .local=${this.around.local} .away=${away} .opened=${this.opened} .saves=${!narrow}></tp-bar>
         <input id="file" class="unseen" type="file" tabindex="-1" aria-label=${this.t("Open a file")} accept=${this.intake.readable} @change=${this.intake.chosen} />
         ${menu(frame)}
       </header>
@@ -455,6 +456,20 @@ export class App extends LitElement {
       <tp-paste .store=${store} .take=${this.intake.pasted} .stop=${() => this.intake.stop()} .said=${said && !said.foot ? store.say(said.text) : ""}></tp-paste>
       </div>
     `;
+  }
+
+  /** What is read from the opened program that is shown; empty where the job is. */
+  private get opened(): string {
+    if (this.tool !== "viewer" || !this.viewed) return "";
+    const { name, moves } = this.viewed;
+    const touches = moves.kind.filter((k) => moves.kinds[k] === "probe").length;
+    return this.t(
+      "Read {file} as {dialect}: {count} moves, {touches} of them touches",
+      name ?? this.t("the text"),
+      DIALECTS[moves.dialect],
+      moves.kind.length,
+      touches,
+    );
   }
 
   /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */

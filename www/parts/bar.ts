@@ -36,11 +36,14 @@ class BarPart extends FieldPart {
   local = false;
   /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
   declare away: string;
+  /** What is read from an opened program, as a sentence that stands in the place of the job's; empty where none is shown. */
+  declare opened: string;
   /** Whether the program is saved here. */
   declare saves: boolean;
 
   static override properties = {
     away: { attribute: false },
+    opened: { attribute: false },
     saves: { attribute: false },
   };
 
@@ -49,15 +52,19 @@ class BarPart extends FieldPart {
     const away = this.away !== "";
     const withheld = this.away || store.withheld;
     return html`
-      <fieldset class="sentence" aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>${this.sentence()}
+      ${
+        this.opened
+          ? html`<p class="sentence">${this.opened}</p>`
+          : html`<fieldset class="sentence" aria-label=${this.t("Job")} ?disabled=${store.readonly || away}>${this.sentence()}
       ${["cycle.type", "control.post", "control.workOffset"].map((path) => this.problems(path))}
-      </fieldset>
+      </fieldset>`
+      }
       <span class="gap"></span>
       <button type="button" class="find" title=${`${this.t("Find anything")} (Ctrl+K)`} aria-label=${this.t("Find anything")} @click=${() => this.ask("commands")}><span class="words" aria-hidden="true">${this.t("Find anything")}</span><kbd aria-hidden="true">Ctrl K</kbd><span class="sign" aria-hidden="true">⌕</span></button>
       <button type="button" class="icon" aria-label=${this.t("Undo")} title=${`${this.t("Undo")} (Ctrl+Z)`} ?disabled=${!store.canUndo || away} @click=${() => store.undo()}>↶</button>
       <button type="button" class="icon redo" aria-label=${this.t("Redo")} title=${`${this.t("Redo")} (Ctrl+Y)`} ?disabled=${!store.canRedo || away} @click=${() => store.redo()}>↷</button>
       <button type="button" class="icon" aria-label=${this.t("More")} title=${this.t("More")} popovertarget="menu">⋯</button>
-      ${this.saves ? saveButton(store, withheld, () => this.ask("save")) : nothing}
+      ${this.saves && !this.opened ? saveButton(store, withheld, () => this.ask("save")) : nothing}
       ${withheld === null ? nothing : html`<span class="unseen" id="withheld">${away ? nothing : this.t("Nothing to save or copy while the form has an error:")} ${withheld}</span>`}
     `;
   }

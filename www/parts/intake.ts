@@ -310,10 +310,7 @@ export class Intake {
       });
       this.page.tell(
         moves.kind.length > 0
-          ? this.store.t(
-              "The moves of this program are drawn; no job is made of it. {why}",
-              why,
-            )
+          ? ""
           : this.store.t(
               "This program is shown as text; no job is made of it. {why}",
               why,

@@ -32,12 +32,31 @@ const VERDICTS = {
   null: { mark: "?", word: w("not known") },
 } as const;
 
+/** What is said beside the run itself. */
+interface Report {
+  /** What the safety rules say. */
+  rules: ProgramRun["rules"];
+  /** What is wrong with the part that was given. */
+  wrong: Finding[];
+  /** What is not followed, and why no job is made of the program. */
+  notes: string[];
+  /** Whether what is known is assumed. */
+  assumes: boolean;
+}
+
+export const noteList = (notes: string[]): TemplateResult | typeof nothing =>
+  notes.length > 0
+    ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>`
+    : nothing;
+
 /** The form and the report beside the moves of a program. */
 export class RunPanel {
   /** What was asked when the program was opened, or has a value: a field does not go while it is typed in. */
   private names: string[] = [];
   /** The lines that read each of them. */
   private lines = new Map<string, number[]>();
+  /** Whether the form is open: it stays so while something is typed in it. */
+  private open = false;
 
   constructor(
     private readonly store: () => Store,
@@ -50,14 +69,11 @@ export class RunPanel {
   begin(): void {
     this.names = [];
     this.lines.clear();
+    this.open = false;
   }
 
-  /** `wrong` is what is wrong with the part that was given. */
-  render(
-    known: ProgramKnown,
-    run: ProgramRun,
-    wrong: Finding[],
-  ): TemplateResult {
+  /** Faults first, then what is not followed, what is assumed or known, native calls, and the rules that hold. */
+  render(known: ProgramKnown, run: ProgramRun, report: Report): TemplateResult {
     const t = this.store().t.bind(this.store());
     const asked = run.asks.map(({ name }) => name);
     for (const { name, lines } of run.asks) this.lines.set(name, lines);
@@ -66,15 +82,26 @@ export class RunPanel {
     ].slice(0, MOST_ASKED);
     const probes = run.kind.some((k) => run.kinds[k] === "probe");
     const form = this.names.length > 0 || probes;
+    const { wrong, notes, assumes } = report;
+    const broken = report.rules.filter(({ holds }) => holds === false);
+    const others = report.rules.filter(({ holds }) => holds !== false);
+    const rules = (rows: Report["rules"]) =>
+      html`<ul class="checks">${rows.map((row) => this.rule(row))}</ul>`;
     return html`
-      ${form ? this.form(known, run) : nothing}
+      ${report.rules.length === 0 ? nothing : broken.length === 0 ? html`<h2>${t("No broken rule was found")}</h2>` : html`<h2>${broken.length === 1 ? t("1 fault") : t("{count} faults", broken.length)}</h2>${rules(broken)}`}
       ${wrong.length > 0 ? html`<ul class="notes">${wrong.map((finding) => html`<li class="warning">${t("The part is not used:")} ${this.store().say(finding.said)}</li>`)}</ul>` : nothing}
-      ${run.rules.length > 0 ? html`<h2>${t("Safety rules of this program")}</h2><ul class="checks">${run.rules.map((row) => this.rule(row))}</ul>` : nothing}
+      ${noteList(notes)}
+      ${form ? this.form(known, run, assumes) : nothing}
       ${run.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${run.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
+      ${others.length > 0 ? html`<details class="others"><summary>${t("Other safety rules: {count}", others.length)}</summary>${rules(others)}</details>` : nothing}
     `;
   }
 
-  private form(known: ProgramKnown, run: ProgramRun): TemplateResult {
+  private form(
+    known: ProgramKnown,
+    run: ProgramRun,
+    assumes: boolean,
+  ): TemplateResult {
     const t = this.store().t.bind(this.store());
     const number = (
       id: string,
@@ -115,9 +142,11 @@ export class RunPanel {
         });
       });
     };
-    return html`<details class="known" ?open=${this.names.length > 0}>
+    this.open ||= this.names.length > 0 || assumes;
+    return html`<details class="known" ?open=${this.open}>
       <summary>${t("Run it with what you know")}</summary>
-      <p>${t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.")}</p>
+      ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: it starts at X0 Y0 Z0, and every touch triggers at its target.")}</p>` : nothing}
+      <p>${this.names.length > 0 || !assumes ? t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.") : nothing}</p>
       <div class="fields">
         ${this.meets("at", t("Touches trigger"), known, run)}
         ${known.part && "cycle" in known.part ? nothing : this.meets("positioning", t("Watched positioning triggers"), known, run)}

@@ -11,6 +11,7 @@ import {
   type Said,
 } from "../core/browser.js";
 import { keepKnown, knownOf } from "../known.js";
+import { DIALECTS } from "../sentences.js";
 import { w } from "../words.js";
 import { DrawnPart } from "./canvas-part.js";
 import { Drawing } from "./drawing.js";
@@ -18,11 +19,14 @@ import { Finder } from "./finder.js";
 import { letterOf } from "./keys.js";
 import { kind } from "./legend.js";
 import { ProgramList } from "./program-list.js";
-import { RunPanel } from "./run-panel.js";
+import { noteList, RunPanel } from "./run-panel.js";
 import { Steps } from "./steps.js";
 
 /** A longer text is read beside the page, and only read: its run would hold up the page at each entry. */
 const LONGEST_RUN = 500_000;
+
+/** Assumed of a program that does not run whole by itself: it starts at the origin, and every touch triggers at its target. */
+const ASSUMED: ProgramKnown = { start: [0, 0, 0], part: { at: 1 } };
 
 /** What the kinds of moves are called. */
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
@@ -49,14 +53,19 @@ class ViewerPart extends DrawnPart {
   );
   /** The last move of every line that makes one. */
   private moveAt = new Map<number, number>();
-  /** What the user knows of the program; nothing: it is read as it is. */
+  /** What the user knows of the program, or what is assumed; nothing: it is read as it is. */
   private known: ProgramKnown = {};
+  /** Whether nobody has said what is known: it is assumed. */
+  private assumes = false;
   /** Its run; null where the text is too long to be run at once. */
   private run: ProgramRun | null = null;
+  /** What the safety rules say of it: of the program alone where its start and its touches are assumed. */
+  private rules: ProgramRun["rules"] = [];
   private readonly panel = new RunPanel(
     () => this.store,
     (known) => {
       keepKnown(this.viewed.name, known);
+      this.assumes = false;
       this.runs(known);
       this.drawn = undefined;
       this.requestUpdate();
@@ -95,6 +104,11 @@ class ViewerPart extends DrawnPart {
     );
   }
 
+  /** Whether every position is known, of a program that is run. */
+  private isWhole(): boolean {
+    return !this.run || this.run.to.every((x) => !Number.isNaN(x));
+  }
+
   /** Whether anything is known beside the text. */
   private get knows(): boolean {
     const { set = {}, start, part = {} } = this.known;
@@ -106,10 +120,11 @@ class ViewerPart extends DrawnPart {
   }
 
   /** Runs the program with what is known. */
-  private runs(known: ProgramKnown): void {
+  private runs(known: ProgramKnown, rules?: ProgramRun["rules"]): void {
     this.known = known;
     this.run =
       this.viewed.text.length <= LONGEST_RUN ? this.tried(known) : null;
+    this.rules = rules ?? this.run?.rules ?? [];
     this.pointed = null;
     const { line, kind, kinds } = this.moves;
     const ownFile = (move: number) =>
@@ -132,13 +147,13 @@ class ViewerPart extends DrawnPart {
   /** What is said of each line. */
   private said(): Map<number, string[]> {
     const notes = new Map<number, string[]>();
-    const { findings = [], rules = [] } = this.run ?? {};
+    const { findings = [] } = this.run ?? {};
     const say = (lines: number[], text: string) => {
       for (const line of lines)
         notes.set(line, [...(notes.get(line) ?? []), text]);
     };
     for (const finding of findings) say(finding.lines, this.message(finding));
-    for (const { holds, said, lines } of rules)
+    for (const { holds, said, lines } of this.rules)
       if (holds === false) say(lines, this.store.say(said));
     return notes;
   }
@@ -156,7 +171,9 @@ class ViewerPart extends DrawnPart {
   static override properties = { viewed: { attribute: false } };
 
   override render(): TemplateResult {
-    const notes = [...this.viewed.why, ...this.moves.findings];
+    // Why no job is made of it comes last: faults and positions are what it was opened for.
+    const notes = [...this.moves.findings, ...this.viewed.why];
+    const said = notes.map((finding) => this.message(finding));
     return html`
       <div class="see">
       ${this.tools(this.t("Picture of the program"))}
@@ -170,9 +187,17 @@ class ViewerPart extends DrawnPart {
         <ul class="key" aria-label=${this.t("Colours")}>
           ${kind("touch", this.t("probing"))}${kind("link", this.t("feed"))}${kind("rapid", this.t("rapid"))}
         </ul>
-        ${notes.length > 0 ? html`<ul class="notes">${notes.map((f) => html`<li>${this.message(f)}</li>`)}</ul>` : nothing}
-        ${this.run ? this.panel.render(this.known, this.run, this.wrong) : nothing}
       </div>
+      <div class="said">${
+        this.run
+          ? this.panel.render(this.known, this.run, {
+              rules: this.rules,
+              wrong: this.wrong,
+              notes: said,
+              assumes: this.assumes,
+            })
+          : noteList(said)
+      }</div>
       <div class="read" @keydown=${this.key}>
         <div class="tools">${this.finder.render()}${this.headings()}</div>
         <div class="code listing"></div>
@@ -203,7 +228,15 @@ class ViewerPart extends DrawnPart {
   protected override willUpdate(changed: PropertyValues): void {
     if (!changed.has("viewed")) return;
     this.panel.begin();
-    this.runs(knownOf(this.viewed.name));
+    const known = knownOf(this.viewed.name);
+    this.assumes = false;
+    this.runs(known);
+    // Everything that is seen without it is read from the program.
+    if (Object.keys(known).length === 0 && !this.isWhole()) {
+      const { rules } = this;
+      this.assumes = true;
+      this.runs(ASSUMED, rules);
+    }
     this.finder.again();
   }
 
@@ -300,16 +333,13 @@ class ViewerPart extends DrawnPart {
   private says(): string {
     const { kind, kinds, units, dialect } = this.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
-    const read = { iso: "ISO", sinumerik: "SINUMERIK", klartext: "HEIDENHAIN" }[
-      dialect
-    ];
     const said: Said[] = [units ? [units] : [w("units not said")]];
     return this.t(
       "{count} moves, {probing} of them probing; {units}; read as {dialect}",
       kind.length,
       probing,
       ...said,
-      read,
+      DIALECTS[dialect],
     );
   }
 
