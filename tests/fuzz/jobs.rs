@@ -117,8 +117,32 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
     entries.push((key.to_owned(), value));
 }
 
-/// A job; the index goes through every cycle, control, plane and unit.
+/// A job; the index goes through every cycle, control, plane and unit. One in 20 has a stock.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
+    let job = without_stock(catalog, draw, index);
+    match job {
+        Value::Map(mut entries) if draw.once_in(20) => {
+            put(&mut entries, "stock", stock(draw));
+            Value::Map(entries)
+        }
+        job => job,
+    }
+}
+
+/// A block of any size: half of them far below the path, so that the job keeps its program.
+fn stock(draw: &mut Draw) -> Value {
+    let far = if draw.once_in(2) { -2000.0 } else { 0.0 };
+    let mut point = |low: f64, high: f64| {
+        let axis = |_| Value::Number(draw.between(low, high));
+        Value::List((0..3).map(axis).collect())
+    };
+    Value::Map(vec![
+        ("origin".to_owned(), point(far - 100.0, far)),
+        ("size".to_owned(), point(0.01, 200.0)),
+    ])
+}
+
+fn without_stock(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     if draw.once_in(60) {
         let job = led(catalog, draw);
         return if draw.once_in(4) {

@@ -1,0 +1,210 @@
+// The rows of the form: a field with its label, its box and what is wrong with it.
+import { html, nothing, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import type { FieldEntry, ResultTolerance } from "../core/browser.js";
+import { ACTIONS } from "../measured.js";
+import { w } from "../words.js";
+import { FieldPart, type Placed } from "./field.js";
+
+/** Draws the rows of the form. */
+export abstract class FormRows extends FieldPart {
+  /** Menu of the action when a size is out of tolerance. */
+  protected outOf(fields: Placed[]): TemplateResult | typeof nothing {
+    const { store } = this;
+    const cycle = store.features.several ? store.features.inJob : 0;
+    const keys = fields
+      .map(({ path }) => /^cycle\.(\w+)$/.exec(path)?.[1] ?? "")
+      .filter((key) => store.sizeWithTolerance(cycle, key) !== null);
+    const { computes } = store.post ?? {};
+    const actions = keys.map(
+      (key) => store.tolerance(cycle, key)?.action ?? "go",
+    );
+    // Sizes with different actions are set in the list of tolerances.
+    if (
+      new Set(actions).size !== 1 ||
+      !computes ||
+      store.get("control.form") === "cycle"
+    )
+      return nothing;
+    const take = (e: Event) => {
+      const action = (e.target as HTMLSelectElement)
+        .value as ResultTolerance["action"];
+      const changed = (key: string) => {
+        const { action: _, ...own } = store.tolerance(cycle, key) ?? {};
+        return action === "go" ? own : { ...own, action };
+      };
+      store.tolerate(
+        cycle,
+        Object.fromEntries(keys.map((key) => [key, changed(key)])),
+      );
+      store.settle();
+    };
+    return html`<div class="row"><label for="f-out">${this.t("Out of tolerance")}</label><span class="choice"><select id="f-out" @change=${take}>${ACTIONS.map(([value, words]) => html`<option value=${value} .selected=${live(value === actions[0])}>${this.t(words)}</option>`)}</select></span></div>`;
+  }
+
+  /** The units of the job. */
+  protected units(): TemplateResult | typeof nothing {
+    const { store } = this;
+    const words = (["mm", "inch"] as const).filter(
+      (units) => units === store.units || store.rules.allowsUnits(units),
+    );
+    if (!store.rules.showsField("units") && !this.isBad("units"))
+      return nothing;
+    return html`<div class="row"><span class="label">${this.t("Units")}</span>${this.radios(
+      "units",
+      words,
+      (units) => store.setUnits(units as "mm" | "inch"),
+      this.t("Units"),
+    )}${this.problems("units")}</div>`;
+  }
+
+  /** The choices of a field. What the control of the job cannot do says so. */
+  protected choices({ field, path }: Placed): FieldEntry["choices"] {
+    const { rules } = this.store;
+    if (path === "control.form")
+      return field.choices.filter(
+        ({ value }) =>
+          value === this.store.get(path) ||
+          rules.allowsForm(value as "moves" | "cycle"),
+      );
+    if (path !== "control.protection" || this.store.post?.watches !== false)
+      return field.choices;
+    const label = (own: string) => this.t("{choice}: not on this control", own);
+    return field.choices.map((c) =>
+      c.value === "checked" ? { ...c, label: label(c.label) } : c,
+    );
+  }
+
+  /** The styli that the page around offers. */
+  protected styli(): TemplateResult | typeof nothing {
+    const { store } = this;
+    const styli = store.rules.styli(store.units);
+    if (styli.length === 0) return nothing;
+    const now = store.get("stylus") as Record<string, unknown>;
+    const used = styli.findIndex(({ stylus }) =>
+      Object.entries(stylus).every(([key, value]) => now[key] === value),
+    );
+    const take = (e: Event) => {
+      const chosen = styli[Number((e.target as HTMLSelectElement).value)];
+      if (chosen) store.useStylus(chosen.stylus);
+    };
+    return html`<div class="row"><label for="f-styli">${this.t("Stylus")}</label><span class="choice"><select id="f-styli" @change=${take}>
+      ${used < 0 ? html`<option value="" .selected=${live(true)} disabled>${this.t("another one")}</option>` : nothing}
+      ${styli.map(({ name }, i) => html`<option value=${i} .selected=${live(i === used)}>${name}</option>`)}</select></span></div>`;
+  }
+
+  /** The frame that the tool lengths are seen in: made in the other tool, taken from there. */
+  protected frame(): TemplateResult {
+    const frame = (this.store.get("tool.frame") ?? []) as (
+      | { rot: string; angle: number }
+      | { mirror: string }
+    )[];
+    const words = frame
+      .map((s) =>
+        "rot" in s ? `ROT ${s.rot}${s.angle}` : `MIRROR ${s.mirror}`,
+      )
+      .join(", ");
+    return html`<div class="row"><p class="help">${this.t("Frame: {frame}. To change it: Tool lengths, under ⋯, then Apply to the job.", words || [w("none")])}</p>${frame.length ? html`<button type="button" @click=${() => this.store.put("tool.frame", [])}>${this.t("No frame")}</button>` : nothing}
+      ${this.problems("tool")}${this.problems("tool.frame")}</div>`;
+  }
+
+  /** A field of the form; one that the page around fixes cannot be changed, as long as it has the value that it must have. */
+  protected field(placed: Placed): TemplateResult {
+    const { rules } = this.store;
+    const { path } = placed;
+    if (
+      !rules.locks(path) ||
+      this.store.at(path).some(({ code }) => code === "locked")
+    )
+      return this.box(placed);
+    const why = rules.reason(path);
+    const fixed = rules.config?.title
+      ? this.t("Fixed by {portal}", rules.config.title)
+      : this.t("Fixed by this portal");
+    const says = why ? `${fixed}: ${why}` : fixed;
+    // A box that is disabled gets no focus, and fingers see no title.
+    return html`<fieldset class="locked" disabled title=${says}>${this.box(placed)}</fieldset>${why ? html`<p class="why">${says}</p>` : nothing}`;
+  }
+
+  protected box(placed: Placed): TemplateResult {
+    const { field, path } = placed;
+    const held = this.store.get(path);
+    const follows =
+      field.kind === "number" && typeof held === "string" && /^\s*=/.test(held);
+    const row = (body: TemplateResult) =>
+      html`<div class=${follows ? "row follows" : "row"}><label for=${`f-${path}`} title=${field.help}>${field.label}</label>${body}${this.said(placed)}</div>`;
+    switch (field.kind) {
+      case "flag":
+        return html`<div class="row"><label class="check" title=${field.help}><input id=${`f-${path}`} type="checkbox" .checked=${this.store.get(path) === true}
+          aria-describedby=${`h-${path} e-${path}`} @focus=${() => this.store.focus(path)}
+          @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked)} /> ${field.label}</label>${this.said(placed)}</div>`;
+      case "choice":
+        return row(
+          this.select(path, this.choices(placed), (value) =>
+            this.store.put(path, value),
+          ),
+        );
+      case "code":
+        return row(
+          this.select(
+            path,
+            field.choices.map((c) => ({
+              value: c.value,
+              label: `${c.value}: ${c.label}`,
+            })),
+            (value) => this.store.put(path, Number(value)),
+          ),
+        );
+      case "text":
+        return row(html`<span class="number"><input id=${`f-${path}`} type="text" spellcheck="false" aria-describedby=${`h-${path} e-${path}`}
+          .value=${String(this.store.get(path) ?? "")} @focus=${() => this.store.focus(path)} @blur=${() => this.store.settle()}
+          @input=${(e: Event) => this.store.set(path, (e.target as HTMLInputElement).value)} /></span>`);
+      case "nominalPoint":
+      case "point":
+        return html`<div class="row whole" role="group" aria-label=${field.label}>
+          <span class="label" title=${field.help}>${field.label}</span>
+          <div class="point">
+            ${["X", "Y", "Z"].map((axis, i) => html`<span class=${typeof this.store.get(`${path}[${i}]`) === "string" ? "axis long" : "axis"}><label for=${`f-${path}[${i}]`}>${axis}</label>${this.number(field, `${path}[${i}]`, `${field.label} ${axis}`, this.followed(field, path, i))}<span class="unseen" id=${`h-${path}[${i}]`}>${field.help}</span></span>`)}
+          </div>
+          ${this.said(placed, [path, ...[0, 1, 2].map((i) => `${path}[${i}]`)])}
+        </div>`;
+      case "nominal":
+      case "number":
+      case "count":
+        return row(
+          field.null
+            ? this.nullable(placed)
+            : this.number(field, path, undefined, this.followed(field, path)),
+        );
+    }
+  }
+
+  /** A number that may be null: null has a box of its own, so that an empty field never means rapid. */
+  protected nullable({ field, path }: Placed): TemplateResult {
+    const off = this.store.get(path) === null;
+    return html`<span class="line"><label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}
+        @change=${(e: Event) => this.store.put(path, (e.target as HTMLInputElement).checked ? null : this.rate(field))} /> ${field.null}</label>
+      ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" .value=${this.standing(path)} disabled /></span>` : this.number(field, path, undefined, this.followed(field, path))}</span>`;
+  }
+
+  /** What stands in for null: the number that the program has from its name. */
+  protected standing(path: string): string {
+    const { stale, plan } = this.store;
+    return (
+      (path === "control.number" &&
+        !stale &&
+        /^O(\d+)/m.exec(plan.program.text)?.[1]) ||
+      "–"
+    );
+  }
+
+  /** A rate to start from where one was not wanted before. */
+  protected rate(field: FieldEntry): number {
+    const stand = this.store.begins(field);
+    return typeof stand === "number"
+      ? stand
+      : this.store.units === "inch"
+        ? 80
+        : 2000;
+  }
+}
