@@ -1,4 +1,4 @@
-// The job as it stands in the form: what was typed, who may change it, and the steps that can be taken back.
+// The job in the form: its values, who may change it, and undo.
 import {
   type Cycle,
   convertUnits,
@@ -19,7 +19,7 @@ import type { Reading } from "./read-text.js";
 import type { Rules } from "./rules.js";
 import { type Lang, w } from "./words.js";
 
-/** What is kept of a cycle whose form was left. */
+/** State of a cycle that is restored when the user chooses it again. */
 export interface Left {
   units: Units;
   cycle: Draft;
@@ -52,7 +52,7 @@ interface Moment {
 
 /** The job in the form. Every change of it comes through here. */
 export abstract class Document extends Output {
-  /** The job as it stands in the form. */
+  /** The job in the form, errors included. */
   draft!: Draft;
   /** The text of number fields as it was typed, by path: `1,5` stays `1,5`. */
   typed = new Map<string, string>();
@@ -196,7 +196,7 @@ export abstract class Document extends Output {
     this.settle();
   }
 
-  /** The virtual part lies as the drawing says. */
+  /** Puts the virtual part to its nominal position and sizes. */
   putNominal(): void {
     this.put("part", { offset: [0, 0, 0], rotation: 0, sizes: {} });
   }

@@ -46,7 +46,7 @@ const NO_PLAN: Plan = {
   safety: [],
 };
 
-/** What the blocks of a program are: the hash over them that its header says, or else all of it. */
+/** Hash over the blocks of a program, from its header; the whole text of a program without one. */
 const contentOf = (text: string): string =>
   /^\W*(?:\d+ ; )?Blocks below: (\w+)/im.exec(text)?.[1] ?? text;
 
@@ -118,7 +118,7 @@ export abstract class Output extends Entries {
       if (this.highlight !== null && this.highlight >= count)
         this.highlight = this.pinned;
     } else if (this.planned !== this.document) {
-      // The plan of another document says nothing of this one, not even of how it was.
+      // The plan of another document is not that of an earlier state of this one.
       this.planned = -1;
       this.plan = NO_PLAN;
       this.shown = structuredClone(job);
@@ -133,7 +133,7 @@ export abstract class Output extends Entries {
       : findings;
   }
 
-  /** Whether a finding says how the control always is, and nothing about this job. */
+  /** Whether a finding holds for every job of the control. */
   stands({ code, level }: Finding): boolean {
     return level !== "error" && this.catalog.standing.includes(code);
   }

@@ -119,7 +119,7 @@ pub struct SubForm {
 }
 
 impl SubForm {
-    /// A form whose fields have their defaults where the job says nothing.
+    /// A form whose fields have their defaults where the job leaves it out.
     pub const fn required(key: &'static str, fields: &'static [Field]) -> Self {
         SubForm {
             key,
@@ -128,7 +128,7 @@ impl SubForm {
         }
     }
 
-    /// A form that may be `null`, and is where the job says nothing.
+    /// A form that may be `null`; the job leaves it out by default.
     pub const fn optional(key: &'static str, fields: &'static [Field]) -> Self {
         SubForm {
             key,

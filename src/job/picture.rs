@@ -109,7 +109,7 @@ impl Planned {
         )
     }
 
-    /// The stock that the material of one cycle is a part of: what stands on top of it is a body of its own.
+    /// The stock, if the feature is cut into it. A feature above its top is a body of its own.
     fn own_stock(&self) -> Option<&Stock> {
         let up = self.path.frame.w;
         let below = |top: f64, stock: &Stock| top <= stock.top(up) + ONE_LEVEL;

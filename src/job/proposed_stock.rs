@@ -89,7 +89,7 @@ fn fitted(path: &Path, job: &Job) -> Option<Stock> {
                     for reach in &mut reaches {
                         reach.take(round.center + reach.direction * round.radius);
                     }
-                    // A stud stands on the block.
+                    // A stud is on top of the block.
                     if !round.hole {
                         let lowest = heights().fold(f64::INFINITY, f64::min);
                         least_top = least_top.min(lowest - 2.0 * job.setup.radius.max(1.0));
@@ -112,7 +112,7 @@ fn fitted(path: &Path, job: &Job) -> Option<Stock> {
     }
     let touched = path.touches.iter().map(|touch| touch.point.dot(up));
     let highest = touched.clone().reduce(f64::max)?;
-    // Above walls whose top is not known there is a margin, too.
+    // Walls whose top is not known end a margin above their touches.
     let top = if top.is_finite() {
         top
     } else {

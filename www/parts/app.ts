@@ -458,7 +458,7 @@ export class App extends LitElement {
     `;
   }
 
-  /** What is read from the opened program that is shown; empty where the job is. */
+  /** Sentence of the opened program; empty while the job is shown. */
   private get opened(): string {
     if (this.tool !== "viewer" || !this.viewed) return "";
     const { name, moves } = this.viewed;

@@ -36,7 +36,7 @@ class BarPart extends FieldPart {
   local = false;
   /** What is shown instead of the job, in words: then nothing of the job is changed or handed out. Empty where the job is shown. */
   declare away: string;
-  /** What is read from an opened program, as a sentence that stands in the place of the job's; empty where none is shown. */
+  /** Sentence of the opened program, shown instead of the job's; empty if none is open. */
   declare opened: string;
   /** Whether the program is saved here. */
   declare saves: boolean;

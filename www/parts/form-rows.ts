@@ -58,7 +58,7 @@ export abstract class FormRows extends FieldPart {
     )}${this.problems("units")}</div>`;
   }
 
-  /** The choices of a field. What the control of the job cannot do says so. */
+  /** Choices of a field. Marks those that the control does not support. */
   protected choices({ field, path }: Placed): FieldEntry["choices"] {
     const { rules } = this.store;
     if (path === "control.form")
@@ -187,7 +187,7 @@ export abstract class FormRows extends FieldPart {
       ${off ? html`<span class="number"><input id=${`f-${path}`} type="text" .value=${this.standing(path)} disabled /></span>` : this.number(field, path, undefined, this.followed(field, path))}</span>`;
   }
 
-  /** What stands in for null: the number that the program has from its name. */
+  /** Text shown for null: the number that the program takes from its name. */
   protected standing(path: string): string {
     const { stale, plan } = this.store;
     return (

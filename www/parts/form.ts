@@ -261,7 +261,7 @@ class FormPart extends FormRows {
     return [...groups].sort((a, b) => order(a[0]) - order(b[0]));
   }
 
-  /** Offers a form inside the form that may be left out, and says whether it is used. */
+  /** Adds the switch of an optional section. Returns whether the job has that section. */
   private offers(
     path: string,
     fields: FieldEntry[],

@@ -211,7 +211,7 @@ impl Look<'_> {
         }
     }
 
-    /// A wall as it is drawn: one whose ends are not known is as high as the stock.
+    /// A wall as it is drawn. One without a known top is as high as the stock.
     fn ended(&self, wall: Wall) -> Wall {
         let up = self.path.frame.w;
         match self.stock {
