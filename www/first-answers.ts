@@ -66,7 +66,7 @@ export function answers(): Raw {
     exportTable: early,
     svg: early,
     convertUnits: early,
-    proposedStock: early,
+    proposedStock: () => undefined,
     lentoax: early,
     lentoaxWords: early,
   };

@@ -4,6 +4,7 @@ import {
   type Cycle,
   convertUnits,
   defaultJob,
+  type FieldEntry,
   type Job,
   jobName,
 } from "./core/browser.js";
@@ -31,8 +32,12 @@ export function complete(job: Draft, catalog: Catalog): Draft {
     control.map((field) => [field.key, field.default]),
   );
   const whole = over(fresh, job);
-  for (const { path, optional } of catalog.sections)
-    if (path !== "" && !optional) whole[path] = over(fresh[path], job[path]);
+  for (const { path, optional, fields } of catalog.sections) {
+    if (path === "") continue;
+    if (!optional) whole[path] = over(fresh[path], job[path]);
+    else if (isObject(job[path]))
+      whole[path] = over(defaultsOf(fields, units), job[path]);
+  }
   whole.cycle = over(fresh.cycle, cycle);
   for (const { key, optional } of catalog.cycles.find(
     (c) => c.type === cycle.type,
@@ -46,6 +51,18 @@ export function complete(job: Draft, catalog: Catalog): Draft {
   part.sizes ??= {};
   if (job.name === undefined) whole.name = jobName(whole);
   return structuredClone(whole);
+}
+
+/** Defaults of an optional section in the job's units. */
+function defaultsOf(fields: FieldEntry[], units: "mm" | "inch"): Draft {
+  const scale = units === "inch" ? 25.4 : 1;
+  const scaled = (x: unknown) => (typeof x === "number" ? x / scale : x);
+  return Object.fromEntries(
+    fields.map(({ key, default: mm }) => [
+      key,
+      Array.isArray(mm) ? mm.map(scaled) : scaled(mm),
+    ]),
+  );
 }
 
 /** `undefined` is "not there": the base stands in. */

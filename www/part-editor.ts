@@ -42,7 +42,9 @@ export abstract class PartEditor extends Machine {
     const last = this.features.lastOf(this.draft, type);
     const cycle = placedBeside(this, this.plan, fresh.cycle, last);
     const { stock } = this.draft;
-    const fits = stock && alike(stock, proposedStock(this.job));
+    const fixed = this.fixed();
+    const isFixed = ["origin", "size"].some((key) => fixed.has(`stock.${key}`));
+    const fits = stock && !isFixed && alike(stock, proposedStock(this.job));
     this.arrange(() => {
       this.features.add(this.draft, cycle);
       this.features.bring(this.draft, this.features.hand + 1);

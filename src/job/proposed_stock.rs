@@ -25,6 +25,10 @@ pub fn proposed_stock(Planned { job, path, .. }: &Planned) -> Option<Value> {
     })
 }
 
+/// The least thickness of a block, and the material around and below its features, mm.
+const LEAST: f64 = 20.0;
+const MARGIN: f64 = 10.0;
+
 /// How far a block reaches along a direction.
 struct Reach {
     direction: Vec3,
@@ -40,98 +44,117 @@ impl Reach {
     }
 
     /// The end of the block: at the wall where nothing lies beyond it.
-    fn end(&self, margin: f64, step: f64) -> f64 {
+    fn end(&self, step: f64) -> f64 {
         if self.wall >= self.far - ONE_LEVEL {
             self.wall
         } else {
-            ((self.far + margin) / step).ceil() * step
+            ((self.far + MARGIN) / step).ceil() * step
         }
     }
 }
 
+/// What a block must hold.
+struct Hull {
+    /// To the right, left, back and front.
+    reaches: [Reach; 4],
+    /// The highest top side.
+    top: f64,
+    /// The lowest top that leaves all studs above the block.
+    below_studs: f64,
+    /// The highest top side of a feature that is cut into the block.
+    opens: f64,
+}
+
+impl Hull {
+    /// Takes in the features of one cycle.
+    fn take(&mut self, path: &Path, radius: f64) {
+        let up = path.frame.w;
+        let inside = !part::openings(path, radius).is_empty();
+        for touch in &path.touches {
+            self.reach(touch.point);
+            for reach in &mut self.reaches {
+                if !inside && touch.vector.dot(reach.direction) > 0.999 {
+                    reach.wall = reach.wall.max(touch.point.dot(reach.direction));
+                }
+            }
+            if !inside && touch.vector.dot(up) > 0.999 {
+                self.top = self.top.max(touch.point.dot(up));
+            }
+        }
+        for surface in &path.surfaces {
+            match surface {
+                Surface::Round(round) => {
+                    for reach in &mut self.reaches {
+                        reach.take(round.center + reach.direction * round.radius);
+                    }
+                    if !round.hole {
+                        let touches = path.touches.iter().map(|touch| touch.point.dot(up));
+                        let lowest = touches.fold(f64::INFINITY, f64::min);
+                        self.below_studs = self.below_studs.min(lowest - 2.0 * radius.max(1.0));
+                    }
+                }
+                Surface::Flat(wall) if inside => {
+                    self.reach(wall.point + wall.along * wall.extent.0);
+                    self.reach(wall.point + wall.along * wall.extent.1);
+                }
+                Surface::Flat(_) | Surface::Unknown => {}
+            }
+        }
+        let own = path.top.unwrap_or(f64::NEG_INFINITY);
+        self.top = self.top.max(own);
+        if inside {
+            self.opens = self.opens.max(own);
+        }
+    }
+
+    fn reach(&mut self, point: Vec3) {
+        self.reaches.iter_mut().for_each(|reach| reach.take(point));
+    }
+}
+
 fn fitted(path: &Path, job: &Job) -> Option<Stock> {
-    /// The least thickness of a block, and the material around and below its features, mm.
-    const LEAST: f64 = 20.0;
-    const MARGIN: f64 = 10.0;
+    let radius = job.setup.radius;
+    let [a, o, up] = job.setup.plane.basis();
+    let mut hull = Hull {
+        reaches: [a, -a, o, -o].map(|direction| Reach {
+            direction,
+            far: f64::NEG_INFINITY,
+            wall: f64::NEG_INFINITY,
+        }),
+        top: f64::NEG_INFINITY,
+        below_studs: f64::INFINITY,
+        opens: f64::NEG_INFINITY,
+    };
+    let members = path.members.iter().map(|member| &member.path);
+    let alone = path.members.is_empty().then_some(path);
+    members
+        .chain(alone)
+        .for_each(|path| hull.take(path, radius));
+    let touches = path.touches.iter().map(|touch| touch.point.dot(up));
+    let highest = touches.reduce(f64::max)?;
+    // Walls whose top is not known end a margin above their touches.
+    let top = if hull.top.is_finite() {
+        hull.top
+    } else {
+        highest + MARGIN
+    };
+    let top = top.min(hull.below_studs);
+    // A block below the studs would not reach up to the bores beside them.
+    if hull.opens > top + ONE_LEVEL {
+        return None;
+    }
     // Ends are whole millimetres or tenths of an inch.
     let step = if job.scale == 1.0 {
         1.0
     } else {
         job.scale / 10.0
     };
-    let [a, o, up] = job.setup.plane.basis();
-    let mut reaches = [a, -a, o, -o].map(|direction| Reach {
-        direction,
-        far: f64::NEG_INFINITY,
-        wall: f64::NEG_INFINITY,
-    });
-    let (mut top, mut least_top) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut opens = f64::NEG_INFINITY;
-    let members = path.members.iter().map(|member| &member.path);
-    let alone = path.members.is_empty().then_some(path);
-    for path in members.chain(alone) {
-        let inside = !part::openings(path, job.setup.radius).is_empty();
-        let heights = || path.touches.iter().map(|touch| touch.point.dot(up));
-        for touch in &path.touches {
-            reaches.iter_mut().for_each(|reach| {
-                reach.take(touch.point);
-                if !inside && touch.vector.dot(reach.direction) > 0.999 {
-                    reach.wall = reach.wall.max(touch.point.dot(reach.direction));
-                }
-            });
-            if touch.vector.dot(up) > 0.999 {
-                top = top.max(touch.point.dot(up));
-            }
-        }
-        for surface in &path.surfaces {
-            match surface {
-                Surface::Round(round) => {
-                    for reach in &mut reaches {
-                        reach.take(round.center + reach.direction * round.radius);
-                    }
-                    // A stud is on top of the block.
-                    if !round.hole {
-                        let lowest = heights().fold(f64::INFINITY, f64::min);
-                        least_top = least_top.min(lowest - 2.0 * job.setup.radius.max(1.0));
-                    }
-                }
-                Surface::Flat(wall) if inside => {
-                    for reach in &mut reaches {
-                        reach.take(wall.point + wall.along * wall.extent.0);
-                        reach.take(wall.point + wall.along * wall.extent.1);
-                    }
-                }
-                Surface::Flat(_) | Surface::Unknown => {}
-            }
-        }
-        let own = path.top.unwrap_or(f64::NEG_INFINITY);
-        top = top.max(own);
-        if inside {
-            opens = opens.max(own);
-        }
-    }
-    let touched = path.touches.iter().map(|touch| touch.point.dot(up));
-    let highest = touched.clone().reduce(f64::max)?;
-    // Walls whose top is not known end a margin above their touches.
-    let top = if top.is_finite() {
-        top
-    } else {
-        highest + MARGIN
-    };
-    let top = top.min(least_top);
-    // A block below the studs would not reach up to the bores beside them.
-    if opens > top + ONE_LEVEL {
-        return None;
-    }
-    let moves = path
-        .moves
-        .iter()
-        .map(|step| step.to.dot(up) - job.setup.radius);
+    let moves = path.moves.iter().map(|step| step.to.dot(up) - radius);
     let lowest = moves
         .fold(f64::INFINITY, f64::min)
         .min(top - LEAST + MARGIN);
     let bottom = ((lowest - MARGIN) / step).floor() * step;
-    let [right, left, back, front] = reaches.map(|reach| reach.end(MARGIN, step));
+    let [right, left, back, front] = hull.reaches.map(|reach| reach.end(step));
     let low = up * bottom - a * left - o * front;
     let size = a * (right + left) + o * (back + front) + up * (top - bottom);
     (size.min_element() > 0.0).then(|| Stock::new(low, size))

@@ -197,15 +197,17 @@ impl Body {
         Some(body)
     }
 
-    /// A block that is parallel to the axes, from its lowest to its highest corner.
-    pub(super) fn block([low, high]: [Vec3; 2]) -> Self {
+    /// A block that is parallel to the axes, from its lowest to its highest corner, without a lower side: a ball below it has its stylus in the block.
+    pub(super) fn block([low, high]: [Vec3; 2], up: Vec3) -> Self {
         let mut body = Body {
             faces: [(Vec3::ZERO, 0.0, 0); MOST_FACES],
             count: 0,
         };
         for axis in Vec3::AXES {
             body.add(axis, high, 0);
-            body.add(-axis, low, 0);
+            if axis != up {
+                body.add(-axis, low, 0);
+            }
         }
         body
     }
@@ -234,10 +236,7 @@ impl Body {
             let flat = normal - up * lift;
             let size = flat.length();
             if size < 1e-9 {
-                // A stock has a lower side, too.
-                if lift > 0.0 {
-                    top = Some(top.map_or(value, |top| top.min(value)));
-                }
+                top = Some(top.map_or(value, |top| top.min(value)));
             } else {
                 prism.put(flat / size, (value - lift * height) / size, surface);
             }

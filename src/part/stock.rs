@@ -60,14 +60,41 @@ pub struct Hit {
     pub part: Option<Above>,
 }
 
-/// The openings of the features that are cut into the stock; those that are touched from outside have none.
+impl Opening {
+    /// Whether a point lies between its sides.
+    fn holds(&self, point: Vec3, up: Vec3) -> bool {
+        match &self.sides {
+            Sides::Round { center, radius } => {
+                let off = point - *center;
+                (off - up * off.dot(up)).length() <= *radius
+            }
+            Sides::Flat(walls) => walls
+                .iter()
+                .all(|(wall, normal)| (point - *wall).dot(*normal) >= 0.0),
+        }
+    }
+}
+
+/// The openings of the features that are cut into the stock; those that are touched from outside have none. Where a surface is touched from above within
+/// an opening, that is its floor.
 pub fn openings(path: &Path, radius: f64) -> Vec<Opening> {
     let members = path.members.iter().map(|member| &member.path);
     let single = path.members.is_empty().then_some(path);
-    members
+    let mut all: Vec<Opening> = members
         .chain(single)
         .flat_map(|path| openings_of(path, radius))
-        .collect()
+        .collect();
+    let up = path.frame.w;
+    let floors = path
+        .touches
+        .iter()
+        .filter(|touch| touch.vector.dot(up) > 0.999);
+    for touch in floors {
+        for opening in all.iter_mut().filter(|one| one.holds(touch.point, up)) {
+            opening.floor = opening.floor.min(touch.point.dot(up));
+        }
+    }
+    all
 }
 
 fn openings_of(path: &Path, radius: f64) -> Vec<Opening> {
@@ -105,7 +132,7 @@ fn openings_of(path: &Path, radius: f64) -> Vec<Opening> {
 pub fn hit(path: &Path, stock: &Stock, shape: &Shape, radius: f64) -> Option<Hit> {
     let up = path.frame.w;
     let check = Check {
-        body: Body::block([stock.low, stock.high]),
+        body: Body::block([stock.low, stock.high], up),
         openings: openings(path, radius),
         up,
         top: stock.top(up),
@@ -281,7 +308,7 @@ mod tests {
             floor: -12.0,
         };
         Check {
-            body: Body::block([stock.low, stock.high]),
+            body: Body::block([stock.low, stock.high], Vec3::Z),
             openings: vec![hole, slot],
             up: Vec3::Z,
             top: stock.top(Vec3::Z),

@@ -69,7 +69,12 @@ pub fn job_name(codes: &[f64], text: &str) -> String {
 /// A stock that fits the features of a job; null where none does.
 #[wasm_bindgen(js_name = proposedStock)]
 pub fn proposed_stock(codes: &[f64], text: &str) -> JsValue {
-    job::planned(&decoded(codes, text))
+    let mut job = decoded(codes, text);
+    // The present one does not count, errors in it neither.
+    if let Value::Map(entries) = &mut job {
+        entries.retain(|(key, _)| key != job::STOCK.key);
+    }
+    job::planned(&job)
         .and_then(|planned| job::proposed_stock(&planned))
         .map_or(JsValue::NULL, |stock| value_to_js(&stock))
 }

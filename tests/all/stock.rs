@@ -82,6 +82,51 @@ fn a_surface_below_the_top_of_the_stock_is_refused() {
     );
 }
 
+/// A pocket's depth is measured on its floor, below the touches of its walls.
+#[test]
+fn the_floor_of_a_pocket_is_where_a_surface_is_touched() {
+    let set_up = |x: f64| {
+        job(&format!(
+            r#"{{ "format": 2, "control": {{ "post": "linuxcnc" }}, "stylus": {{ "diameter": 6 }},
+                "stock": {{ "origin": [-60, -45, -40], "size": [120, 90, 40] }},
+                "cycles": [
+                    {{ "name": "POCKET", "type": "internal-rectangle", "width1": 80, "width2": 50, "depth": 10, "topClearance": 10 }},
+                    {{ "name": "FLOOR", "type": "surface", "origin": [{x}, 0, -20] }} ] }}"#
+        ))
+    };
+    assert_eq!(found(&set_up(0.0)), []);
+    // Beside the pocket the same surface lies in the material.
+    assert_eq!(the(&set_up(50.0)).0, "collision");
+}
+
+/// The ball below a thin block has its stylus in it, and a block that is wrongly above the path holds everything.
+#[test]
+fn a_block_goes_on_below_its_lower_side() {
+    let of = |cycle: &str, stock: &str| {
+        job(&format!(
+            r#"{{ "format": 1, "control": {{ "post": "linuxcnc" }}, "stylus": {{ "diameter": 6 }}, "stock": {{ {stock} }}, "cycle": {{ {cycle} }} }}"#
+        ))
+    };
+    let block = r#""type": "external-rectangle", "width1": 80, "width2": 50, "depth": 10, "sideClearance1": 8, "sideClearance2": 8"#;
+    let wide = |bottom: f64| {
+        of(
+            block,
+            &format!(
+                r#""origin": [-43, -28, {bottom}], "size": [86, 56, {}]"#,
+                -bottom
+            ),
+        )
+    };
+    for bottom in [-30.0, -5.0] {
+        assert_eq!(the(&wide(bottom)).0, "collision");
+    }
+    let above = of(
+        r#""type": "surface""#,
+        r#""origin": [-50, -50, 40], "size": [100, 100, 30]"#,
+    );
+    assert_eq!(the(&above).0, "collision");
+}
+
 #[test]
 fn the_way_between_features_is_above_the_stock() {
     let holes = |clear: f64| {
@@ -296,6 +341,22 @@ fn a_proposed_stock_fits_the_features() {
     };
     assert_eq!(bottom + height, 0.0);
     assert_eq!(found(&with(&vise, "stock", block)), []);
+
+    // The floor of an inside corner is not the top of its block.
+    let corner = of(&default_job("triple-wall-internal-corner").unwrap()).unwrap();
+    let touches = planned(&default_job("triple-wall-internal-corner").unwrap()).touches;
+    let highest = touches
+        .iter()
+        .map(|touch| touch.point[2])
+        .fold(f64::MIN, f64::max);
+    let end = |key: &str| match corner.get(key) {
+        Some(Value::List(list)) => match list[2] {
+            Value::Number(z) => z,
+            _ => panic!(),
+        },
+        _ => panic!(),
+    };
+    assert_eq!(end("origin") + end("size"), highest + 10.0);
 
     // In inch its ends are tenths of an inch.
     let inch = convert_units(&pocket(""), "inch").unwrap();

@@ -93,7 +93,10 @@ test("a routine that computes with its touches was drawn up to the first of them
     viewer.evaluate((node) => [.../** @type {any} */ (node).moves.to]);
   // The second touch goes to twice the place of the first.
   assert.deepEqual((await moves()).slice(-3), [18, 40, -5]);
-  assert.match(await textOf(viewer.locator(".assumed")), /starts at X0 Y0 Z0/);
+  assert.match(
+    await textOf(viewer.locator(".assumed")),
+    /the start, and where touches trigger/,
+  );
   // What is wrong with it comes first, with its line.
   assert.match(await textOf(viewer.locator(".said")), /^\s*3 faults.*Line 9/s);
   assert.match(
@@ -103,7 +106,41 @@ test("a routine that computes with its touches was drawn up to the first of them
   // What is typed takes the place of what is assumed.
   await page.locator("#meets-at").selectOption("half");
   await settles(async () => (await moves()).at(-2) === 20);
-  assert.equal(await viewer.locator(".assumed").count(), 0);
+  // The start is still assumed, and only what was entered is kept.
+  assert.equal(await viewer.locator(".assumed").count(), 1);
+  assert.match(
+    await page.evaluate(() => localStorage["touchpath.programs.1"]),
+    /\["routine\.ngc",\{"part":\{"at":0\.5\}\}\]/,
+  );
+});
+
+test("a program that checks its touches is not run to its alarm by what is assumed", async () => {
+  // At its target the touch would be a miss: half way the program comes to its end.
+  await openText(
+    "%\nO1\nG21 G90 G17 G94\nG91 G28 Z0\nG90 G0 X10 Y10\nG43 H1 Z50.\nG31 Z-10. F100\nIF [#5063 LT -9.9] GOTO 99\nG0 Z50.\nG0 X30.\nM30\nN99 #3000=1 (MISSED)\nM30\n%\n",
+    "checks.nc",
+  );
+  const viewer = page.locator("tp-viewer");
+  await viewer.waitFor();
+  const last = await viewer.evaluate((node) =>
+    [.../** @type {any} */ (node).moves.to].slice(-3),
+  );
+  assert.deepEqual(last, [30, 10, 50]);
+  assert.doesNotMatch(await textOf(viewer.locator(".said")), /alarm/);
+});
+
+test("no job is made of a call at an assumed position", async () => {
+  await openText(
+    "%\nO1\nG21 G90\nG43 H1 Z100.\nG65 P9810 Z-10. F2000\nG65 P9814 D40.\nM30\n%\n",
+    "bore.nc",
+  );
+  const calls = page.locator("tp-viewer .calls li");
+  await calls.first().waitFor();
+  assert.match(await textOf(calls.last()), /P9814/);
+  assert.equal(
+    await calls.getByRole("button", { name: "Make it a job" }).count(),
+    0,
+  );
 });
 
 test("a cycle of the control's own was a line that is not understood: it is named, with what contradicts in it", async () => {

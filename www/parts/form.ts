@@ -155,7 +155,7 @@ class FormPart extends FormRows {
           .join(" · ");
     const usual = name === PART ? "" : this.t("as usual");
     const alone = groups.length === 1;
-    const body = groups.map(
+    const body = (open ? groups : []).map(
       ([group, fields]) =>
         html`${alone ? nothing : html`<h3>${this.t(group)}</h3>`}${this.body(group, fields)}`,
     );
@@ -488,18 +488,21 @@ class FormPart extends FormRows {
     const { store } = this;
     const { path } = section;
     const isStock = path === "stock";
+    const proposal = isStock ? proposedStock(store.job) : null;
     const values = () =>
-      (isStock ? proposedStock(store.job) : null) ??
+      proposal ??
       Object.fromEntries(
         section.fields.map((f) => [f.key, store.begins(f) ?? null]),
       );
     const used = !isOut(store.get(path));
-    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${used}
+    // Undefined: the module is not there yet.
+    const none = isStock && proposal === null;
+    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${used} ?disabled=${none && !used}
       @change=${(e: Event) => store.put(path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${isStock ? this.t("One block that the features are cut into") : this.t("Use it")}</label></div>${
         isStock && used
-          ? html`<button type="button" @click=${() => store.put(path, values())}>${this.t("Fit it to the features")}</button>`
+          ? html`<button type="button" ?disabled=${none} @click=${() => store.put(path, values())}>${this.t("Fit it to the features")}</button>`
           : nothing
-      }`;
+      }${none ? html`<p class="help">${this.t("No block parallel to the axes fits these features.")}</p>` : nothing}`;
   }
 
   /** The touches, picked one by one; else they follow from the dimensions. */

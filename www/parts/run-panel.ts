@@ -34,14 +34,12 @@ const VERDICTS = {
 
 /** What is said beside the run itself. */
 interface Report {
-  /** What the safety rules say. */
-  rules: ProgramRun["rules"];
+  /** The run without assumptions: its rules and calls are those of the program. */
+  plain: ProgramRun;
   /** What is wrong with the part that was given. */
   wrong: Finding[];
   /** What is not followed, and why no job is made of the program. */
   notes: string[];
-  /** Whether what is known is assumed. */
-  assumes: boolean;
 }
 
 export const noteList = (notes: string[]): TemplateResult | typeof nothing =>
@@ -73,7 +71,12 @@ export class RunPanel {
   }
 
   /** Faults first, then what is not followed, what is assumed or known, native calls, and the rules that hold. */
-  render(known: ProgramKnown, run: ProgramRun, report: Report): TemplateResult {
+  render(
+    own: ProgramKnown,
+    known: ProgramKnown,
+    run: ProgramRun,
+    report: Report,
+  ): TemplateResult {
     const t = this.store().t.bind(this.store());
     const asked = run.asks.map(({ name }) => name);
     for (const { name, lines } of run.asks) this.lines.set(name, lines);
@@ -82,26 +85,28 @@ export class RunPanel {
     ].slice(0, MOST_ASKED);
     const probes = run.kind.some((k) => run.kinds[k] === "probe");
     const form = this.names.length > 0 || probes;
-    const { wrong, notes, assumes } = report;
-    const broken = report.rules.filter(({ holds }) => holds === false);
-    const others = report.rules.filter(({ holds }) => holds !== false);
-    const rules = (rows: Report["rules"]) =>
+    const { wrong, notes, plain } = report;
+    const broken = plain.rules.filter(({ holds }) => holds === false);
+    const others = plain.rules.filter(({ holds }) => holds !== false);
+    const rules = (rows: ProgramRun["rules"]) =>
       html`<ul class="checks">${rows.map((row) => this.rule(row))}</ul>`;
     return html`
-      ${report.rules.length === 0 ? nothing : broken.length === 0 ? html`<h2>${t("No broken rule was found")}</h2>` : html`<h2>${broken.length === 1 ? t("1 fault") : t("{count} faults", broken.length)}</h2>${rules(broken)}`}
+      ${plain.rules.length === 0 ? nothing : broken.length === 0 ? html`<h2>${t("No broken rule was found")}</h2>` : html`<h2>${broken.length === 1 ? t("1 fault") : t("{count} faults", broken.length)}</h2>${rules(broken)}`}
       ${wrong.length > 0 ? html`<ul class="notes">${wrong.map((finding) => html`<li class="warning">${t("The part is not used:")} ${this.store().say(finding.said)}</li>`)}</ul>` : nothing}
       ${noteList(notes)}
-      ${form ? this.form(known, run, assumes) : nothing}
-      ${run.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${run.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
+      ${form ? this.form(own, known, run) : nothing}
+      ${plain.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
       ${others.length > 0 ? html`<details class="others"><summary>${t("Other safety rules: {count}", others.length)}</summary>${rules(others)}</details>` : nothing}
     `;
   }
 
+  /** `own` is what the user knows, `known` has also what is assumed: it is shown, and not kept. */
   private form(
+    own: ProgramKnown,
     known: ProgramKnown,
     run: ProgramRun,
-    assumes: boolean,
   ): TemplateResult {
+    const assumes = own !== known;
     const t = this.store().t.bind(this.store());
     const number = (
       id: string,
@@ -114,13 +119,16 @@ export class RunPanel {
     const start = known.start ?? [null, null, null];
     const axis = (i: 0 | 1 | 2) =>
       number(`start-${i}`, `${t("Start")} ${"XYZ"[i]}`, start[i], "", (x) => {
-        const place = [...start] as [
+        const place = [...(own.start ?? [null, null, null])] as [
           number | null,
           number | null,
           number | null,
         ];
         place[i] = x;
-        this.changed({ ...known, start: place });
+        const { start: _, ...rest } = own;
+        this.changed(
+          place.some((one) => one !== null) ? { ...rest, start: place } : rest,
+        );
       });
     const variable = (name: string) => {
       const lines = this.lines.get(name) ?? [];
@@ -135,9 +143,9 @@ export class RunPanel {
                 .join(", "),
             );
       return number(`ask-${name}`, name, known.set?.[name], note, (x) => {
-        const { [name]: _, ...rest } = known.set ?? {};
+        const { [name]: _, ...rest } = own.set ?? {};
         this.changed({
-          ...known,
+          ...own,
           set: x === null ? rest : { ...rest, [name]: x },
         });
       });
@@ -145,12 +153,12 @@ export class RunPanel {
     this.open ||= this.names.length > 0 || assumes;
     return html`<details class="known" ?open=${this.open}>
       <summary>${t("Run it with what you know")}</summary>
-      ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: it starts at X0 Y0 Z0, and every touch triggers at its target.")}</p>` : nothing}
+      ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: the start, and where touches trigger, as far as you have not entered it.")}</p>` : nothing}
       <p>${this.names.length > 0 || !assumes ? t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.") : nothing}</p>
       <div class="fields">
-        ${this.meets("at", t("Touches trigger"), known, run)}
-        ${known.part && "cycle" in known.part ? nothing : this.meets("positioning", t("Watched positioning triggers"), known, run)}
-        ${isHandMade(known.part) ? this.hand(known, number) : nothing}
+        ${this.meets("at", t("Touches trigger"), own, known, run)}
+        ${known.part && "cycle" in known.part ? nothing : this.meets("positioning", t("Watched positioning triggers"), own, known, run)}
+        ${isHandMade(own.part) ? this.hand(own, number) : nothing}
         ${axis(0)}${axis(1)}${axis(2)}
         ${this.names.map(variable)}
       </div>
@@ -181,6 +189,7 @@ export class RunPanel {
   private meets(
     key: "at" | "positioning",
     label: string,
+    own: ProgramKnown,
     known: ProgramKnown,
     run: ProgramRun,
   ): TemplateResult {
@@ -191,20 +200,20 @@ export class RunPanel {
     const now = onPart ? undefined : part[key];
     const choose = (event: Event) => {
       const chosen = (event.target as HTMLSelectElement).value;
-      if (chosen === HAND)
-        return this.changed({ ...known, part: handMade(run) });
+      if (chosen === HAND) return this.changed({ ...own, part: handMade(run) });
       if (chosen === FORM) {
         const job = structuredClone(
           this.store().draft,
         ) as unknown as ProgramPart;
-        return this.changed({ ...known, part: job });
+        return this.changed({ ...own, part: job });
       }
       const value = MEETS.find(([id]) => id === chosen)?.[1];
-      const { [key]: _, ...rest } = onPart
-        ? ({} as { at?: number | null; positioning?: number | null })
-        : part;
+      const { [key]: _, ...rest } = (onPart ? {} : (own.part ?? {})) as {
+        at?: number | null;
+        positioning?: number | null;
+      };
       this.changed({
-        ...known,
+        ...own,
         part: value === undefined ? rest : { ...rest, [key]: value },
       });
     };

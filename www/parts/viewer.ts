@@ -25,8 +25,31 @@ import { Steps } from "./steps.js";
 /** A longer text is read beside the page, and only read: its run would hold up the page at each entry. */
 const LONGEST_RUN = 500_000;
 
-/** Assumed of a program that does not run whole by itself: it starts at the origin, and every touch triggers at its target. */
-const ASSUMED: ProgramKnown = { start: [0, 0, 0], part: { at: 1 } };
+/** A longer text is run once, without assumptions. */
+const LONGEST_ASSUMED = 100_000;
+
+/** Findings of a run that ends early. A touch at its target is a miss for programs that check for one. */
+const ENDS = new Set(["macro-stops", "program-stops", "no-moves"]);
+/** Fractions of their way at which touches are assumed to trigger, in the order in which they are tried. Undefined is not known. */
+const TRIALS = [1, 0.5, undefined];
+
+const unknowns = ({ to }: ProgramMoves): number =>
+  to.reduce((sum, x) => sum + Number(Number.isNaN(x)), 0);
+
+const endings = ({ findings }: ProgramMoves): number =>
+  findings.filter(({ code }) => ENDS.has(code)).length;
+
+/** What is known, with a start at the origin and with touches that trigger at a fraction of their way, where neither is known. */
+function assumed(known: ProgramKnown, at: number | undefined): ProgramKnown {
+  const { start, part } = known;
+  const axis = (i: 0 | 1 | 2) => start?.[i] ?? 0;
+  const keeps = at === undefined || (part && ("cycle" in part || "at" in part));
+  return {
+    ...known,
+    start: [axis(0), axis(1), axis(2)],
+    ...(keeps ? {} : { part: { ...part, at } }),
+  };
+}
 
 /** What the kinds of moves are called. */
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
@@ -53,19 +76,18 @@ class ViewerPart extends DrawnPart {
   );
   /** The last move of every line that makes one. */
   private moveAt = new Map<number, number>();
-  /** What the user knows of the program, or what is assumed; nothing: it is read as it is. */
+  /** What the user knows of the program; nothing: it is read as it is. */
+  private own: ProgramKnown = {};
+  /** What it is run with: what the user knows, and what is assumed beside that. */
   private known: ProgramKnown = {};
-  /** Whether nobody has said what is known: it is assumed. */
-  private assumes = false;
   /** Its run; null where the text is too long to be run at once. */
   private run: ProgramRun | null = null;
-  /** What the safety rules say of it: of the program alone where its start and its touches are assumed. */
-  private rules: ProgramRun["rules"] = [];
+  /** Its run without assumptions, from which rules and calls are taken. */
+  private plain: ProgramRun | null = null;
   private readonly panel = new RunPanel(
     () => this.store,
     (known) => {
       keepKnown(this.viewed.name, known);
-      this.assumes = false;
       this.runs(known);
       this.drawn = undefined;
       this.requestUpdate();
@@ -104,9 +126,23 @@ class ViewerPart extends DrawnPart {
     );
   }
 
-  /** Whether every position is known, of a program that is run. */
-  private isWhole(): boolean {
-    return !this.run || this.run.to.every((x) => !Number.isNaN(x));
+  /** The first assumption that leaves no position unknown and ends the run no earlier than without it, else the best of them; none where they show no more. */
+  private assume(plain: ProgramRun): [ProgramKnown, ProgramRun] | null {
+    if (this.viewed.text.length > LONGEST_ASSUMED) return null;
+    let least = unknowns(plain);
+    let best: [ProgramKnown, ProgramRun] | null = null;
+    for (const at of TRIALS) {
+      if (least === 0) break;
+      const known = assumed(this.own, at);
+      const run = this.tried(known);
+      const ends =
+        run.kind.length < plain.kind.length || endings(run) > endings(plain);
+      if (!ends && unknowns(run) < least) {
+        least = unknowns(run);
+        best = [known, run];
+      }
+    }
+    return best;
   }
 
   /** Whether anything is known beside the text. */
@@ -120,11 +156,16 @@ class ViewerPart extends DrawnPart {
   }
 
   /** Runs the program with what is known. */
-  private runs(known: ProgramKnown, rules?: ProgramRun["rules"]): void {
-    this.known = known;
-    this.run =
-      this.viewed.text.length <= LONGEST_RUN ? this.tried(known) : null;
-    this.rules = rules ?? this.run?.rules ?? [];
+  private runs(own: ProgramKnown): void {
+    this.own = own;
+    this.plain =
+      this.viewed.text.length <= LONGEST_RUN ? this.tried(own) : null;
+    const { wrong } = this;
+    [this.known, this.run] = (this.plain && this.assume(this.plain)) ?? [
+      own,
+      this.plain,
+    ];
+    this.wrong = wrong;
     this.pointed = null;
     const { line, kind, kinds } = this.moves;
     const ownFile = (move: number) =>
@@ -153,7 +194,7 @@ class ViewerPart extends DrawnPart {
         notes.set(line, [...(notes.get(line) ?? []), text]);
     };
     for (const finding of findings) say(finding.lines, this.message(finding));
-    for (const { holds, said, lines } of this.rules)
+    for (const { holds, said, lines } of this.plain?.rules ?? [])
       if (holds === false) say(lines, this.store.say(said));
     return notes;
   }
@@ -190,11 +231,10 @@ class ViewerPart extends DrawnPart {
       </div>
       <div class="said">${
         this.run
-          ? this.panel.render(this.known, this.run, {
-              rules: this.rules,
+          ? this.panel.render(this.own, this.known, this.run, {
+              plain: this.plain ?? this.run,
               wrong: this.wrong,
               notes: said,
-              assumes: this.assumes,
             })
           : noteList(said)
       }</div>
@@ -228,15 +268,7 @@ class ViewerPart extends DrawnPart {
   protected override willUpdate(changed: PropertyValues): void {
     if (!changed.has("viewed")) return;
     this.panel.begin();
-    const known = knownOf(this.viewed.name);
-    this.assumes = false;
-    this.runs(known);
-    // Everything that is seen without it is read from the program.
-    if (Object.keys(known).length === 0 && !this.isWhole()) {
-      const { rules } = this;
-      this.assumes = true;
-      this.runs(ASSUMED, rules);
-    }
+    this.runs(knownOf(this.viewed.name));
     this.finder.again();
   }
 
