@@ -117,12 +117,12 @@ fn put(entries: &mut Vec<(String, Value)>, key: &str, value: Value) {
     entries.push((key.to_owned(), value));
 }
 
-/// A job; the index goes through every cycle, control, plane and unit. One in 20 has a stock.
+/// A job; the index goes through every cycle, control, plane and unit. One in 40 has a stock, drawn by itself: all else is as it is without.
 pub fn whole(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
-    let job = without_stock(catalog, draw, index);
-    match job {
-        Value::Map(mut entries) if draw.once_in(20) => {
-            put(&mut entries, "stock", stock(draw));
+    let mut own = Draw::new(index.wrapping_add(0x5107));
+    match without_stock(catalog, draw, index) {
+        Value::Map(mut entries) if own.once_in(40) => {
+            put(&mut entries, "stock", stock(&mut own));
             Value::Map(entries)
         }
         job => job,
@@ -528,7 +528,7 @@ fn without_tolerances(catalog: &Catalog, draw: &mut Draw, index: u64) -> Value {
     let plane = ["G17", "G18", "G19"][at(3)];
     let (units, scale) = [("mm", 1.0), ("inch", 25.4)][at(2)];
     let mut job = vec![("format".to_owned(), Value::Number(1.0))];
-    for section in &catalog.sections {
+    for section in catalog.sections.iter().filter(|section| !section.optional) {
         let mut values = form(draw, &section.fields, scale, 3);
         match section.path {
             "" => {
