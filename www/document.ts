@@ -62,12 +62,12 @@ export abstract class Document extends Output {
   protected pointsGiven = false;
   /** The paths that were given a value; the other fields still have their defaults. Null for a job that was given whole. */
   protected given: Set<string> | null = new Set();
-  /** Cycles that were left, so that coming back finds their forms and their measured points. */
+  /** State of the cycles that were left, restored when the user chooses one again. */
   protected left = new Map<string, Left>();
   protected readonly history = new History<Moment>();
   /** Whether the user can change the job. What is put in from outside is taken all the same. */
   protected shut = false;
-  /** Whether what changes now is changed by the page around. */
+  /** Whether the current change is by the host page. */
   protected host = false;
   /** The name that the job has by itself: while it has this one, it follows what is measured. Null where the job is another one. */
   protected ownName: string | null = null;
@@ -99,17 +99,17 @@ export abstract class Document extends Output {
     this.asHost(() => this.dispatchEvent(new Event("change")));
   }
 
-  /** Forgets the steps that could be taken back. */
+  /** Clears the undo history. */
   clear(): void {
     this.history.clear();
   }
 
-  /** Whether a change is the user's, and not one of the page around. */
+  /** Whether the current change is by the user, not by the host page. */
   get byUser(): boolean {
     return !this.host;
   }
 
-  /** Makes changes of the page around: they are no steps of the user, and neither locks nor a read-only job keep them out. */
+  /** Runs a change by the host page: it adds no undo step and ignores locks and read-only. */
   asHost<T>(change: () => T): T {
     const before = this.host;
     this.host = true;
@@ -175,7 +175,7 @@ export abstract class Document extends Output {
     }
   }
 
-  /** What the user cannot change: what the page around fixes, unless it has another value than it must have. */
+  /** Fields locked by the host page. A locked field with a wrong value can be changed. */
   protected fixed(bare = false): Fixed {
     const wrong = new Set(
       this.findings
@@ -189,7 +189,7 @@ export abstract class Document extends Output {
     );
   }
 
-  /** Sets a value by one act of the user, such as a choice: a step of its own. */
+  /** Sets a value in one undo step, such as a choice from a menu. */
   put(path: string, value: unknown): void {
     this.settle();
     this.set(path, value);
@@ -210,7 +210,7 @@ export abstract class Document extends Output {
     this.changed();
   }
 
-  /** A number field shows its number again, not the sum that was typed. */
+  /** Shows the number of a field instead of the expression that was typed. */
   tidy(path: string): void {
     if (this.typed.delete(path)) this.changed();
   }
@@ -220,7 +220,7 @@ export abstract class Document extends Output {
       if (path.startsWith(prefix)) this.typed.delete(path);
   }
 
-  /** Other units: the values shown are converted, the geometry stays. */
+  /** Converts the job to other units. The geometry stays the same. */
   setUnits(units: Units): void {
     if (this.refuses) return;
     if (units === this.draft.units) return;
@@ -239,7 +239,7 @@ export abstract class Document extends Output {
     this.changed();
   }
 
-  /** The fields that still hold what a new job begins with. */
+  /** Fields that still have the defaults of a new job. */
   protected untouched(): [string, FieldEntry][] {
     const { given } = this;
     if (!given) return [];
@@ -254,7 +254,7 @@ export abstract class Document extends Output {
     );
   }
 
-  /** What is changed next is a step of its own. */
+  /** Ends the current undo step. */
   settle(): void {
     this.history.settle();
     this.dispatchEvent(new Event("settled"));
@@ -268,7 +268,7 @@ export abstract class Document extends Output {
     return !this.shut && this.history.canRedo;
   }
 
-  /** Takes the last step back, whatever it was: a field, a drag, a file, a reset. */
+  /** Undoes the last step: a field, a drag, an opened file or a reset. */
   undo(): void {
     if (!this.refuses) this.become(this.history.undo(() => this.moment()));
   }
@@ -290,12 +290,12 @@ export abstract class Document extends Output {
     };
   }
 
-  /** Before a change: what it is of decides whether it can be taken back by itself. */
+  /** Called before a change. Changes of the same path share an undo step. */
   protected mark(changing: string | null): void {
     this.history.mark(changing, () => this.moment());
   }
 
-  /** Becomes what it was at a moment. */
+  /** Restores an earlier state. */
   protected become(moment: Moment | undefined): void {
     if (!moment) return;
     const fixed = this.fixed(true);
@@ -313,12 +313,12 @@ export abstract class Document extends Output {
     this.changed();
   }
 
-  /** Says what was done beside what was asked for. */
+  /** Reports a side effect of a change to the user. */
   protected tell(said: Said): void {
     this.dispatchEvent(new CustomEvent("told", { detail: said }));
   }
 
-  /** Another language for everything that is shown. The job stays as it is. */
+  /** Changes the language of the page. Does not change the job. */
   translate(lang: Lang, words: Words): void {
     this.asHost(() => {
       this.speak(lang, words);
@@ -326,7 +326,7 @@ export abstract class Document extends Output {
     });
   }
 
-  /** What is asked of the job has changed, and not the job. */
+  /** Checks the job again after the rules of the host page have changed. */
   reconsider(): void {
     this.changed();
   }
@@ -339,7 +339,7 @@ export abstract class Document extends Output {
     if (this.history.settled) this.dispatchEvent(new Event("settled"));
   }
 
-  /** A name that was not typed follows what is measured. */
+  /** Updates the program name, unless the user has typed one. */
   protected nameAnew(): void {
     const name = jobName(this.job);
     if (this.ownName !== null && this.draft.name === this.ownName)
@@ -393,7 +393,7 @@ export abstract class Document extends Output {
     return complete(this.outside.filled(single) as Draft, this.catalog);
   }
 
-  /** Takes another document: nothing of the one before can be taken back, or comes back with a cycle. */
+  /** Replaces the document and clears undo and the cycles that were left. */
   replace(whole: Draft): void {
     if (this.refuses) return;
     const same =

@@ -4,7 +4,6 @@ import {
   type Cycle,
   convertUnits,
   defaultJob,
-  type FieldEntry,
   type Job,
   jobName,
 } from "./core/browser.js";
@@ -21,10 +20,13 @@ export const isOut = (value: unknown) => value === undefined || value === null;
 export function complete(job: Draft, catalog: Catalog): Draft {
   const units = job.units === "inch" ? "inch" : "mm";
   const cycle = job.cycle as Draft;
-  const fresh = convertUnits(
-    defaultJob(cycle.type as Cycle["type"]),
-    units,
-  ) as unknown as Draft;
+  const sections = catalog.sections.filter(
+    ({ path, optional }) => path !== "" && (!optional || isObject(job[path])),
+  );
+  const base: Draft = { ...defaultJob(cycle.type as Cycle["type"]) };
+  for (const { path, fields } of sections)
+    base[path] ??= Object.fromEntries(fields.map((f) => [f.key, f.default]));
+  const fresh = convertUnits(base, units) as unknown as Draft;
   // A fresh 1411 is for its own control; a job that names no control is for the catalog's first.
   const control =
     catalog.sections.find((s) => s.path === "control")?.fields ?? [];
@@ -32,12 +34,7 @@ export function complete(job: Draft, catalog: Catalog): Draft {
     control.map((field) => [field.key, field.default]),
   );
   const whole = over(fresh, job);
-  for (const { path, optional, fields } of catalog.sections) {
-    if (path === "") continue;
-    if (!optional) whole[path] = over(fresh[path], job[path]);
-    else if (isObject(job[path]))
-      whole[path] = over(defaultsOf(fields, units), job[path]);
-  }
+  for (const { path } of sections) whole[path] = over(fresh[path], job[path]);
   whole.cycle = over(fresh.cycle, cycle);
   for (const { key, optional } of catalog.cycles.find(
     (c) => c.type === cycle.type,
@@ -51,18 +48,6 @@ export function complete(job: Draft, catalog: Catalog): Draft {
   part.sizes ??= {};
   if (job.name === undefined) whole.name = jobName(whole);
   return structuredClone(whole);
-}
-
-/** Defaults of an optional section in the job's units. */
-function defaultsOf(fields: FieldEntry[], units: "mm" | "inch"): Draft {
-  const scale = units === "inch" ? 25.4 : 1;
-  const scaled = (x: unknown) => (typeof x === "number" ? x / scale : x);
-  return Object.fromEntries(
-    fields.map(({ key, default: mm }) => [
-      key,
-      Array.isArray(mm) ? mm.map(scaled) : scaled(mm),
-    ]),
-  );
 }
 
 /** `undefined` is "not there": the base stands in. */

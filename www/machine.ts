@@ -8,12 +8,12 @@ import { w } from "./words.js";
 
 /** Changes the machine of the job. */
 export abstract class Machine extends Document {
-  /** The job for a stylus of the page around. */
+  /** Applies a stylus of the host page to the job. */
   useStylus(stylus: Draft): void {
     this.put("stylus", { ...(this.draft.stylus as Draft), ...stylus });
   }
 
-  /** Another control, and what of the job it has not. */
+  /** Changes the control. Reports a work offset that it does not have. */
   chooseControl(post: unknown, form?: Form): void {
     const old = this.draft.control as Draft;
     if (post !== old.post) this.beforeControl = old;

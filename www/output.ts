@@ -59,11 +59,11 @@ export abstract class Output extends Entries {
   plan: Plan = NO_PLAN;
   /** The program that was saved last. */
   saved: string | null = null;
-  /** Counts the forms that were computed: another number is another form, also where it has errors. */
+  /** Increases with every state of the job, with or without errors. */
   revision = 0;
-  /** The number of the document that the job is: another one, the defaults and another cycle have another number, also when they are taken back. */
+  /** Number of the document. Opening, reset and another cycle increase it; undo restores it. */
   document = 0;
-  /** Whether `plan` is of an earlier form, since the present one has errors. */
+  /** Whether `plan` belongs to an earlier state because the job has errors. */
   stale = false;
   /** The document that `plan` is of. */
   protected planned = -1;
@@ -71,7 +71,7 @@ export abstract class Output extends Entries {
   shown!: Draft;
   /** The move that is pointed at, or else the one that is pinned. */
   highlight: number | null = null;
-  /** The move that stays lit when the pointer leaves. */
+  /** The selected move, highlighted while nothing is pointed at. */
   protected pinned: number | null = null;
   /** The path of the field that has the focus. */
   focused: string | null = null;
@@ -134,13 +134,18 @@ export abstract class Output extends Entries {
   }
 
   /** Whether a finding holds for every job of the control. */
-  stands({ code, level }: Finding): boolean {
+  private isOfControl({ code, level }: Finding): boolean {
     return level !== "error" && this.catalog.standing.includes(code);
   }
 
   /** The findings about this job. */
   get ofJob(): Finding[] {
-    return this.findings.filter((f) => !this.stands(f));
+    return this.findings.filter((f) => !this.isOfControl(f));
+  }
+
+  /** The findings that hold for every job of the control. */
+  get ofControl(): Finding[] {
+    return this.findings.filter((f) => this.isOfControl(f));
   }
 
   /** Findings at a path, the gravest first. */
@@ -161,20 +166,20 @@ export abstract class Output extends Entries {
     return this.stale && this.plan === NO_PLAN;
   }
 
-  /** Why nothing of the plan is handed out: the form's first error. Null where the plan is the form's. */
+  /** First error of the job, which withholds the plan. Null if there is none. */
   get withheld(): string | null {
     if (!this.stale) return null;
     const error = this.findings.find((f) => f.level === "error");
     return this.say(error?.said ?? [w("No plan can be made of this form")]);
   }
 
-  /** Whether nothing on the control of the plan computes results: neither the program nor a cycle of its own. */
+  /** Whether neither the program nor a native cycle computes results on this control. */
   get bare(): boolean {
     const { post, form } = this.shown.control as { post: string; form: string };
     return form !== "cycle" && this.postOf(post)?.computes === false;
   }
 
-  /** What is said of something of a cycle, with the name of that cycle in front of it; of a job of one cycle as it is. */
+  /** A code with the name of its cycle in front. Unchanged in a job of one cycle. */
   ofCycle(cycle: number, what: string): string {
     return codeOf(this.plan, cycle, what);
   }
@@ -233,7 +238,7 @@ export abstract class Output extends Entries {
       : `${stem(this.draft.name)}-${this.cycle.type}${what}`;
   }
 
-  /** Points at a move; at none, the pinned one stays lit. */
+  /** Highlights a move; `null` highlights the selected one again. */
   point(index: number | null): void {
     const lit = index ?? this.pinned;
     if (lit === this.highlight) return;
@@ -241,7 +246,7 @@ export abstract class Output extends Entries {
     this.dispatchEvent(new Event("highlight"));
   }
 
-  /** Keeps a move lit, or none. */
+  /** Selects a move, or none. */
   pin(index: number | null): void {
     const cycle = index === null ? undefined : this.plan.moves[index]?.cycle;
     if (cycle !== undefined && !this.stale)
@@ -252,7 +257,7 @@ export abstract class Output extends Entries {
     if (index !== before) this.dispatchEvent(new Event("select"));
   }
 
-  /** The move that stays lit. */
+  /** The selected move. */
   get selected(): number | null {
     return this.pinned;
   }

@@ -52,7 +52,7 @@ export abstract class PartEditor extends Machine {
     });
   }
 
-  /** The same as the one at a place, behind it, and in the form. */
+  /** Duplicates a feature and makes the copy active. */
   duplicateFeature(index: number): void {
     this.arrange(() => {
       this.features.bring(this.draft, index);
@@ -80,7 +80,7 @@ export abstract class PartEditor extends Machine {
     this.arrange(() => this.features.rename(this.draft, index, name, true));
   }
 
-  /** Leaves one out of the program, or takes it in again. One stays in. */
+  /** Includes or excludes a feature. At least one is always included. */
   switchFeature(index: number): void {
     const { all } = this.features;
     const one = all[index];
@@ -104,7 +104,7 @@ export abstract class PartEditor extends Machine {
     this.changed();
   }
 
-  /** What is written into an axis: a result, none, or what is proposed. */
+  /** Sets the result that an axis is written from: a code, `null` for none, `undefined` for the proposed one. */
   writeFrom(axis: string, from: string | null | undefined): void {
     this.arrange(() => {
       const { [axis]: _, ...rest } = this.features.datum;
@@ -143,7 +143,7 @@ export abstract class PartEditor extends Machine {
     });
   }
 
-  /** Changes what is computed of the results of cycles. */
+  /** Changes the relations between results. */
   relate(change: (features: Features) => void): void {
     this.arrange(() => {
       const { features, draft } = this;

@@ -34,7 +34,7 @@ interface State {
 export class Store extends PartEditor {
   /** What the page around puts in. */
   readonly outside = new Outside(this);
-  /** What the page must say about what it found in the browser's storage. */
+  /** Message about the state found in the browser's storage. */
   notice: Said | null = null;
   protected readonly local: boolean;
   protected cams = false;
@@ -80,7 +80,7 @@ export class Store extends PartEditor {
     this.changed();
   }
 
-  /** Another cycle; the rest of the job stays, and what was left is kept. */
+  /** Changes the cycle and stores the state of the previous one. The rest of the job stays the same. */
   choose(type: Cycle["type"]): void {
     if (this.refuses) return;
     const old = this.draft.cycle as Draft;
@@ -244,7 +244,7 @@ export class Store extends PartEditor {
     );
   }
 
-  /** Takes up what was kept. What cannot be used is left alone, and the page says so. */
+  /** Restores the stored state. Reports a state that cannot be used and leaves it in the storage. */
   protected restore(): boolean {
     for (const state of kept()) {
       const { draft, typed, points, left, given, features } = (

@@ -109,7 +109,7 @@ impl Planned {
         )
     }
 
-    /// The stock, if the feature is cut into it. A feature above its top is a body of its own.
+    /// The stock that contains the feature. `None` for a feature above the top of the stock: its material is drawn separately.
     fn own_stock(&self) -> Option<&Stock> {
         let up = self.path.frame.w;
         let below = |top: f64, stock: &Stock| top <= stock.top(up) + ONE_LEVEL;

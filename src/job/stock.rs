@@ -6,7 +6,7 @@ use crate::job::stylus::purpose;
 use crate::part::{self, Above};
 use crate::text::text;
 
-/// Reports the first place where the ball or the stylus is in the stock and not where a feature is open, on the nominal part.
+/// Reports the first position where the ball or the stylus is in the stock and no feature is open, on the nominal part.
 pub fn report(planned: &Planned, checker: &mut Checker) {
     let Planned { job, path, .. } = planned;
     let Some(stock) = &job.stock else { return };

@@ -61,22 +61,26 @@ pub struct Hit {
 }
 
 impl Opening {
-    /// Whether a point lies between its sides.
-    fn holds(&self, point: Vec3, up: Vec3) -> bool {
+    /// Whether a point lies between its walls. A corner has none that face each other: how far its floor reaches is not known.
+    fn encloses(&self, point: Vec3, up: Vec3) -> bool {
         match &self.sides {
             Sides::Round { center, radius } => {
                 let off = point - *center;
                 (off - up * off.dot(up)).length() <= *radius
             }
-            Sides::Flat(walls) => walls
-                .iter()
-                .all(|(wall, normal)| (point - *wall).dot(*normal) >= 0.0),
+            Sides::Flat(walls) => {
+                let facing = |(_, normal): &(Vec3, Vec3)| normal.dot(walls[0].1) < -0.999;
+                walls.iter().any(facing)
+                    && walls
+                        .iter()
+                        .all(|(wall, normal)| (point - *wall).dot(*normal) >= 0.0)
+            }
         }
     }
 }
 
-/// The openings of the features that are cut into the stock; those that are touched from outside have none. Where a surface is touched from above within
-/// an opening, that is its floor.
+/// The openings of the features that are cut into the stock; features that are touched from outside have none. A surface that is touched from above between
+/// the walls of a hole, pocket or groove is its floor.
 pub fn openings(path: &Path, radius: f64) -> Vec<Opening> {
     let members = path.members.iter().map(|member| &member.path);
     let single = path.members.is_empty().then_some(path);
@@ -90,7 +94,10 @@ pub fn openings(path: &Path, radius: f64) -> Vec<Opening> {
         .iter()
         .filter(|touch| touch.vector.dot(up) > 0.999);
     for touch in floors {
-        for opening in all.iter_mut().filter(|one| one.holds(touch.point, up)) {
+        for opening in all
+            .iter_mut()
+            .filter(|opening| opening.encloses(touch.point, up))
+        {
             opening.floor = opening.floor.min(touch.point.dot(up));
         }
     }
@@ -128,7 +135,7 @@ fn openings_of(path: &Path, radius: f64) -> Vec<Opening> {
         .collect()
 }
 
-/// The first place of the nominal path where the ball, the shank or the probe body is in the stock and not in an opening.
+/// The first position on the nominal path where the ball, the shank or the probe body is in the stock outside all openings.
 pub fn hit(path: &Path, stock: &Stock, shape: &Shape, radius: f64) -> Option<Hit> {
     let up = path.frame.w;
     let check = Check {
@@ -199,7 +206,7 @@ impl Check {
         self.first(meets, [radius, 0.0], from, to)
     }
 
-    /// The fraction of the way at which something is in the stock and in no opening. It is `wide` to each side, and reaches `low` below its centre.
+    /// The fraction of the way at which a body is in the stock outside all openings. `wide` is its radius, `low` how far it extends below its centre.
     fn first(
         &self,
         meets: impl Fn(Vec3, Vec3) -> Option<f64>,
@@ -231,7 +238,7 @@ impl Check {
         }
     }
 
-    /// From which to which fraction of the way it is within an opening.
+    /// The fractions of the way between which it is within an opening.
     fn free(
         &self,
         opening: &Opening,

@@ -5,6 +5,8 @@ use touchpath::form::{Finding, Level, Value};
 use touchpath::geom::Vec3;
 use touchpath::job::{check, convert_units, default_job, proposed_stock};
 use touchpath::path::Purpose;
+use touchpath::view::material::Material;
+use touchpath::view::scene::Projection;
 
 /// The findings about a stock.
 fn found(job: &Value) -> Vec<Finding> {
@@ -97,6 +99,15 @@ fn the_floor_of_a_pocket_is_where_a_surface_is_touched() {
     assert_eq!(found(&set_up(0.0)), []);
     // Beside the pocket the same surface lies in the material.
     assert_eq!(the(&set_up(50.0)).0, "collision");
+    // An inside corner has two walls and no others: how far its floor reaches is not known, and a deep surface far away does not open all of it.
+    let corner = job(
+        r#"{ "format": 2, "control": { "post": "linuxcnc" }, "stylus": { "diameter": 6 },
+            "stock": { "origin": [-60, -60, -80], "size": [400, 400, 90] },
+            "cycles": [
+                { "name": "CORNER", "type": "double-wall-internal-corner" },
+                { "name": "DEEP", "type": "surface", "origin": [200, 200, -50] } ] }"#,
+    );
+    assert_eq!(the(&corner).0, "collision");
 }
 
 /// The ball below a thin block has its stylus in it, and a block that is wrongly above the path holds everything.
@@ -362,4 +373,29 @@ fn a_proposed_stock_fits_the_features() {
     let inch = convert_units(&pocket(""), "inch").unwrap();
     let block = of(&with(&inch, "stock", Value::Null)).unwrap();
     assert_eq!(block.get("origin"), Some(&point([-2.0, -1.4, -1.0])));
+}
+
+/// The stock takes the place of the material around a hole; a boss above it keeps its own.
+#[test]
+fn the_picture_has_one_body_and_what_is_above_it() {
+    let material = |cycle: &str, view: Projection| {
+        let job = job(&format!(
+            r#"{{ "format": 1, "control": {{ "post": "linuxcnc" }}, "stylus": {{ "diameter": 6 }},
+                "stock": {{ "origin": [-60, -60, -60], "size": [120, 120, 40] }}, "cycle": {{ {cycle} }} }}"#
+        ));
+        let scene = touchpath::job::planned(&job)
+            .unwrap()
+            .picture(view, 1.0, None)
+            .scene;
+        let body = |one: &Material| matches!(one, Material::Body { .. });
+        assert_eq!(scene.material.iter().filter(|one| body(one)).count(), 1);
+        scene.material.len() - 1
+    };
+    let boss = r#""type": "boss", "diameter": 30"#;
+    assert_eq!(material(boss, Projection::Top), 1);
+    assert!(material(boss, Projection::Front) > 0);
+    let hole = r#""type": "hole", "diameter": 30, "origin": [0, 0, -20]"#;
+    for view in [Projection::Top, Projection::Front, Projection::Side] {
+        assert_eq!(material(hole, view), 0);
+    }
 }

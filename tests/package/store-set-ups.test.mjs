@@ -537,3 +537,18 @@ test("a stock is converted, saved with the program and given back by it", () => 
     [["collision", "stock"]],
   );
 });
+
+test("a stock without a size has the default one, in the units of the job", () => {
+  for (const [units, size] of /** @type {const} */ ([
+    ["mm", [100, 100, 20]],
+    ["inch", [3.937008, 3.937008, 0.787402]],
+  ])) {
+    const store = opened({
+      format: 1,
+      units,
+      stock: { origin: [0, 0, 0] },
+      cycle: { type: "hole" },
+    });
+    assert.deepEqual(store.get("stock"), { origin: [0, 0, 0], size }, units);
+  }
+});

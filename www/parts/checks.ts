@@ -73,7 +73,7 @@ class ChecksPart extends Part {
 
   override render(): TemplateResult {
     const { plan, stale, ofJob: findings, post } = this.store;
-    const always = this.store.findings.filter((f) => this.store.stands(f));
+    const always = this.store.ofControl;
     const sorted = LEVELS.flatMap((level) =>
       findings.filter((f) => f.level === level),
     );

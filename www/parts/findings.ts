@@ -142,7 +142,7 @@ class FindingsPart extends Part {
   private always(): TemplateResult | typeof nothing {
     const { store } = this;
     const { title = "", id = "" } = store.post ?? {};
-    const standing = store.findings.filter((f) => store.stands(f));
+    const standing = store.ofControl;
     const [code, says] =
       Object.entries(ALWAYS).find(([code]) =>
         standing.some((f) => f.code === code),

@@ -179,7 +179,7 @@ export abstract class FormRows extends FieldPart {
     }
   }
 
-  /** A number that may be null: null has a box of its own, so that an empty field never means rapid. */
+  /** A number that may be null. Null has its own checkbox: an empty field never means rapid. */
   protected nullable({ field, path }: Placed): TemplateResult {
     const off = this.store.get(path) === null;
     return html`<span class="line"><label class="check"><input type="checkbox" .checked=${off} aria-label=${`${field.label}: ${field.null}`} @focus=${() => this.store.focus(path)}

@@ -481,28 +481,44 @@ class FormPart extends FormRows {
     );
   }
 
-  /** The box that puts a form inside the form in or out. */
+  /** The checkbox of an optional section; nothing for a group that is always there. */
   private switch(group: string): TemplateResult | typeof nothing {
     const section = this.optional.get(group);
     if (!section) return nothing;
-    const { store } = this;
-    const { path } = section;
-    const isStock = path === "stock";
-    const proposal = isStock ? proposedStock(store.job) : null;
+    if (section.path === "stock") return this.stock();
     const values = () =>
-      proposal ??
       Object.fromEntries(
-        section.fields.map((f) => [f.key, store.begins(f) ?? null]),
+        section.fields.map((f) => [f.key, this.store.begins(f) ?? null]),
       );
-    const used = !isOut(store.get(path));
-    // Undefined: the module is not there yet.
-    const none = isStock && proposal === null;
-    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${used} ?disabled=${none && !used}
-      @change=${(e: Event) => store.put(path, (e.target as HTMLInputElement).checked ? values() : null)} /> ${isStock ? this.t("One block that the features are cut into") : this.t("Use it")}</label></div>${
-        isStock && used
-          ? html`<button type="button" ?disabled=${none} @click=${() => store.put(path, values())}>${this.t("Fit it to the features")}</button>`
-          : nothing
-      }${none ? html`<p class="help">${this.t("No block parallel to the axes fits these features.")}</p>` : nothing}`;
+    return this.use(section.path, this.t("Use it"), values);
+  }
+
+  /** Checkbox that adds a section with these values to the job, or removes it. Disabled without values. */
+  private use(
+    path: string,
+    label: string,
+    values: (() => unknown) | null,
+  ): TemplateResult {
+    const used = !isOut(this.store.get(path));
+    const take = (e: Event) =>
+      this.store.put(
+        path,
+        (e.target as HTMLInputElement).checked ? values?.() : null,
+      );
+    return html`<div class="row"><label class="check"><input type="checkbox" .checked=${used} ?disabled=${!used && !values} @change=${take} /> ${label}</label></div>`;
+  }
+
+  /** The checkbox of the stock, and the button that fits it to the features. */
+  private stock(): TemplateResult {
+    const { store } = this;
+    // Undefined until the module is loaded.
+    const fitted = proposedStock(store.job);
+    const label = this.t("One block that the features are cut into");
+    return html`${this.use("stock", label, fitted ? () => fitted : null)}${
+      isOut(store.get("stock"))
+        ? nothing
+        : html`<button type="button" ?disabled=${!fitted} @click=${() => store.put("stock", fitted)}>${this.t("Fit it to the features")}</button>`
+    }${fitted === null ? html`<p class="help">${this.t("No block parallel to the axes fits these features.")}</p>` : nothing}`;
   }
 
   /** The touches, picked one by one; else they follow from the dimensions. */

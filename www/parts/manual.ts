@@ -57,7 +57,7 @@ class ManualPart extends CanvasPart {
   private control(post: PostEntry): TemplateResult {
     const { store } = this;
     const now = !store.stale && store.post?.id === post.id;
-    const always = now ? store.findings.filter((f) => store.stands(f)) : [];
+    const always = now ? store.ofControl : [];
     const unable =
       now && !store.ownCycle
         ? store.plan.safety.filter((row) => row.holds === null)

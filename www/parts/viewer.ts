@@ -1,4 +1,4 @@
-// The moves of any program, drawn: each kind in its own style. Nothing is checked here, and no job is made of it.
+// An opened program: picture of its moves, faults, and what is known or assumed. It is not proven.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import {
   type Finding,
@@ -30,7 +30,7 @@ const LONGEST_ASSUMED = 100_000;
 
 /** Findings of a run that ends early. A touch at its target is a miss for programs that check for one. */
 const ENDS = new Set(["macro-stops", "program-stops", "no-moves"]);
-/** Fractions of their way at which touches are assumed to trigger, in the order in which they are tried. Undefined is not known. */
+/** Fractions of their way at which touches are assumed to trigger, in the order of the attempts. `undefined`: unknown. */
 const TRIALS = [1, 0.5, undefined];
 
 const unknowns = ({ to }: ProgramMoves): number =>
@@ -39,15 +39,14 @@ const unknowns = ({ to }: ProgramMoves): number =>
 const endings = ({ findings }: ProgramMoves): number =>
   findings.filter(({ code }) => ENDS.has(code)).length;
 
-/** What is known, with a start at the origin and with touches that trigger at a fraction of their way, where neither is known. */
+/** Adds assumptions: unknown axes of the start are 0, and touches trigger at a fraction of their way. */
 function assumed(known: ProgramKnown, at: number | undefined): ProgramKnown {
   const { start, part } = known;
   const axis = (i: 0 | 1 | 2) => start?.[i] ?? 0;
-  const keeps = at === undefined || (part && ("cycle" in part || "at" in part));
   return {
     ...known,
     start: [axis(0), axis(1), axis(2)],
-    ...(keeps ? {} : { part: { ...part, at } }),
+    ...(at === undefined ? {} : { part: { ...part, at } }),
   };
 }
 
@@ -126,12 +125,14 @@ class ViewerPart extends DrawnPart {
     );
   }
 
-  /** The first assumption that leaves no position unknown and ends the run no earlier than without it, else the best of them; none where they show no more. */
+  /** The assumption with the fewest unknown positions, and its run. `null` if none has fewer than the plain run without ending earlier. */
   private assume(plain: ProgramRun): [ProgramKnown, ProgramRun] | null {
     if (this.viewed.text.length > LONGEST_ASSUMED) return null;
+    const { part } = this.own;
+    const isKnown = part && ("cycle" in part || "at" in part);
     let least = unknowns(plain);
     let best: [ProgramKnown, ProgramRun] | null = null;
-    for (const at of TRIALS) {
+    for (const at of isKnown ? [undefined] : TRIALS) {
       if (least === 0) break;
       const known = assumed(this.own, at);
       const run = this.tried(known);
@@ -230,9 +231,9 @@ class ViewerPart extends DrawnPart {
         </ul>
       </div>
       <div class="said">${
-        this.run
+        this.run && this.plain
           ? this.panel.render(this.own, this.known, this.run, {
-              plain: this.plain ?? this.run,
+              plain: this.plain,
               wrong: this.wrong,
               notes: said,
             })

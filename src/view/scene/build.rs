@@ -28,7 +28,7 @@ pub struct Actual<'a> {
     pub magnify: f64,
 }
 
-/// The scene of a path. Where its material is a part of a stock, that is drawn as one body.
+/// The scene of a path. The material of a feature that `stock` contains is drawn with the stock.
 pub fn build(
     path: &Path,
     setup: &Setup,
@@ -73,7 +73,9 @@ pub fn build(
             .into_iter()
             .map(|(_, shape)| shape)
             .collect();
-        scene.material = material(&path.surfaces, &path.frame, spot, view == Projection::Top);
+        if stock.is_none() {
+            scene.material = material(&path.surfaces, &path.frame, spot, view == Projection::Top);
+        }
         scene.dimensions = drawn(path, setup.plane, view);
         scene.angles = drawn_angles(path, setup.plane, view);
         Backs::default()

@@ -7,7 +7,7 @@ use crate::view::scene::blocks::{Block, Face};
 use crate::view::scene::{Projection, Scene};
 
 impl Scene {
-    /// Draws the stock in the place of the material around each feature.
+    /// Draws the stock with the openings of the features.
     pub fn put_stock(
         &mut self,
         stock: &Stock,
@@ -39,7 +39,7 @@ impl Scene {
             if view == Projection::Top {
                 return outline;
             }
-            // Seen from a side it is as wide as it is, from its floor to the top.
+            // From a side: its full width, from its floor to the top of the stock.
             let [a, o, _] = plane.basis();
             let right = outline
                 .iter()
@@ -53,10 +53,11 @@ impl Scene {
                 Vec2::new(right[1].min(high.x), high.y),
             )
         });
-        self.material = vec![Material::Body {
+        let body = Material::Body {
             open: open.filter(|outline| outline.len() > 2).collect(),
             outline: body,
-        }];
+        };
+        self.material.insert(0, body);
     }
 }
 
