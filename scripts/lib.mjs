@@ -202,18 +202,22 @@ export function ensureWasmPack() {
   if (works("wasm-pack")) return "";
   const folder = join(tools, "bin");
   if (!works(join(folder, "wasm-pack"))) {
-    // It runs for a second: built for speed it would take longer than it saves.
-    run("cargo", [
-      "install",
-      "wasm-pack",
-      "--debug",
-      "--version",
-      "0.15.1",
-      "--locked",
-      "--root",
-      tools,
-      "--quiet",
-    ]);
+    // It runs for a second: built for speed, or with debug info, it would take longer than it saves.
+    run(
+      "cargo",
+      [
+        "install",
+        "wasm-pack",
+        "--debug",
+        "--version",
+        "0.15.1",
+        "--locked",
+        "--root",
+        tools,
+        "--quiet",
+      ],
+      { env: { CARGO_PROFILE_DEV_DEBUG: "0" } },
+    );
   }
   return folder;
 }

@@ -151,8 +151,7 @@ async function format() {
 
 function lints() {
   clippy("--all-targets");
-  for (const features of [[], ["--no-default-features"]])
-    clippy("--lib", "--target", "wasm32-unknown-unknown", ...features);
+  clippy("--lib", "--target", "wasm32-unknown-unknown");
 }
 
 const types = () =>

@@ -378,7 +378,10 @@ test("on a phone the axis X lay on the name of 1411's first diameter: no name st
 
 test("in front of 1411 the names of its diameters lay on each other on a phone: each stands alone, in every view", async () => {
   let seen = 0;
-  for (const [width, height] of SIZES) {
+  // The widest picture, the narrowest beside a form, and the phone's.
+  for (const [width, height] of SIZES.filter(([width]) =>
+    [1440, 900, 390].includes(width),
+  )) {
     await page.setViewportSize({ width, height });
     for (const look of ["top", "front", "side"]) {
       await page
