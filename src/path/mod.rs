@@ -137,6 +137,22 @@ pub struct Arc {
     pub sweep: f64,
 }
 
+impl Arc {
+    /// The ends of straight pieces along it, about as many as given. `up` is its axis; it may rise on its way, as a helix.
+    pub fn pieces(self, from: Vec3, to: Vec3, up: Vec3, count: f64) -> Vec<Vec3> {
+        let count = count.ceil().max(1.0) as usize;
+        let out = from - self.center;
+        let (flat, rise) = (out - up * out.dot(up), (to - from).dot(up));
+        let across = up.cross(flat);
+        let at = |i: usize| {
+            let part = i as f64 / count as f64;
+            let (sin, cos) = (self.sweep * part).sin_cos();
+            self.center + up * (out.dot(up) + rise * part) + flat * cos + across * sin
+        };
+        (1..count).map(at).chain([to]).collect()
+    }
+}
+
 /// One move of the ball centre, straight or along an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Move {

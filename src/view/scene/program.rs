@@ -1,5 +1,7 @@
 //! The scene of a program without a job: its moves, and nothing else.
 
+use std::f64::consts::TAU;
+
 use super::{Line, Projection, Scene, Stroke};
 use crate::geom::{Plane, Vec2, Vec3};
 use crate::path::Arc;
@@ -97,21 +99,10 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
 
 /// The ends of the straight pieces of a move: an arc about its axis, or a helix, of which a whole turn has at most so many.
 fn helix(from: Vec3, end: Vec3, arc: Option<(Arc, Vec3)>, most: usize) -> Vec<Vec3> {
-    let Some((arc, up)) = arc else {
-        return vec![end];
-    };
-    let count = (arc.sweep.abs() / std::f64::consts::TAU * most as f64)
-        .ceil()
-        .max(1.0) as usize;
-    let out = from - arc.center;
-    let (flat, rise) = (out - up * out.dot(up), (end - from).dot(up));
-    let across = up.cross(flat);
-    let at = |i: usize| {
-        let part = i as f64 / count as f64;
-        let (sin, cos) = (arc.sweep * part).sin_cos();
-        arc.center + up * (out.dot(up) + rise * part) + flat * cos + across * sin
-    };
-    (1..count).map(at).chain([end]).collect()
+    match arc {
+        None => vec![end],
+        Some((arc, up)) => arc.pieces(from, end, up, arc.sweep.abs() / TAU * most as f64),
+    }
 }
 
 #[cfg(test)]
