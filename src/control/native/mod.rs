@@ -8,6 +8,7 @@ mod renishaw;
 pub mod rows;
 pub mod siemens;
 mod small;
+mod writes;
 
 /// What a value counts in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,0 +1,223 @@
+//! What a call writes that lasts: into which register, along which axes.
+
+use super::Call;
+
+/// A lasting change by a call.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Written {
+    /// `offset` or `wear`.
+    pub kind: &'static str,
+    /// The work offset, 1 = G54, 0 the active one; none where it is not known which.
+    pub number: Option<i32>,
+    /// What is written, where it is no numbered work offset.
+    pub register: String,
+    /// X, Y, Z: a bit each.
+    pub axes: u8,
+}
+
+/// The beginning of the meaning of a letter that names a work offset.
+const OFFSET: &str = "work offset that is written";
+
+/// X and Y.
+const LEVEL: u8 = 3;
+
+impl Call {
+    /// What the call writes, by its arguments: NaN is not known.
+    pub fn written(&self, arguments: &[(String, f64)]) -> Vec<Written> {
+        let given = |name: &str| {
+            arguments
+                .iter()
+                .find(|(known, _)| known == name)
+                .map(|(_, value)| *value)
+        };
+        if let Some(cycle) = self.name.strip_prefix("TCH PROBE ") {
+            return preset(cycle, given).into_iter().collect();
+        }
+        if self.name.starts_with("CYCLE9") {
+            return corrected(self.name, given).into_iter().collect();
+        }
+        let axes = self.axes(arguments);
+        let offset = self
+            .arguments
+            .iter()
+            .chain(self.shared)
+            .filter(|argument| argument.meaning.starts_with(OFFSET))
+            .find_map(|argument| Some((argument.name, given(argument.name)?)));
+        let tool = given("T").filter(|_| self.name.starts_with("G65 P98"));
+        let offset = offset.map(|(letter, value)| {
+            let (number, register) = numbered(letter, value);
+            Written {
+                kind: "offset",
+                number,
+                register,
+                axes,
+            }
+        });
+        let tool = tool.map(|tool| Written {
+            kind: "wear",
+            number: None,
+            register: format!("tool {}", crate::num::decimal(tool, 0)),
+            axes: 0,
+        });
+        offset.into_iter().chain(tool).collect()
+    }
+
+    /// The axes along which one of Renishaw's macros, or a like one, measures.
+    fn axes(&self, arguments: &[(String, f64)]) -> u8 {
+        let number = self.name.strip_prefix("G65 P98").unwrap_or_default();
+        if matches!(number, "14" | "19" | "21" | "22" | "23" | "43") {
+            return LEVEL;
+        }
+        let named = arguments.iter().filter_map(|(name, _)| {
+            ["X", "Y", "Z"]
+                .iter()
+                .position(|axis| axis == name)
+                .map(|axis| 1 << axis)
+        });
+        match named.fold(0, |axes, axis: u8| axes | axis) {
+            0 => 7,
+            axes => axes,
+        }
+    }
+}
+
+/// The work offset that a number names: 1 to 6, 54 to 59, or one of the further ones.
+fn numbered(letter: &str, value: f64) -> (Option<i32>, String) {
+    let whole = value as i32;
+    match whole {
+        1..=6 => (Some(whole), String::new()),
+        54..=59 => (Some(whole - 53), String::new()),
+        // Renishaw's macros count G54.1 P1 as 101.
+        101..=148 => (Some(6 + 1000 * (whole - 100)), String::new()),
+        _ if value.is_nan() => (None, letter.to_owned()),
+        _ => (None, format!("{letter} {}", crate::num::decimal(value, 2))),
+    }
+}
+
+/// A HEIDENHAIN's cycles that set a datum, a basic rotation or a rotary axis.
+fn preset(cycle: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
+    let number: u16 = cycle.parse().ok()?;
+    let measured = |axis: f64| match axis as i32 {
+        1 => 1,
+        2 => 2,
+        3 => 4,
+        _ => 7,
+    };
+    let axes = match number {
+        400..=402 | 405 => 0,
+        408 | 409 | 419 => measured(given("Q272").unwrap_or(f64::NAN)),
+        417 => 4,
+        410..=416 | 418 => LEVEL,
+        1411 if [given("Q1120"), given("Q1121")]
+            .iter()
+            .any(|q| q.is_some_and(|q| q != 0.0)) =>
+        {
+            LEVEL
+        }
+        _ => return None,
+    };
+    let top = if given("Q381") == Some(1.0) { 4 } else { 0 };
+    let (row, register) = match (number, given("Q305")) {
+        (400..=402 | 405, _) => (Some(0), "basic rotation".to_owned()),
+        (_, Some(0.0) | None) => (Some(0), "active datum".to_owned()),
+        (_, Some(row)) if row.is_nan() => (None, "row of the table".to_owned()),
+        // It is active only once it is selected.
+        (_, Some(row)) => (
+            Some(row as i32),
+            format!("row {}", crate::num::decimal(row, 0)),
+        ),
+    };
+    Some(Written {
+        kind: "offset",
+        number: row,
+        register,
+        axes: axes | top,
+    })
+}
+
+/// A SINUMERIK's measuring cycles: the hundreds of the variant correct, the second argument says what.
+fn corrected(name: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
+    let variant = given("1")?;
+    // One that is not known may.
+    let corrects = variant.is_nan() || (variant / 100.0).trunc() % 10.0 == 1.0;
+    corrects.then_some(())?;
+    let (number, register) = match given("2") {
+        Some(9000.0) => (Some(0), String::new()),
+        Some(row) if (10_000.0..10_100.0).contains(&row) => {
+            (Some(row as i32 - 10_000), String::new())
+        }
+        _ => (None, "work offset".to_owned()),
+    };
+    let axes = match (name, given("8").map(|axis| axis as i32)) {
+        ("CYCLE978", Some(axis @ 1..=3)) => 1 << (axis - 1),
+        ("CYCLE998", _) => 0,
+        ("CYCLE977", _) => LEVEL,
+        _ => 7,
+    };
+    Some(Written {
+        kind: "offset",
+        number,
+        register,
+        axes,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::find;
+
+    fn written(name: &str, arguments: &[(&str, f64)]) -> Vec<(String, Option<i32>, u8)> {
+        let arguments: Vec<(String, f64)> = arguments
+            .iter()
+            .map(|(name, value)| ((*name).to_owned(), *value))
+            .collect();
+        let call = find(name).expect("a call of the table");
+        let rows = call.written(&arguments);
+        rows.into_iter()
+            .map(|row| {
+                (
+                    format!("{} {}", row.kind, row.register).trim().to_owned(),
+                    row.number,
+                    row.axes,
+                )
+            })
+            .collect()
+    }
+
+    /// By the words of the calls: S and T of Renishaw's macros, Q305 and the kind of a HEIDENHAIN's cycle, the variant of a SINUMERIK's.
+    #[test]
+    fn a_call_writes_what_its_words_say() {
+        let one = |what: &str, number: Option<i32>, axes: u8| vec![(what.to_owned(), number, axes)];
+        assert_eq!(written("G65 P9814", &[("D", 25.0)]), []);
+        assert_eq!(
+            written("G65 P9814", &[("D", 25.0), ("S", 1.0)]),
+            one("offset", Some(1), 3)
+        );
+        assert_eq!(
+            written("G65 P9811", &[("Z", 0.0), ("S", 103.0)]),
+            one("offset", Some(3006), 4)
+        );
+        assert_eq!(
+            written("G65 P9811", &[("X", 0.0), ("T", 5.0)]),
+            one("wear tool 5", None, 0)
+        );
+        assert_eq!(
+            written("TCH PROBE 412", &[("Q305", 0.0)]),
+            one("offset active datum", Some(0), 3)
+        );
+        assert_eq!(
+            written("TCH PROBE 417", &[("Q305", 3.0)]),
+            one("offset row 3", Some(3), 4)
+        );
+        assert_eq!(written("TCH PROBE 421", &[("Q262", 25.0)]), []);
+        assert_eq!(
+            written("CYCLE977", &[("1", 101.0), ("2", 10_002.0)]),
+            one("offset", Some(2), 3)
+        );
+        assert_eq!(
+            written("CYCLE978", &[("1", 100.0), ("2", 9000.0), ("8", 3.0)]),
+            one("offset", Some(0), 4)
+        );
+        assert_eq!(written("CYCLE977", &[("1", 1.0)]), []);
+    }
+}
