@@ -150,6 +150,10 @@ pub const CODES: &[(&str, &str)] = &[
         "1411: DIST is shorter than the way to the contact, so that no touch reaches it.",
     ),
     (
+        "division-by-zero",
+        "A program divides by zero: a control stops there with an alarm.",
+    ),
+    (
         "dry-run-unsupported",
         "A dry run is a program of moves: the control's own cycle touches by itself.",
     ),
@@ -511,7 +515,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "places-transformed",
-        "A program shifts, rotates, mirrors or scales its system, uses another work offset or compensates the radius of the tool: that is ignored, and later positions are as written.",
+        "A program moves its coordinate system by an amount that is not known, mirrors, scales or tilts it, or compensates the radius of the tool: positions are as they are written.",
     ),
     (
         "plane-from-dump",
@@ -541,6 +545,10 @@ pub const CODES: &[(&str, &str)] = &[
     (
         "probe-move-too-short",
         "Older interpreters of LinuxCNC refuse probe moves this short.",
+    ),
+    (
+        "probe-word",
+        "A probing block has a word that means something else on each control: name the control.",
     ),
     (
         "probing-too-fast",
@@ -735,8 +743,12 @@ pub const CODES: &[(&str, &str)] = &[
         "A touch begins close to its nominal contact: on a part that is a little displaced, the move before it makes contact.",
     ),
     (
+        "touch-fast",
+        "A touch of a program is so fast that the axes run on for more than a millimetre after the contact.",
+    ),
+    (
         "touch-missed",
-        "A log reports a touch without contact: results that need it are unknown.",
+        "A touch makes no contact: of a log, results that need it are unknown; of a program, the control stops there with an alarm.",
     ),
     (
         "touch-missing",

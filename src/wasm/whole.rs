@@ -107,6 +107,12 @@ pub fn run_program(
         "resumes",
         &Float64Array::from(run.resumes.concat().as_slice()),
     );
+    set(
+        &result,
+        "systems",
+        &Float64Array::from(run.systems.concat().as_slice()),
+    );
+    set(&result, "writes", &to_js(&run.writes)?);
     let findings: Array = result_findings(&run)?;
     set(&result, "findings", &findings);
     set(&result, "asks", &to_js(&run.asks)?);

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 
 use crate::common::{import, interpret};
 use touchpath::form::Value;
-use touchpath::import::toolpath::{DIALECTS, Feature, KINDS, Known, Trip, run_program};
+use touchpath::import::toolpath::{
+    DIALECTS, Feature, KINDS, Known, PROGRAM_POSTS, Trip, run_program,
+};
 use touchpath::import::{Toolpath, read_program};
 
 /// How a text is read.
@@ -24,6 +26,9 @@ enum Door {
 struct Case {
     door: Door,
     dialect: Option<&'static str>,
+    post: Option<&'static str>,
+    /// Whether work offsets and lengths are 0.
+    zero: bool,
     start: Option<[f64; 3]>,
     touch: Trip,
     positioning: Trip,
@@ -120,6 +125,8 @@ fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
     let mut all = Case {
         door: Door::Read,
         dialect: None,
+        post: None,
+        zero: false,
         start: None,
         touch: Trip::Unknown,
         positioning: Trip::Unknown,
@@ -156,6 +163,15 @@ fn cases(header: &[&str], folder: &Path) -> Vec<Case> {
                         .unwrap_or_else(|| panic!("no dialect {value}")),
                 );
             }
+            "post" => {
+                case.post = Some(
+                    PROGRAM_POSTS
+                        .into_iter()
+                        .find(|one| *one == value)
+                        .unwrap_or_else(|| panic!("no control {value}")),
+                );
+            }
+            "offsets" => case.zero = value == "0",
             "start" => case.start = Some(place(&value)),
             "set" => {
                 for pair in value.split_whitespace() {
@@ -305,6 +321,30 @@ fn found(path: &Toolpath, case: &Case, text: &str, key: &str, wanted: &str) -> S
             " ",
         ),
         "asks" => list(path.asks.iter().map(|ask| ask.name.clone()), " "),
+        "systems" => {
+            let rows = path.systems.iter().map(|[index, x, y, z, angle]| {
+                let turn = if *angle == 0.0 {
+                    String::new()
+                } else {
+                    format!(" turned {}", coordinate(*angle))
+                };
+                format!(
+                    "{} {}{turn}",
+                    path.line[*index as usize] + 1,
+                    coordinates([*x, *y, *z])
+                )
+            });
+            list(rows, " | ")
+        }
+        "writes" => {
+            let rows = path.writes.iter().map(|write| {
+                let value = write.value.map_or("?".to_owned(), coordinate);
+                let axis = write.axis.unwrap_or("?");
+                let line = line_of(case, write.file, write.line);
+                format!("{line} {} {} {axis} {value}", write.kind, write.register)
+            });
+            list(rows, " | ")
+        }
         "contacts" => list(
             path.contacts
                 .iter()
@@ -472,6 +512,8 @@ fn followed(case: &Case, text: &str) -> (Toolpath, Vec<Said>) {
                     .iter()
                     .map(|(name, x)| (name.as_str(), *x))
                     .collect(),
+                post: case.post,
+                zero: case.zero,
                 start: case.start,
                 touch: case.touch,
                 positioning: case.positioning,

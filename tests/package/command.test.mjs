@@ -216,8 +216,16 @@ test("moves: a text without any fails, many go into a folder, and more is read t
     /csv, json, text/,
   );
   assert.match(
-    run(["moves", "a.nc", "--post", "fanuc"]).stderr,
-    /--post is for/,
+    run(["moves", "a.nc", "--post", "abacus"]).stderr,
+    /linuxcnc, grbl/,
+  );
+  assert.match(
+    run(["moves", "a.nc", "--offsets", "4"]).stderr,
+    /--offsets takes 0 only/,
+  );
+  assert.match(
+    run(["moves", "a.nc", "--form", "cycle"]).stderr,
+    /--form is for/,
   );
   const long = `G21\n${"G1 X1 F100 (a comment of some length)\n".repeat(60_000)}`;
   assert.ok(

@@ -36,8 +36,9 @@ test("runProgram: what is known moves the probe, what is not is NaN and asked fo
   );
   // Half way from 10 to −10 is 0; the ball's radius is 3.
   assert.deepEqual([...told.to], [-10, 0, -2, 0, 0, -2, 0, 20, -2]);
-  // The write of the offset has moved X.
-  assert.deepEqual([...told.contacts], [0, 0, 0, -2, 2, Number.NaN, 10, -2]);
+  // At X0 the write of the offset moves nothing.
+  assert.deepEqual([...told.contacts], [0, 0, 0, -2, 2, 0, 10, -2]);
+  assert.deepEqual([...told.systems], []);
   assert.deepEqual([...told.line], [2, 4, 6]);
   const early = told.rules.find(({ rule }) => rule === "offset-after-touches");
   assert.deepEqual([early?.holds, early?.lines], [false, [5]]);
@@ -206,5 +207,48 @@ test("examine: rules, calls and what is asked for, as text, JSON and SARIF; exit
   assert.match(
     run(["plan", "-", "--at", "1"]).stderr,
     /--at is for moves, examine/,
+  );
+});
+
+test("runProgram: where the coordinate system is, what is written, for which control", () => {
+  const { runProgram } = touchpath;
+  const text = "G21 G90 G54\nG0 Z20\nG38.2 Z0 F60\nG10 L20 P1 Z0\nG0 Z5\n";
+  const run = runProgram(text, {
+    start: [0, 0, 30],
+    part: { at: 0.5 },
+    post: "grbl",
+  });
+  // The contact is at 10, which is called 0: Z5 is 15 of the system before.
+  assert.deepEqual(
+    [...run.systems],
+    [2, 0, 0, 10, 0],
+    "index, origin, rotation",
+  );
+  assert.equal(run.to.at(-1), 5);
+  assert.deepEqual(run.writes, [
+    {
+      line: 3,
+      file: 0,
+      kind: "offset",
+      register: "G54",
+      axis: "Z",
+      value: 0,
+      guarded: false,
+    },
+  ]);
+  // What lies between G54 and G55 is not known, or nothing is set.
+  const other = "G21 G90 G54\nG0 Z20\nG55\nG91 G0 Z5\n";
+  const end = (/** @type {any} */ known) =>
+    runProgram(other, { start: [0, 0, 30], ...known }).to.at(-1);
+  assert.ok(Number.isNaN(end({})));
+  assert.equal(end({ offsets: 0 }), 25);
+  assert.equal(end({ set: { "#5223": 1, "#5243": 4 } }), 22);
+  assert.throws(
+    () => runProgram(text, /** @type {any} */ ({ post: "abacus", offsets: 3 })),
+    (/** @type {any} */ error) =>
+      error.findings
+        .map((/** @type {any} */ f) => f.path)
+        .sort()
+        .join() === "offsets,post",
   );
 });

@@ -1,8 +1,8 @@
 ; The ISO of a HEIDENHAIN ends its blocks with a star. The corners of its blank are no moves and no touches, and the pole of a circle in line 9 is no move.
-; The circle about a pole is not solved, and G54 shifts the places, which is said.
+; The circle about a pole is not solved. G41 compensates the radius, which is said. G54 is the datum shift: what was X20 is X10 from there on.
 ; read:
 ; is: iso mm
-; moves: 5 rapid ? ? 50 | 6 rapid -20 7 50 | 7 feed -20 7 -3 | 8 feed 5 7 -3 | 10 feed 20 35 -3 | 12 rapid 20 35 100
+; moves: 5 rapid ? ? 50 | 6 rapid -20 7 50 | 7 feed -20 7 -3 | 8 feed 5 7 -3 | 10 feed 20 35 -3 | 12 rapid 10 35 100
 ; findings: places-transformed arc-unsolved
 %PLATE G71 *
 N10 G30 G17 X+0 Y+0 Z-20 *

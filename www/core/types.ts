@@ -2,6 +2,7 @@
 
 import type { FrameStep, Job, SetUp, Vec3 } from "./job-types.js";
 import type { Finding, ProgramText, TraceRow } from "./plan-types.js";
+import type { PROGRAM_POSTS } from "./program-posts.js";
 import type { Said } from "./said.js";
 
 export type * from "./config-types.js";
@@ -53,13 +54,20 @@ export interface ProgramMoves {
 /** A part to probe: a job, of which its cycle's feature, its virtual part, its stylus and its units count. What probing moves meet of it is computed. */
 export type ProgramPart = Partial<Omit<Job, "cycle">> & { cycle: Job["cycle"] };
 
+/** A control that a program can be read for. */
+export type ProgramPost = (typeof PROGRAM_POSTS)[number];
+
 /** What is known of a program beside its text. */
 export interface ProgramKnown {
   /** Without it, the text decides. */
   dialect?: Dialect;
+  /** The control that the program is for: it decides what moves the coordinate system, and the dialect. Without it, the text decides. */
+  post?: ProgramPost;
+  /** `0`: every work offset, shift and tool length that nothing sets is 0. Left out: they are not known, but for those that `set` names by their variables. */
+  offsets?: 0;
   /** Values of variables, by their names in the text: `{ "#3014": 5, "#<_name>": 1 }`. What the text itself sets counts from there on. */
   set?: Record<string, number>;
-  /** Where the stylus stands before the first block, in the units that the program states first; `null` along an axis where that is not known. */
+  /** Where the stylus stands before the first block, in the units that the program states first and in the coordinate system of the first move; `null` along an axis where that is not known. */
   start?: [number | null, number | null, number | null];
   /** Where probing moves trigger: the fraction of its way at which a touch, and a positioning move that is watched, makes contact; `null`: never; left out: not known. */
   part?: { at?: number | null; positioning?: number | null } | ProgramPart;
@@ -75,6 +83,10 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   contacts: Float64Array;
   /** Four numbers a move that does not begin where the one before ended: its index, and the place where it begins; NaN is not known. A condition that is not known has two ways: both begin where they part. */
   resumes: Float64Array;
+  /** Five numbers where the coordinate system moves: the index of the first move in it, its origin X, Y, Z in the system of the first move, and its rotation in degrees. NaN is not known. Positions are those of the active system. */
+  systems: Float64Array;
+  /** What the program writes that lasts, in its order. */
+  writes: ProgramWrite[];
   /** What was ignored and what could not be known, each with all its 0-based lines. */
   findings: (Finding & { lines: number[] })[];
   /** What the program reads before anything sets it, with the lines that read it: what `set` is for. */
@@ -91,6 +103,22 @@ export interface ProgramRun extends Omit<ProgramMoves, "findings"> {
   }[];
   /** The lines that name what stands below them, 0-based: programs, subroutines, labels. */
   outline: { line: number; name: string }[];
+}
+
+/** A lasting change that a program makes: to a work offset, to the shift of G92, to the tool table. */
+export interface ProgramWrite {
+  /** Its 0-based line in its own text: `file` 0 is the program, others are `files` in their order, from 1. */
+  line: number;
+  file: number;
+  kind: "offset" | "shift" | "length" | "radius" | "wear" | "table";
+  /** What is written, as the control calls it: `G54`, `G92`, `tool 5`, `#2605`. */
+  register: string;
+  /** `R` is a rotation; `null` where the feature that is measured decides it. */
+  axis: "X" | "Y" | "Z" | "R" | null;
+  /** In the program's first units, degrees of a rotation; `null` where it is not known. By `G10 L20` and G92 it is what the present position is called. */
+  value: number | null;
+  /** Whether a condition decides between the last touch and this: `false` where there is none, `null` where it is not known what it asks. */
+  guarded: boolean | null;
 }
 
 /** A call of one of the control's own probing cycles. */

@@ -42,6 +42,25 @@ interface Report {
   notes: string[];
 }
 
+/** What is written, one row a line of the program: `G54 X 0, Y 5`. */
+function written(
+  writes: ProgramRun["writes"],
+): { what: string; line: number }[] {
+  const MOST = 20;
+  const rows = new Map<string, { what: string; line: number }>();
+  for (const { file, line, register, axis, value } of writes) {
+    if (file !== 0) continue;
+    const word = axis
+      ? ` ${axis}${value === null ? "" : ` ${Number(value.toFixed(4))}`}`
+      : "";
+    const key = `${line} ${register}`;
+    const row = rows.get(key);
+    if (!row) rows.set(key, { what: `${register}${word}`, line });
+    else if (!row.what.includes(`${axis} `)) row.what += `,${word}`;
+  }
+  return [...rows.values()].slice(0, MOST);
+}
+
 export const noteList = (notes: string[]): TemplateResult | typeof nothing =>
   notes.length > 0
     ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>`
@@ -94,6 +113,7 @@ export class RunPanel {
       ${plain.rules.length === 0 ? nothing : broken.length === 0 ? html`<h2>${t("No broken rule was found")}</h2>` : html`<h2>${broken.length === 1 ? t("1 fault") : t("{count} faults", broken.length)}</h2>${rules(broken)}`}
       ${wrong.length > 0 ? html`<ul class="notes">${wrong.map((finding) => html`<li class="warning">${t("The part is not used:")} ${this.store().say(finding.said)}</li>`)}</ul>` : nothing}
       ${noteList(notes)}
+      ${plain.writes.length > 0 ? html`<h2>${t("Written for good")}</h2><ul class="writes">${written(run.writes).map(({ what, line }) => html`<li>${what}${this.places([line])}</li>`)}</ul>` : nothing}
       ${form ? this.form(own, known, run) : nothing}
       ${plain.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
       ${others.length > 0 ? html`<details class="others"><summary>${t("Other safety rules: {count}", others.length)}</summary>${rules(others)}</details>` : nothing}
@@ -153,7 +173,7 @@ export class RunPanel {
     this.open ||= this.names.length > 0 || assumes;
     return html`<details class="known" ?open=${this.open}>
       <summary>${t("Run it with what you know")}</summary>
-      ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: the start, and where touches trigger, as far as you have not entered it.")}</p>` : nothing}
+      ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: the start, work offsets and tool length 0, and where touches trigger, as far as you have not entered it.")}</p>` : nothing}
       <p>${this.names.length > 0 || !assumes ? t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.") : nothing}</p>
       <div class="fields">
         ${this.meets("at", t("Touches trigger"), own, known, run)}

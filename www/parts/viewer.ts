@@ -39,12 +39,13 @@ const unknowns = ({ to }: ProgramMoves): number =>
 const endings = ({ findings }: ProgramMoves): number =>
   findings.filter(({ code }) => ENDS.has(code)).length;
 
-/** Adds assumptions: unknown axes of the start are 0, and touches trigger at a fraction of their way. */
+/** Adds assumptions: unknown axes of the start and unknown offsets are 0, and touches trigger at a fraction of their way. */
 function assumed(known: ProgramKnown, at: number | undefined): ProgramKnown {
   const { start, part } = known;
   const axis = (i: 0 | 1 | 2) => start?.[i] ?? 0;
   return {
     ...known,
+    offsets: 0,
     start: [axis(0), axis(1), axis(2)],
     ...(at === undefined ? {} : { part: { ...part, at } }),
   };

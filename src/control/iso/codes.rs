@@ -14,6 +14,21 @@ pub enum Family {
     Heidenhain,
 }
 
+/// How a word shifts every work offset.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shift {
+    /// The present position gets the numbers that are given: G92.
+    Position,
+    /// By the values that are given: G52.
+    Value,
+    /// It ends for good: G92.1.
+    End,
+    /// It ends until it is brought back: G92.2.
+    Off,
+    /// It is brought back: G92.3.
+    Back,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Effect {
     /// A motion that stays.
@@ -44,10 +59,10 @@ pub enum Effect {
     Exact(bool),
     /// The length of the tool counts, or no longer.
     Length(bool),
-    /// It counts, by the numbers beside this code.
-    LengthGiven,
-    /// The modes are kept: until the end of the program or subprogram, or until they are given back.
-    Keep,
+    /// It counts, by the numbers beside this code, which may be added to what counts.
+    LengthGiven { added: bool },
+    /// The modes are kept until they are given back; those of a subprogram (true) at its end.
+    Keep { of_subprogram: bool },
     /// Drops the modes that were kept.
     Forget,
     /// Restores the modes that were kept.
@@ -64,13 +79,17 @@ pub enum Effect {
     Cycle,
     /// Such a cycle ends.
     CycleEnds,
-    /// Later positions are others than they say: a shift, a turn, a mirror, a scale, whose axis words are its own; or compensation of the tool's
-    /// radius, which leaves them positions.
+    /// Later positions are others than they say: a mirror, a scale, a tilted plane, whose axis words are its own; or compensation of the tool's radius, which
+    /// leaves them positions.
     Transform { own_axes: bool },
     /// Axis words are no position: the end of a scale, limits, poles.
     Elsewhere,
-    /// The present position is called so: G50 of a lathe.
-    Rename,
+    /// A shift of every work offset.
+    Shift(Shift),
+    /// A rotation about a centre begins (true) or ends.
+    Turn(bool),
+    /// Positions are given by a distance from a pole and an angle (true), or along the axes again.
+    Polar(bool),
     /// Positions of the machine's own system.
     Machine,
     /// Goes to a position that the machine knows, whether or not axes are named.
@@ -93,6 +112,8 @@ pub enum Effect {
     Ahead,
     /// Sets or stores something, and nothing moves; axis words are its own.
     Sets,
+    /// States the feed of probing moves by itself.
+    ProbeFeed,
     /// Nothing that changes where a motion goes.
     Nothing,
 }
@@ -152,14 +173,21 @@ fn iso(tenths: i32) -> Option<Effect> {
         70 | 80 => Effect::Diameter(tenths == 70),
         200 | 210 => Effect::Metric(tenths == 210),
         430 | 434 | 435 | 440 => Effect::Length(true),
-        431 | 432 => Effect::LengthGiven,
+        431 | 432 => Effect::LengthGiven {
+            added: tenths == 432,
+        },
         490 => Effect::Length(false),
-        500 => Effect::Rename,
+        // On a lathe G50 calls the present position so.
+        500 | 920 => Effect::Shift(Shift::Position),
+        520 => Effect::Shift(Shift::Value),
+        921 => Effect::Shift(Shift::End),
+        922 => Effect::Shift(Shift::Off),
+        923 => Effect::Shift(Shift::Back),
+        680 | 690 => Effect::Turn(tenths == 680),
+        150 | 160 => Effect::Polar(tenths == 160),
         501 => Effect::Elsewhere,
         // 12.1: polar coordinates of a turned part.
-        121 | 160 | 510 | 511 | 520 | 680 | 682..=684 | 920..=923 => {
-            Effect::Transform { own_axes: true }
-        }
+        121 | 510 | 511 | 682..=684 => Effect::Transform { own_axes: true },
         // Fanuc's: each axis goes farther by the radius, or less far. 112: polar coordinates again, or a work offset of a Haas.
         411 | 421 | 450 | 460 | 470 | 480 | 1120 => Effect::Transform { own_axes: false },
         // A Haas has twenty more, which G154 counts, too.
@@ -173,7 +201,7 @@ fn iso(tenths: i32) -> Option<Effect> {
         1030 => Effect::Ahead,
         // Zones, what is watched, and where the machine is: stored as a position to come back to.
         110 | 220 | 230 | 250 | 260 | 281 | 301 | 1870 => Effect::Sets,
-        131 | 150 | 401 | 611 | 630 | 670 | 690 | 980 | 990 => Effect::Nothing,
+        131 | 401 | 611 | 630 | 670 | 980 | 990 => Effect::Nothing,
         _ => return None,
     })
 }
@@ -211,8 +239,10 @@ fn heidenhain(tenths: i32) -> Option<Effect> {
         700 | 710 => Effect::Metric(tenths == 710),
         // Corners, the pole, the blank, the next tool, labels, tools.
         240 | 250 | 260 | 270 | 290 | 300 | 310 | 500 | 510 | 980 | 990 => Effect::Elsewhere,
-        // Mirror, datums, scale, rotation, tilted plane.
-        280 | 530 | 540 | 720 | 730 | 800 => Effect::Transform { own_axes: true },
+        // The datum shift, as cycle 7 of Klartext has it.
+        540 => Effect::Shift(Shift::Value),
+        // Mirror, datums of a table, scale, rotation, tilted plane.
+        280 | 530 | 720 | 730 | 800 => Effect::Transform { own_axes: true },
         _ => return None,
     })
 }
@@ -233,7 +263,9 @@ fn auxiliary(family: Family, tenths: i32) -> Option<Effect> {
         0..=14 | 19 | 50..=53 | 60..=68 => Effect::Nothing,
         40..=45 if sinumerik => Effect::Nothing,
         70..=73 if sinumerik => Effect::Nothing,
-        70 | 73 => Effect::Keep,
+        70 | 73 => Effect::Keep {
+            of_subprogram: tenths == 730,
+        },
         71 => Effect::Forget,
         72 => Effect::GiveBack,
         78 => Effect::Contact(Motion::MustBeFree),
@@ -242,6 +274,8 @@ fn auxiliary(family: Family, tenths: i32) -> Option<Effect> {
         99 if !sinumerik => Effect::Return,
         // Steps, speeds and limits of a printer's axes.
         17 | 18 | 84 | 92 | 201..=208 | 350 | 566 | 851 | 906 => Effect::Sets,
+        // The feed of the probe, of RepRapFirmware.
+        558 => Effect::ProbeFeed,
         _ => return None,
     })
 }

@@ -180,9 +180,12 @@ impl Block {
             Effect::Halt | Effect::Ahead | Effect::Machine => {
                 (self.halts, self.allowed) = (true, letters)
             }
-            Effect::Nothing | Effect::Keep | Effect::CycleEnds | Effect::Diameter(false) => {
-                self.allowed = letters
-            }
+            Effect::Nothing
+            | Effect::Keep { .. }
+            | Effect::CycleEnds
+            | Effect::Diameter(false)
+            | Effect::Turn(false)
+            | Effect::Polar(false) => self.allowed = letters,
             _ => return fault(text!("this code is not understood")),
         }
         Ok(())

@@ -1,7 +1,9 @@
 //! What one block of a program says.
 
+use crate::control::iso::codes::Shift;
 use crate::control::iso::script::Motion;
 use crate::import::toolpath::count::Count;
+use crate::import::toolpath::frames::{Axes, Frames, Position};
 
 /// A call of a subprogram.
 #[derive(Clone, Copy)]
@@ -15,9 +17,21 @@ pub(super) struct Call {
 /// What becomes of the modes.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum ModeChange {
-    Keep,
+    Keep { of_subprogram: bool },
     Forget,
     GiveBack,
+}
+
+/// What the length of the tool becomes.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Length {
+    /// That of the tool table.
+    Table,
+    Nothing,
+    /// The numbers of the block, or so much more.
+    Given {
+        added: bool,
+    },
 }
 
 /// What a block says of a code that makes no place of its axis words.
@@ -51,9 +65,6 @@ impl Word {
     }
 }
 
-/// Which of X, Y, Z, or of I, J, K: a bit each.
-pub(super) type Axes = u8;
-
 /// What a block says.
 pub(super) struct Block {
     /// X, Y, Z, where they are given.
@@ -81,7 +92,13 @@ pub(super) struct Block {
     /// It writes settings, G10: which by L.
     pub writes: bool,
     /// It changes the length of the tool.
-    pub lengthens: bool,
+    pub lengthens: Option<Length>,
+    /// It shifts every work offset.
+    pub shift: Option<Shift>,
+    /// It begins (true) or ends a rotation.
+    pub turns: Option<bool>,
+    /// It mirrors, scales or tilts the system, or makes something else of it that is not followed.
+    pub distorts: bool,
     /// A Haas' M78 and M79: what a contact, or none, is an alarm of.
     pub contact: Option<Motion>,
     /// It starts (true) or stops the spindle.
@@ -110,8 +127,6 @@ pub(super) struct Block {
     pub ends: bool,
     /// It goes back to where the program was called from, M99, or to the number in its P.
     pub returns: bool,
-    /// Its places, if it has any, are where the tool is called to be: G50 of a lathe.
-    pub renames: bool,
     /// It names two motions, or an axis twice.
     pub twice: bool,
     /// Something in it is not a word.
@@ -149,7 +164,10 @@ pub(super) const EMPTY: Block = Block {
     elsewhere: false,
     dwells: false,
     writes: false,
-    lengthens: false,
+    lengthens: None,
+    shift: None,
+    turns: None,
+    distorts: false,
     changes: false,
     spindle: None,
     contact: None,
@@ -165,7 +183,6 @@ pub(super) const EMPTY: Block = Block {
     feedless: false,
     ends: false,
     returns: false,
-    renames: false,
     twice: false,
     strange: false,
     jumps: false,
@@ -191,7 +208,8 @@ impl Block {
             self.p,
         ) = (None, None, None, None, None, None);
         (self.motion, self.elsewhere, self.dwells, self.writes) = (false, false, false, false);
-        (self.lengthens, self.feedless, self.keeps) = (false, false, None);
+        (self.lengthens, self.feedless, self.keeps) = (None, false, None);
+        (self.shift, self.turns, self.distorts) = (None, None, false);
         (
             self.curve,
             self.counts,
@@ -201,7 +219,7 @@ impl Block {
         ) = (false, false, false, None, None);
         (self.machine, self.home, self.others) = (false, false, false);
         (self.ends, self.strange, self.jumps) = (false, false, false);
-        (self.returns, self.renames, self.twice) = (false, false, false);
+        (self.returns, self.twice) = (false, false);
         if self.special {
             (self.foreign, self.led, self.calls, self.special) =
                 (Foreign::No, Foreign::No, None, false);
@@ -222,9 +240,10 @@ pub(super) struct Named {
 
 /// Where the ways of a condition part.
 pub(super) struct Fork {
-    pub place: [f64; 3],
+    pub place: Position,
+    pub frames: Frames,
     /// Where the ways before this one ended.
-    pub ends: Option<[f64; 3]>,
+    pub ends: Option<(Position, Frames)>,
     /// The line at which they meet, where it was a jump; else a word says it.
     pub until: Option<usize>,
     /// Whether one of the ways is run in any case.

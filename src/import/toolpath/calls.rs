@@ -2,8 +2,8 @@
 
 use crate::control::iso::lex::{head, line_end, program_number};
 use crate::import::toolpath::block::{Block, Call};
-use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::skipped::Skip;
 
 /// So deep a subprogram may call the next one.
 const DEEPEST: usize = 10;
@@ -87,14 +87,19 @@ impl<'t> Calls<'t> {
         self.lines += 1;
         if returned {
             reader.ended = false;
+            if self.stack.last().is_some_and(|frame| frame.left == 0) {
+                reader.leaves_call();
+            }
             return self.leave(next);
         }
         // The end of the program, or another program: whoever called does not continue, or nobody knows how.
         if reader.ended || self.lines > MOST_LINES {
             let back = self.stack[0].back;
-            self.stack.clear();
+            while self.stack.pop().is_some() {
+                reader.leaves_call();
+            }
             if !reader.ended {
-                reader.lose(next.line - 1);
+                reader.lose(Skip::Endless, next.line - 1);
             }
             return back;
         }
@@ -109,7 +114,8 @@ impl<'t> Calls<'t> {
     #[cold]
     #[inline(never)]
     pub fn fall_out(&mut self, reader: &mut Reader, next: Place) -> Place {
-        reader.lose(next.line.saturating_sub(1));
+        reader.lose(Skip::Call, next.line.saturating_sub(1));
+        reader.leaves_call();
         self.stack.pop().map_or(next, |frame| frame.back)
     }
 
@@ -119,6 +125,7 @@ impl<'t> Calls<'t> {
             .filter(|_| self.stack.len() < DEEPEST && self.lines < MOST_LINES)
         {
             Some(begin) => {
+                reader.enters_call();
                 self.stack.push(Frame {
                     back: next,
                     begin,
@@ -128,7 +135,7 @@ impl<'t> Calls<'t> {
             }
             None => {
                 reader.called_out = true;
-                reader.lose(next.line - 1);
+                reader.lose(Skip::Call, next.line - 1);
                 next
             }
         }
@@ -198,7 +205,7 @@ impl Reader {
             }),
             _ => {
                 self.called_out = true;
-                self.lose(self.line);
+                self.lose(Skip::Call, self.line);
             }
         }
     }
@@ -210,9 +217,9 @@ impl Reader {
     /// After what is not followed: where the axes are is not known.
     #[cold]
     #[inline(never)]
-    pub(super) fn lose(&mut self, line: usize) {
+    pub(super) fn lose(&mut self, why: Skip, line: usize) {
         self.place = [f64::NAN; 3];
-        count(&mut self.skipped, line);
+        self.skipped.count(why, line);
     }
 }
 

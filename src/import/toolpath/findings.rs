@@ -12,6 +12,30 @@ impl Reader {
     pub fn finish(mut self) -> Toolpath {
         let mut checker = Checker::default();
         let mut lines = Vec::new();
+        // What stops the control comes first.
+        for (count, code) in [
+            (&mut self.missed, "touch-missed"),
+            (&mut self.divisions, "division-by-zero"),
+        ] {
+            let count = std::mem::take(count);
+            let Some(first) = count.lines.first() else {
+                continue;
+            };
+            let line = numbered(&self.files, *first);
+            let message = if code == "touch-missed" {
+                text!(
+                    "The touch in line {line} meets nothing: the control stops there with an alarm",
+                    line
+                )
+            } else {
+                text!(
+                    "Line {line} divides by zero: the control stops there with an alarm",
+                    line
+                )
+            };
+            checker.warning(code, "", message);
+            lines.push(count.sorted());
+        }
         for (count, code, what) in self.counted() {
             let Some(first) = count.lines.first().map(|line| numbered(&self.files, *line)) else {
                 continue;
@@ -43,13 +67,20 @@ impl Reader {
     /// What was passed over, in the order in which it is reported.
     fn counted(&mut self) -> Vec<(Count, &'static str, Text)> {
         let take = std::mem::take::<Count>;
-        let mut all = vec![(
-            take(&mut self.skipped),
-            "lines-skipped",
-            text!(
-                "Lines that jump, call, compute or run a cycle of the control's own, and lines that are not understood, are not followed"
+        let [rapids, moves] = std::mem::take(&mut self.collisions);
+        let mut all = vec![
+            (rapids, "collision", text!("Rapids run into the part")),
+            (
+                moves,
+                "collision",
+                text!("Moves that do not probe run into the part"),
             ),
-        )];
+        ];
+        all.extend(
+            std::mem::take(&mut self.skipped)
+                .into_counts()
+                .map(|(count, why)| (count, "lines-skipped", why)),
+        );
         all.extend(std::mem::take(&mut self.foreign).into_iter().map(|named| {
             let message = by_name(&named);
             (named.count, "lines-skipped", message)
@@ -61,7 +92,7 @@ impl Reader {
             )),
             (take(&mut self.machine), "machine-places", text!("Positions in machine coordinates are not known in work coordinates")),
             (take(&mut self.transformed), "places-transformed", text!(
-                "Shifts, rotations, mirroring, scaling, polar coordinates, other work offsets and radius compensation are ignored: later positions are as written"
+                "Where the coordinate system lies from here on is not known, or the radius of the tool is compensated: positions are as they are written, and those of different systems may not lie side by side"
             )),
             (take(&mut self.from_unknown), "start-unknown", text!("Incremental moves begin at a place that is not known: they are counted from 0")),
             (take(&mut self.arcs_unsolved), "arc-unsolved", text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here")),
@@ -73,6 +104,7 @@ impl Reader {
             (take(&mut self.own_cycles), "own-moves", text!("The moves of these cycles are documented; SET_UP of the touch probe table is taken for 0, and a touch to search 10 mm behind its contact")),
             (take(&mut self.measuring_cycles), "own-moves", text!("The moves of these measuring cycles follow a manual and generators; the paths between the touches are our interpretation")),
             (take(&mut self.stopped), "macro-stops", text!("A macro of the control's own stops the program with an alarm: it meets nothing where it must, or something where it must not")),
+            (take(&mut self.probe_words), "probe-word", text!("P in a probing block writes the work offset on a FluidNC, and other controls refuse it or take it for something else: name the control")),
             (take(&mut self.twice), "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read")),
         ]);
         all

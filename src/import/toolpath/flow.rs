@@ -3,6 +3,7 @@
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::writes::Variable;
 
 /// What becomes of a line.
 pub(super) enum Step {
@@ -14,6 +15,12 @@ pub(super) enum Step {
     Done,
     /// The program continues elsewhere.
     Go(Place),
+    /// It continues there, in a subprogram.
+    Enter(Place),
+    /// It continues there, back from a subprogram.
+    Leave(Place),
+    /// Where it continues is not known, and no line below is sure to run.
+    Astray,
     /// It is read as it is written, and the program may continue at that line below.
     MayJump(usize),
     /// A condition that is not known begins here, though the line is another.
@@ -63,8 +70,15 @@ pub(super) trait Flow {
     /// What was read before anything set it.
     fn asks(&self) -> Vec<Ask>;
 
-    /// Where work offsets were written by variables: how many moves were made before, and the line.
-    fn writes(&self) -> Vec<(usize, usize)>;
+    /// The registers of the control that the last line has written as variables, with their values: NaN is not known.
+    fn written(&mut self) -> Vec<(Variable, f64)> {
+        Vec::new()
+    }
+
+    /// Lines in which a division by zero was asked for.
+    fn divisions(&self) -> Vec<u32> {
+        Vec::new()
+    }
 
     /// The next subroutine that nothing calls: its name, and where it begins, from which it comes back to `end`.
     fn uncalled(&mut self, end: Place) -> Option<(String, Place)>;

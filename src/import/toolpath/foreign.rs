@@ -1,12 +1,14 @@
 //! Codes whose axis words are no place: they are passed by, and named.
 
 use crate::control::iso::script::Motion;
-use crate::control::native;
+use crate::control::native::{self, Call};
 use crate::form::printable;
 use crate::import::toolpath::block::{Block, Foreign, Named};
+use crate::import::toolpath::control_kind::ControlKind;
 use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::native::{letters, listed as native_call};
 use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::skipped::Skip;
 use crate::text::{Text, text};
 
 /// So many codes are named; others are lines that are not understood.
@@ -25,6 +27,17 @@ impl Reader {
         } else {
             Foreign::No
         };
+        // RepRapFirmware sets its probe by G31, and no control has a fifth skip signal.
+        let sets = self.frames.kind == ControlKind::RepRap || block.p.is_some_and(|p| p >= 5.0);
+        if sets
+            && names_axes
+            && block.once == Some(Motion::MayTouch)
+            && block.foreign == Foreign::No
+            && !self.sinumerik
+        {
+            self.named(&line[block.name[0]..block.name[1]], Foreign::Sets);
+            return true;
+        }
         let here = self.here();
         match if block.foreign == Foreign::No {
             led
@@ -57,7 +70,7 @@ impl Reader {
 
     /// One of the control's own cycles is called: it is listed, and named.
     pub(super) fn native(&mut self, name: &str, arguments: Vec<(String, f64)>, place: [f64; 3]) {
-        let call = native_call(&mut self.path, self.line, name, arguments, place);
+        let call = self.listed(name, arguments, place);
         let named = call.map_or(name, |call| call.name);
         self.count_named(
             named.to_owned(),
@@ -67,8 +80,17 @@ impl Reader {
     }
 
     /// One of the control's own cycles whose moves were made: it is listed.
-    pub(super) fn listed(&mut self, name: &str, arguments: Vec<(String, f64)>, place: [f64; 3]) {
-        native_call(&mut self.path, self.line, name, arguments, place);
+    pub(super) fn listed(
+        &mut self,
+        name: &str,
+        arguments: Vec<(String, f64)>,
+        place: [f64; 3],
+    ) -> Option<&'static Call> {
+        let call = native_call(&mut self.path, self.line, name, arguments.clone(), place)?;
+        if self.run.is_some() {
+            self.wrote_by_call(call, &arguments);
+        }
+        Some(call)
     }
 
     /// A macro of the control's own is called. Renishaw's 9810 goes to the position that it gives, and where the others end is not known.
@@ -91,11 +113,11 @@ impl Reader {
                 self.native("G65", arguments(), place);
             }
             Some(p) if self.run.is_some() && self.makes_macro(p as u32, &arguments()) => {
-                native_call(&mut self.path, self.line, &name(p), arguments(), place);
+                self.listed(&name(p), arguments(), place);
                 block.elsewhere = true;
             }
             Some(p @ (9810.0 | 8810.0)) => {
-                native_call(&mut self.path, self.line, &name(p), arguments(), place);
+                self.listed(&name(p), arguments(), place);
                 (block.elsewhere, block.once) = (false, Some(Motion::Straight));
                 self.feed = block.feed.map_or(self.feed, |feed| feed * self.modes.scale);
             }
@@ -103,13 +125,13 @@ impl Reader {
             Some(p @ (9832.0 | 9833.0 | 9834.0 | 9835.0 | 8832.0 | 8833.0 | 8834.0 | 8835.0))
                 if !self.path.centroid || p < 9834.0 =>
             {
-                native_call(&mut self.path, self.line, &name(p), arguments(), place);
+                self.listed(&name(p), arguments(), place);
             }
             Some(p) => {
                 self.forget(7);
                 self.native(&name(p), arguments(), place);
             }
-            None => self.lose(self.line),
+            None => self.lose(Skip::Call, self.line),
         }
     }
 
@@ -131,7 +153,7 @@ impl Reader {
             return count(&mut known.count, self.line);
         }
         if self.foreign.len() == MOST_NAMES {
-            return count(&mut self.skipped, self.line);
+            return self.skipped.count(Skip::Words, self.line);
         }
         let mut times = Count::default();
         count(&mut times, self.line);

@@ -1,20 +1,27 @@
 //! Both ways of a condition that is not known: each is read from where they part, and where they meet a place is known only if both say the same.
 
 use crate::import::toolpath::block::Fork;
+use crate::import::toolpath::frames::{Frames, Position};
 use crate::import::toolpath::reader::Reader;
 
 /// So many ways may be open: whoever jumps over more ends has an end.
 const MOST_FORKS: usize = 200;
 
 /// What two ways agree on; NaN is not known.
-fn agreed(one: [f64; 3], other: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|axis| {
-        if one[axis] == other[axis] {
-            one[axis]
+fn agreed(
+    (place, frames): (Position, &Frames),
+    (other, others): (Position, Frames),
+) -> (Position, Frames) {
+    let agreed = [0, 1, 2].map(|axis| {
+        if place[axis] == other[axis] {
+            place[axis]
         } else {
             f64::NAN
         }
-    })
+    });
+    let mut all = others;
+    all.agree(frames);
+    (agreed, all)
 }
 
 impl Reader {
@@ -24,6 +31,7 @@ impl Reader {
         if self.run.is_some() && !known && self.forks.len() < MOST_FORKS {
             self.forks.push(Fork {
                 place: self.place,
+                frames: self.frames.clone(),
                 ends: None,
                 until,
                 otherwise: false,
@@ -41,26 +49,28 @@ impl Reader {
         else {
             return;
         };
-        fork.ends = Some(
-            fork.ends
-                .map_or(self.place, |ends| agreed(ends, self.place)),
-        );
+        let own = (self.place, self.frames.clone());
+        fork.ends = Some(match fork.ends.take() {
+            Some(ends) => agreed((ends.0, &ends.1), own),
+            None => own,
+        });
         fork.otherwise |= otherwise;
-        let place = fork.place;
-        self.stands(place);
+        let begins = (fork.place, fork.frames.clone());
+        self.stands(begins);
     }
 
     /// The ways of the innermost condition meet, or those of a jump to this line.
     pub(super) fn meet(&mut self, line: Option<usize>) {
         while let Some(at) = self.forks.iter().rposition(|fork| fork.until == line) {
             let fork = self.forks.swap_remove(at);
-            let mut place = fork
-                .ends
-                .map_or(self.place, |ends| agreed(ends, self.place));
-            if !fork.otherwise {
-                place = agreed(place, fork.place);
+            let mut ends = (self.place, self.frames.clone());
+            if let Some((place, frames)) = &fork.ends {
+                ends = agreed((*place, frames), ends);
             }
-            self.stands(place);
+            if !fork.otherwise {
+                ends = agreed((fork.place, &fork.frames), ends);
+            }
+            self.stands(ends);
             if line.is_none() {
                 return;
             }
@@ -68,11 +78,11 @@ impl Reader {
     }
 
     /// The next move begins here, and not where the one before ended.
-    fn stands(&mut self, place: [f64; 3]) {
+    fn stands(&mut self, (place, frames): (Position, Frames)) {
         let same = |axis: usize| {
             place[axis] == self.place[axis] || place[axis].is_nan() && self.place[axis].is_nan()
         };
         self.resumes |= !(0..3).all(same);
-        self.place = place;
+        (self.place, self.frames) = (place, frames);
     }
 }

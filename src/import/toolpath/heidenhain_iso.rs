@@ -286,10 +286,6 @@ impl Flow for HeidenhainIso {
         self.q.asks()
     }
 
-    fn writes(&self) -> Vec<(usize, usize)> {
-        Vec::new()
-    }
-
     fn uncalled(&mut self, _end: Place) -> Option<(String, Place)> {
         None
     }

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use crate::form::{Checker, Level, Value, printable};
 use crate::geom::Vec3;
-use crate::import::toolpath::DIALECTS;
+use crate::import::toolpath::{DIALECTS, PROGRAM_POSTS};
 use crate::job::{FORMAT, JobError, Planned};
 #[cfg(target_arch = "wasm32")]
 use crate::job::{Picture, Projection};
@@ -66,6 +66,10 @@ impl Feature {
 pub struct Known<'t> {
     /// One of [`super::DIALECTS`]; none is looked for in the text.
     pub dialect: Option<&'static str>,
+    /// The control, one of [`super::PROGRAM_POSTS`]; none is looked for in the text.
+    pub post: Option<&'static str>,
+    /// Whether every work offset, shift and tool length that nothing sets is 0; else they are not known.
+    pub zero: bool,
     /// Values of variables, by their names in the text: `#3014`, `#<_name>`, `R1`, `Q1`.
     pub set: Vec<(&'t str, f64)>,
     /// Where the stylus stands before the first block, in the program's first units; NaN where that is not known.
@@ -122,6 +126,25 @@ impl<'t> Known<'t> {
                         "unknown-value",
                         "dialect",
                         text!("The dialect must be one of {list}", list),
+                    );
+                }
+                ("post", Value::Text(name)) if PROGRAM_POSTS.contains(&name.as_str()) => {
+                    known.post = PROGRAM_POSTS.into_iter().find(|post| post == name);
+                }
+                ("post", _) => {
+                    let list = PROGRAM_POSTS.join(", ");
+                    checker.error(
+                        "unknown-value",
+                        "post",
+                        text!("The control must be one of {list}", list),
+                    );
+                }
+                ("offsets", Value::Number(0.0)) => known.zero = true,
+                ("offsets", _) => {
+                    checker.error(
+                        "out-of-range",
+                        "offsets",
+                        text!("offsets can only be 0: others are given by their variables, in set"),
                     );
                 }
                 ("set", Value::Map(set)) => known.set = numbers(set, &mut checker),

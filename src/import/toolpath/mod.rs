@@ -5,11 +5,13 @@
 
 mod block;
 mod calls;
+mod control_kind;
 mod count;
 mod findings;
 mod flow;
 mod foreign;
 mod fork;
+mod frames;
 mod guess;
 mod heidenhain;
 mod heidenhain_iso;
@@ -18,6 +20,7 @@ mod klartext;
 mod known;
 mod macros;
 mod moves;
+mod moves_system;
 mod native;
 mod outline;
 mod own_path;
@@ -25,18 +28,25 @@ mod plain;
 mod reader;
 mod rules;
 mod sinumerik;
+mod skipped;
 mod system;
 mod watch;
 mod words;
+mod writes;
+mod wrote;
 
 use crate::control::iso::lex::{self, line_end, lines_of, trimmed};
 use crate::form::{Finding, Level};
 use crate::geom::{Plane, Vec3};
 use crate::job::JobError;
+use crate::part::Machine as Inertia;
 use crate::text::text;
 use block::EMPTY;
 use calls::{Calls, Place};
+use control_kind::ControlKind;
+pub use control_kind::PROGRAM_POSTS;
 use flow::{Flow, Step};
+use frames::Frames;
 pub(super) use guess::guessed;
 use heidenhain_iso::HeidenhainIso;
 use klartext::Klartext;
@@ -48,7 +58,9 @@ use reader::{Reader, Touching};
 use rules::Log;
 pub use rules::{RUN_RULES, RunRule};
 use sinumerik::Sinumerik;
+use skipped::Skip;
 use watch::probes;
+pub use writes::{WRITE_KINDS, Write};
 
 /// The longest program that is read, in UTF-16 units.
 pub use crate::job::LONGEST_PROGRAM;
@@ -97,6 +109,9 @@ pub struct Toolpath {
     pub contacts: Vec<[f64; 4]>,
     /// Where moves begin that do not begin where the one before ended, of a run: index of the move, and the place. The ways of a condition that is not known.
     pub resumes: Vec<[f64; 4]>,
+    /// Where the coordinate system moves: index of the first move in it, its origin in the system of the first move, and its rotation in degrees. NaN is not
+    /// known.
+    pub systems: Vec<[f64; 5]>,
     /// What was ignored, and where the path is not known.
     pub findings: Vec<Finding>,
     /// The 0-based lines of each finding.
@@ -107,12 +122,16 @@ pub struct Toolpath {
     pub calls: Vec<NativeCall>,
     /// What the safety rules say of a run that probes.
     pub rules: Vec<RunRule>,
+    /// What a run writes that lasts, in its order.
+    pub writes: Vec<Write>,
     /// Where the stylus stood before the first move.
     pub(crate) start: [f64; 3],
     /// Whether it probes by G38.2 and its kin.
     pub(crate) by_g38: bool,
     /// Whether it is of a Centroid, whose macros have numbers of Renishaw's.
     pub(crate) centroid: bool,
+    /// The line of a touch that met nothing, where the control stops.
+    pub(crate) missed: Option<u32>,
 }
 
 impl Toolpath {
@@ -143,10 +162,74 @@ impl Toolpath {
                 .filter(|place| place[0] == index as f64)
                 .map(|[_, x, y, z]| Vec3::new(*x, *y, *z))
         };
-        found(&self.resumes, index)
-            .or_else(|| found(&self.contacts, before))
-            .unwrap_or_else(|| self.end(before))
+        if let Some(place) = found(&self.resumes, index) {
+            return place;
+        }
+        let stands = found(&self.contacts, before).unwrap_or_else(|| self.end(before));
+        let (old, new) = (self.system(before), self.system(index));
+        if old == new || same(old, new) {
+            return stands;
+        }
+        // Where that is in the system of this move.
+        turned(-new[3], turned(old[3], stands) + origin(old) - origin(new))
     }
+
+    /// The origin and the rotation of the system in which a move is made.
+    fn system(&self, index: usize) -> [f64; 4] {
+        let at = self
+            .systems
+            .partition_point(|system| system[0] <= index as f64);
+        match at.checked_sub(1) {
+            Some(at) => {
+                let [_, x, y, z, angle] = self.systems[at];
+                [x, y, z, angle]
+            }
+            None => [0.0; 4],
+        }
+    }
+
+    /// Where a position of the system of a move lies in the system of the first move. An origin that is not known makes it NaN.
+    fn drawn(&self, index: usize, position: Vec3) -> Vec3 {
+        let system = self.system(index);
+        turned(system[3], position) + origin(system)
+    }
+
+    /// The same path with all its positions in the system of the first move, as far as that is known: along other axes they are as they are written.
+    pub fn in_one_system(&self) -> Toolpath {
+        let mut path = self.clone();
+        let lies = |index: usize, position: Vec3| {
+            let system = self.system(index).map(|x| if x.is_nan() { 0.0 } else { x });
+            turned(system[3], position) + origin(system)
+        };
+        for index in 0..self.len() {
+            let end = lies(index, self.end(index)).to_array();
+            path.to[3 * index..3 * index + 3].copy_from_slice(&end);
+        }
+        for places in [&mut path.contacts, &mut path.resumes] {
+            for [index, x, y, z] in places {
+                [*x, *y, *z] = lies(*index as usize, Vec3::new(*x, *y, *z)).to_array();
+            }
+        }
+        for [index, x, y, z, ..] in &mut path.arcs {
+            [*x, *y, *z] = lies(*index as usize, Vec3::new(*x, *y, *z)).to_array();
+        }
+        path
+    }
+}
+
+fn origin([x, y, z, _]: [f64; 4]) -> Vec3 {
+    Vec3::new(x, y, z)
+}
+
+/// Whether two systems are the same, as far as is known.
+fn same(one: [f64; 4], other: [f64; 4]) -> bool {
+    let alike = |(a, b): (f64, f64)| a == b || a.is_nan() && b.is_nan();
+    one.into_iter().zip(other).all(alike)
+}
+
+/// A position about 0, turned about Z. Without an angle each axis is known or not by itself.
+fn turned(angle: f64, position: Vec3) -> Vec3 {
+    frames::turn(angle, position.to_array()).into()
 }
 
 /// Reads a program. `dialect` is one of [`DIALECTS`]; none is looked for in the text.
@@ -160,7 +243,10 @@ pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
 /// is not known, the place along its way is not known. Lines of other files count on from those of the text.
 pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let dialect = known.dialect.unwrap_or_else(|| guessed(text));
+    let told = known
+        .dialect
+        .or(known.post.and_then(control_kind::dialect_of));
+    let dialect = told.unwrap_or_else(|| guessed(text));
     let mut whole = text.to_owned();
     let mut files = Vec::new();
     for (name, file) in &known.files {
@@ -177,6 +263,9 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     if let Some(start) = known.start {
         reader.place = start;
     }
+    let kind = ControlKind::of(text, dialect, known.post);
+    reader.frames = Frames::new(kind, known.zero);
+    reader.tell(&known.set);
     reader.run = Some(Touching {
         touch: known.touch,
         positioning: known.positioning,
@@ -188,7 +277,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         contact: [f64::NAN; 3],
         met: None,
     });
-    reader.path.centroid = guess::is_centroid(text);
+    reader.path.centroid = kind == ControlKind::Centroid;
     reader.files = files.clone();
     reader.path.start = reader.place;
     reader.log = Some(Log::default());
@@ -218,12 +307,17 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         path.rules
             .iter_mut()
             .for_each(|rule| rule.lines.retain(|line| *line < own));
-        for call in &mut path.calls {
-            call.file = files.partition_point(|(first, _)| *first <= call.line) as u32;
-            call.line -= call
-                .file
-                .checked_sub(1)
-                .map_or(0, |file| files[file as usize].0);
+        let places = path
+            .calls
+            .iter_mut()
+            .map(|call| (&mut call.file, &mut call.line));
+        let written = path
+            .writes
+            .iter_mut()
+            .map(|write| (&mut write.file, &mut write.line));
+        for (file, line) in places.chain(written) {
+            *file = files.partition_point(|(first, _)| first <= line) as u32;
+            *line -= file.checked_sub(1).map_or(0, |file| files[file as usize].0);
         }
     }
     path
@@ -266,13 +360,12 @@ fn run(
         macros,
     };
     run.lines(Place { at: 0, line: 0 });
-    let offsets = run
+    for line in run
         .macros
         .as_ref()
-        .map_or_else(Vec::new, |macros| macros.writes());
-    if let Some(log) = &mut run.reader.log {
-        log.writes.extend(offsets);
-        log.writes.sort_unstable();
+        .map_or_else(Vec::new, |macros| macros.divisions())
+    {
+        count::count(&mut run.reader.divisions, line as usize);
     }
     let shown = if run.reader.path.is_empty() {
         run.subroutines()
@@ -289,9 +382,30 @@ fn run(
 /// The path, with what is said of the whole.
 fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) -> Toolpath {
     let log = reader.log.take();
+    let unread = reader.unread();
     let mut path = reader.finish();
     path.asks = asks;
-    path.rules = log.map_or_else(Vec::new, |log| rules::asked(&path, &log));
+    if let Some(mut log) = log {
+        let machine = Inertia {
+            acceleration: 500.0,
+            latency: 0.005,
+            deflection: 3.0,
+        };
+        let inch = if path.metric == Some(false) {
+            25.4
+        } else {
+            1.0
+        };
+        if let Some((lines, way, feed)) = log.fast_touches(&machine, inch) {
+            path.findings.push(fast(way / inch, feed / inch));
+            path.finding_lines.push(lines);
+        }
+        log.unread = unread;
+        log.missed = path.missed;
+        log.returns |= !shown.is_empty();
+        path.rules = rules::asked(&path, &mut log);
+        path.writes = log.writes;
+    }
     let mut note = |finding: Finding| {
         path.findings.push(finding);
         path.finding_lines.push(Vec::new());
@@ -346,6 +460,17 @@ impl Run<'_> {
                     (at, self.reader.line) = (to.at, to.line);
                     continue;
                 }
+                Step::Enter(to) => {
+                    self.reader.enters_call();
+                    (at, self.reader.line) = (to.at, to.line);
+                    continue;
+                }
+                Step::Leave(to) => {
+                    self.reader.leaves_call();
+                    (at, self.reader.line) = (to.at, to.line);
+                    continue;
+                }
+                Step::Astray => self.reader.lose(Skip::Jump, here.line),
                 Step::MayJump(to) => {
                     self.reader.parts(Some(to));
                     self.reader.read(line, &mut block);
@@ -360,7 +485,7 @@ impl Run<'_> {
                     }
                 }
                 Step::Ends => self.reader.aborts(),
-                Step::Stop => return self.reader.lose(here.line),
+                Step::Stop => return self.reader.lose(Skip::Endless, here.line),
             }
             self.reader.line += 1;
             at = below;
@@ -399,6 +524,7 @@ impl Run<'_> {
                     .as_mut()
                     .and_then(|macros| macros.fall_out(true))
             {
+                self.reader.leaves_call();
                 (at, self.reader.line) = (back.at, back.line);
             }
         }
@@ -463,19 +589,30 @@ impl Run<'_> {
             _ if ended && self.calls.has_run(here.line) => Step::Done,
             Some(macros) if ended && macros.has_run(here.line) => Step::Done,
             Some(macros) if !ended && (!self.reader.heidenhain || self.reader.run.is_some()) => {
-                macros.step(
-                    line,
-                    here,
-                    Place {
-                        at: below,
-                        line: here.line + 1,
-                    },
-                    self.calls.depth(),
-                )
+                let next = Place {
+                    at: below,
+                    line: here.line + 1,
+                };
+                let step = macros.step(line, here, next, self.calls.depth());
+                for (variable, value) in macros.written() {
+                    self.reader.writes_variable(&variable, value);
+                }
+                step
             }
             _ => Step::AsWritten,
         }
     }
+}
+
+/// Says how far the axes run on after the contact of the fastest touch.
+#[cold]
+fn fast(way: f64, feed: f64) -> Finding {
+    let message = text!(
+        "Touches at up to F{feed}: at 500 mm/s² and after 5 ms the axes run on for {way} after the contact. Check that the stylus takes it, or touch more slowly",
+        crate::num::decimal(feed, 1),
+        crate::num::decimal(way, 1)
+    );
+    Finding::new(Level::Warning, "touch-fast", "", message)
 }
 
 /// Says that a subroutine is shown though nothing calls it.

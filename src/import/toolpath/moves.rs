@@ -3,11 +3,13 @@
 use crate::control::iso::script::Motion;
 use crate::geom::{Plane, Vec3};
 use crate::import::toolpath::block::Block;
+use crate::import::toolpath::control_kind::ControlKind;
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::known::Trip;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::rules::Touch;
 use crate::import::toolpath::{FEED, PROBE, RAPID};
+use crate::path::Arc;
 
 /// More whole turns in a program, by P, are straight: whoever draws them has an end.
 const MOST_TURNS: f64 = 10_000.0;
@@ -17,7 +19,6 @@ impl Reader {
     pub fn moves(&mut self, block: &Block) {
         let motion = block.once.unwrap_or(self.modes.motion);
         let from = self.place;
-        let stale = self.stale;
         if std::mem::take(&mut self.resumes) {
             let [x, y, z] = from;
             self.path
@@ -44,15 +45,13 @@ impl Reader {
             count(&mut self.arcs_unsolved, self.line);
         }
         let kind = self.arrives(motion);
-        if kind == PROBE && self.run.is_some() {
-            let known = |axis: usize| {
-                if stale & (1 << axis) == 0 {
-                    from[axis]
-                } else {
-                    f64::NAN
-                }
-            };
-            self.touched([known(0), known(1), known(2)], motion, block);
+        if self.run.is_none() {
+            return;
+        }
+        if kind == PROBE {
+            self.touched(from, motion, block);
+        } else {
+            self.collides(from, kind == RAPID);
         }
     }
 
@@ -64,6 +63,7 @@ impl Reader {
             motion if motion.probes() => PROBE,
             _ => FEED,
         };
+        self.notes_system();
         self.path.to.extend_from_slice(&self.place);
         self.path.kind.push(kind);
         self.path
@@ -107,9 +107,13 @@ impl Reader {
                 from[axis] + x
             };
         }
-        self.stale &= !(block.given & places);
+        if block.machine && !block.home {
+            let values = self.values(block);
+            self.place = self.frames.after_machine_move(block.given, values, from);
+        }
         self.relative = self.relative & !block.given | block.given & !places;
-        if block.machine {
+        let unknown = |axis: usize| block.given & (1 << axis) != 0 && self.place[axis].is_nan();
+        if block.machine && (0..3).any(unknown) {
             count(&mut self.machine, self.line);
         }
         if self.lost != 0 {
@@ -138,8 +142,10 @@ impl Reader {
                 line: self.line,
                 stops: motion == Motion::MustTouch,
                 asked: run.asked,
+                watched: run.watched,
                 positions: run.watched || motion != Motion::MustTouch && !run.asked && !run.reads,
-                own_feed: block.feed.is_some(),
+                feed: self.feed,
+                states_feed: self.states_feed || block.feed.is_some(),
             });
         }
         let stated = if std::mem::take(&mut run.watched) {
@@ -147,12 +153,14 @@ impl Reader {
         } else {
             run.touch
         };
-        let scale = if self.path.metric == Some(false) {
+        let inch = if self.path.metric == Some(false) {
             25.4
         } else {
             1.0
         };
-        let (begin, end) = (Vec3::from_array(from) * scale, Vec3::from_array(to) * scale);
+        // The part stays where it is, whatever a program calls its places.
+        let seen = |p: [f64; 3]| Vec3::from_array(self.frames.drawn(p)) * inch;
+        let (begin, end) = (seen(from), seen(to));
         let trip = match &run.feature {
             None => stated,
             Some(_) if begin.is_nan() || end.is_nan() => Trip::Unknown,
@@ -181,7 +189,66 @@ impl Reader {
         }
         // LinuxCNC's G38.2 and G38.4 stop the program without a contact.
         let missed = trip == Trip::Never && matches!(motion, Motion::MustTouch);
-        self.ended |= missed || run.chained && run.met == Some(true);
+        let chained = run.chained && run.met == Some(true);
+        if missed {
+            count(&mut self.missed, self.line);
+            self.path.missed = Some(self.line as u32);
+        }
+        self.stopped_by_touch |= missed || chained;
+        self.ended |= missed || chained;
+        // LinuxCNC and others take P for something else, or refuse it.
+        let probes = self.modes.motion.probes() && block.once.is_none();
+        if let Some(p) = block.p.filter(|_| probes) {
+            if self.frames.kind == ControlKind::FluidNc {
+                self.writes_by_probing(block, p);
+            } else {
+                count(&mut self.probe_words, self.line);
+            }
+        }
+    }
+
+    /// Whether the ball runs into the given part in a move that does not probe.
+    #[cold]
+    fn collides(&mut self, from: [f64; 3], rapid: bool) {
+        let Some(feature) = self.run.as_ref().and_then(|run| run.feature.clone()) else {
+            return;
+        };
+        let inch = if self.path.metric == Some(false) {
+            25.4
+        } else {
+            1.0
+        };
+        let index = self.path.kind.len() - 1;
+        let arc = self.path.arcs.last().filter(|arc| arc[0] == index as f64);
+        let seen = |p: Vec3| Vec3::from_array(self.frames.drawn(p.to_array())) * inch;
+        let mut begin = Vec3::from_array(from);
+        let meets = pieces(begin, self.place.into(), arc)
+            .into_iter()
+            .any(|end| {
+                let (from, to) = (seen(begin), seen(end));
+                begin = end;
+                !from.is_nan() && !to.is_nan() && feature.contact(from, to).is_some()
+            });
+        if meets {
+            let counted = if rapid {
+                &mut self.collisions[0]
+            } else {
+                &mut self.collisions[1]
+            };
+            count(counted, self.line);
+        }
+    }
+
+    /// The next move is made in a system that lies elsewhere than that of the move before.
+    #[inline]
+    pub(super) fn notes_system(&mut self) {
+        if let Some([x, y, z, angle]) = self.frames.take_change()
+            && (!self.path.systems.is_empty() || [x, y, z, angle] != [0.0; 4])
+        {
+            self.path
+                .systems
+                .push([self.path.kind.len() as f64, x, y, z, angle]);
+        }
     }
 
     /// Centre and sweep of an arc, in degrees; none where the block does not give one.
@@ -259,4 +326,18 @@ fn by_radius(begin: [f64; 2], end: [f64; 2], radius: f64, counter: bool) -> Opti
         (begin[0] + end[0]) / 2.0 - dy * off,
         (begin[1] + end[1]) / 2.0 + dx * off,
     ])
+}
+
+/// The ends of the straight pieces of a move; of an arc, 24 to a turn.
+fn pieces(from: Vec3, to: Vec3, arc: Option<&[f64; 6]>) -> Vec<Vec3> {
+    let Some([_, x, y, z, sweep, plane]) = arc else {
+        return vec![to];
+    };
+    let planes = [Plane::G17, Plane::G18, Plane::G19];
+    let up = planes[(*plane as usize).saturating_sub(17).min(2)].basis()[2];
+    let arc = Arc {
+        center: Vec3::new(*x, *y, *z),
+        sweep: sweep.to_radians(),
+    };
+    arc.pieces(from, to, up, (sweep.abs() / 15.0).clamp(1.0, 2400.0))
 }

@@ -89,7 +89,7 @@ impl Reader {
 
     /// Whether it is known where the stylus stands.
     fn knows_place(&self) -> bool {
-        !self.place.iter().any(|x| x.is_nan()) && self.stale == 0
+        !self.place.iter().any(|x| x.is_nan())
     }
 
     /// Millimetres in a unit that places are kept in.
@@ -181,6 +181,8 @@ impl Reader {
     fn answers(&self) -> impl FnMut(Vec3, Vec3, Option<Vec3>) -> Option<Met> + use<> {
         let run = self.run.as_ref();
         let known = run.map(|run| (run.feature.clone(), run.touch, run.positioning));
+        let (frames, inch) = (self.frames.clone(), self.inch());
+        let seen = move |p: Vec3| Vec3::from_array(frames.drawn((p / inch).to_array())) * inch;
         move |from: Vec3, to: Vec3, expected: Option<Vec3>| {
             let part = |trip: Trip| match trip {
                 Trip::At(part) => Some(from + (to - from) * part),
@@ -191,7 +193,7 @@ impl Reader {
             let center = match &known {
                 _ if from.is_nan() || to.is_nan() => None,
                 Some((Some(feature), ..)) => feature
-                    .contact(from, to)
+                    .contact(seen(from), seen(to))
                     .map(|part| from + (to - from) * part),
                 Some((None, touch, _)) if expected.is_some() => part(*touch),
                 Some((None, _, positioning)) => {
@@ -209,6 +211,7 @@ impl Reader {
 
     /// Makes a move of a cycle of the control's own: kind, end, contact, feed; in mm.
     fn makes(&mut self, (kind, to, met, rate): (u8, Vec3, Option<Vec3>, Option<f64>), inch: f64) {
+        self.notes_system();
         let index = self.path.len();
         self.path.to.extend((to / inch).to_array());
         self.path.kind.push(kind);
@@ -226,8 +229,10 @@ impl Reader {
                 line: self.line,
                 stops: true,
                 asked: true,
+                watched: false,
                 positions: false,
-                own_feed: true,
+                feed: f64::NAN,
+                states_feed: true,
             });
         }
     }

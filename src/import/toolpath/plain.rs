@@ -68,7 +68,6 @@ impl Reader {
         }
         if given != 0 {
             self.place = places;
-            self.stale &= !given;
             self.relative &= !given;
             self.arrives(motion);
         }
@@ -83,13 +82,13 @@ impl Reader {
             given,
             absolute,
             diameter,
+            polar,
             ..
         } = self.modes;
-        let modes = absolute && !curve && !diameter && given == Given::Place;
+        let modes = absolute && !curve && !diameter && !polar && given == Given::Place;
         modes
             && !self.ended
             && !self.inside
-            && !self.turned
             && self.lost == 0
             && self.run.is_none()
             && self.log.is_none()

@@ -4,12 +4,17 @@ use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{comment_at, end_of, end_of_value, head, next_word, number, valued};
 use crate::control::iso::script::Motion;
 use crate::geom::Plane;
-use crate::import::toolpath::block::{Axes, Block, Call, Foreign, Fork, ModeChange, Named};
+use crate::import::toolpath::block::{Block, Call, Foreign, Fork, Length, ModeChange, Named};
+use crate::import::toolpath::control_kind::ControlKind;
 use crate::import::toolpath::count::{Count, count};
+use crate::import::toolpath::frames::{Axes, Frames, Position};
+use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::{Feature, Trip};
 use crate::import::toolpath::native::{letters, places};
 use crate::import::toolpath::rules::Log;
+use crate::import::toolpath::skipped::{Skip, Skipped};
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::writes::{self, Variable};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
 /// What places are, until a motion.
@@ -41,6 +46,19 @@ pub(super) struct Modes {
     pub by_other: bool,
     /// X is a diameter: G7.
     pub diameter: bool,
+    /// Positions are given by a distance from a pole and an angle: G16.
+    pub polar: bool,
+}
+
+/// What M70 and M73 keep.
+#[derive(Clone)]
+pub(super) struct Kept {
+    modes: Modes,
+    feed: f64,
+    length: Position,
+    offset: Option<i32>,
+    /// The depth of calls at whose end they come back by themselves: M73.
+    depth: Option<usize>,
 }
 
 /// What a run knows of touches.
@@ -74,6 +92,7 @@ impl Default for Modes {
             scale: 1.0,
             by_other: false,
             diameter: false,
+            polar: false,
         }
     }
 }
@@ -88,12 +107,10 @@ pub(super) struct Reader {
     pub sinumerik: bool,
     /// The ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
     pub heidenhain: bool,
-    pub place: [f64; 3],
-    /// The axes whose place is from before the work system was moved.
-    pub stale: Axes,
-    /// A code of the block shifts or turns the work system; and whether one did.
-    pub turned: bool,
-    pub shifted: bool,
+    /// The position in the active system, in the units of the path.
+    pub place: Position,
+    /// Where that system is.
+    pub frames: Frames,
     /// What a run knows of touches; none where the text is read only.
     pub run: Option<Touching>,
     /// What happens beside the moves, for the rules.
@@ -104,8 +121,8 @@ pub(super) struct Reader {
     pub modes: Modes,
     /// The plane that was chosen first.
     pub plane: Option<Plane>,
-    /// The work offset that was selected first.
-    pub offset: Option<i32>,
+    /// How many calls are under way.
+    pub depth: usize,
     /// Between `sub` and `endsub`: what stands there runs where it is called.
     pub inside: bool,
     /// How many conditions are open.
@@ -137,17 +154,19 @@ pub(super) struct Reader {
     /// Whether the next line may be another one than the next: after a call, in a subprogram, at its end.
     pub turns_off: bool,
     pub feed: f64,
+    /// Whether the program has stated a feed.
+    pub states_feed: bool,
     /// Whole turns of arcs by P.
     pub turns: f64,
-    /// The modes and the feed that M72 gives back.
-    pub kept: Option<(Modes, f64)>,
+    /// What M72 gives back.
+    pub kept: Option<Kept>,
     /// The axes along which a tool has been long.
     pub long: Axes,
     /// Those whose tool length changed after the modes were kept.
     pub lengthened: Axes,
     /// Those that a tool length made unknown: not said yet.
     pub lost: Axes,
-    pub skipped: Count,
+    pub skipped: Skipped,
     pub after_end: Count,
     pub computed: Count,
     pub from_unknown: Count,
@@ -166,6 +185,16 @@ pub(super) struct Reader {
     /// The same of a SINUMERIK's.
     pub measuring_cycles: Count,
     pub stopped: Count,
+    /// Touches that meet nothing, where the control stops.
+    pub missed: Count,
+    /// Whether a touch has stopped the program.
+    pub stopped_by_touch: bool,
+    /// P in probing blocks, which means something on some controls.
+    pub probe_words: Count,
+    /// Divisions by zero.
+    pub divisions: Count,
+    /// Rapids, and other moves, that run into the given part.
+    pub collisions: [Count; 2],
     /// Codes that make no place of their axis words, by name.
     pub foreign: Vec<Named>,
     /// The line of the first units, where moves stand above it.
@@ -193,23 +222,79 @@ impl Reader {
         }
     }
 
+    /// Takes what is known of work offsets, the shift and the tool before the program, by the names of variables.
+    pub fn tell(&mut self, set: &[(&str, f64)]) {
+        let numbers = set
+            .iter()
+            .filter_map(|(name, value)| match Key::named(name) {
+                Some(Key::Number(number)) => Some((number, *value)),
+                _ => None,
+            });
+        for (number, value) in numbers {
+            match writes::of_number(number, self.frames.kind == ControlKind::LinuxCnc) {
+                Some(Variable::Offset(offset, axis)) => {
+                    self.frames.tell_offset(offset, axis, value);
+                }
+                Some(Variable::Shift(axis)) => self.frames.tell_shift(axis, value),
+                _ if number == 5220 && value.fract() == 0.0 => {
+                    self.frames.tell_active(Some(value as i32));
+                }
+                _ if (5401..=5403).contains(&number) => {
+                    self.frames.tell_length((number - 5401) as usize, value);
+                }
+                _ => {}
+            }
+        }
+        for (name, value) in set {
+            if let Some(Variable::Offset(offset, axis)) =
+                writes::of_name(&name.to_ascii_uppercase())
+            {
+                self.frames.tell_offset(offset, axis, *value);
+            }
+        }
+    }
+
+    /// The lines in which something may happen that is not seen.
+    pub fn unread(&self) -> Vec<u32> {
+        let unknown = self
+            .foreign
+            .iter()
+            .filter(|named| named.title.is_none() && named.foreign == Foreign::Unknown)
+            .flat_map(|named| &named.count.lines);
+        let mut lines: Vec<u32> = self
+            .skipped
+            .unread()
+            .chain(unknown.copied())
+            .chain(self.probe_words.lines.iter().copied())
+            .collect();
+        lines.sort_unstable();
+        lines.dedup();
+        lines
+    }
+
     /// What the control itself knows now, in the units of the program.
     pub fn system(&self) -> System {
         let scale = self.modes.scale;
-        let now = |axis: usize| {
-            if self.stale & (1 << axis) == 0 {
-                self.place[axis] / scale
-            } else {
-                f64::NAN
-            }
-        };
+        let to_units = |position: Position| position.map(|x| x / scale);
         let (contact, met) = self
             .run
             .as_ref()
             .map_or(([f64::NAN; 3], None), |run| (run.contact, run.met));
         System {
-            place: [now(0), now(1), now(2)],
-            contact: contact.map(|x| x / scale),
+            place: to_units(self.place),
+            contact: to_units(contact),
+            machine: to_units(self.frames.in_machine(self.place)),
+            // In inch it depends on the machine what these count in.
+            offsets: self.frames.values().map(|offset| {
+                let offset = to_units(offset);
+                if self.is_inch() {
+                    offset.map(|x| if x == 0.0 { x } else { f64::NAN })
+                } else {
+                    offset
+                }
+            }),
+            shift: to_units(self.frames.shift()),
+            table: to_units(self.frames.table()),
             met,
             rests: self.run.as_ref().is_some_and(|run| {
                 run.met.is_none() && (run.touch != Trip::Unknown || run.feature.is_some())
@@ -217,10 +302,9 @@ impl Reader {
             metric: self.path.metric.map(|first| (scale == 1.0) == first),
             absolute: self.modes.stated.then_some(self.modes.absolute),
             plane: self.modes.plane,
-            offset: self.offset.filter(|_| self.transformed.times == 0),
+            offset: self.frames.active(),
             tool: self.tool.filter(|tool| !tool.is_nan()),
             feed: self.feed / scale,
-            moves: self.path.len(),
         }
     }
 
@@ -259,7 +343,10 @@ impl Reader {
             return;
         }
         if self.ended {
-            return count(&mut self.after_end, self.line);
+            if !self.stopped_by_touch {
+                count(&mut self.after_end, self.line);
+            }
+            return;
         }
         let head = head(line);
         let begin = head.end;
@@ -268,15 +355,7 @@ impl Reader {
             Some(b'O' | b'o') if !self.sinumerik => return self.o_word(&line[begin..]),
             _ if self.inside => return,
             Some(b'%') if self.heidenhain => return self.ended = true,
-            Some(_) if self.sinumerik => match frame(&line[begin..]) {
-                Some(true) => {
-                    self.moved_system(7);
-                    return count(&mut self.transformed, self.line);
-                }
-                // Alone it takes the shifts away.
-                Some(false) => return,
-                None => {}
-            },
+            Some(_) if self.sinumerik && self.program_frame(&line[begin..]) => return,
             _ => {}
         }
         if matches!(line.get(begin), Some(b'C' | b'V' | b'c' | b'v'))
@@ -346,7 +425,8 @@ impl Reader {
                 String::from_utf8_lossy(&line[block.begin..][..name_length(&line[block.begin..])])
                     .into_owned();
             if self.makes_measuring_cycle(&name, &places(line)) {
-                return self.listed(&name, places(line), here);
+                self.listed(&name, places(line), here);
+                return;
             }
         }
         let lost = block.foreign == Foreign::Unknown || block.calls.is_some() || cycle;
@@ -371,7 +451,44 @@ impl Reader {
                 return self.native(&name, letters(&line[block.begin + name.len()..]), here);
             }
         }
-        count(&mut self.skipped, self.line);
+        self.skipped
+            .count(self.why_strange(&line[block.begin..], block), self.line);
+    }
+
+    /// Why nothing of a line is followed that has something in it that is no word.
+    fn why_strange(&self, code: &[u8], block: &Block) -> Skip {
+        let letters = code
+            .iter()
+            .take_while(|b| b.is_ascii_alphabetic())
+            .count()
+            .min(9);
+        let word = code[..letters].to_ascii_uppercase();
+        const CONDITIONS: [&[u8]; 15] = [
+            b"IF",
+            b"ELSE",
+            b"ELSEIF",
+            b"ENDIF",
+            b"WHILE",
+            b"ENDWHILE",
+            b"DO",
+            b"END",
+            b"REPEAT",
+            b"UNTIL",
+            b"FOR",
+            b"ENDFOR",
+            b"LOOP",
+            b"ENDLOOP",
+            b"ENDREPEAT",
+        ];
+        if CONDITIONS.contains(&word.as_slice()) {
+            Skip::Condition
+        } else if block.jumps {
+            Skip::Jump
+        } else if !runs_cycle(code) && memchr::memchr(b'=', code).is_some() {
+            Skip::Value
+        } else {
+            Skip::Words
+        }
     }
 
     /// Follows a block of words.
@@ -379,34 +496,23 @@ impl Reader {
         if block.returns {
             // It continues in another line, or goes back.
             if block.p.is_some() {
-                self.lose(self.line);
+                self.lose(Skip::Jump, self.line);
             } else {
                 self.returned = !leaped && self.conditions == 0;
                 self.turns_off |= self.returned;
                 block.ends = true;
             }
         }
-        let transformed = self.transformed.times;
-        if block.renames && block.given != 0 {
-            count(&mut self.transformed, self.line);
-        }
         // An end that may be jumped over, or that stands in a condition, ends nothing here.
         self.ended = block.ends && !leaped && self.conditions == 0;
-        if block.offset.is_some() | block.writes {
-            self.shift(block);
-        }
-        // A block that only ends a shift changes nothing if no shift is active.
-        if (self.transformed.times > transformed || self.turned)
-            && (block.given != 0 || block.radius.is_some() || block.offset.is_some())
+        if block.offset.is_some()
+            | block.writes
+            | block.distorts
+            | block.shift.is_some()
+            | block.turns.is_some()
         {
-            // Without a turn these are shifted alone.
-            let shifts = (block.writes || block.renames)
-                && block.radius.is_none()
-                && block.offset.is_none()
-                && !self.turned;
-            self.moved_system(if shifts { block.given } else { 7 });
+            self.moves_system(block);
         }
-        self.turned = false;
         if self.log.is_some() {
             self.logs(line, block);
         }
@@ -419,17 +525,6 @@ impl Reader {
         self.place_of(block);
         if let Some(code) = block.calls.filter(|_| block.special) {
             self.call(code, block);
-        }
-    }
-
-    /// Places along these axes that were given before are of another system from here on.
-    #[cold]
-    fn moved_system(&mut self, axes: Axes) {
-        (self.stale, self.shifted) = (self.stale | axes, true);
-        if let Some(run) = &mut self.run {
-            (0..3)
-                .filter(|axis| axes & (1 << axis) != 0)
-                .for_each(|axis| run.contact[axis] = f64::NAN);
         }
     }
 
@@ -449,15 +544,12 @@ impl Reader {
             self.modes.stated,
         ];
         let incremental = !self.modes.absolute;
+        let returns = block.returns && self.depth == 0;
         let Some(log) = &mut self.log else { return };
         if let Some(on) = block.spindle {
             log.spindle.push((moves, line, on));
         }
-        // Work offsets; what tools get is none of them.
-        let written = block.writes && block.l.is_some_and(|l| l == 2.0 || l == 20.0);
-        if written && (block.given != 0 || block.radius.is_some()) {
-            log.writes.push((moves, line));
-        }
+        log.returns |= returns;
         if block.given != 0 && !block.elsewhere && log.stated.is_none() {
             log.stated = Some((line, [units, plane, distance]));
         }
@@ -483,13 +575,17 @@ impl Reader {
         }
         if self.modes.given != Given::Place && block.once.is_none() && block.given != 0 {
             if self.modes.given == Given::Cycle {
-                return self.lose(self.line);
+                return self.lose(Skip::Canned, self.line);
             }
             self.forget(block.given);
             return count(&mut self.arcs_unsolved, self.line);
         }
         if self.modes.diameter {
             block.places[0] *= 0.5;
+        }
+        if self.modes.polar {
+            let [a, o, _] = self.modes.plane.unwrap_or_default().axes();
+            block.computed |= block.given & (1 << a | 1 << o);
         }
         // Without a place, a centre makes a whole circle back to where it begins.
         if block.given | block.centered != 0 {
@@ -536,18 +632,28 @@ impl Reader {
     /// What a block changes whether or not it is followed: the feed, then the modes that are kept, then the length of the tool.
     fn settle(&mut self, block: &Block, before: Modes) {
         if let Some(feed) = block.feed.filter(|_| !block.feedless) {
-            self.feed = feed * self.modes.scale;
+            (self.feed, self.states_feed) = (feed * self.modes.scale, true);
         }
         match block.keeps {
             None => {}
             Some(ModeChange::Forget) => self.kept = None,
             Some(ModeChange::GiveBack) => self.give_back(),
-            Some(ModeChange::Keep) => (self.kept, self.lengthened) = (Some((before, self.feed)), 0),
+            Some(ModeChange::Keep { of_subprogram }) => {
+                self.kept = Some(Kept {
+                    modes: before,
+                    feed: self.feed,
+                    length: self.frames.length(),
+                    offset: self.frames.active(),
+                    depth: of_subprogram.then_some(self.depth),
+                });
+                self.lengthened = 0;
+            }
         }
         if block.changes {
             self.tool = Some(self.next_tool);
+            self.frames.change_tool();
         }
-        if block.lengthens {
+        if let Some(length) = block.lengthens {
             // G43.1 names its axes. Others change the length along Z or across the plane, and what G43.1 gave.
             let across = 1 << self.modes.plane.unwrap_or_default().axes()[2];
             let axes = if block.elsewhere && block.given != 0 {
@@ -556,57 +662,57 @@ impl Reader {
                 4 | across | self.long
             };
             self.long |= axes;
-            self.lengthen(axes);
+            let (values, added) = match length {
+                Length::Table => (self.frames.table(), false),
+                Length::Nothing => ([0.0; 3], false),
+                Length::Given { added } => (self.values(block), added),
+            };
+            self.lengthen(axes, values, added);
         }
     }
 
-    /// The tool is longer or shorter: these axes stay where they are, and are somewhere else in the work system.
-    pub fn lengthen(&mut self, axes: Axes) {
-        let known = (0..3)
-            .filter(|axis| !self.place[*axis].is_nan())
-            .fold(0, |known, axis| known | 1 << axis);
-        self.lost |= axes & known;
+    /// The tool is longer or shorter: these axes stay where they are, and are somewhere else in the work system. NaN is not known.
+    pub fn lengthen(&mut self, axes: Axes, values: Position, added: bool) {
+        self.frames.begun = !self.path.is_empty();
+        self.lost |= self.frames.set_length(axes, values, added, &mut self.place);
         self.lengthened |= axes;
-        self.forget(axes);
     }
 
-    /// M72: the modes and the feed that M70 kept, whatever its block says beside it. Not the motion, nor the place along a tool whose length
-    /// is another one now.
+    /// M72: the modes, the feed, the work offset and the length of the tool that M70 kept, whatever its block says beside it. Not the motion.
     fn give_back(&mut self) {
-        let Some((kept, feed)) = self.kept else {
+        let Some(kept) = self.kept.clone() else {
             return;
         };
         self.modes = Modes {
             motion: self.modes.motion,
             curve: self.modes.curve,
             given: self.modes.given,
-            ..kept
+            ..kept.modes
         };
-        self.feed = feed;
-        self.lengthen(self.lengthened);
+        self.feed = kept.feed;
+        self.lengthen(self.lengthened, kept.length, false);
+        if kept.offset != self.frames.active() {
+            self.with_frames(|frames, place| frames.select(kept.offset.unwrap_or(1), place));
+        }
     }
 
-    /// What moves the system that places are in: another work offset, or one that is written.
-    fn shift(&mut self, block: &Block) {
-        if let Some(first) = block.offset {
-            // G54.1 P2, G154 P2: one of many; without a number it is none that has another name.
-            let counted = block
-                .p
-                .map_or(i32::MAX, |p| first.saturating_add((1000.0 * p) as i32));
-            let offset = if block.counts { counted } else { first };
-            if self.path.is_empty() {
-                self.offset = Some(offset);
-            // Moves before any selection were in G54.
-            } else if *self.offset.get_or_insert(1) != offset {
-                count(&mut self.transformed, self.line);
-            }
+    /// A call begins.
+    pub fn enters_call(&mut self) {
+        self.depth += 1;
+    }
+
+    /// A call ends: what M73 kept in it comes back.
+    #[cold]
+    pub fn leaves_call(&mut self) {
+        if self
+            .kept
+            .as_ref()
+            .is_some_and(|kept| kept.depth == Some(self.depth))
+        {
+            self.give_back();
+            self.kept = None;
         }
-        // An L that is computed may be any.
-        let written = block.writes && block.l.is_some_and(|l| l == 2.0 || l == 20.0 || l.is_nan());
-        // R turns it.
-        if written && (block.given != 0 || block.radius.is_some()) && !self.path.is_empty() {
-            count(&mut self.transformed, self.line);
-        }
+        self.depth = self.depth.saturating_sub(1);
     }
 
     /// `o<name> sub`, `o1 if`, `o100if[…]`, `O1000`: blanks mean nothing.
@@ -634,7 +740,14 @@ impl Reader {
         }
         let alone = label > 0 && rest.is_empty();
         if !alone {
-            count(&mut self.skipped, self.line);
+            let why = if is(b"call") {
+                Skip::Call
+            } else if is(b"sub") || is(b"endsub") || is(b"return") {
+                Skip::Words
+            } else {
+                Skip::Condition
+            };
+            self.skipped.count(why, self.line);
         }
     }
 
@@ -701,14 +814,14 @@ impl Reader {
     pub fn condition_begins(&mut self) {
         self.conditions += 1;
         self.parts(None);
-        count(&mut self.skipped, self.line);
+        self.skipped.count(Skip::Condition, self.line);
     }
 
     /// A loop ends of which it is not known how often it runs: what it moves by a distance is somewhere else after the next round.
     #[cold]
     pub fn loop_ends(&mut self) {
         self.forget(self.relative);
-        count(&mut self.skipped, self.line);
+        self.skipped.count(Skip::Condition, self.line);
     }
 
     /// These axes are somewhere else.
@@ -773,22 +886,6 @@ fn gives_variable(code: &[u8]) -> bool {
     let mut sides = code.split(|b| *b == b'=').map(<[u8]>::trim_ascii);
     let (left, right) = (sides.next(), sides.next());
     left.is_some_and(is_variable) && right.is_some_and(is_variable) && sides.next().is_none()
-}
-
-/// Whether a block of a SINUMERIK shifts, turns, mirrors or scales: none where it does nothing of that, false where it ends it.
-fn frame(code: &[u8]) -> Option<bool> {
-    const WORDS: [&[u8]; 10] = [
-        b"TRANS", b"ATRANS", b"ROT", b"AROT", b"ROTS", b"AROTS", b"SCALE", b"ASCALE", b"MIRROR",
-        b"AMIRROR",
-    ];
-    let word = &code[..code
-        .iter()
-        .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
-        .count()];
-    let known = WORDS.iter().any(|known| word.eq_ignore_ascii_case(known));
-    let rest = code[word.len()..].trim_ascii_start();
-    let assigned = matches!(rest.first(), Some(b'=' | b':' | b'('));
-    (known && !assigned).then(|| !matches!(rest.first(), None | Some(b';')))
 }
 
 /// Whether a line is a cycle of a SINUMERIK that leaves the tool somewhere: `CYCLE977(…)`, `POCKET4(…)`. CYCLE832 sets tolerances.

@@ -4,7 +4,9 @@
 use serde::Serialize;
 
 use crate::control::rules::{NO_LOW_RAPID, ONE_WRITE, PLAUSIBLE, WATCHED, WRITE_LAST};
+use crate::import::toolpath::writes::{OFFSET, SHIFT, Write};
 use crate::import::toolpath::{DIALECTS, PROBE, RAPID, Toolpath};
+use crate::part::Machine as Inertia;
 use crate::text::{Text, text};
 
 /// What happened in a run beside its moves, each with how many moves were made before.
@@ -14,8 +16,14 @@ pub(super) struct Log {
     pub touches: Vec<Touch>,
     /// The spindle is started (true) or stopped.
     pub spindle: Vec<(usize, usize, bool)>,
-    /// Work offsets are written.
-    pub writes: Vec<(usize, usize)>,
+    /// What is written that lasts.
+    pub writes: Vec<Write>,
+    /// Lines in which something may happen that is not seen.
+    pub unread: Vec<u32>,
+    /// The line of a touch that met nothing, where the control stopped.
+    pub missed: Option<u32>,
+    /// The text is a subprogram: what it needs its caller may state.
+    pub returns: bool,
     /// Conditions that ask for something else than a contact.
     pub conditions: Vec<(usize, usize)>,
     /// Waits that do not say how long.
@@ -47,10 +55,14 @@ pub(super) struct Touch {
     pub stops: bool,
     /// The program asks behind it whether it met something.
     pub asked: bool,
+    /// A contact leads away: it is a positioning move that is watched.
+    pub watched: bool,
     /// It is a positioning move: a contact leads away, or the program takes no notice of where it ended.
     pub positions: bool,
-    /// Its block states a feed.
-    pub own_feed: bool,
+    /// Its feed, in the units of the path; NaN is not known.
+    pub feed: f64,
+    /// The program has stated a feed before or in its block.
+    pub states_feed: bool,
 }
 
 /// What a rule says of a run.
@@ -66,6 +78,25 @@ pub struct RunRule {
     pub said: Text,
     /// The 0-based lines that break it, or that are not known.
     pub lines: Vec<u32>,
+}
+
+impl Log {
+    /// Touches after whose contact the axes run on for more than a millimetre: their lines, and how far the fastest runs, in mm, by its feed in mm/min.
+    pub fn fast_touches(&self, machine: &Inertia, inch: f64) -> Option<(Vec<u32>, f64, f64)> {
+        const FAR: f64 = 1.0;
+        let ways: Vec<(u32, f64)> = self
+            .touches
+            .iter()
+            .filter(|touch| !touch.positions && touch.feed.is_finite())
+            .map(|touch| (touch.line as u32, touch.feed * inch))
+            .filter(|(_, feed)| machine.stopping_way(*feed) > FAR)
+            .collect();
+        let fastest = ways.iter().map(|(_, feed)| *feed).reduce(f64::max)?;
+        let mut lines: Vec<u32> = ways.into_iter().map(|(line, _)| line).collect();
+        lines.sort_unstable();
+        lines.dedup();
+        Some((lines, machine.stopping_way(fastest), fastest))
+    }
 }
 
 /// The names of the rules that are asked of any program, in their order.
@@ -84,7 +115,8 @@ pub const RUN_RULES: [&str; 11] = [
 ];
 
 /// Checks every rule on a run that probes; a run without a touch is not checked.
-pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
+pub(super) fn asked(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
+    log.writes.sort_by_key(|write| (write.moves, write.line));
     // A program that takes no notice of any has touches all the same.
     let all = log.touches.iter().all(|touch| touch.positions);
     let touches: Vec<&Touch> = log
@@ -96,6 +128,22 @@ pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
         return Vec::new();
     };
     let (first, last) = (first.index, last.index);
+    // A probing move that nothing asks about may be a touch.
+    let last_probing = log
+        .touches
+        .iter()
+        .filter(|touch| !touch.watched)
+        .map(|touch| touch.index)
+        .max()
+        .map_or(last, |index| index.max(last));
+    for write in &mut log.writes {
+        let asked = log
+            .conditions
+            .iter()
+            .any(|(before, _)| (last + 1..=write.moves).contains(before));
+        write.guarded = if asked { None } else { Some(false) };
+    }
+    let log = &*log;
     let rows = [
         modes(path, log),
         spindle(log, last),
@@ -103,9 +151,9 @@ pub(super) fn asked(path: &Toolpath, log: &Log) -> Vec<RunRule> {
         missed(path, &touches),
         feeds(&touches),
         rapids(path, log, first, last),
-        writes(log, last),
+        writes(log, first, last_probing),
         one_write(log),
-        plausible(log, last),
+        plausible(log, first, last),
         waits(log),
         left(log),
     ];
@@ -149,6 +197,12 @@ fn modes(path: &Toolpath, log: &Log) -> RunRule {
             Some(true),
             text!("Units, plane and absolute mode are stated before the first motion"),
             Vec::new(),
+        ),
+        _ if log.returns => row(
+            "modes-stated",
+            None,
+            text!("A subprogram: units, plane and absolute mode are stated where it is called"),
+            vec![line],
         ),
         missing => {
             let words = missing.join(" ");
@@ -298,20 +352,20 @@ fn missed(path: &Toolpath, touches: &[&Touch]) -> RunRule {
 fn feeds(touches: &[&Touch]) -> RunRule {
     let bad: Vec<usize> = touches
         .iter()
-        .filter(|touch| !touch.own_feed)
+        .filter(|touch| !touch.states_feed)
         .map(|touch| touch.line)
         .collect();
     match bad.is_empty() {
         true => row(
             "feeds-stated",
             Some(true),
-            text!("Every probing block states its own feed"),
+            text!("A feed is stated before every touch, or in its block"),
             bad,
         ),
         false => row(
             "feeds-stated",
             Some(false),
-            text!("These probing blocks take the feed of a block before: write F in each of them"),
+            text!("No feed is stated for these touches: write F in their blocks"),
             bad,
         ),
     }
@@ -321,13 +375,16 @@ fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
     let tool = path.plane.axes()[2];
     // What is as high as the way to the first touch is above the part.
     let height = (0..=first)
-        .map(|index| path.begin(index)[tool])
-        .chain([path.end(first)[tool]])
+        .map(|index| path.drawn(index, path.begin(index))[tool])
+        .chain([path.drawn(first, path.end(first))[tool]])
         .fold(f64::NAN, f64::max);
     let (mut bad, mut unknown) = (Vec::new(), Vec::new());
     for index in (first..last).filter(|index| path.kind[*index] == RAPID && !log.is_own(*index)) {
         let line = path.line[index] as usize;
-        match (is_free(path, index), path.end(index)[tool]) {
+        match (
+            is_free(path, index),
+            path.drawn(index, path.end(index))[tool],
+        ) {
             (Some(true), _) => {}
             (Some(false), end) if end < height - 1e-6 => bad.push(line),
             (Some(false), _) if !height.is_nan() => {}
@@ -358,87 +415,141 @@ fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
     }
 }
 
-fn writes(log: &Log, last: usize) -> RunRule {
-    let early: Vec<usize> = log
+/// The lines of writes, each once for all its axes, and as often as it runs.
+fn lines(writes: &[&Write]) -> Vec<usize> {
+    let mut lines = Vec::new();
+    let mut first: Option<&Write> = None;
+    for write in writes {
+        let same = first.is_some_and(|first| {
+            (first.moves, first.line) == (write.moves, write.line)
+                && (&first.register, first.axis) != (&write.register, write.axis)
+        });
+        if !same {
+            lines.push(write.line as usize);
+            first = Some(write);
+        }
+    }
+    lines
+}
+
+/// What is written, in the control's words: `G54 X Y, tool 7 Z`.
+fn what(writes: &[&Write]) -> String {
+    const MOST: usize = 4;
+    let mut names: Vec<(&str, Vec<&str>)> = Vec::new();
+    for write in writes {
+        let known = names.iter().position(|(name, _)| *name == write.register);
+        let at = known.unwrap_or_else(|| {
+            names.push((&write.register, Vec::new()));
+            names.len() - 1
+        });
+        let axes = &mut names[at].1;
+        axes.extend(write.axis.filter(|axis| !axes.contains(axis)));
+    }
+    let more = if names.len() > MOST { ", …" } else { "" };
+    let named = names.iter().take(MOST).map(|(name, axes)| {
+        let words: Vec<&str> = std::iter::once(*name).chain(axes.iter().copied()).collect();
+        words.join(" ")
+    });
+    named.collect::<Vec<_>>().join(", ") + more
+}
+
+/// What a rule about writes says where nothing that is seen breaks it: it holds only where everything was seen.
+fn if_all_is_seen(rule: &'static str, log: &Log, holds: Text) -> RunRule {
+    if let Some(line) = log.missed {
+        let message = text!(
+            "Not known: the run ends at the touch in line {line}, which meets nothing",
+            line as usize + 1
+        );
+        return row(rule, None, message, vec![line as usize]);
+    }
+    if !log.unread.is_empty() {
+        let message = text!(
+            "Not known: what is written in lines that are not understood, and by what they call"
+        );
+        return row(
+            rule,
+            None,
+            message,
+            log.unread.iter().map(|line| *line as usize).collect(),
+        );
+    }
+    row(rule, Some(true), holds, Vec::new())
+}
+
+fn writes(log: &Log, first: usize, last: usize) -> RunRule {
+    // A tool length that is stated before anything was touched is no result.
+    let early: Vec<&Write> = log
         .writes
         .iter()
-        .filter(|(moves, _)| *moves <= last)
-        .map(|(_, line)| *line)
+        .filter(|write| {
+            let lasts = [OFFSET, SHIFT].contains(&write.kind);
+            write.moves <= last && (lasts || write.moves > first)
+        })
         .collect();
     match (log.writes.is_empty(), early.is_empty()) {
-        (true, _) => row(
+        (true, _) => if_all_is_seen(
             WRITE_LAST,
-            Some(true),
-            text!("The program writes no work offset"),
-            early,
+            log,
+            text!("The program writes no work offset and no tool data"),
         ),
-        (false, true) => row(
+        (false, true) => if_all_is_seen(
             WRITE_LAST,
-            Some(true),
-            text!("The work offset is written after the last touch"),
-            early,
+            log,
+            text!("What is written is written after the last touch"),
         ),
         (false, false) => row(
             WRITE_LAST,
             Some(false),
             text!(
-                "A work offset is written before the last touch has succeeded: keep the values, and write once at the end"
+                "{what} is written before the last touch has succeeded: keep the values, and write once at the end",
+                what(&early)
             ),
-            early,
+            lines(&early),
         ),
     }
 }
 
 fn one_write(log: &Log) -> RunRule {
-    let mut lines: Vec<usize> = log.writes.iter().map(|(_, line)| *line).collect();
+    let mut lines = lines(&log.writes.iter().collect::<Vec<_>>());
     let all = lines.len();
     lines.sort_unstable();
     lines.dedup();
     match lines.len() == all {
-        true => row(
-            ONE_WRITE,
-            Some(true),
-            text!("No block writes a work offset twice"),
-            Vec::new(),
-        ),
+        true => if_all_is_seen(ONE_WRITE, log, text!("No block writes twice")),
         false => row(
             ONE_WRITE,
             Some(false),
-            text!(
-                "A block writes a work offset more than once: a value written twice is corrected twice"
-            ),
+            text!("A block writes more than once: the second write corrects a second time"),
             lines,
         ),
     }
 }
 
 /// Whether something is asked between the last touch and the write: what, a run does not know.
-fn plausible(log: &Log, last: usize) -> RunRule {
-    let asked = |moves: usize| {
-        log.conditions
-            .iter()
-            .any(|(before, _)| (last + 1..=moves).contains(before))
-    };
-    let unasked: Vec<usize> = log
+fn plausible(log: &Log, first: usize, last: usize) -> RunRule {
+    let mut measured = log
         .writes
         .iter()
-        .filter(|(moves, _)| !asked(*moves))
-        .map(|(_, line)| *line)
+        .filter(|write| write.moves > first)
+        .peekable();
+    let is_empty = measured.peek().is_none();
+    let unasked: Vec<&Write> = measured
+        .filter(|write| write.guarded == Some(false))
         .collect();
-    match (log.writes.is_empty(), unasked.is_empty()) {
-        (true, _) => row(
+    match (is_empty, unasked.is_empty()) {
+        (true, _) => if_all_is_seen(
             PLAUSIBLE,
-            Some(true),
-            text!("The program writes no work offset"),
-            unasked,
+            log,
+            text!("The program writes nothing that was measured"),
         ),
         (false, false) => row(
             PLAUSIBLE,
             Some(false),
             text!(
-                "A work offset is written whatever was measured: compare the results with what they should be before, and stop with an alarm where they are off by too much"
+                "{what} is written whatever was measured: compare the results with what they should be before, and stop with an alarm where they are off by too much",
+                what(&unasked)
             ),
-            unasked,
+            lines(&unasked),
         ),
         (false, true) => row(
             PLAUSIBLE,

@@ -12,6 +12,12 @@ use crate::import::toolpath::key::Key;
 #[derive(Clone, Copy, Debug)]
 pub struct System {
     pub place: [f64; 3],
+    /// The same in machine coordinates.
+    pub machine: [f64; 3],
+    /// The zeros of the first work offsets in machine coordinates, the shift of G92, the tool's length by the tool table.
+    pub offsets: [[f64; 3]; 9],
+    pub shift: [f64; 3],
+    pub table: [f64; 3],
     /// Where the last probing move ended, and whether it met something.
     pub contact: [f64; 3],
     pub met: Option<bool>,
@@ -24,8 +30,6 @@ pub struct System {
     pub offset: Option<i32>,
     pub tool: Option<f64>,
     pub feed: f64,
-    /// How many moves were made.
-    pub moves: usize,
 }
 
 impl Default for System {
@@ -33,6 +37,10 @@ impl Default for System {
         const NOWHERE: [f64; 3] = [f64::NAN; 3];
         System {
             place: NOWHERE,
+            machine: NOWHERE,
+            offsets: [NOWHERE; 9],
+            shift: NOWHERE,
+            table: NOWHERE,
             contact: NOWHERE,
             met: None,
             rests: false,
@@ -42,7 +50,6 @@ impl Default for System {
             offset: None,
             tool: None,
             feed: f64::NAN,
-            moves: 0,
         }
     }
 }
@@ -60,6 +67,9 @@ impl System {
             ("$AA_IW[X]", x),
             ("$AA_IW[Y]", y),
             ("$AA_IW[Z]", z),
+            ("$AA_IM[X]", self.machine[0]),
+            ("$AA_IM[Y]", self.machine[1]),
+            ("$AA_IM[Z]", self.machine[2]),
             ("$AA_MW[X]", cx),
             ("$AA_MW[Y]", cy),
             ("$AA_MW[Z]", cz),
@@ -74,7 +84,7 @@ impl System {
     /// Whether a variable holds what is set up before the program: the tool in the spindle, the work offset.
     pub fn is_set_up(key: &Key) -> bool {
         match key {
-            Key::Number(number) => matches!(number, 5220 | 5400),
+            Key::Number(number) => matches!(number, 5211..=5213 | 5220..=5403),
             Key::Name(name) => name == "_coord_system" || name == "_current_tool",
             Key::Unknown => false,
         }
@@ -90,6 +100,12 @@ impl System {
             Key::Number(5070) if linuxcnc => truth(self.met),
             Key::Number(n @ 5420..=5422) if linuxcnc => known(self.place[axis(*n, 5420)]),
             Key::Number(5220) if linuxcnc => self.offset.map(f64::from),
+            Key::Number(n @ 5211..=5213) if linuxcnc => known(self.shift[axis(*n, 5211)]),
+            Key::Number(n @ 5221..=5383) if (n - 5221) % 20 < 3 => {
+                known(self.offsets[axis(*n, 5221) / 20][axis(*n, 5221) % 20])
+            }
+            Key::Number(n @ 5401..=5403) if linuxcnc => known(self.table[axis(*n, 5401)]),
+            Key::Number(n @ 5021..=5023) if !linuxcnc => known(self.machine[axis(*n, 5021)]),
             Key::Number(5400) if linuxcnc => self.tool,
             Key::Number(n @ 5001..=5003) if !linuxcnc => known(self.place[axis(*n, 5001)]),
             Key::Number(n @ 5041..=5043) if !linuxcnc => known(self.place[axis(*n, 5041)]),

@@ -154,8 +154,9 @@ fn reads_place(line: &str) -> bool {
 
 /// Whether it is a condition about the last probing move.
 fn asks(line: &str) -> bool {
-    // A Haas asks in the probing block itself.
-    line.contains("IF[") && (line.contains("#5070") || line.contains("#506"))
+    // A Haas asks in the probing block itself. An LNC asks R_SKIP, an Eding #5067.
+    const PLACES: [&str; 4] = ["#5070", "#506", "#504", "R_SKIP"];
+    line.contains("IF[") && PLACES.iter().any(|place| line.contains(place))
         || line.starts_with("IF") && line.contains("$AC_MEA[1]")
 }
 
@@ -174,6 +175,8 @@ fn asks_for_contact(condition: &str) -> bool {
     match condition
         .split_once("#5070")
         .or_else(|| condition.split_once("$AC_MEA[1]"))
+        .or_else(|| condition.split_once("#5067"))
+        .or_else(|| condition.split_once("R_SKIP[0,1]"))
     {
         Some((_, rest)) => ["EQ1", "NE0", "GT0", "EQ[1", "==1", "<>0", ">0"]
             .iter()

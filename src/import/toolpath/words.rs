@@ -3,9 +3,10 @@
 use crate::control::iso::codes::{Effect, effect};
 use crate::control::iso::lex::{end_of_value, leads, number};
 use crate::control::iso::script::Motion;
-use crate::import::toolpath::block::{Block, Foreign, ModeChange, Word};
+use crate::import::toolpath::block::{Block, Foreign, Length, ModeChange, Word};
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::reader::{Given, Reader};
+use crate::import::toolpath::skipped::Skip;
 use crate::num::read_digits;
 
 /// What follows a letter.
@@ -57,6 +58,10 @@ impl Reader {
             (b'R', word) => block.radius = Some(word.number()),
             (b'G', Word::Number(x)) => {
                 let foreign = self.code(effect(self.family(), letter, tenths(x)), block);
+                // Whether a G31 probes is seen by its other words.
+                if foreign == Foreign::No && block.once == Some(Motion::MayTouch) {
+                    (block.name, block.special) = ([at, end], true);
+                }
                 if foreign > block.foreign {
                     (block.foreign, block.name, block.special) = (foreign, [at, end], true);
                 }
@@ -69,11 +74,10 @@ impl Reader {
                 }
             }
             // A tool's edge has its length from here on.
-            (b'D', _) if self.sinumerik => block.lengthens = true,
+            (b'D', _) if self.sinumerik => block.lengthens = Some(Length::Table),
             // A subprogram: L100 P2.
             (b'L', _) if self.sinumerik => {
-                self.place = [f64::NAN; 3];
-                count(&mut self.skipped, self.line);
+                self.lose(Skip::Call, self.line);
             }
             (b'L', word) => block.l = Some(word.number()),
             (b'P', word) => block.p = Some(word.number()),
@@ -213,21 +217,35 @@ impl Reader {
                     (true, block.feedless || self.sinumerik || self.heidenhain)
             }
             Effect::Setting => (block.elsewhere, block.writes) = (true, true),
-            Effect::Length(_) => block.lengthens = true,
-            Effect::LengthGiven => (block.elsewhere, block.lengthens) = (true, true),
+            Effect::Length(counts) => {
+                block.lengthens = Some(if counts {
+                    Length::Table
+                } else {
+                    Length::Nothing
+                });
+            }
+            Effect::LengthGiven { added } => {
+                (block.elsewhere, block.lengthens) = (true, Some(Length::Given { added }));
+            }
             Effect::Tool => {
-                (block.lengthens, block.changes) = (block.lengthens | self.sinumerik, true)
+                block.changes = true;
+                if self.sinumerik {
+                    block.lengthens = Some(Length::Table);
+                }
             }
             Effect::Elsewhere => block.elsewhere = true,
-            Effect::Rename => (block.elsewhere, block.renames) = (true, true),
+            Effect::Shift(shift) => (block.elsewhere, block.shift) = (true, Some(shift)),
+            Effect::Turn(begins) => {
+                (block.elsewhere, block.turns) = (block.elsewhere || begins, Some(begins));
+            }
+            Effect::Polar(on) => self.modes.polar = on,
             Effect::Transform { own_axes } => {
-                block.elsewhere |= own_axes;
-                self.turned = true;
+                (block.elsewhere, block.distorts) = (block.elsewhere | own_axes, own_axes);
                 count(&mut self.transformed, self.line);
             }
             Effect::ThereAndBack => {
                 block.elsewhere = true;
-                count(&mut self.skipped, self.line);
+                self.skipped.count(Skip::Canned, self.line);
             }
             Effect::Macro { takes_feed: true } => {
                 (block.elsewhere, block.feedless, block.macros, block.special) =
@@ -235,13 +253,15 @@ impl Reader {
             }
             Effect::Macro { takes_feed: false } => {
                 block.elsewhere = true;
-                self.lose(self.line);
+                self.lose(Skip::Canned, self.line);
             }
             Effect::Offset(number) => block.offset = Some(number),
             Effect::OffsetOf(from) => (block.offset, block.counts) = (Some(from), true),
             Effect::Machine => block.machine = true,
             Effect::Home => (block.machine, block.home) = (true, true),
-            Effect::Keep => block.keeps = Some(ModeChange::Keep),
+            Effect::Keep { of_subprogram } => {
+                block.keeps = Some(ModeChange::Keep { of_subprogram });
+            }
             Effect::Forget => block.keeps = Some(ModeChange::Forget),
             Effect::GiveBack => block.keeps = Some(ModeChange::GiveBack),
             Effect::End => block.ends = true,
@@ -258,6 +278,10 @@ impl Reader {
                 return Foreign::Unknown;
             }
             Effect::Sets | Effect::Ahead => return Foreign::Sets,
+            Effect::ProbeFeed => {
+                (block.feedless, self.states_feed) = (true, true);
+                return Foreign::Sets;
+            }
             Effect::Spindle(on) => block.spindle = Some(on),
             Effect::Exact(_) | Effect::Halt | Effect::Nothing => {}
         }

@@ -340,24 +340,14 @@ fn words_that_are_no_moves_were_read_as_moves() {
             &["lines-skipped"],
         ),
         // Other systems.
-        (
-            "G68 X0 Y0 R45\nX20",
-            2,
-            known(20.0, 10.0, 10.0),
-            &["places-transformed"],
-        ),
+        ("G68 X0 Y0 R45\nX20", 2, known(20.0, 0.0, 10.0), &[]),
         (
             "G51.1 X0\nX20",
             2,
             known(20.0, 10.0, 10.0),
             &["places-transformed"],
         ),
-        (
-            "G92 X0 Y0\nX20",
-            2,
-            known(20.0, 10.0, 10.0),
-            &["places-transformed"],
-        ),
+        ("G92 X0 Y0\nX20", 2, known(20.0, 0.0, 10.0), &[]),
         (
             "G54\nX20\nG55\nX30",
             3,
@@ -404,12 +394,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
             known(31.0, 10.0, 10.0),
             &["places-transformed"],
         ),
-        (
-            "G10 L2 P2 X100\nX30",
-            2,
-            known(30.0, 10.0, 10.0),
-            &["places-transformed"],
-        ),
+        ("G10 L2 P2 X100\nX30", 2, known(30.0, 10.0, 10.0), &[]),
         ("G10 L1 P2 Z100\nX30", 2, known(30.0, 10.0, 10.0), &[]),
         // A dwell beside a motion; a dwell alone, whose X is its time.
         ("G4 P0.001 G0 X20", 2, known(20.0, 10.0, 10.0), &[]),
@@ -505,12 +490,7 @@ fn words_that_are_no_moves_were_read_as_moves() {
         ),
         ("G0 G1 X5 F100", 2, known(5.0, 10.0, 10.0), &["words-twice"]),
         // A lathe calls the place where the tool is so.
-        (
-            "G50 X5\nX20",
-            2,
-            known(20.0, 10.0, 10.0),
-            &["places-transformed"],
-        ),
+        ("G50 X5\nX20", 2, known(20.0, 10.0, 10.0), &[]),
         ("G50 S2000\nG50\nX20", 2, known(20.0, 10.0, 10.0), &[]),
         // Blocks that may be left out, and main blocks.
         ("/2 X3", 2, known(3.0, 10.0, 10.0), &["lines-optional"]),
@@ -580,17 +560,19 @@ fn units_below_the_first_moves_are_said() {
 /// Frames of a SINUMERIK were lines that are not understood.
 #[test]
 fn a_frame_of_a_sinumerik_transforms_places() {
-    for (line, code) in [
-        ("TRANS X10 Y5", Some("places-transformed")),
-        ("N5 trans x=R1", Some("places-transformed")),
-        ("ATRANS Z1", Some("places-transformed")),
-        ("AROT RPL=30", Some("places-transformed")),
-        ("ROT RPL=30 ; turned", Some("places-transformed")),
-        ("AMIRROR X0", Some("places-transformed")),
-        ("SCALE X2 Y2", Some("places-transformed")),
-        ("TRANS", None),
-        ("ROT ; none", None),
-        ("TRANSMIT", Some("lines-skipped")),
+    let transformed = Some("places-transformed");
+    for (line, code, end) in [
+        ("TRANS X10 Y5", None, [20.0, -3.0, 3.0]),
+        ("N5 trans x=R1", transformed, [20.0, 2.0, 3.0]),
+        ("ATRANS Z1", None, [20.0, 2.0, 2.0]),
+        // −1·sin 30° + 2·cos 30°.
+        ("AROT RPL=30", None, [20.0, 1.232_050_808, 3.0]),
+        ("ROT RPL=30 ; turned", None, [20.0, 1.232_050_808, 3.0]),
+        ("AMIRROR X0", transformed, [20.0, 2.0, 3.0]),
+        ("SCALE X2 Y2", transformed, [20.0, 2.0, 3.0]),
+        ("TRANS", None, [20.0, 2.0, 3.0]),
+        ("ROT ; none", None, [20.0, 2.0, 3.0]),
+        ("TRANSMIT", Some("lines-skipped"), [20.0, 2.0, 3.0]),
     ] {
         let path = read_program(
             &format!("G71 G90\nG0 X1 Y2 Z3\n{line}\nX20\n"),
@@ -601,7 +583,7 @@ fn a_frame_of_a_sinumerik_transforms_places() {
             (code.into_iter().collect(), 2),
             "{line}"
         );
-        assert_eq!(path.end(1).to_array(), [20.0, 2.0, 3.0], "{line}");
+        assert_eq!(path.end(1).to_array(), end, "{line}");
     }
 }
 

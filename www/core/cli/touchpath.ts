@@ -23,6 +23,7 @@ import {
   type ProgramKnown,
   version,
 } from "../node.js";
+import { PROGRAM_POSTS } from "../program-posts.js";
 import { clock } from "../report.js";
 import { converted, explain, meant, newJob, toolLengths } from "./about.js";
 import { completion } from "./completion.js";
@@ -100,8 +101,8 @@ const HELP_OF_OPTIONS: readonly (readonly [
 ])[] = [
   [
     "--post P",
-    "for this control, in the place of the job's own",
-    [...JOBS, "new"],
+    "for this control, in the place of the job's own; of a program: the control that it is for",
+    [...JOBS, "new", "moves", "examine"],
   ],
   [
     "--form F",
@@ -138,6 +139,11 @@ const HELP_OF_OPTIONS: readonly (readonly [
   [
     "--positioning F",
     "the same of positioning moves that are watched",
+    ["moves", "examine"],
+  ],
+  [
+    "--offsets 0",
+    "every work offset, shift and tool length that nothing sets is 0; if left out, they are not known",
     ["moves", "examine"],
   ],
   [
@@ -302,6 +308,7 @@ const OPTIONS = {
   start: { type: "string" },
   at: { type: "string" },
   positioning: { type: "string" },
+  offsets: { type: "string" },
   with: { type: "string", multiple: true },
   by: { type: "string" },
   machine: { type: "string" },
@@ -354,10 +361,17 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("format", "table", "moves", "examine", "verify", "evaluate", "report");
   for (const option of ["by", "machine", "when", "note"] as const)
     only(option, "report");
-  for (const option of ["set", "start", "at", "positioning", "with"] as const)
+  for (const option of [
+    "set",
+    "start",
+    "at",
+    "positioning",
+    "offsets",
+    "with",
+  ] as const)
     only(option, "moves", "examine");
   only("view", "svg");
-  only("post", ...JOBS);
+  only("post", ...JOBS, "moves", "examine");
   only("form", ...JOBS);
   only("config", ...JOBS);
   only("no-config", ...JOBS);
@@ -369,7 +383,8 @@ function taskOf(command: Task["command"], values: Values): Task {
   only("units", "new", "convert");
   for (const option of ["port", "host", "limit"] as const)
     only(option, "serve");
-  if (values.post !== undefined)
+  const ofPrograms = command === "moves" || command === "examine";
+  if (values.post !== undefined && !ofPrograms)
     task.post = oneOf(
       "--post",
       values.post,
@@ -397,6 +412,8 @@ function taskOf(command: Task["command"], values: Values): Task {
     values.start ||
     values.at ||
     values.positioning ||
+    values.offsets ||
+    (values.post && ofPrograms) ||
     values.with
   )
     task.known = knownOf(values);
@@ -425,6 +442,15 @@ function knownOf(values: Values): ProgramKnown {
     if (place.length !== 3)
       throw new Refused(`--start takes X,Y,Z, not ${values.start}`);
     known.start = place as [number, number, number];
+  }
+  if (values.post !== undefined)
+    known.post = oneOf("--post", values.post, [...PROGRAM_POSTS]);
+  if (values.offsets !== undefined) {
+    if (number("--offsets", values.offsets) !== 0)
+      throw new Refused(
+        "--offsets takes 0 only: give others by their variables, with --set",
+      );
+    known.offsets = 0;
   }
   const part = (option: "at" | "positioning") => {
     const text = values[option];

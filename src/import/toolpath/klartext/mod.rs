@@ -3,18 +3,19 @@
 //! Blocks of path functions, parameters and labels are as the control's manual has them. Not followed, and reported: rounded corners and chamfers,
 //! approach and departure, tangential arcs, cycles, datum shifts and tilted planes, other programs.
 
+mod datum;
 mod path;
 mod probe;
 pub(super) mod value;
 
 use std::collections::BTreeMap;
 
-use crate::control::heidenhain::read::{Given, assignments, numbered_blocks, transforms};
+use crate::control::heidenhain::read::{Given, assignments, numbered_blocks};
 use crate::form::Value;
-use crate::import::toolpath::count::count;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::native::q_parameters;
 use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::skipped::Skip;
 use value::{Cursor, Parameters};
 
 /// So many blocks are run: whoever repeats more has an end.
@@ -97,7 +98,7 @@ impl Klartext {
             reader.meet(Some(reader.line));
             ran += 1;
             if ran > MOST_BLOCKS {
-                return reader.lose(reader.line);
+                return reader.lose(Skip::Endless, reader.line);
             }
             let text = std::mem::take(&mut self.lines[at].text);
             let next = self.block(&text, at, reader);
@@ -128,7 +129,8 @@ impl Klartext {
                 if words[..2.min(words.len())] != ["TOOL", "CALL"] => {}
             ["TOOL", "CALL", tool, ..] => {
                 reader.tool = Some(Cursor::new(tool).operand(&mut self.q).unwrap_or(f64::NAN));
-                reader.lengthen(7);
+                reader.frames.change_tool();
+                reader.lengthen(7, reader.frames.table(), false);
             }
             ["CALL", "LBL", ..] => return self.call(&text[8..], at, reader),
             ["TCH", "PROBE", number, ..] => {
@@ -139,9 +141,7 @@ impl Klartext {
                 }
             }
             ["CYCL", "CALL", ..] => self.cycle("CYCL CALL", text, reader),
-            _ if transforms(&words).is_some_and(|(_, changes)| changes) => {
-                count(&mut reader.transformed, reader.line)
-            }
+            _ if self.datum(&words, reader) => {}
             ["CYCL", "DEF", ..] => self.assign_all(text),
             ["FN", number, ..] => return self.function(number.trim_end_matches(':'), text, reader),
             ["IF", ..] => return self.jump(&text[2..], reader),
@@ -165,7 +165,7 @@ impl Klartext {
             [
                 "TRANS" | "SEL" | "PLANE" | "FUNCTION" | "GLOBAL" | "PATTERN",
                 ..,
-            ] => count(&mut reader.skipped, reader.line),
+            ] => reader.skipped.count(Skip::Words, reader.line),
             _ => self.strange(reader),
         }
         Next::Below
@@ -174,7 +174,7 @@ impl Klartext {
     /// What is not understood may move, call and compute.
     fn strange(&mut self, reader: &mut Reader) {
         self.q.forget();
-        reader.lose(reader.line);
+        reader.lose(Skip::Words, reader.line);
     }
 
     /// A cycle of the control's own: its parameters are set, and where it ends is not known.
@@ -187,7 +187,8 @@ impl Klartext {
             .strip_prefix("TCH PROBE ")
             .is_some_and(|number| probe::makes(number, &given, reader));
         if made {
-            return reader.listed(name, given, here);
+            reader.listed(name, given, here);
+            return;
         }
         reader.forget(7);
         reader.native(name, given, here);
@@ -209,7 +210,7 @@ impl Klartext {
         let mut cursor = Cursor::new(text);
         let Some(name) = cursor.parameter() else {
             // A text: QS1 = "…".
-            return count(&mut reader.skipped, reader.line);
+            return reader.skipped.count(Skip::Value, reader.line);
         };
         let value = if cursor.eat("=") {
             cursor.sum(&mut self.q)
@@ -219,7 +220,7 @@ impl Klartext {
         let whole = cursor.rest.trim().is_empty();
         let value = value.filter(|_| whole).unwrap_or(f64::NAN);
         if value.is_nan() {
-            count(&mut reader.skipped, reader.line);
+            reader.skipped.count(Skip::Value, reader.line);
         }
         self.q.set(&name, value);
     }
@@ -242,7 +243,7 @@ impl Klartext {
             }
             // The control's own values, and tables: whom they belong to may know them.
             "18" | "28" | "23" | "24" => {
-                count(&mut reader.skipped, reader.line);
+                reader.skipped.count(Skip::Value, reader.line);
                 if let Some(name) = rest
                     .find('Q')
                     .and_then(|at| Cursor::new(&rest[at..]).parameter())
@@ -250,8 +251,11 @@ impl Klartext {
                     self.q.set_by_control(&name);
                 }
             }
+            // The control's own values, and a table, are written.
+            "17" => reader.wrote_by_function("SYSWRITE", rest),
+            "26" | "27" => reader.wrote_by_function("TABWRITE", rest),
             // Outputs: they set nothing.
-            _ => count(&mut reader.skipped, reader.line),
+            _ => reader.skipped.count(Skip::Value, reader.line),
         }
         Next::Below
     }
@@ -267,7 +271,7 @@ impl Klartext {
             (Some(true), Some(place)) => Next::At(place),
             (Some(false), _) => Next::Below,
             _ => {
-                count(&mut reader.skipped, reader.line);
+                reader.skipped.count(Skip::Condition, reader.line);
                 self.q.forget();
                 if let Some(below) = place
                     .and_then(|place| self.lines.get(place))

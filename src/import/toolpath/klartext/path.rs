@@ -6,6 +6,7 @@ use crate::import::toolpath::count::count;
 use crate::import::toolpath::klartext::Klartext;
 use crate::import::toolpath::klartext::value::Cursor;
 use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::skipped::Skip;
 
 /// The words that path functions begin with.
 const PATHS: [&str; 14] = [
@@ -67,7 +68,7 @@ impl Klartext {
             return said.ends;
         }
         if let Some(feed) = said.feed {
-            reader.feed = feed * reader.modes.scale;
+            (reader.feed, reader.states_feed) = (feed * reader.modes.scale, true);
         }
         match kind {
             "CC" => self.set_pole(&said, reader),
@@ -75,7 +76,7 @@ impl Klartext {
             "RND" | "CHF" => count(&mut reader.arcs_unsolved, reader.line),
             "DEP" | "FPOL" => {
                 reader.forget(7);
-                count(&mut reader.skipped, reader.line);
+                reader.skipped.count(Skip::Words, reader.line);
             }
             _ => self.moves(kind, &said, reader),
         }

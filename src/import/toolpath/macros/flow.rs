@@ -46,6 +46,12 @@ pub fn calls(code: &[u8]) -> bool {
 impl Macros {
     /// `IF[…]GOTO 10`, `IF[…]THEN#1=2`, `WHILE[…]DO1`, `END1`, `GOTO 10`.
     pub(super) fn flow(&mut self, code: &[u8], here: Place, next: Place) -> Step {
+        // So many THEN may follow each other.
+        const DEEPEST_THEN: usize = 40;
+        let thens = memchr::memmem::find_iter(code, b"THEN").take(DEEPEST_THEN + 1);
+        if code.len() > 4 * DEEPEST_THEN && thens.count() > DEEPEST_THEN {
+            return self.leap(None, next);
+        }
         let mut cursor = Cursor::new(code, 0, &self.variables);
         if cursor.eat("IF") {
             let holds = cursor
@@ -97,7 +103,13 @@ impl Macros {
         {
             return Step::BranchEnds(None);
         }
-        self.leap(to, next)
+        let leap = self.leap(to, next);
+        // A jump that is made, and nobody knows where to.
+        if holds == Some(true) && to.is_none() {
+            Step::Astray
+        } else {
+            leap
+        }
     }
 
     /// It may continue at a place: up to that nothing is sure. What a jump back repeats may set any variable again.
@@ -159,13 +171,14 @@ impl Macros {
         if to.is_none() {
             self.leap(None, back);
         }
-        Some(Step::Go(to.unwrap_or(back)))
+        Some(Step::Leave(to.unwrap_or(back)))
     }
 
     /// None where the text has no such program, it is called more than once, or its arguments are not understood.
     fn macro_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
         let mut arguments = Vec::new();
         let mut program = None;
+        let mut centers = [0; 3];
         let mut cursor = Cursor::new(code, 3, &self.variables);
         while let Some(letter) = cursor.peek().filter(u8::is_ascii_uppercase) {
             cursor.at += 1;
@@ -173,7 +186,15 @@ impl Macros {
             match (letter, ARGUMENTS.iter().find(|(known, _)| *known == letter)) {
                 (b'P', _) => program = value.number(),
                 (b'L', _) if value == Value::Number(1.0) => {}
-                // Letters that come again are counted on: I, J, K of the other kind of arguments.
+                // I, J and K may come ten times: #4 to #6, then #7 to #9, and so on.
+                (b'I'..=b'K', Some((_, first))) => {
+                    let times = centers[usize::from(letter - b'I')];
+                    centers[usize::from(letter - b'I')] += 1;
+                    if times == 10 {
+                        return None;
+                    }
+                    arguments.push((first + 3 * times, value));
+                }
                 (_, Some((_, variable)))
                     if arguments.iter().all(|(known, _)| known != variable) =>
                 {
@@ -188,6 +209,6 @@ impl Macros {
             .filter(|_| self.frames.len() < DEEPEST)?;
         self.runs(begin, end);
         self.enter(next, false, inside, arguments);
-        Some(Step::Go(begin))
+        Some(Step::Enter(begin))
     }
 }

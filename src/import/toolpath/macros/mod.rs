@@ -15,6 +15,7 @@ use crate::import::toolpath::flow::{Flow, Step};
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::writes::{self, Variable};
 use crate::num::decimal;
 use index::{Index, o_word};
 use value::{Cursor, Value, Variables};
@@ -41,7 +42,7 @@ enum Open {
     Branch(String),
     /// An `if` whose next `elseif` is not known.
     ElseIf(String),
-    /// A loop, with the place of its first line, and how often it runs again.
+    /// A loop, with the place of its first line, and how often it runs again: not once more where an unknown condition may have left it.
     Loop(String, Place, usize),
     /// A condition that is not known.
     Unsure(String),
@@ -74,8 +75,8 @@ pub(super) struct Macros {
     blocks: usize,
     /// How often a branch that ends the program was not taken, by its line.
     spared: Vec<(usize, usize)>,
-    /// Where work offsets were written by their variables.
-    writes: Vec<(usize, usize)>,
+    /// The registers that the line has written.
+    written: Vec<(Variable, f64)>,
     /// The lines of subprograms that ran: from, up to.
     ran: Vec<(usize, usize)>,
     /// Whether the program is run with what is known, and not only read.
@@ -112,7 +113,7 @@ impl Macros {
             leaps: Vec::new(),
             blocks: 0,
             spared: Vec::new(),
-            writes: Vec::new(),
+            written: Vec::new(),
             runs: false,
             ran: Vec::new(),
         })
@@ -191,15 +192,6 @@ impl Macros {
         self.runs && *times <= MOST_SPARED
     }
 
-    /// Whether a variable is of a work offset.
-    fn is_offset(&self, key: &Key) -> bool {
-        match key {
-            Key::Number(number) if self.variables.linuxcnc => (5211..=5390).contains(number),
-            Key::Number(number) => matches!(number, 5201..=5340 | 7001..=7960 | 14_001..=14_999),
-            Key::Name(_) | Key::Unknown => false,
-        }
-    }
-
     fn enter(&mut self, back: Place, linuxcnc: bool, inside: usize, arguments: Vec<(i32, Value)>) {
         let (open, unsure, leaps) = (self.open.len(), self.unsure, self.leaps.len());
         self.variables.enter(arguments);
@@ -253,21 +245,24 @@ impl Macros {
         if alarm && self.is_sure() {
             return Step::Ends;
         }
-        if self.runs && sets.iter().any(|(key, _)| self.is_offset(key)) {
-            self.writes
-                .push((self.variables.system.moves, self.variables.line));
-        }
         let known = sure
             && sets
                 .iter()
                 .all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown);
         let assigns = !sets.is_empty();
         for (key, value) in sets {
-            self.variables
-                .set(key, if sure { value } else { Value::Unknown });
+            let value = if sure { value } else { Value::Unknown };
+            if let Key::Number(number) = key
+                && let Some(variable) = writes::of_number(number, self.variables.linuxcnc)
+            {
+                let value = value.number().unwrap_or(f64::NAN);
+                self.written.push((variable, value));
+            }
+            self.variables.set(key, value);
         }
         match out[begin..].trim_ascii().is_empty() {
-            true if assigns && known => Step::Done,
+            // What divides by zero is reported by itself.
+            true if assigns && (known || self.variables.has_divided()) => Step::Done,
             // Of what gets no known value the reader says that it computes.
             true if assigns => Step::AsWritten,
             _ => Step::Read(out),
@@ -312,8 +307,12 @@ impl Macros {
 }
 
 impl Flow for Macros {
-    fn writes(&self) -> Vec<(usize, usize)> {
-        self.writes.clone()
+    fn written(&mut self) -> Vec<(Variable, f64)> {
+        std::mem::take(&mut self.written)
+    }
+
+    fn divisions(&self) -> Vec<u32> {
+        self.variables.divisions()
     }
 
     fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {

@@ -26,7 +26,7 @@ impl Macros {
                 let back = self.leave();
                 let given = value.filter(|_| self.is_sure()).unwrap_or(Value::Unknown);
                 self.variables.set(Key::Name("_value".to_owned()), given);
-                Step::to(back)
+                back.map_or(Step::AsWritten, Step::Leave)
             }
             Keyword::Call => self.call(code, &label, rest, next),
             Keyword::If => self.branch(label, value, here),
@@ -64,7 +64,8 @@ impl Macros {
         match keyword {
             Keyword::Do => self.begins(label, here, usize::MAX),
             Keyword::While if self.index.closes_do(&label, here.line) => {
-                match (self.loop_of(&label), value) {
+                let ends = matches!(self.open.last(), Some(Open::Loop(_, _, 0)));
+                match (self.loop_of(&label), value.filter(|_| !ends)) {
                     (Some(begin), Some(Value::Number(truth))) if truth != 0.0 => Step::Go(begin),
                     (Some(_), known) => {
                         self.open.pop();
@@ -93,6 +94,9 @@ impl Macros {
             // It may leave the loop here, or a round of it.
             Keyword::Break | Keyword::Continue if self.is_guarded() => {
                 self.leaps_to(NOWHERE);
+                if keyword == Keyword::Break {
+                    self.may_end(&label);
+                }
                 Step::AsWritten
             }
             Keyword::Break => self.out_of(&label, here),
@@ -128,7 +132,7 @@ impl Macros {
         };
         self.runs(begin, end);
         self.enter(next, true, 0, arguments);
-        Step::Go(begin)
+        Step::Enter(begin)
     }
 
     fn branch(&mut self, label: String, condition: Option<Value>, here: Place) -> Step {
@@ -240,11 +244,25 @@ impl Macros {
             })
     }
 
+    /// An unknown condition may have ended a loop: it makes no further round, which would be as unknown as this one.
+    fn may_end(&mut self, label: &str) {
+        if let Some((own, ..)) = self.loop_around(label)
+            && let Some(Open::Loop(_, _, times)) = self.open.get_mut(own)
+        {
+            *times = 0;
+        }
+    }
+
     /// The end of a loop with a condition at its beginning.
     pub(super) fn end_of_loop(&mut self, label: &str) -> Step {
-        match self.loop_of(label) {
-            Some(begin) => Step::Go(begin),
-            None => self.unsure_loop_ends(label),
+        match (self.loop_of(label), self.open.last()) {
+            (Some(_), Some(Open::Loop(_, _, 0))) => {
+                self.open.pop();
+                self.forget();
+                Step::LoopEnds
+            }
+            (Some(begin), _) => Step::Go(begin),
+            (None, _) => self.unsure_loop_ends(label),
         }
     }
 
@@ -258,12 +276,17 @@ impl Macros {
     fn again(&mut self, label: &str) -> Step {
         match self.open.last_mut() {
             Some(Open::Loop(own, begin, times)) if own == label => {
-                *times -= 1;
-                let (begin, left) = (*begin, *times);
+                let may_have_ended = *times == 0;
+                let (begin, left) = (*begin, times.saturating_sub(1));
+                *times = left;
                 if left > 0 {
                     return Step::Go(begin);
                 }
                 self.open.pop();
+                if may_have_ended {
+                    self.forget();
+                    return Step::LoopEnds;
+                }
                 Step::Done
             }
             _ => self.unsure_loop_ends(label),

@@ -55,6 +55,8 @@ pub struct Variables {
     assigned: BTreeSet<Key>,
     /// What was read and is not known, with the lines.
     asked: RefCell<BTreeMap<Key, Vec<u32>>>,
+    /// Lines in which a division by zero was asked for.
+    divided: RefCell<Vec<u32>>,
 }
 
 impl Variables {
@@ -70,7 +72,18 @@ impl Variables {
             given,
             assigned: BTreeSet::new(),
             asked: RefCell::default(),
+            divided: RefCell::default(),
         }
+    }
+
+    /// Lines in which a division by zero was asked for.
+    pub fn divisions(&self) -> Vec<u32> {
+        self.divided.borrow().clone()
+    }
+
+    /// Whether the line that is run divides by zero.
+    pub fn has_divided(&self) -> bool {
+        self.divided.borrow().last() == Some(&(self.line as u32))
     }
 
     /// What was read before anything set it.
@@ -460,7 +473,16 @@ impl<'a> Cursor<'a> {
             "+" => finite(a + b),
             "-" => finite(a - b),
             "*" => finite(a * b),
-            "/" if b != 0.0 => finite(a / b),
+            "/" if b == 0.0 => {
+                const MOST: usize = 1000;
+                let mut divided = self.variables.divided.borrow_mut();
+                let line = self.variables.line as u32;
+                if divided.len() < MOST && divided.last() != Some(&line) {
+                    divided.push(line);
+                }
+                Value::Unknown
+            }
+            "/" => finite(a / b),
             "MOD" if b > 0.0 && a >= 0.0 => finite(a % b),
             "**" if b.fract() == 0.0 && (0.0..=16.0).contains(&b) => finite(a.powi(b as i32)),
             "EQ" => both(decided, same),

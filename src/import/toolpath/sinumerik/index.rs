@@ -106,7 +106,7 @@ fn label_of(code: &str) -> Option<&str> {
         .take_while(|b| b.is_ascii_alphanumeric() || *b == b'_')
         .count();
     let begins = code.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-    (begins && length > 1 && code[length..].starts_with(':')).then(|| &code[..length])
+    (begins && code[length..].starts_with(':')).then(|| &code[..length])
 }
 
 impl Index {

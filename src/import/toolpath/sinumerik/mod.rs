@@ -12,6 +12,7 @@ use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::{Flow, Step};
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::writes::{self, Variable};
 use crate::num::decimal;
 use index::{Index, Structure};
 use value::{Cursor, Variables};
@@ -56,9 +57,8 @@ pub(super) struct Sinumerik {
     blocks: usize,
     /// Whether the program is run with what is known, and not only read.
     runs: bool,
-    /// How many moves were made.
-    moves: usize,
-    writes: Vec<(usize, usize)>,
+    /// The registers that the line has written.
+    written: Vec<(Variable, f64)>,
     ran: Vec<(usize, usize)>,
 }
 
@@ -74,8 +74,7 @@ impl Sinumerik {
             leaps: Vec::new(),
             blocks: 0,
             runs: false,
-            moves: 0,
-            writes: Vec::new(),
+            written: Vec::new(),
             ran: Vec::new(),
         }
     }
@@ -96,6 +95,9 @@ impl Sinumerik {
         if let Some(label) = jump(&mut Cursor::new(code)) {
             return self.goto(label, Some(1.0), next);
         }
+        if cursor.eat("CASE") {
+            return self.case(cursor, next);
+        }
         if let Some(step) = self.structure(code, here, next) {
             return step;
         }
@@ -105,7 +107,7 @@ impl Sinumerik {
         if cursor.eat("RET") || !self.frames.is_empty() && (cursor.eat("M17") || cursor.eat("M99"))
         {
             return match self.is_sure() {
-                true => self.leave().map_or(Step::AsWritten, Step::Go),
+                true => self.leave().map_or(Step::AsWritten, Step::Leave),
                 false => Step::AsWritten,
             };
         }
@@ -144,7 +146,40 @@ impl Sinumerik {
         if !self.leaps.contains(&line) {
             self.leaps.push(line);
         }
+        if holds.is_some() && to.is_none() {
+            return Step::Astray;
+        }
         below.map_or(Step::AsWritten, |to| Step::MayJump(to.line))
+    }
+
+    /// `CASE R1 OF 1 GOTOF A 2 GOTOF B DEFAULT GOTOF C`.
+    fn case(&mut self, mut cursor: Cursor<'_>, next: Place) -> Step {
+        let value = cursor.value(&mut self.variables);
+        let mut known = cursor.eat("OF") && value.is_some_and(|value| !value.is_nan());
+        while known && !cursor.rest.trim().is_empty() {
+            let is_default = cursor.eat("DEFAULT");
+            let constant = if is_default {
+                None
+            } else {
+                cursor.value(&mut self.variables)
+            };
+            let Some(label) = jump(&mut cursor) else {
+                known = false;
+                break;
+            };
+            if is_default || constant == value {
+                return self.goto(label, Some(1.0), next);
+            }
+        }
+        if known {
+            return Step::Done;
+        }
+        // It may go on at any of the labels.
+        self.variables.forget();
+        if !self.leaps.contains(&NOWHERE) {
+            self.leaps.push(NOWHERE);
+        }
+        Step::Astray
     }
 
     /// `IF` with `ENDIF`.
@@ -325,7 +360,13 @@ impl Sinumerik {
         while let Some(name) = cursor.word() {
             let is_list = cursor.rest.starts_with('[');
             let size = cursor.index(&mut self.variables);
-            let first = if cursor.eat("=") {
+            let set = cursor.eat("=");
+            let list = if set && is_list && cursor.eat("SET") && cursor.eat("(") {
+                self.list(&mut cursor)
+            } else {
+                Vec::new()
+            };
+            let first = if set && list.is_empty() {
                 cursor.value(&mut self.variables).unwrap_or(f64::NAN)
             } else {
                 0.0
@@ -340,8 +381,10 @@ impl Sinumerik {
                 .and_then(|size| size.trim_matches(['[', ']']).parse::<usize>().ok())
                 .filter(|_| is_list)
             {
-                Some(size) => (0..size.min(1000))
-                    .for_each(|i| self.variables.define(&format!("{name}[{i}]"), known)),
+                Some(size) => (0..size.min(1000)).for_each(|i| {
+                    let value = list.get(i).copied().unwrap_or(known);
+                    self.variables.define(&format!("{name}[{i}]"), value);
+                }),
                 None => self.variables.define(name, known),
             }
             if !cursor.eat(",") {
@@ -349,6 +392,20 @@ impl Sinumerik {
             }
         }
         Step::Done
+    }
+
+    /// The values of `SET(1, R2, 3)`, behind its bracket.
+    fn list(&mut self, cursor: &mut Cursor<'_>) -> Vec<f64> {
+        const MOST: usize = 1000;
+        let mut values = Vec::new();
+        while values.len() < MOST && !cursor.eat(")") {
+            let Some(value) = cursor.value(&mut self.variables) else {
+                break;
+            };
+            values.push(value);
+            cursor.eat(",");
+        }
+        values
     }
 
     /// A subprogram of the same text: `MEASURE(5, R1)`.
@@ -384,7 +441,7 @@ impl Sinumerik {
             loops: self.loops.len(),
             unsure: self.unsure.len(),
         });
-        Some(Step::Go(begin))
+        Some(Step::Enter(begin))
     }
 
     fn leave(&mut self) -> Option<Place> {
@@ -440,7 +497,7 @@ impl Sinumerik {
                     decimal(value, 9)
                 };
                 let text = wrap.map_or_else(|| value.clone(), |wrap| format!("{wrap}({value})"));
-                out.push_str(&format!("{word}={text} "));
+                out.push_str(&format!(" {word}={text} "));
                 continue;
             }
             assigns = true;
@@ -467,16 +524,23 @@ impl Sinumerik {
         index: Option<String>,
         cursor: &mut Cursor<'_>,
     ) -> Option<f64> {
-        let value = cursor.value(&mut self.variables)?;
+        let frame = word.starts_with("$P_") && cursor.rest.trim_start().starts_with('C');
+        let value = if frame {
+            // CTRANS( … ): a whole frame, which is not followed.
+            cursor.rest = "";
+            f64::NAN
+        } else {
+            cursor.value(&mut self.variables)?
+        };
         let index = index?;
         let name = match word {
             "R" if index.len() > 2 => format!("R{}", &index[1..index.len() - 1]),
             word => format!("{word}{index}"),
         };
-        if name.starts_with("$P_UIFR") || name.starts_with("$P_PFRAME") {
-            self.writes.push((self.moves, self.variables.line));
-        }
         let value = if self.is_sure() { value } else { f64::NAN };
+        if let Some(variable) = writes::of_name(&name) {
+            self.written.push((variable, value));
+        }
         self.variables.set(&name, value);
         Some(value)
     }
@@ -549,7 +613,7 @@ impl Flow for Sinumerik {
     }
 
     fn sees(&mut self, system: System) {
-        (self.runs, self.moves) = (true, system.moves);
+        self.runs = true;
         self.variables.system = system.of_sinumerik();
     }
 
@@ -557,8 +621,8 @@ impl Flow for Sinumerik {
         self.variables.asks()
     }
 
-    fn writes(&self) -> Vec<(usize, usize)> {
-        self.writes.clone()
+    fn written(&mut self) -> Vec<(Variable, f64)> {
+        std::mem::take(&mut self.written)
     }
 
     fn uncalled(&mut self, _end: Place) -> Option<(String, Place)> {
@@ -578,9 +642,9 @@ fn jump<'b>(cursor: &mut Cursor<'b>) -> Option<&'b str> {
 
 /// Whether what is assigned is an address of the control, and no variable.
 fn is_address(word: &str) -> bool {
-    const WORDS: [&str; 14] = [
-        "CR", "AR", "AP", "RP", "MEAS", "MEAW", "SPOS", "SPOSA", "RND", "RNDM", "CHF", "CHR",
-        "TURN", "ANG",
+    const WORDS: [&str; 15] = [
+        "RPL", "CR", "AR", "AP", "RP", "MEAS", "MEAW", "SPOS", "SPOSA", "RND", "RNDM", "CHF",
+        "CHR", "TURN", "ANG",
     ];
     let mut bytes = word.bytes();
     let letter = bytes

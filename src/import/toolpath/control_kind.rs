@@ -1,0 +1,162 @@
+//! The controls whose programs differ in what a word does to the coordinate system, and in what a probing move does beside moving.
+//!
+//! LinuxCNC, grbl, grblHAL, FluidNC, RepRapFirmware and Centroid by their sources and help texts; Fanuc and its kin, SINUMERIK and HEIDENHAIN by manuals.
+//! What is only recalled of them: that a write to a Fanuc's offset variables acts at once.
+
+use crate::import::signs::{self, Sign};
+use crate::import::toolpath::{DIALECTS, guess};
+
+/// Whose words a program has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum ControlKind {
+    /// It may be any of those with G codes.
+    #[default]
+    Unknown,
+    LinuxCnc,
+    Grbl,
+    GrblHal,
+    FluidNc,
+    /// Fanuc, Haas, Mazak, Brother, Hurco.
+    Fanuc,
+    Centroid,
+    RepRap,
+    Sinumerik,
+    Heidenhain,
+}
+
+/// What `G92 X5` calls 5.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Renames {
+    /// The position in every work offset.
+    Everywhere,
+    /// The position in the active work offset alone.
+    Active,
+    /// The position of the machine, without the work offset.
+    Machine,
+}
+
+/// The controls that a program can be read for: the key, the dialect of its texts, and its kind.
+const TOLD: [(&str, usize, ControlKind); 14] = [
+    ("linuxcnc", 0, ControlKind::LinuxCnc),
+    ("grbl", 0, ControlKind::Grbl),
+    ("grblhal", 0, ControlKind::GrblHal),
+    ("fluidnc", 0, ControlKind::FluidNc),
+    ("sinumerik", 1, ControlKind::Sinumerik),
+    ("heidenhain", 2, ControlKind::Heidenhain),
+    ("fanuc", 0, ControlKind::Fanuc),
+    ("haas", 0, ControlKind::Fanuc),
+    ("mazak", 0, ControlKind::Fanuc),
+    ("brother", 0, ControlKind::Fanuc),
+    ("hurco", 0, ControlKind::Fanuc),
+    ("okuma", 0, ControlKind::Unknown),
+    ("centroid", 0, ControlKind::Centroid),
+    ("reprapfirmware", 0, ControlKind::RepRap),
+];
+
+/// The keys of the controls that a program can be read for, in the order of the documentation.
+pub const PROGRAM_POSTS: [&str; 14] = {
+    let mut keys = [""; 14];
+    let mut i = 0;
+    while i < TOLD.len() {
+        keys[i] = TOLD[i].0;
+        i += 1;
+    }
+    keys
+};
+
+/// The dialect of a control's programs, by its key.
+pub(super) fn dialect_of(post: &str) -> Option<&'static str> {
+    told(post).map(|(_, dialect, _)| DIALECTS[*dialect])
+}
+
+fn told(post: &str) -> Option<&'static (&'static str, usize, ControlKind)> {
+    TOLD.iter().find(|(key, ..)| *key == post)
+}
+
+impl ControlKind {
+    /// Of a text in a dialect: the control that was told, else by signs that no other control's programs have.
+    pub fn of(text: &str, dialect: &str, post: Option<&str>) -> Self {
+        if let Some((.., kind)) = post.and_then(told) {
+            return *kind;
+        }
+        if dialect == DIALECTS[1] {
+            return ControlKind::Sinumerik;
+        }
+        if dialect == DIALECTS[2] {
+            return ControlKind::Heidenhain;
+        }
+        match signs::of(text) {
+            _ if guess::is_centroid(text) => ControlKind::Centroid,
+            Some(Sign::LinuxCnc | Sign::Rs274) => ControlKind::LinuxCnc,
+            Some(Sign::LikeFanuc) => ControlKind::Fanuc,
+            Some(Sign::RepRap) => ControlKind::RepRap,
+            Some(Sign::Klartext) | None => ControlKind::Unknown,
+        }
+    }
+
+    /// Whether `G10 L2` adds its values under G91.
+    pub fn adds_settings(self) -> bool {
+        self == ControlKind::Fanuc
+    }
+
+    /// Whether `G10 L2 P0` writes the offset that is added to all others, and not the active one.
+    pub fn has_external_offset(self) -> bool {
+        self == ControlKind::Fanuc
+    }
+
+    /// Whether `G10 L20 Pn` writes values, into `G54.1 Pn`. Elsewhere it makes the present position the one that it gives.
+    pub fn counts_by_l20(self) -> bool {
+        self == ControlKind::Fanuc
+    }
+
+    /// Whether an offset that is written as a variable acts only when it is selected.
+    pub fn keeps_written_offsets(self) -> bool {
+        matches!(
+            self,
+            ControlKind::LinuxCnc | ControlKind::FluidNc | ControlKind::Sinumerik
+        )
+    }
+
+    /// Whether selecting the active work offset loads it again.
+    pub fn loads_active_again(self) -> bool {
+        self != ControlKind::LinuxCnc
+    }
+
+    pub fn renames(self) -> Renames {
+        match self {
+            ControlKind::Centroid => Renames::Active,
+            ControlKind::RepRap => Renames::Machine,
+            _ => Renames::Everywhere,
+        }
+    }
+
+    /// Whether G52 writes the register of G92.
+    pub fn shares_shift(self) -> bool {
+        self == ControlKind::LinuxCnc
+    }
+
+    /// What a work offset is called.
+    pub fn offset_name(self, number: i32) -> String {
+        match (self, number) {
+            (ControlKind::Heidenhain, row) => format!("row {row}"),
+            (ControlKind::Sinumerik, 0) => "G500".to_owned(),
+            (ControlKind::Sinumerik, number @ 5..) => format!("G{}", 500 + number),
+            (_, number @ 1..=6) => format!("G{}", 53 + number),
+            (ControlKind::Fanuc | ControlKind::Unknown, number @ 7..=26) => {
+                format!("G{}", 103 + number)
+            }
+            (_, number @ 7..=9) => format!("G59.{}", number - 6),
+            (_, number @ 1000..) => format!("G54.1 P{}", number / 1000),
+            _ => "?".to_owned(),
+        }
+    }
+}
+
+/// The number by which a work offset counts here, from its P in `G54.1 P2`, `G154 P2`.
+pub(super) fn counted(first: i32, p: f64) -> i32 {
+    if p.is_nan() {
+        i32::MAX
+    } else {
+        first.saturating_add((1000.0 * p) as i32)
+    }
+}

@@ -1,0 +1,282 @@
+//! Blocks that move the coordinate system: work offsets, shifts, rotations.
+
+use crate::control::iso::codes::Shift;
+use crate::control::iso::lex::number;
+use crate::import::toolpath::block::Block;
+use crate::import::toolpath::control_kind::counted;
+use crate::import::toolpath::count::count;
+use crate::import::toolpath::frames::{Axes, Frames, Position, Register};
+use crate::import::toolpath::reader::Reader;
+
+impl Reader {
+    /// Changes where the system is; it is reported if that is not known from here on.
+    pub(super) fn with_frames(&mut self, change: impl FnOnce(&mut Frames, &mut Position)) {
+        let mut change = Some(change);
+        self.with_frames_by(&mut |frames, place| {
+            if let Some(change) = change.take() {
+                change(frames, place);
+            }
+        });
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn with_frames_by(&mut self, change: &mut dyn FnMut(&mut Frames, &mut Position)) {
+        let begun = !self.path.is_empty();
+        // A text that is only read is read on as it is written.
+        self.frames.begun = begun && self.run.is_some();
+        let was_known = self.frames.is_known();
+        change(&mut self.frames, &mut self.place);
+        let guessed = self.frames.take_guess() && begun;
+        if guessed || was_known && !self.frames.is_known() {
+            count(&mut self.transformed, self.line);
+        }
+    }
+
+    /// The numbers of a block, in the units of the path: NaN is not known.
+    pub(super) fn values(&self, block: &Block) -> Position {
+        let half = if self.modes.diameter { 0.5 } else { 1.0 };
+        [0, 1, 2].map(|axis: usize| {
+            if block.computed & (1 << axis) != 0 {
+                return f64::NAN;
+            }
+            let x = block.places[axis] * self.modes.scale;
+            if axis == 0 { x * half } else { x }
+        })
+    }
+
+    /// What a block does to the system.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn moves_system(&mut self, block: &Block) {
+        let given = (block.given, self.values(block));
+        if let Some(first) = block.offset {
+            let number = if block.counts {
+                counted(first, block.p.unwrap_or(f64::NAN))
+            } else {
+                first
+            };
+            self.with_frames(|frames, place| frames.select(number, place));
+        }
+        if block.writes {
+            self.writes_setting(block, given);
+        }
+        match block.shift {
+            Some(Shift::Position) if given.0 != 0 => {
+                self.wrote_shift(given);
+                self.with_frames(|frames, place| frames.shift_to(given.0, given.1, place));
+            }
+            Some(Shift::Value) if given.0 != 0 => {
+                let added = !self.modes.absolute && self.heidenhain;
+                self.with_frames(|frames, place| {
+                    frames.set_shift(Register::Local, given, added, place)
+                });
+            }
+            Some(Shift::Position | Shift::Value) | None => {}
+            Some(end @ (Shift::End | Shift::Off)) => {
+                self.with_frames(|frames, place| frames.end_shift(end == Shift::End, place));
+            }
+            Some(Shift::Back) => self.with_frames(Frames::bring_shift_back),
+        }
+        match block.turns {
+            Some(true) => self.begins_turn(block, given),
+            Some(false) => self.with_frames(Frames::end_turn),
+            None => {}
+        }
+        if block.distorts && (block.given != 0 || block.radius.is_some()) {
+            self.with_frames(Frames::lose);
+        }
+    }
+
+    /// `G68 X Y R`: about a centre, or about where the stylus is.
+    fn begins_turn(&mut self, block: &Block, (axes, values): (Axes, Position)) {
+        let level = self.modes.plane.unwrap_or_default().axes()[2] == 2;
+        let angle = block.radius.unwrap_or(f64::NAN);
+        let center = (axes & 3 == 3).then_some(values);
+        let partly = center.is_none() && axes & 3 != 0;
+        if !level || partly || !self.modes.absolute {
+            return self.with_frames(Frames::lose);
+        }
+        self.with_frames(|frames, place| frames.begin_turn(center, angle, false, place));
+    }
+
+    /// `G10`: a work offset by its L and P.
+    fn writes_setting(&mut self, block: &Block, given: (Axes, Position)) {
+        let kind = self.frames.kind;
+        let angle = block.radius;
+        let Some(l) = block.l else { return };
+        if l.is_nan() {
+            self.wrote_any();
+            return self.with_frames(|frames, place| frames.forget(7, place));
+        }
+        if given.0 == 0 && angle.is_none() {
+            return;
+        }
+        if l != 2.0 && l != 20.0 {
+            return self.wrote_tool(block, l, given);
+        }
+        let number = block.p.filter(|p| *p != 0.0);
+        if number.is_some_and(f64::is_nan) {
+            self.wrote_any();
+            return self.with_frames(|frames, place| frames.forget(given.0, place));
+        }
+        let number = number.map(|p| p as i32);
+        if block.p == Some(0.0) && l == 2.0 && kind.has_external_offset() {
+            self.wrote_external(given);
+            let added = !self.modes.absolute;
+            return self.with_frames(|frames, place| {
+                frames.set_shift(Register::External, given, added, place)
+            });
+        }
+        if l == 20.0 && !kind.counts_by_l20() {
+            self.wrote_offset(number, given, None);
+            return self.with_frames(|frames, place| {
+                frames.write_position(number, given.0, given.1, place)
+            });
+        }
+        let number = if l == 20.0 {
+            number.map(|p| counted(6, f64::from(p)))
+        } else {
+            number
+        };
+        // Whether distances are added is not known where the control is not.
+        let added = !self.modes.absolute && kind.adds_settings();
+        self.wrote_offset(number, given, angle);
+        self.with_frames(|frames, place| frames.write_value(number, given, angle, added, place));
+    }
+
+    /// A frame that a program of a SINUMERIK sets: `TRANS X5`, `AROT RPL=30`. False for any other block.
+    pub(super) fn program_frame(&mut self, code: &[u8]) -> bool {
+        const WORDS: [&str; 10] = [
+            "TRANS", "ATRANS", "ROT", "AROT", "ROTS", "AROTS", "SCALE", "ASCALE", "MIRROR",
+            "AMIRROR",
+        ];
+        let length = code
+            .iter()
+            .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
+            .count();
+        let name = &code[..length];
+        let Some(word) = WORDS
+            .into_iter()
+            .find(|word| name.eq_ignore_ascii_case(word.as_bytes()))
+        else {
+            return false;
+        };
+        let rest = code[length..].trim_ascii_start();
+        if matches!(rest.first(), Some(b'=' | b':' | b'(')) {
+            return false;
+        }
+        let scale = self.modes.scale;
+        match (word, arguments(rest)) {
+            (
+                _,
+                Some(Arguments {
+                    axes: 0,
+                    plane: None,
+                    ..
+                }),
+            ) => {
+                self.with_frames(|frames, place| frames.replace_program_shift(0, [0.0; 3], place));
+            }
+            (
+                "TRANS",
+                Some(Arguments {
+                    axes,
+                    values,
+                    plane: None,
+                }),
+            ) => {
+                let values = values.map(|x| x * scale);
+                self.with_frames(|frames, place| frames.replace_program_shift(axes, values, place));
+            }
+            (
+                "ATRANS",
+                Some(Arguments {
+                    axes,
+                    values,
+                    plane: None,
+                }),
+            ) => {
+                let given = (axes, values.map(|x| x * scale));
+                self.with_frames(|frames, place| {
+                    frames.set_shift(Register::Local, given, true, place)
+                });
+            }
+            ("ROT" | "AROT", Some(given)) if given.turn().is_some() => {
+                let angle = given.turn().unwrap_or(f64::NAN);
+                let level = self.modes.plane.unwrap_or_default().axes()[2] == 2;
+                let added = word == "AROT";
+                self.with_frames(|frames, place| {
+                    if !level {
+                        return frames.lose(place);
+                    }
+                    if !added {
+                        frames.replace_program_shift(0, [0.0; 3], place);
+                    }
+                    frames.begin_turn(Some([0.0; 3]), angle, added, place);
+                });
+            }
+            _ => self.with_frames(Frames::lose),
+        }
+        true
+    }
+}
+
+/// What follows the word of a frame.
+struct Arguments {
+    axes: Axes,
+    values: Position,
+    /// `RPL=30`: a rotation in the plane.
+    plane: Option<f64>,
+}
+
+impl Arguments {
+    /// A rotation about the tool axis of G17.
+    fn turn(&self) -> Option<f64> {
+        match (self.axes, self.plane) {
+            (0, Some(angle)) => Some(angle),
+            (4, None) => Some(self.values[2]),
+            _ => None,
+        }
+    }
+}
+
+/// `X5 Y=3`, `RPL=30`; none where something else is there. A value that is no number is not known.
+fn arguments(rest: &[u8]) -> Option<Arguments> {
+    let mut found = Arguments {
+        axes: 0,
+        values: [0.0; 3],
+        plane: None,
+    };
+    let mut at = 0;
+    while at < rest.len() {
+        match rest[at].to_ascii_uppercase() {
+            b' ' | b'\t' => at += 1,
+            b';' => break,
+            letter => {
+                let plane = rest[at..]
+                    .get(..3)
+                    .is_some_and(|word| word.eq_ignore_ascii_case(b"RPL"));
+                if !plane && !letter.is_ascii_uppercase() {
+                    return None;
+                }
+                at += if plane { 3 } else { 1 };
+                while matches!(rest.get(at), Some(b' ' | b'\t' | b'=')) {
+                    at += 1;
+                }
+                let (value, end) = number(rest, at)?;
+                at = end;
+                match letter {
+                    _ if plane => found.plane = Some(value),
+                    b'X'..=b'Z' => {
+                        let axis = usize::from(letter - b'X');
+                        found.axes |= 1 << axis;
+                        found.values[axis] = value;
+                    }
+                    _ => return None,
+                }
+            }
+        }
+    }
+    Some(found)
+}

@@ -1,0 +1,77 @@
+//! Lines that a run does not follow, each with the reason.
+
+use crate::import::toolpath::count::{Count, count};
+use crate::text::{Text, text};
+
+/// Why a line is not followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Skip {
+    /// Its condition is not known: both ways are read, or neither.
+    Condition,
+    /// It gives a variable a value that is not known.
+    Value,
+    /// What it calls is not in the text.
+    Call,
+    /// It jumps, and where to is not known.
+    Jump,
+    /// It runs a canned cycle.
+    Canned,
+    /// It is not understood.
+    Words,
+    /// The run has become too long.
+    Endless,
+}
+
+/// All reasons, in the order in which they are reported.
+const ALL: [Skip; 7] = [
+    Skip::Condition,
+    Skip::Value,
+    Skip::Call,
+    Skip::Jump,
+    Skip::Canned,
+    Skip::Words,
+    Skip::Endless,
+];
+
+/// The lines that were not followed, by their reasons.
+#[derive(Default)]
+pub(super) struct Skipped([Count; 7]);
+
+impl Skip {
+    fn says(self) -> Text {
+        match self {
+            Skip::Condition => text!("Whether these conditions hold is not known"),
+            Skip::Value => text!("These variables get a value that is not known"),
+            Skip::Call => {
+                text!("What is called here is not in this text: positions after it are not known")
+            }
+            Skip::Jump => text!("Where the program jumps to is not known"),
+            Skip::Canned => text!("Canned cycles are not followed"),
+            Skip::Words => text!("Lines that are not understood are not followed"),
+            Skip::Endless => {
+                text!("The run ends here: it has made as many blocks as are followed")
+            }
+        }
+    }
+}
+
+impl Skipped {
+    pub fn count(&mut self, why: Skip, line: usize) {
+        count(&mut self.0[why as usize], line);
+    }
+
+    /// The lines in which something may happen that is not seen: what they write is not known.
+    pub fn unread(&self) -> impl Iterator<Item = u32> {
+        [Skip::Call, Skip::Jump, Skip::Words, Skip::Endless]
+            .into_iter()
+            .flat_map(|why| self.0[why as usize].lines.iter().copied())
+    }
+
+    /// What is said of them.
+    pub fn into_counts(self) -> impl Iterator<Item = (Count, Text)> {
+        self.0
+            .into_iter()
+            .zip(ALL)
+            .map(|(count, why)| (count, why.says()))
+    }
+}

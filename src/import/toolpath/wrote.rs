@@ -1,0 +1,196 @@
+//! Blocks, variables and calls that write what lasts: each becomes an event, and changes what is known of the coordinate system.
+
+use crate::control::native::Call;
+use crate::import::toolpath::block::Block;
+use crate::import::toolpath::frames::{Axes, Frames, Position, Register};
+use crate::import::toolpath::known::Trip;
+use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::writes::{
+    AXES, LENGTH, OFFSET, RADIUS, SHIFT, TABLE, Variable, WEAR, Write,
+};
+
+/// So many writes are listed.
+const MOST_WRITES: usize = 10_000;
+
+impl Reader {
+    #[inline(never)]
+    fn wrote(
+        &mut self,
+        kind: &'static str,
+        register: String,
+        axis: Option<&'static str>,
+        value: f64,
+    ) {
+        let (moves, line) = (self.path.len(), self.line as u32);
+        let Some(log) = self
+            .log
+            .as_mut()
+            .filter(|log| log.writes.len() < MOST_WRITES)
+        else {
+            return;
+        };
+        log.writes.push(Write {
+            line,
+            file: 0,
+            kind,
+            register,
+            axis,
+            value: value.is_finite().then_some(value),
+            guarded: Some(false),
+            moves,
+        });
+    }
+
+    #[inline(never)]
+    fn wrote_axes(&mut self, kind: &'static str, register: &str, (axes, values): (Axes, Position)) {
+        for axis in (0..3).filter(|axis| axes & (1 << axis) != 0) {
+            self.wrote(kind, register.to_owned(), Some(AXES[axis]), values[axis]);
+        }
+    }
+
+    /// `G10 L2`, `G10 L20`: without a number the active work offset.
+    pub(super) fn wrote_offset(
+        &mut self,
+        number: Option<i32>,
+        given: (Axes, Position),
+        angle: Option<f64>,
+    ) {
+        let register = match number.or(self.frames.active()) {
+            Some(number) => self.frames.kind.offset_name(number),
+            None => "active".to_owned(),
+        };
+        self.wrote_axes(OFFSET, &register, given);
+        if let Some(angle) = angle {
+            self.wrote(OFFSET, register, Some(AXES[3]), angle);
+        }
+    }
+
+    pub(super) fn wrote_shift(&mut self, given: (Axes, Position)) {
+        self.wrote_axes(SHIFT, "G92", given);
+    }
+
+    pub(super) fn wrote_external(&mut self, given: (Axes, Position)) {
+        self.wrote_axes(OFFSET, "external offset", given);
+    }
+
+    /// It is not known what is written.
+    pub(super) fn wrote_any(&mut self) {
+        self.wrote(OFFSET, "?".to_owned(), None, f64::NAN);
+    }
+
+    /// `G10 L1 P5 Z…` of a LinuxCNC, `G10 L10 P5 R…` of a Fanuc.
+    pub(super) fn wrote_tool(&mut self, block: &Block, l: f64, given: (Axes, Position)) {
+        let tool = block.p.map_or("tool".to_owned(), |p| {
+            format!("tool {}", crate::num::decimal(p, 0))
+        });
+        let kind = match l as i32 {
+            12 | 13 if given.0 == 0 => RADIUS,
+            11 | 13 if given.0 == 0 => WEAR,
+            1 | 10 | 11 | 12 => LENGTH,
+            _ => TABLE,
+        };
+        self.wrote_axes(kind, &tool, given);
+        if let Some(radius) = block.radius {
+            let kind = if given.0 == 0 { kind } else { RADIUS };
+            self.wrote(kind, tool, None, radius * self.modes.scale);
+        }
+    }
+
+    /// A program gives a variable a value that is a register of the control.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn writes_variable(&mut self, variable: &Variable, value: f64) {
+        // In inch it depends on the machine what the number counts in.
+        let ambiguous = self.is_inch() && value != 0.0 && !self.sinumerik;
+        let length = if ambiguous {
+            f64::NAN
+        } else {
+            value * self.modes.scale
+        };
+        match variable {
+            Variable::Offset(number, axis) => {
+                let (number, axis) = (*number, *axis);
+                let value = if axis == 3 { value } else { length };
+                let register = self.frames.kind.offset_name(number);
+                self.wrote(OFFSET, register, Some(AXES[axis]), value);
+                self.with_frames(|frames, place| frames.write_variable(number, axis, value, place));
+            }
+            Variable::AnyOffset(name) => {
+                self.wrote(OFFSET, name.clone(), None, f64::NAN);
+                self.with_frames(|frames, place| frames.forget(7, place));
+            }
+            Variable::ProgramFrame => self.with_frames(Frames::lose),
+            Variable::Shift(axis) => {
+                self.wrote(SHIFT, "G92".to_owned(), Some(AXES[*axis]), length);
+            }
+            Variable::External(axis) => {
+                let given = (1 << axis, [length; 3]);
+                self.wrote_external(given);
+                self.with_frames(|frames, place| {
+                    frames.set_shift(Register::External, given, false, place);
+                });
+            }
+            Variable::Tool(kind, name) => self.wrote(kind, name.clone(), None, length),
+        }
+    }
+
+    /// Whether the program's units are inches here.
+    pub(super) fn is_inch(&self) -> bool {
+        match self.path.metric {
+            Some(first) => first != (self.modes.scale == 1.0),
+            None => false,
+        }
+    }
+
+    /// `FN 17: SYSWRITE ID50 NR5 …`, `FN 27: TABWRITE 5/"X" = …`: what is written is not followed.
+    #[cold]
+    pub(super) fn wrote_by_function(&mut self, word: &str, rest: &str) {
+        let rest = rest.strip_prefix(word).unwrap_or(rest).trim();
+        let named = rest.split('=').next().unwrap_or_default().trim();
+        let register = format!("{word} {}", crate::form::printable(named));
+        self.wrote(TABLE, register, None, f64::NAN);
+        if word == "SYSWRITE" {
+            self.with_frames(|frames, place| frames.forget(7, place));
+        }
+    }
+
+    /// What a call of one of the control's own cycles writes.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn wrote_by_call(&mut self, call: &Call, arguments: &[(String, f64)]) {
+        for written in call.written(arguments) {
+            let number = match written.number {
+                Some(0) => Some(self.frames.number()),
+                number => number,
+            };
+            let register = match number {
+                _ if !written.register.is_empty() => written.register,
+                Some(number) => self.frames.kind.offset_name(number),
+                None => "?".to_owned(),
+            };
+            let one = (written.axes.count_ones() == 1)
+                .then(|| AXES[written.axes.trailing_zeros() as usize]);
+            self.wrote(written.kind, register, one, f64::NAN);
+            if written.kind == OFFSET {
+                // Where the call says that the feature is, it finds it: unless touches trigger elsewhere.
+                let nominal = self
+                    .run
+                    .as_ref()
+                    .is_some_and(|run| run.feature.is_none() && run.touch == Trip::Unknown);
+                self.with_frames(|frames, place| {
+                    frames.measured(number, written.axes, nominal, place);
+                });
+            }
+        }
+    }
+
+    /// A FluidNC's P in a probing block: the contact gets this number along the first axis that is named, in the active work offset.
+    pub(super) fn writes_by_probing(&mut self, block: &Block, p: f64) {
+        let Some(axis) = (0..3).find(|axis| block.given & (1 << axis) != 0) else {
+            return;
+        };
+        let given = (1 << axis, [p * self.modes.scale; 3]);
+        self.wrote_offset(None, given, None);
+        self.with_frames(|frames, place| frames.write_position(None, given.0, given.1, place));
+    }
+}
