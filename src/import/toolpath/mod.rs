@@ -397,7 +397,8 @@ fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) ->
             1.0
         };
         if let Some((lines, way, feed)) = log.fast_touches(&machine, inch) {
-            path.findings.push(fast(way / inch, feed / inch));
+            let unit = if inch == 1.0 { "mm" } else { "inch" };
+            path.findings.push(fast(way / inch, feed / inch, unit));
             path.finding_lines.push(lines);
         }
         log.unread = unread;
@@ -606,11 +607,11 @@ impl Run<'_> {
 
 /// Says how far the axes run on after the contact of the fastest touch.
 #[cold]
-fn fast(way: f64, feed: f64) -> Finding {
+fn fast(way: f64, feed: f64, unit: &str) -> Finding {
     let message = text!(
         "Touches at up to F{feed}: at 500 mm/s² and after 5 ms the axes run on for {way} after the contact. Check that the stylus takes it, or touch more slowly",
         crate::num::decimal(feed, 1),
-        crate::num::decimal(way, 1)
+        format!("{} {unit}", crate::num::decimal(way, 2))
     );
     Finding::new(Level::Warning, "touch-fast", "", message)
 }

@@ -45,7 +45,9 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         .iter()
         .position(|line| moves(line))
         .unwrap_or(lines.len())];
-    let reads = before.iter().any(|line| reads_place(line));
+    // Behind a move that may miss, the present position is that of a positioning move.
+    let may_miss = is_free_to_miss(line);
+    let reads = before.iter().any(|line| reads_place(line, may_miss));
     let Some(at) = before
         .iter()
         .position(|line| asks(line))
@@ -144,12 +146,12 @@ fn moves(line: &str) -> bool {
                 .any(|code| line.starts_with(code))
 }
 
-/// Whether it reads where the axes are or where the contact was, or sets that place.
-fn reads_place(line: &str) -> bool {
-    const WORDS: [&str; 9] = [
-        "#506", "#504", "#500", "#542", "#<_X", "#<_Y", "#<_Z", "$AA_", "G10L20",
-    ];
-    line.starts_with("G92") || WORDS.iter().any(|word| line.contains(word))
+/// Whether it reads where the contact was, or sets that place; where the axes are, unless only the contact counts.
+fn reads_place(line: &str, only_contact: bool) -> bool {
+    const CONTACT: [&str; 5] = ["#506", "#504", "#500", "$AA_", "G10L20"];
+    const PRESENT: [&str; 4] = ["#542", "#<_X", "#<_Y", "#<_Z"];
+    let has = |words: &[&str]| words.iter().any(|word| line.contains(word));
+    line.starts_with("G92") || has(&CONTACT) || !only_contact && has(&PRESENT)
 }
 
 /// Whether it is a condition about the last probing move.
