@@ -95,7 +95,12 @@ test("a routine that computes with its touches was drawn up to the first of them
   assert.deepEqual((await moves()).slice(-3), [18, 40, -5]);
   assert.match(
     await textOf(viewer.locator(".assumed")),
-    /the start, and where touches trigger/,
+    /the start, work offsets and tool length 0, and where touches trigger/,
+  );
+  // What it writes is listed, with its line.
+  assert.match(
+    await textOf(viewer.locator(".writes")),
+    /^\s*G54 X 0, Y 0\s+Line 9/,
   );
   // What is wrong with it comes first, with its line.
   assert.match(await textOf(viewer.locator(".said")), /^\s*3 faults.*Line 9/s);
@@ -243,6 +248,6 @@ test("where a long program names its parts, and what is said of a line, could no
   await noted.click();
   assert.match(
     await textOf(page.locator("tp-viewer .read .notes")),
-    /A work offset is written whatever was measured/,
+    /G54 X is written whatever was measured/,
   );
 });

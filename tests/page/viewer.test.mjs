@@ -42,7 +42,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   );
   assert.match(
     await textOf(viewer.locator(".notes")),
-    /not followed: once, in line 8/,
+    /a value that is not known: once, in line 8/,
   );
   assert.match(
     await textOf(page.locator(".sentence")),
