@@ -35,6 +35,7 @@ test("the package had no licence text", () => {
     "node",
     "plan",
     "plan-types",
+    "program-posts",
     "protocol",
     "report",
     "results",

@@ -90,6 +90,8 @@ impl ControlKind {
             Some(Sign::LinuxCnc | Sign::Rs274) => ControlKind::LinuxCnc,
             Some(Sign::LikeFanuc) => ControlKind::Fanuc,
             Some(Sign::RepRap) => ControlKind::RepRap,
+            // Programs that probe by macros alone.
+            None if calls_macros(text) => ControlKind::Fanuc,
             Some(Sign::Klartext) | None => ControlKind::Unknown,
         }
     }
@@ -138,6 +140,7 @@ impl ControlKind {
     /// What a work offset is called.
     pub fn offset_name(self, number: i32) -> String {
         match (self, number) {
+            (_, ..=-1 | i32::MAX) => "?".to_owned(),
             (ControlKind::Heidenhain, row) => format!("row {row}"),
             (ControlKind::Sinumerik, 0) => "G500".to_owned(),
             (ControlKind::Sinumerik, number @ 5..) => format!("G{}", 500 + number),
@@ -150,6 +153,12 @@ impl ControlKind {
             _ => "?".to_owned(),
         }
     }
+}
+
+/// Whether a text calls macros by G65, as a Fanuc does.
+fn calls_macros(text: &str) -> bool {
+    let bytes = text.as_bytes();
+    memchr::memchr2_iter(b'G', b'g', bytes).any(|at| bytes[at + 1..].starts_with(b"65"))
 }
 
 /// The number by which a work offset counts here, from its P in `G54.1 P2`, `G154 P2`.

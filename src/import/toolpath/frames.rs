@@ -697,7 +697,15 @@ impl Frames {
 
     /// The values of the first work offsets, as they are stored.
     pub fn values(&self) -> [Position; 9] {
-        std::array::from_fn(|i| self.offset(i as i32 + 1).machine)
+        let start = if self.zero { NOTHING } else { UNKNOWN };
+        std::array::from_fn(|i| {
+            let number = i as i32 + 1;
+            match self.offsets.iter().find(|(known, _)| *known == number) {
+                Some((_, offset)) => offset.machine,
+                None if number == self.number() => self.now.machine,
+                None => start,
+            }
+        })
     }
 
     /// The shift of G92.

@@ -108,7 +108,13 @@ impl Reader {
             };
         }
         if block.machine && !block.home {
-            let values = self.values(block);
+            let values = [0, 1, 2].map(|axis: usize| {
+                if block.computed & (1 << axis) != 0 {
+                    f64::NAN
+                } else {
+                    block.places[axis] * self.modes.scale
+                }
+            });
             self.place = self.frames.after_machine_move(block.given, values, from);
         }
         self.relative = self.relative & !block.given | block.given & !places;

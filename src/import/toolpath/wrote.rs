@@ -165,6 +165,9 @@ impl Reader {
             };
             let register = match number {
                 _ if !written.register.is_empty() => written.register,
+                _ if written.number == Some(0) && self.frames.active().is_none() => {
+                    "active".to_owned()
+                }
                 Some(number) => self.frames.kind.offset_name(number),
                 None => "?".to_owned(),
             };

@@ -457,6 +457,15 @@ fn a_program_run_on_the_part_of_its_job_triggers_as_its_plan() {
                 "{name} {offset:?}: {:?}",
                 run.findings
             );
+            // A way that the plan holds to be free is free here.
+            if plan
+                .findings
+                .iter()
+                .all(|f| f.code != "collision" && f.code != "passes-close")
+            {
+                let collision = run.findings.iter().find(|f| f.code == "collision");
+                assert!(collision.is_none(), "{name} {offset:?}: {collision:?}");
+            }
             for (own, trigger) in touches.iter().zip(&planned.run.triggers) {
                 let trigger = trigger.expect("checked").to_array();
                 let off = (0..3)
