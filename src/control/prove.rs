@@ -463,6 +463,8 @@ impl Triggered {
         const STILL: f64 = 1e-6;
         /// A direction is no straight function of where its touches lie.
         const ROUNDS: usize = 8;
+        /// Up to here, in mm or degrees, a size or a direction is off by what is asked.
+        const FARTHEST: f64 = 30.0;
         let (path, result) = (request.path, *result);
         let sources = path.sources(result);
         let (begin, end) = (*sources.first()?, *sources.last()?);
@@ -500,6 +502,11 @@ impl Triggered {
             }
             far *= after / (left - after);
             left = after;
+        }
+        // No part has a direction that is a turn off, or a size that is many times itself: nothing comes out then, or another number.
+        let reached = (off - own.off(request, result)).abs() <= 0.01 * off.abs();
+        if axis.is_none() && !reached && off.abs() > FARTHEST {
+            return None;
         }
         for member in begin..until {
             if sources.contains(&member) {

@@ -120,7 +120,7 @@ impl Klartext {
                 _ => reader.units(true),
             },
             ["END", "PGM", ..] => return Next::End,
-            ["LBL", ..] if label(&text[4..]) == "0" => {
+            ["LBL", ..] if label(text.get(4..).unwrap_or_default()) == "0" => {
                 if let Some(back) = self.frames.pop() {
                     return Next::At(back);
                 }
@@ -132,7 +132,7 @@ impl Klartext {
                 reader.frames.change_tool();
                 reader.lengthen(7, reader.frames.table(), false);
             }
-            ["CALL", "LBL", ..] => return self.call(&text[8..], at, reader),
+            ["CALL", "LBL", ..] => return self.call(text.get(8..).unwrap_or_default(), at, reader),
             ["TCH", "PROBE", number, ..] => {
                 self.cycle(&["TCH PROBE ", number].concat(), text, reader);
                 // A touch that meets nothing stops the program.
