@@ -93,13 +93,13 @@ impl Followed<'_> {
         self.expected.shift(index)
     }
 
-    /// Whether the program stops, having written nothing, before it moves to a cycle where a result that the cycle follows is `off` its nominal value by
-    /// so much, mm.
+    /// Whether the program stops, having written nothing, before it moves to a cycle where a result that the cycle follows is `off` its nominal value, in mm
+    /// or degrees. Its limit tells a part that exists from one that is as far off as no part.
     pub fn stops_before(
         &self,
         request: &Request<'_>,
         member: usize,
-        (result, off): (usize, f64),
+        (result, off, limit): (usize, f64, f64),
     ) -> bool {
         let path = request.path;
         let follow = path.members[member]
@@ -114,6 +114,11 @@ impl Followed<'_> {
         let Some(displaced) = own.displaced(request, follow, off, member) else {
             return true;
         };
+        // No part has a direction that is a turn off, or a size that is many times itself: no touches give that.
+        let reached = (off - displaced.off(request, result)).abs() <= 0.01 * off.abs();
+        if !reached && off.abs() > 2.0 * limit {
+            return true;
+        }
         let expected = Expected::of(request, displaced.shifted(path));
         let triggers = &displaced.triggers;
         let made = request.path.members[member].moves.start;
@@ -463,8 +468,6 @@ impl Triggered {
         const STILL: f64 = 1e-6;
         /// A direction is no straight function of where its touches lie.
         const ROUNDS: usize = 8;
-        /// Up to here, in mm or degrees, a size or a direction is off by what is asked.
-        const FARTHEST: f64 = 30.0;
         let (path, result) = (request.path, *result);
         let sources = path.sources(result);
         let (begin, end) = (*sources.first()?, *sources.last()?);
@@ -502,11 +505,6 @@ impl Triggered {
             }
             far *= after / (left - after);
             left = after;
-        }
-        // No part has a direction that is a turn off, or a size that is many times itself: nothing comes out then, or another number.
-        let reached = (off - own.off(request, result)).abs() <= 0.01 * off.abs();
-        if axis.is_none() && !reached && off.abs() > FARTHEST {
-            return None;
         }
         for member in begin..until {
             if sources.contains(&member) {

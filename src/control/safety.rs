@@ -983,7 +983,7 @@ fn place_within_limit(case: &Case<'_>) -> Vec<Break> {
                 case.followed.stops_before(
                     case.request,
                     m,
-                    (question.result, question.limit * share),
+                    (question.result, question.limit * share, question.limit),
                 )
             };
             if !beyond(case).iter().all(stops) {
