@@ -263,7 +263,7 @@ impl Is {
             Is::Variant(kind) => {
                 (value % 10.0 == f64::from(kind)).then_some(())?;
                 of.lifts = value >= 1000.0;
-                of.corrects = (value / 100.0).trunc() % 10.0 == 1.0;
+                of.corrects = corrects(value);
             }
             Is::Preset | Is::Gets(_) | Is::GetsAlong | Is::No | Is::Always(_) | Is::Writing(_) => {}
             Is::Largest(_) | Is::Smallest(_) | Is::Highest | Is::Lowest | Is::Off | Is::Safe => {}
@@ -291,6 +291,11 @@ impl Is {
     fn decides_write(self) -> bool {
         matches!(self, Is::Preset | Is::Gets(_) | Is::GetsAlong | Is::No)
     }
+}
+
+/// Whether the variant of a SINUMERIK's measuring cycle corrects: by its hundreds.
+pub fn corrects(variant: f64) -> bool {
+    (variant / 100.0).trunc() % 10.0 == 1.0
 }
 
 /// Words in the order of a call: the number of each, and what it is.

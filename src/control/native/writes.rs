@@ -1,6 +1,7 @@
 //! What a call writes that lasts: into which register, along which axes.
 
-use super::Call;
+use super::rows::{self, Is, Row, Shape};
+use super::{Call, heidenhain};
 
 /// A lasting change by a call.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,17 +98,12 @@ fn numbered(letter: &str, value: f64) -> (Option<i32>, String) {
 /// A HEIDENHAIN's cycles that set a datum, a basic rotation or a rotary axis.
 fn preset(cycle: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
     let number: u16 = cycle.parse().ok()?;
-    let measured = |axis: f64| match axis as i32 {
-        1 => 1,
-        2 => 2,
-        3 => 4,
-        _ => 7,
-    };
+    let row = heidenhain::row(number);
     let axes = match number {
+        _ if row.is_some_and(|row| row.writes != Some(true)) => return None,
+        _ if row.is_some() => row.map_or(0, |row| measured_axes(row, &given)),
         400..=402 | 405 => 0,
-        408 | 409 | 419 => measured(given("Q272").unwrap_or(f64::NAN)),
-        417 => 4,
-        410..=416 | 418 => LEVEL,
+        414..=416 | 418 => LEVEL,
         1411 if [given("Q1120"), given("Q1121")]
             .iter()
             .any(|q| q.is_some_and(|q| q != 0.0)) =>
@@ -135,11 +131,26 @@ fn preset(cycle: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
     })
 }
 
-/// A SINUMERIK's measuring cycles: the hundreds of the variant correct, the second argument says what.
+/// The axes that a call of a row measures.
+fn measured_axes(row: &Row, given: &impl Fn(&str) -> Option<f64>) -> u8 {
+    if matches!(row.shape, Shape::Bore | Shape::Rectangle) {
+        return LEVEL;
+    }
+    // Without a word for it, the tool axis.
+    let Some((number, _)) = row.words().find(|(_, is)| *is == Is::Axis) else {
+        return 4;
+    };
+    match given(&format!("Q{number}")).map(|axis| axis as i32) {
+        Some(axis @ 1..=3) => 1 << (axis - 1),
+        _ => 7,
+    }
+}
+
+/// A SINUMERIK's measuring cycles: the hundreds of the variant correct, the second argument is the register.
 fn corrected(name: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
     let variant = given("1")?;
     // One that is not known may.
-    let corrects = variant.is_nan() || (variant / 100.0).trunc() % 10.0 == 1.0;
+    let corrects = variant.is_nan() || rows::corrects(variant);
     corrects.then_some(())?;
     let (number, register) = match given("2") {
         Some(9000.0) => (Some(0), String::new()),
@@ -208,6 +219,14 @@ mod tests {
         assert_eq!(
             written("TCH PROBE 417", &[("Q305", 3.0)]),
             one("offset row 3", Some(3), 4)
+        );
+        assert_eq!(
+            written("TCH PROBE 408", &[("Q305", 0.0), ("Q272", 2.0)]),
+            one("offset active datum", Some(0), 2)
+        );
+        assert_eq!(
+            written("TCH PROBE 400", &[]),
+            one("offset basic rotation", Some(0), 0)
         );
         assert_eq!(written("TCH PROBE 421", &[("Q262", 25.0)]), []);
         assert_eq!(
