@@ -67,7 +67,7 @@ export interface ProgramKnown {
   offsets?: 0;
   /** Values of variables, by their names in the text: `{ "#3014": 5, "#<_name>": 1 }`. What the text itself sets counts from there on. */
   set?: Record<string, number>;
-  /** Where the stylus stands before the first block, in the units that the program states first and in the coordinate system of the first move; `null` along an axis where that is not known. */
+  /** The position of the stylus before the first block, in the units that the program states first and in the coordinate system of the first move; `null` along an axis where that is not known. */
   start?: [number | null, number | null, number | null];
   /** Where probing moves trigger: the fraction of its way at which a touch, and a positioning move that is watched, makes contact; `null`: never; left out: not known. */
   part?: { at?: number | null; positioning?: number | null } | ProgramPart;
@@ -117,7 +117,7 @@ export interface ProgramWrite {
   axis: "X" | "Y" | "Z" | "R" | null;
   /** In the program's first units, degrees of a rotation; `null` where it is not known. By `G10 L20` and G92 it is what the present position is called. */
   value: number | null;
-  /** Whether a condition decides between the last touch and this: `false` where there is none, `null` where it is not known what it asks. */
+  /** Whether a condition between the last touch and this write guards it: `false` if there is none, `null` if there is one and what it compares is not known. */
   guarded: boolean | null;
 }
 

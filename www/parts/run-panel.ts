@@ -42,23 +42,28 @@ interface Report {
   notes: string[];
 }
 
-/** What is written, one row a line of the program: `G54 X 0, Y 5`. */
+/** What is written, one row for each line and register: `G54 X 0, Y 5`. Of a line that runs more than once the last values count. */
 function written(
   writes: ProgramRun["writes"],
 ): { what: string; line: number }[] {
   const MOST = 20;
-  const rows = new Map<string, { what: string; line: number }>();
+  const rows = new Map<
+    string,
+    { register: string; line: number; axes: Map<string, number | null> }
+  >();
   for (const { file, line, register, axis, value } of writes) {
     if (file !== 0) continue;
-    const word = axis
-      ? ` ${axis}${value === null ? "" : ` ${Number(value.toFixed(4))}`}`
-      : "";
     const key = `${line} ${register}`;
-    const row = rows.get(key);
-    if (!row) rows.set(key, { what: `${register}${word}`, line });
-    else if (!row.what.includes(`${axis} `)) row.what += `,${word}`;
+    const row = rows.get(key) ?? { register, line, axes: new Map() };
+    if (axis) row.axes.set(axis, value);
+    rows.set(key, row);
   }
-  return [...rows.values()].slice(0, MOST);
+  return [...rows.values()].slice(0, MOST).map(({ register, line, axes }) => {
+    const words = Array.from(axes, ([axis, value]) =>
+      value === null ? axis : `${axis} ${Number(value.toFixed(4))}`,
+    );
+    return { what: `${register} ${words.join(", ")}`.trim(), line };
+  });
 }
 
 export const noteList = (notes: string[]): TemplateResult | typeof nothing =>

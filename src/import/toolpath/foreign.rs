@@ -27,8 +27,10 @@ impl Reader {
         } else {
             Foreign::No
         };
-        // RepRapFirmware sets its probe by G31, and no control has a fifth skip signal.
-        let sets = self.frames.kind == ControlKind::RepRap || block.p.is_some_and(|p| p >= 5.0);
+        // RepRapFirmware sets its probe by G31. Skip signals are P1 to P4, and P98 and P99 skip by torque.
+        let is_signal = |p: f64| p < 5.0 || p == 98.0 || p == 99.0;
+        let sets =
+            self.frames.kind == ControlKind::RepRap || block.p.is_some_and(|p| !is_signal(p));
         if sets
             && names_axes
             && block.once == Some(Motion::MayTouch)

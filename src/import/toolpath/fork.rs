@@ -56,7 +56,7 @@ impl Reader {
         });
         fork.otherwise |= otherwise;
         let begins = (fork.place, fork.frames.clone());
-        self.stands(begins);
+        self.continues_from(begins);
     }
 
     /// The ways of the innermost condition meet, or those of a jump to this line.
@@ -70,7 +70,7 @@ impl Reader {
             if !fork.otherwise {
                 ends = agreed((fork.place, &fork.frames), ends);
             }
-            self.stands(ends);
+            self.continues_from(ends);
             if line.is_none() {
                 return;
             }
@@ -78,7 +78,7 @@ impl Reader {
     }
 
     /// The next move begins here, and not where the one before ended.
-    fn stands(&mut self, (place, frames): (Position, Frames)) {
+    fn continues_from(&mut self, (place, frames): (Position, Frames)) {
         let same = |axis: usize| {
             place[axis] == self.place[axis] || place[axis].is_nan() && self.place[axis].is_nan()
         };

@@ -1,4 +1,4 @@
-//! Where the work coordinate system is, as far as a program says so.
+//! The origin of the work coordinate system, as far as a program states it.
 //!
 //! Positions are those of the active system. The system in which the first move is made is the one that is drawn: position p of the active system lies at
 //! `origin + R·T(p)` in it. R is the rotation of the work offset (`G10 L2 R`), taken to be 0 until the program sets one [I]; T is a rotation about a centre
@@ -82,7 +82,6 @@ impl Default for Frames {
 }
 
 /// A position about 0, turned. Without an angle each axis is known or not by itself.
-#[inline(never)]
 pub(super) fn turn(angle: f64, p: Position) -> Position {
     if angle == 0.0 {
         return p;
@@ -164,18 +163,16 @@ impl Frames {
         self.active.unwrap_or(first)
     }
 
-    /// Where a position lies in the drawn system.
+    /// The coordinates of a position in the drawn system.
     pub fn drawn(&self, p: Position) -> Position {
         self.drawn_in(&self.now, p)
     }
 
-    #[inline(never)]
     fn drawn_in(&self, offset: &Offset, p: Position) -> Position {
         add(offset.origin, turn(offset.angle, self.turned(p)))
     }
 
     /// The position of a place in the drawn system.
-    #[inline(never)]
     fn position_in(&self, offset: &Offset, drawn: Position) -> Position {
         let p = turn(-offset.angle, less(drawn, offset.origin));
         match self.turned {
@@ -195,7 +192,7 @@ impl Frames {
         self.now.angle != 0.0 || self.turned.is_some()
     }
 
-    /// Whether it is known where the system lies in the drawn one.
+    /// Whether the origin and the rotation in the drawn system are known.
     pub fn is_known(&self) -> bool {
         !self
             .drawn(NOTHING)
@@ -215,7 +212,6 @@ impl Frames {
     }
 
     /// A stored work offset.
-    #[inline(never)]
     fn offset(&self, number: i32) -> Offset {
         if let Some((_, offset)) = self.offsets.iter().find(|(known, _)| *known == number) {
             return *offset;
@@ -232,7 +228,6 @@ impl Frames {
     }
 
     /// The origin of a work offset by its zero in machine coordinates: from another one that is known in both.
-    #[inline(never)]
     fn related(&self, machine: Position) -> Position {
         let all = self.offsets.iter().map(|(_, offset)| offset);
         let known: Vec<&Offset> = all
@@ -247,7 +242,6 @@ impl Frames {
         })
     }
 
-    #[inline(never)]
     fn store(&mut self, number: i32, offset: Offset) {
         let has_room = self.offsets.len() < MOST_OFFSETS;
         match self.offsets.iter_mut().find(|(known, _)| *known == number) {
@@ -257,19 +251,8 @@ impl Frames {
         }
     }
 
-    /// Changes the system: the machine stands still, and its position gets another number.
+    /// Changes the system. The machine does not move, and its position gets another number.
     fn change(&mut self, position: &mut Position, change: impl FnOnce(&mut Self)) {
-        let mut change = Some(change);
-        self.change_by(position, &mut |frames| {
-            if let Some(change) = change.take() {
-                change(frames);
-            }
-        });
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn change_by(&mut self, position: &mut Position, change: &mut dyn FnMut(&mut Self)) {
         let drawn = self.drawn(*position);
         change(self);
         self.begins_here();
@@ -289,7 +272,6 @@ impl Frames {
     }
 
     /// Before the first move the drawn system is the active one along the axes of which nothing else is known.
-    #[inline(never)]
     fn begins_here(&mut self) {
         if self.begun {
             return;
@@ -400,7 +382,6 @@ impl Frames {
         });
     }
 
-    #[inline(never)]
     fn written(
         &self,
         number: i32,
@@ -528,7 +509,6 @@ impl Frames {
     }
 
     /// All origins move, each along its own axes.
-    #[inline(never)]
     fn move_all(&mut self, off: Position) {
         let all = self.offsets.iter_mut().map(|(_, offset)| offset);
         for offset in all.chain([&mut self.now]) {
@@ -671,7 +651,7 @@ impl Frames {
         }
     }
 
-    /// What lies between the drawn system and machine coordinates.
+    /// Adds up to machine coordinates with those of the drawn system.
     fn machine_offset(&self) -> Position {
         let shifts = self.shifts.iter().fold(NOTHING, |sum, one| add(sum, *one));
         let zero = less(self.now.machine, self.now.origin);
@@ -683,7 +663,7 @@ impl Frames {
         add(self.drawn(position), self.machine_offset())
     }
 
-    /// The position after a move to coordinates of the machine along these axes, from another one. The machine stands still along the others.
+    /// The position after a move to coordinates of the machine along these axes, from another one. The machine does not move along the others.
     pub fn after_machine_move(&self, axes: Axes, values: Position, from: Position) -> Position {
         let mut machine = self.in_machine(from);
         each(axes).for_each(|axis| machine[axis] = values[axis]);
@@ -693,6 +673,15 @@ impl Frames {
             let moves = axes & (1 << axis) != 0 || mixed && axis < 2;
             if moves { after[axis] } else { from[axis] }
         })
+    }
+
+    /// What #5061 and its kin contain after a contact at a position: machine coordinates on FluidNC, without the shift and the tool length on grblHAL.
+    pub fn contact_variables(&self, position: Position) -> Position {
+        match self.kind {
+            ControlKind::FluidNc => self.in_machine(position),
+            ControlKind::GrblHal => add(add(position, self.shifts[0]), self.length),
+            _ => position,
+        }
     }
 
     /// The values of the first work offsets, as they are stored.

@@ -130,8 +130,8 @@ pub struct Toolpath {
     pub(crate) by_g38: bool,
     /// Whether it is of a Centroid, whose macros have numbers of Renishaw's.
     pub(crate) centroid: bool,
-    /// The line of a touch that met nothing, where the control stops.
-    pub(crate) missed: Option<u32>,
+    /// The line in which an alarm ends a run.
+    pub(crate) stopped: Option<u32>,
 }
 
 impl Toolpath {
@@ -165,13 +165,21 @@ impl Toolpath {
         if let Some(place) = found(&self.resumes, index) {
             return place;
         }
-        let stands = found(&self.contacts, before).unwrap_or_else(|| self.end(before));
+        let place = found(&self.contacts, before).unwrap_or_else(|| self.end(before));
         let (old, new) = (self.system(before), self.system(index));
-        if old == new || same(old, new) {
-            return stands;
+        if same(old, new) {
+            return place;
         }
-        // Where that is in the system of this move.
-        turned(-new[3], turned(old[3], stands) + origin(old) - origin(new))
+        // Its coordinates in the system of this move.
+        turned(-new[3], turned(old[3], place) + origin(old) - origin(new))
+    }
+
+    /// The next move is made in a system with this origin and rotation.
+    fn enters_system(&mut self, system: [f64; 4]) {
+        if !same(self.system(self.len()), system) {
+            let [x, y, z, angle] = system;
+            self.systems.push([self.len() as f64, x, y, z, angle]);
+        }
     }
 
     /// The origin and the rotation of the system in which a move is made.
@@ -188,30 +196,33 @@ impl Toolpath {
         }
     }
 
-    /// Where a position of the system of a move lies in the system of the first move. An origin that is not known makes it NaN.
+    /// The coordinates of a position of the system of a move in the system of the first move: NaN if its origin is not known.
     fn drawn(&self, index: usize, position: Vec3) -> Vec3 {
         let system = self.system(index);
         turned(system[3], position) + origin(system)
     }
 
     /// The same path with all its positions in the system of the first move, as far as that is known: along other axes they are as they are written.
-    pub fn in_one_system(&self) -> Toolpath {
+    pub fn in_one_system(self) -> Toolpath {
+        if self.systems.is_empty() {
+            return self;
+        }
         let mut path = self.clone();
-        let lies = |index: usize, position: Vec3| {
+        let drawn = |index: usize, position: Vec3| {
             let system = self.system(index).map(|x| if x.is_nan() { 0.0 } else { x });
             turned(system[3], position) + origin(system)
         };
         for index in 0..self.len() {
-            let end = lies(index, self.end(index)).to_array();
+            let end = drawn(index, self.end(index)).to_array();
             path.to[3 * index..3 * index + 3].copy_from_slice(&end);
         }
         for places in [&mut path.contacts, &mut path.resumes] {
             for [index, x, y, z] in places {
-                [*x, *y, *z] = lies(*index as usize, Vec3::new(*x, *y, *z)).to_array();
+                [*x, *y, *z] = drawn(*index as usize, Vec3::new(*x, *y, *z)).to_array();
             }
         }
         for [index, x, y, z, ..] in &mut path.arcs {
-            [*x, *y, *z] = lies(*index as usize, Vec3::new(*x, *y, *z)).to_array();
+            [*x, *y, *z] = drawn(*index as usize, Vec3::new(*x, *y, *z)).to_array();
         }
         path
     }
@@ -402,7 +413,7 @@ fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) ->
             path.finding_lines.push(lines);
         }
         log.unread = unread;
-        log.missed = path.missed;
+        log.stopped = path.stopped;
         log.returns |= !shown.is_empty();
         path.rules = rules::asked(&path, &mut log);
         path.writes = log.writes;

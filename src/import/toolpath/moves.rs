@@ -181,7 +181,7 @@ impl Reader {
             Trip::Unknown => f64::NAN,
         };
         self.place = [0, 1, 2].map(end);
-        run.contact = self.place;
+        run.contact = self.frames.contact_variables(self.place);
         run.met = match trip {
             Trip::At(_) => Some(true),
             Trip::Never => Some(false),
@@ -198,10 +198,11 @@ impl Reader {
         let chained = run.chained && run.met == Some(true);
         if missed {
             count(&mut self.missed, self.line);
-            self.path.missed = Some(self.line as u32);
         }
-        self.stopped_by_touch |= missed || chained;
-        self.ended |= missed || chained;
+        if missed || chained {
+            self.stopped_by_touch = true;
+            self.stops();
+        }
         // LinuxCNC and others take P for something else, or refuse it.
         let probes = self.modes.motion.probes() && block.once.is_none();
         if let Some(p) = block.p.filter(|_| probes) {
@@ -245,15 +246,11 @@ impl Reader {
         }
     }
 
-    /// The next move is made in a system that lies elsewhere than that of the move before.
+    /// Records the system of the next move, if it is another than that of the move before.
     #[inline]
     pub(super) fn notes_system(&mut self) {
-        if let Some([x, y, z, angle]) = self.frames.take_change()
-            && (!self.path.systems.is_empty() || [x, y, z, angle] != [0.0; 4])
-        {
-            self.path
-                .systems
-                .push([self.path.kind.len() as f64, x, y, z, angle]);
+        if let Some(system) = self.frames.take_change() {
+            self.path.enters_system(system);
         }
     }
 

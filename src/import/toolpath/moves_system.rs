@@ -3,7 +3,7 @@
 use crate::control::iso::codes::Shift;
 use crate::control::iso::lex::number;
 use crate::import::toolpath::block::Block;
-use crate::import::toolpath::control_kind::counted;
+use crate::import::toolpath::control_kind::{ControlKind, counted};
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::frames::{Axes, Frames, Position, Register};
 use crate::import::toolpath::reader::Reader;
@@ -11,17 +11,6 @@ use crate::import::toolpath::reader::Reader;
 impl Reader {
     /// Changes where the system is; it is reported if that is not known from here on.
     pub(super) fn with_frames(&mut self, change: impl FnOnce(&mut Frames, &mut Position)) {
-        let mut change = Some(change);
-        self.with_frames_by(&mut |frames, place| {
-            if let Some(change) = change.take() {
-                change(frames, place);
-            }
-        });
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn with_frames_by(&mut self, change: &mut dyn FnMut(&mut Frames, &mut Position)) {
         let begun = !self.path.is_empty();
         // A text that is only read is read on as it is written.
         self.frames.begun = begun && self.run.is_some();
@@ -94,7 +83,9 @@ impl Reader {
         let angle = block.radius.unwrap_or(f64::NAN);
         let center = (axes & 3 == 3).then_some(values);
         let partly = center.is_none() && axes & 3 != 0;
-        if !level || partly || !self.modes.absolute {
+        // RepRapFirmware turns the other way round.
+        let other = self.frames.kind == ControlKind::RepRap;
+        if !level || partly || other || !self.modes.absolute {
             return self.with_frames(Frames::lose);
         }
         self.with_frames(|frames, place| frames.begin_turn(center, angle, false, place));
@@ -104,7 +95,13 @@ impl Reader {
     fn writes_setting(&mut self, block: &Block, given: (Axes, Position)) {
         let kind = self.frames.kind;
         let angle = block.radius;
-        let Some(l) = block.l else { return };
+        let Some(l) = block.l else {
+            // A Fanuc writes a tool by P alone.
+            if block.p.is_some() && (given.0 != 0 || angle.is_some()) {
+                self.wrote_tool(block, 0.0, given);
+            }
+            return;
+        };
         if l.is_nan() {
             self.wrote_any();
             return self.with_frames(|frames, place| frames.forget(7, place));
@@ -139,8 +136,22 @@ impl Reader {
         } else {
             number
         };
-        // Whether distances are added is not known where the control is not.
         let added = !self.modes.absolute && kind.adds_settings();
+        // Whether G91 adds depends on the control.
+        let ambiguous = !self.modes.absolute && kind == ControlKind::Unknown;
+        let given = if ambiguous {
+            (given.0, [f64::NAN; 3])
+        } else {
+            given
+        };
+        // Rotations of other controls are not followed.
+        let angle = angle.map(|angle| {
+            if kind == ControlKind::LinuxCnc || angle == 0.0 {
+                angle
+            } else {
+                f64::NAN
+            }
+        });
         self.wrote_offset(number, given, angle);
         self.with_frames(|frames, place| frames.write_value(number, given, angle, added, place));
     }

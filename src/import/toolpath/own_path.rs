@@ -146,7 +146,7 @@ impl Reader {
         }
         if end.is_err() {
             count(&mut self.stopped, self.line);
-            self.ended = true;
+            self.stops();
         }
         true
     }

@@ -793,7 +793,14 @@ impl Reader {
         if !self.ended {
             count(&mut self.aborted, self.line);
         }
+        self.stops();
+    }
+
+    /// The program ends here by an alarm: what it would do further on is not known.
+    #[cold]
+    pub fn stops(&mut self) {
         self.ended = true;
+        self.path.stopped.get_or_insert(self.line as u32);
     }
 
     /// A branch whose condition is not known ends the program.

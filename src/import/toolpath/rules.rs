@@ -20,8 +20,8 @@ pub(super) struct Log {
     pub writes: Vec<Write>,
     /// Lines in which something may happen that is not seen.
     pub unread: Vec<u32>,
-    /// The line of a touch that met nothing, where the control stopped.
-    pub missed: Option<u32>,
+    /// The line in which an alarm ends the run.
+    pub stopped: Option<u32>,
     /// The text is a subprogram: what it needs its caller may state.
     pub returns: bool,
     /// Conditions that ask for something else than a contact.
@@ -137,10 +137,15 @@ pub(super) fn asked(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
         .max()
         .map_or(last, |index| index.max(last));
     for write in &mut log.writes {
+        let touched = log
+            .touches
+            .iter()
+            .rfind(|touch| !touch.watched && touch.index < write.moves);
+        let behind = touched.map_or(0, |touch| touch.index + 1);
         let asked = log
             .conditions
             .iter()
-            .any(|(before, _)| (last + 1..=write.moves).contains(before));
+            .any(|(before, _)| (behind..=write.moves).contains(before));
         write.guarded = if asked { None } else { Some(false) };
     }
     let log = &*log;
@@ -453,11 +458,11 @@ fn what(writes: &[&Write]) -> String {
     named.collect::<Vec<_>>().join(", ") + more
 }
 
-/// What a rule about writes says where nothing that is seen breaks it: it holds only where everything was seen.
+/// The verdict of a rule on writes that no known write breaks: it holds only if every line was understood and the run came to its end.
 fn if_all_is_seen(rule: &'static str, log: &Log, holds: Text) -> RunRule {
-    if let Some(line) = log.missed {
+    if let Some(line) = log.stopped {
         let message = text!(
-            "Not known: the run ends at the touch in line {line}, which meets nothing",
+            "Not known: an alarm ends the run in line {line}",
             line as usize + 1
         );
         return row(rule, None, message, vec![line as usize]);
@@ -525,7 +530,7 @@ fn one_write(log: &Log) -> RunRule {
     }
 }
 
-/// Whether something is asked between the last touch and the write: what, a run does not know.
+/// Whether a condition guards each write of a result. What it compares is not known to a run.
 fn plausible(log: &Log, first: usize, last: usize) -> RunRule {
     let mut measured = log
         .writes

@@ -38,7 +38,7 @@ const ALL: [Skip; 7] = [
 pub(super) struct Skipped([Count; 7]);
 
 impl Skip {
-    fn says(self) -> Text {
+    fn text(self) -> Text {
         match self {
             Skip::Condition => text!("Whether these conditions hold is not known"),
             Skip::Value => text!("These variables get a value that is not known"),
@@ -67,11 +67,11 @@ impl Skipped {
             .flat_map(|why| self.0[why as usize].lines.iter().copied())
     }
 
-    /// What is said of them.
+    /// The lines of each reason, and its text.
     pub fn into_counts(self) -> impl Iterator<Item = (Count, Text)> {
         self.0
             .into_iter()
             .zip(ALL)
-            .map(|(count, why)| (count, why.says()))
+            .map(|(count, why)| (count, why.text()))
     }
 }

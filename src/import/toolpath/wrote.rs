@@ -13,7 +13,6 @@ use crate::import::toolpath::writes::{
 const MOST_WRITES: usize = 10_000;
 
 impl Reader {
-    #[inline(never)]
     fn wrote(
         &mut self,
         kind: &'static str,
@@ -41,7 +40,6 @@ impl Reader {
         });
     }
 
-    #[inline(never)]
     fn wrote_axes(&mut self, kind: &'static str, register: &str, (axes, values): (Axes, Position)) {
         for axis in (0..3).filter(|axis| axes & (1 << axis) != 0) {
             self.wrote(kind, register.to_owned(), Some(AXES[axis]), values[axis]);
@@ -83,22 +81,22 @@ impl Reader {
         let tool = block.p.map_or("tool".to_owned(), |p| {
             format!("tool {}", crate::num::decimal(p, 0))
         });
-        let kind = match l as i32 {
-            12 | 13 if given.0 == 0 => RADIUS,
-            11 | 13 if given.0 == 0 => WEAR,
-            1 | 10 | 11 | 12 => LENGTH,
-            _ => TABLE,
+        // By axis words LinuxCNC, by R alone a Fanuc; L1 with R is LinuxCNC's radius.
+        let (axes, radius) = match l as i32 {
+            1 | 10 | 11 if given.0 != 0 => (LENGTH, RADIUS),
+            1 | 12 => (TABLE, RADIUS),
+            10 => (TABLE, LENGTH),
+            11 | 13 => (TABLE, WEAR),
+            _ => (TABLE, TABLE),
         };
-        self.wrote_axes(kind, &tool, given);
-        if let Some(radius) = block.radius {
-            let kind = if given.0 == 0 { kind } else { RADIUS };
-            self.wrote(kind, tool, None, radius * self.modes.scale);
+        self.wrote_axes(axes, &tool, given);
+        if let Some(value) = block.radius {
+            self.wrote(radius, tool, None, value * self.modes.scale);
         }
     }
 
     /// A program gives a variable a value that is a register of the control.
     #[cold]
-    #[inline(never)]
     pub(super) fn writes_variable(&mut self, variable: &Variable, value: f64) {
         // In inch it depends on the machine what the number counts in.
         let ambiguous = self.is_inch() && value != 0.0 && !self.sinumerik;
@@ -156,7 +154,6 @@ impl Reader {
 
     /// What a call of one of the control's own cycles writes.
     #[cold]
-    #[inline(never)]
     pub(super) fn wrote_by_call(&mut self, call: &Call, arguments: &[(String, f64)]) {
         for written in call.written(arguments) {
             let number = match written.number {
@@ -175,7 +172,7 @@ impl Reader {
                 .then(|| AXES[written.axes.trailing_zeros() as usize]);
             self.wrote(written.kind, register, one, f64::NAN);
             if written.kind == OFFSET {
-                // Where the call says that the feature is, it finds it: unless touches trigger elsewhere.
+                // Without a part a call finds the feature at its nominal position.
                 let nominal = self
                     .run
                     .as_ref()

@@ -400,7 +400,8 @@ impl View {
 impl View {
     /// Shows the moves of a program, and the part that it is run on.
     fn show_moves(&mut self, path: Toolpath, part: Option<Feature>) {
-        self.shown = Some(self.of_program(Rc::new(path), part));
+        // A picture has one system.
+        self.shown = Some(self.of_program(Rc::new(path.in_one_system()), part));
         self.measured.clear();
         self.fit();
     }

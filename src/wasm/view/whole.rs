@@ -28,14 +28,7 @@ impl View {
         let value = decoded(codes, known);
         let short = fits(text, LONGEST_PROGRAM);
         if let Some(known) = Known::of(&value).ok().filter(|_| short) {
-            let path = run_program(text, &known);
-            // One picture has one system.
-            let path = if path.systems.is_empty() {
-                path
-            } else {
-                path.in_one_system()
-            };
-            self.show_moves(path, known.feature);
+            self.show_moves(run_program(text, &known), known.feature);
         }
     }
 

@@ -138,6 +138,8 @@ fn hostile_macros_come_back() {
             "N8 X1\n".repeat(40_000)
         ),
         &"o<a> call\n".repeat(60_000),
+        &("IF [1] THEN ".repeat(12_800) + "#1=2\n"),
+        &("if[1]then".repeat(12_800) + "goto 5\n"),
         &(0..30_000)
             .map(|n| format!("o<{n}> sub\no<{n}> endsub\no<{n}> call\n"))
             .collect::<String>(),

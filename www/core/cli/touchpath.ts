@@ -128,7 +128,7 @@ const HELP_OF_OPTIONS: readonly (readonly [
   ],
   [
     "--start X,Y,Z",
-    "where the stylus stands before the program",
+    "the position of the stylus before the program",
     ["moves", "examine"],
   ],
   [

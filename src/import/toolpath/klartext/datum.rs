@@ -1,7 +1,7 @@
 //! What moves the coordinate system in Klartext: presets, datum shifts, rotations.
 //!
 //! A shift is counted from the preset, and a rotation turns about the shifted datum. Mirrors, scales, tilted planes, datum tables, and a shift that follows a
-//! rotation are not followed: where the system lies is not known then.
+//! rotation are not followed: the origin is not known then.
 
 use crate::control::heidenhain::read::transforms;
 use crate::import::toolpath::frames::{Frames, Register};

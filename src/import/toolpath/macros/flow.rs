@@ -45,25 +45,23 @@ pub fn calls(code: &[u8]) -> bool {
 
 impl Macros {
     /// `IF[…]GOTO 10`, `IF[…]THEN#1=2`, `WHILE[…]DO1`, `END1`, `GOTO 10`.
-    pub(super) fn flow(&mut self, code: &[u8], here: Place, next: Place) -> Step {
-        // So many THEN may follow each other.
-        const DEEPEST_THEN: usize = 40;
-        let thens = memchr::memmem::find_iter(code, b"THEN").take(DEEPEST_THEN + 1);
-        if code.len() > 4 * DEEPEST_THEN && thens.count() > DEEPEST_THEN {
-            return self.leap(None, next);
-        }
+    pub(super) fn flow(&mut self, mut code: &[u8], here: Place, next: Place) -> Step {
         let mut cursor = Cursor::new(code, 0, &self.variables);
-        if cursor.eat("IF") {
+        while cursor.eat("IF") {
             let holds = cursor
                 .bracketed()
                 .and_then(Value::number)
                 .map(|truth| truth != 0.0);
-            if cursor.eat("THEN") {
-                return self.then(code[cursor.at..].trim_ascii_start(), holds, here, next);
+            if !cursor.eat("THEN") {
+                let goes = cursor.eat("GOTO");
+                let label = cursor.operand().and_then(Value::number).filter(|_| goes);
+                return self.goto(label, holds, next);
             }
-            let goes = cursor.eat("GOTO");
-            let label = cursor.operand().and_then(Value::number).filter(|_| goes);
-            return self.goto(label, holds, next);
+            code = code[cursor.at..].trim_ascii_start();
+            if holds != Some(true) || !self.index.is_flow(code) {
+                return self.then(code, holds, next);
+            }
+            cursor = Cursor::new(code, 0, &self.variables);
         }
         if cursor.eat("GOTO") {
             let label = cursor.operand().and_then(Value::number);
@@ -103,13 +101,10 @@ impl Macros {
         {
             return Step::BranchEnds(None);
         }
+        // A jump that is made to a block that is not known.
+        let astray = holds == Some(true) && to.is_none() && !self.is_guarded();
         let leap = self.leap(to, next);
-        // A jump that is made, and nobody knows where to.
-        if holds == Some(true) && to.is_none() {
-            Step::Astray
-        } else {
-            leap
-        }
+        if astray { Step::Astray } else { leap }
     }
 
     /// It may continue at a place: up to that nothing is sure. What a jump back repeats may set any variable again.
@@ -123,14 +118,11 @@ impl Macros {
     }
 
     /// The statement after THEN.
-    fn then(&mut self, rest: &[u8], holds: Option<bool>, here: Place, next: Place) -> Step {
+    fn then(&mut self, rest: &[u8], holds: Option<bool>, next: Place) -> Step {
         if holds == Some(false) {
             return Step::Done;
         }
         if self.index.is_flow(rest) {
-            if holds == Some(true) {
-                return self.flow(rest, here, next);
-            }
             return self.leap(None, next);
         }
         let guards = usize::from(holds.is_none());

@@ -142,11 +142,12 @@ impl Sinumerik {
         if below.is_none() {
             self.variables.forget();
         }
+        let astray = holds.is_some() && to.is_none() && self.is_sure();
         let line = below.map_or(NOWHERE, |to| to.line);
         if !self.leaps.contains(&line) {
             self.leaps.push(line);
         }
-        if holds.is_some() && to.is_none() {
+        if astray {
             return Step::Astray;
         }
         below.map_or(Step::AsWritten, |to| Step::MayJump(to.line))
