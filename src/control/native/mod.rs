@@ -10,6 +10,8 @@ pub mod siemens;
 mod small;
 mod writes;
 
+pub use writes::tool_name;
+
 /// What a value counts in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {

@@ -14,6 +14,8 @@ pub struct Written {
     pub register: String,
     /// X, Y, Z: a bit each.
     pub axes: u8,
+    /// False where an argument that is not known decides whether the call writes at all.
+    pub is_sure: bool,
 }
 
 /// The beginning of the meaning of a letter that names a work offset.
@@ -52,13 +54,15 @@ impl Call {
                 number,
                 register,
                 axes,
+                is_sure: !value.is_nan(),
             }
         });
         let tool = tool.map(|tool| Written {
             kind: "wear",
             number: None,
-            register: format!("tool {}", crate::num::decimal(tool, 0)),
+            register: tool_name(tool),
             axes: 0,
+            is_sure: !tool.is_nan(),
         });
         offset.into_iter().chain(tool).collect()
     }
@@ -80,6 +84,14 @@ impl Call {
             axes => axes,
         }
     }
+}
+
+/// A tool by its number, where that is known.
+pub fn tool_name(number: f64) -> String {
+    if number.is_nan() {
+        return "tool".to_owned();
+    }
+    format!("tool {}", crate::num::decimal(number, 0))
 }
 
 /// The work offset that a number names: 1 to 6, 54 to 59, or one of the further ones.
@@ -128,6 +140,7 @@ fn preset(cycle: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written> {
         number: row,
         register,
         axes: axes | top,
+        is_sure: true,
     })
 }
 
@@ -170,6 +183,7 @@ fn corrected(name: &str, given: impl Fn(&str) -> Option<f64>) -> Option<Written>
         number,
         register,
         axes,
+        is_sure: !variant.is_nan(),
     })
 }
 

@@ -219,6 +219,7 @@ impl Reader {
     #[inline(never)]
     pub(super) fn lose(&mut self, why: Skip, line: usize) {
         self.place = [f64::NAN; 3];
+        self.modes.maybe_changed |= why == Skip::Call;
         self.skipped.count(why, line);
     }
 }

@@ -96,6 +96,18 @@ impl ControlKind {
         }
     }
 
+    /// Whether variables and functions are those of LinuxCNC, or those of macro B; none where the control is not known.
+    pub fn computes_like_linuxcnc(self) -> Option<bool> {
+        match self {
+            ControlKind::LinuxCnc
+            | ControlKind::Grbl
+            | ControlKind::GrblHal
+            | ControlKind::FluidNc => Some(true),
+            ControlKind::Fanuc | ControlKind::Centroid => Some(false),
+            _ => None,
+        }
+    }
+
     /// Whether `G10 L2` adds its values under G91.
     pub fn adds_settings(self) -> bool {
         self == ControlKind::Fanuc

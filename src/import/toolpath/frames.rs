@@ -153,6 +153,11 @@ impl Frames {
         self.active
     }
 
+    /// The same; where every offset is 0 before the program, the first one is taken as active.
+    pub fn assumed_active(&self) -> Option<i32> {
+        self.active.or_else(|| self.zero.then(|| self.number()))
+    }
+
     /// The number of the active work offset; before one is selected that of G54.
     pub fn number(&self) -> i32 {
         let first = if self.kind == ControlKind::Heidenhain {

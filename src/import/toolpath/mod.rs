@@ -355,7 +355,8 @@ fn run(
             .then(|| Box::new(Sinumerik::new(text, set)) as Box<dyn Flow>),
         false => match HeidenhainIso::of(text, set).filter(|_| reader.run.is_some()) {
             Some(flow) => Some(Box::new(flow) as Box<dyn Flow>),
-            None => Macros::of(text, end, set).map(|macros| Box::new(macros) as Box<dyn Flow>),
+            None => Macros::of(text, end, set, reader.frames.kind)
+                .map(|macros| Box::new(macros) as Box<dyn Flow>),
         },
     };
     let mut macros = macros;

@@ -38,6 +38,8 @@ pub(super) struct Modes {
     pub absolute: bool,
     /// Whether the program says so.
     pub stated: bool,
+    /// Whether what was called since, and is not in the text, may have changed it.
+    pub maybe_changed: bool,
     pub centers_absolute: bool,
     pub plane: Option<Plane>,
     /// Units of the path in a unit that the program has now.
@@ -87,6 +89,7 @@ impl Default for Modes {
             given: Given::Place,
             absolute: true,
             stated: false,
+            maybe_changed: false,
             centers_absolute: false,
             plane: None,
             scale: 1.0,
@@ -191,6 +194,8 @@ pub(super) struct Reader {
     pub stopped_by_touch: bool,
     /// P in probing blocks, which means something on some controls.
     pub probe_words: Count,
+    /// Calls that write where an argument that is not known is given.
+    pub may_write: Count,
     /// Divisions by zero.
     pub divisions: Count,
     /// Rapids, and other moves, that run into the given part.
@@ -266,6 +271,7 @@ impl Reader {
             .unread()
             .chain(unknown.copied())
             .chain(self.probe_words.lines.iter().copied())
+            .chain(self.may_write.lines.iter().copied())
             .collect();
         lines.sort_unstable();
         lines.dedup();
@@ -302,7 +308,7 @@ impl Reader {
             metric: self.path.metric.map(|first| (scale == 1.0) == first),
             absolute: self.modes.stated.then_some(self.modes.absolute),
             plane: self.modes.plane,
-            offset: self.frames.active(),
+            offset: self.frames.assumed_active(),
             tool: self.tool.filter(|tool| !tool.is_nan()),
             feed: self.feed / scale,
         }
@@ -543,7 +549,7 @@ impl Reader {
             self.modes.plane.is_some(),
             self.modes.stated,
         ];
-        let incremental = !self.modes.absolute;
+        let (incremental, maybe_changed) = (!self.modes.absolute, self.modes.maybe_changed);
         let returns = block.returns && self.depth == 0;
         let Some(log) = &mut self.log else { return };
         if let Some(on) = block.spindle {
@@ -556,7 +562,7 @@ impl Reader {
         if waits {
             log.endless_waits.push(line);
         }
-        log.left_incremental = incremental;
+        (log.left_incremental, log.maybe_changed) = (incremental, maybe_changed);
         log.ends |= block.ends;
     }
 
@@ -643,7 +649,7 @@ impl Reader {
                     modes: before,
                     feed: self.feed,
                     length: self.frames.length(),
-                    offset: self.frames.active(),
+                    offset: self.frames.assumed_active(),
                     depth: of_subprogram.then_some(self.depth),
                 });
                 self.lengthened = 0;
@@ -735,6 +741,7 @@ impl Reader {
             self.inside = false;
         } else if is(b"call") {
             self.place = [f64::NAN; 3];
+            self.modes.maybe_changed = true;
         } else {
             self.branch(word, true);
         }

@@ -34,6 +34,8 @@ pub(super) struct Log {
     pub stated: Option<(usize, [bool; 3])>,
     /// Whether places are distances at the end.
     pub left_incremental: bool,
+    /// What was called since may have changed that.
+    pub maybe_changed: bool,
     /// Whether the program came to an end of its own.
     pub ends: bool,
 }
@@ -153,7 +155,7 @@ pub(super) fn asked(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
         modes(path, log),
         spindle(log, last),
         watched(path, log, last),
-        missed(path, &touches),
+        missed(path, &touches, last),
         feeds(&touches),
         rapids(path, log, first, last),
         writes(log, first, last_probing),
@@ -282,14 +284,30 @@ fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     (!touch.is_nan()).then(back)
 }
 
+/// The move is the first of two touches in one direction, with a way back between them; none where that is not known.
+fn is_first_of_two(path: &Toolpath, index: usize) -> Option<bool> {
+    if index + 2 >= path.len() || [1, 2].map(|i| path.kind[index + i] == PROBE) != [false, true] {
+        return Some(false);
+    }
+    let [way, again] = [0, 2].map(|i| path.end(index + i) - path.begin(index + i));
+    if way.is_nan() || again.is_nan() {
+        return None;
+    }
+    let is_same = way.dot(again) > 0.999 * way.length() * again.length();
+    is_free(path, index + 1).map(|back| back && is_same)
+}
+
 fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
+    let (mut bad, mut unknown) = (Vec::new(), Vec::new());
     // A contact stops such a move, and the program continues from there.
-    let unnoticed = log
-        .touches
-        .iter()
-        .filter(|touch| touch.index < last && touch.positions && !touch.asked);
-    let (mut bad, mut unknown): (Vec<usize>, Vec<usize>) =
-        (unnoticed.map(|touch| touch.line).collect(), Vec::new());
+    let unasked = |touch: &&Touch| touch.index < last && touch.positions && !touch.asked;
+    for touch in log.touches.iter().filter(unasked) {
+        match is_first_of_two(path, touch.index) {
+            Some(true) => {}
+            Some(false) => bad.push(touch.line),
+            None => unknown.push(touch.line),
+        }
+    }
     for index in (0..last).filter(|index| path.kind[*index] != PROBE && !log.is_own(*index)) {
         match is_free(path, index) {
             Some(true) => {}
@@ -327,10 +345,13 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     }
 }
 
-fn missed(path: &Toolpath, touches: &[&Touch]) -> RunRule {
+fn missed(path: &Toolpath, touches: &[&Touch], last: usize) -> RunRule {
     const RULE: &str = "missed-touch-stops";
+    // What is wrong with a positioning move that nothing asks about is that a contact goes unnoticed.
+    let is_touch = |touch: &&&Touch| !touch.positions || !path.by_g38 && touch.index >= last;
     let bad: Vec<usize> = touches
         .iter()
+        .filter(is_touch)
         .filter(|touch| !touch.stops && !touch.asked)
         .map(|touch| touch.line)
         .collect();
@@ -593,6 +614,12 @@ fn waits(log: &Log) -> RunRule {
 
 fn left(log: &Log) -> RunRule {
     match (log.left_incremental, log.ends) {
+        _ if log.maybe_changed => row(
+            "modes-left",
+            None,
+            text!("Not known: what is called, and is not in this text, may change G90 and G91"),
+            Vec::new(),
+        ),
         (true, _) => row(
             "modes-left",
             Some(false),

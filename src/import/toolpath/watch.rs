@@ -53,6 +53,14 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         .position(|line| asks(line))
         .or_else(|| asks_by_name(before))
     else {
+        // A touch that is asked about after its retract.
+        if reads && asks_by_name(until_next_probe(&lines)).is_some() {
+            return Behind {
+                asked: true,
+                reads,
+                ..Behind::default()
+            };
+        }
         let chained =
             !reads && is_free_to_miss(line) && begins_free(lines.get(before.len()), before);
         return Behind {
@@ -78,6 +86,12 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     }
 }
 
+/// The lines up to the next probing move.
+fn until_next_probe(lines: &[String]) -> &[String] {
+    let next = lines.iter().position(|line| probes(line.as_bytes()));
+    &lines[..next.unwrap_or(lines.len())]
+}
+
 /// Whether a block has `G38.3`.
 fn is_free_to_miss(line: &[u8]) -> bool {
     memchr::memchr2_iter(b'G', b'g', line).any(|at| line[at + 1..].starts_with(b"38.3"))
@@ -101,7 +115,7 @@ fn asks_by_name(lines: &[String]) -> Option<usize> {
         let is_name = name
             .strip_prefix('#')
             .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-        (is_name && (value.contains("#506") || value.contains("#504"))).then(|| name.to_owned())
+        (is_name && reads_axis(value)).then(|| name.to_owned())
     };
     let names: Vec<String> = lines.iter().filter_map(place).collect();
     let reads = |line: &str, name: &str| {
@@ -148,18 +162,26 @@ fn moves(line: &str) -> bool {
 
 /// Whether it reads where the contact was, or sets that place; where the axes are, unless only the contact counts.
 fn reads_place(line: &str, only_contact: bool) -> bool {
-    const CONTACT: [&str; 5] = ["#506", "#504", "#500", "$AA_", "G10L20"];
+    const CONTACT: [&str; 2] = ["$AA_", "G10L20"];
     const PRESENT: [&str; 4] = ["#542", "#<_X", "#<_Y", "#<_Z"];
     let has = |words: &[&str]| words.iter().any(|word| line.contains(word));
-    line.starts_with("G92") || has(&CONTACT) || !only_contact && has(&PRESENT)
+    line.starts_with("G92") || reads_axis(line) || has(&CONTACT) || !only_contact && has(&PRESENT)
+}
+
+/// Whether it reads a position of an axis: where the last probing move triggered (#5061 to #5069), or where the axis is (#5041, on a Fanuc #5001).
+fn reads_axis(line: &str) -> bool {
+    line.match_indices("#50").any(|(at, _)| {
+        matches!(line.as_bytes()[at + 3..], [b'0' | b'4' | b'6', b'1'..=b'9', ref rest @ ..]
+            if !rest.first().is_some_and(u8::is_ascii_digit))
+    })
 }
 
 /// Whether it is a condition about the last probing move.
 fn asks(line: &str) -> bool {
     // A Haas asks in the probing block itself. An LNC asks R_SKIP, an Eding #5067.
-    const PLACES: [&str; 4] = ["#5070", "#506", "#504", "R_SKIP"];
-    line.contains("IF[") && PLACES.iter().any(|place| line.contains(place))
-        || line.starts_with("IF") && line.contains("$AC_MEA[1]")
+    const TRIGGERED: [&str; 2] = ["#5070", "R_SKIP"];
+    let is_about_it = reads_axis(line) || TRIGGERED.iter().any(|name| line.contains(name));
+    line.contains("IF[") && is_about_it || line.starts_with("IF") && line.contains("$AC_MEA[1]")
 }
 
 /// Whether a line is a condition that asks for something else.

@@ -91,22 +91,22 @@ impl Reader {
     /// What follows the letter of a word; none where that is no value.
     #[inline]
     fn value(&self, line: &[u8], at: usize, letter: u8) -> Option<Value> {
-        let mut next = at + 1;
-        while matches!(line.get(next), Some(b' ' | b'\t')) {
-            next += 1;
-        }
+        let next = skip_blanks(line, at + 1);
         let first = *line.get(next)?;
-        let signed = usize::from(matches!(first, b'-' | b'+'));
+        // `Z-5` and `Z - 5`.
+        let after_sign = if matches!(first, b'-' | b'+') {
+            skip_blanks(line, next + 1)
+        } else {
+            next
+        };
         Some(match first {
-            b'-' | b'+' if matches!(line.get(next + 1), Some(b'#' | b'[')) => {
-                Value::Is(Word::Computed, end_of_value(line, next + 1))
+            b'-' | b'+' if matches!(line.get(after_sign), Some(b'#' | b'[')) => {
+                Value::Is(Word::Computed, end_of_value(line, after_sign))
             }
             b'0'..=b'9' | b'.' | b'-' | b'+' => {
-                let (size, length) = read_digits(line.get(next + signed..)?)?;
-                let (number, end) = (
-                    if first == b'-' { -size } else { size },
-                    next + signed + length,
-                );
+                let (size, length) = read_digits(line.get(after_sign..)?)?;
+                let number = if first == b'-' { -size } else { size };
+                let end = after_sign + length;
                 match line.get(end) {
                     // `R1=5` gives a variable a value.
                     Some(b'=') => return None,
@@ -205,7 +205,8 @@ impl Reader {
             }
             Effect::Metric(metric) => self.units(metric),
             Effect::Absolute(absolute) => {
-                (self.modes.absolute, self.modes.stated) = (absolute, true)
+                (self.modes.absolute, self.modes.stated) = (absolute, true);
+                self.modes.maybe_changed = false;
             }
             Effect::CentersAbsolute(absolute) => self.modes.centers_absolute = absolute,
             // A feed stays in the mode that it was stated in.
@@ -350,4 +351,12 @@ fn by_its_own(line: &[u8], at: usize) -> Option<(Word, usize)> {
     let (x, end) = number(line, past_blanks(open + 1))?;
     let close = past_blanks(end);
     (line.get(close) == Some(&b')')).then_some((Word::Placed(x, place), close + 1))
+}
+
+/// The first place from here on that is no blank.
+fn skip_blanks(line: &[u8], mut at: usize) -> usize {
+    while matches!(line.get(at), Some(b' ' | b'\t')) {
+        at += 1;
+    }
+    at
 }

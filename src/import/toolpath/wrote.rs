@@ -1,7 +1,8 @@
 //! Blocks, variables and calls that write what lasts: each becomes an event, and changes what is known of the coordinate system.
 
-use crate::control::native::Call;
+use crate::control::native::{Call, tool_name};
 use crate::import::toolpath::block::Block;
+use crate::import::toolpath::count::count;
 use crate::import::toolpath::frames::{Axes, Frames, Position, Register};
 use crate::import::toolpath::known::Trip;
 use crate::import::toolpath::reader::Reader;
@@ -78,9 +79,7 @@ impl Reader {
 
     /// `G10 L1 P5 Z…` of a LinuxCNC, `G10 L10 P5 R…` of a Fanuc.
     pub(super) fn wrote_tool(&mut self, block: &Block, l: f64, given: (Axes, Position)) {
-        let tool = block.p.map_or("tool".to_owned(), |p| {
-            format!("tool {}", crate::num::decimal(p, 0))
-        });
+        let tool = tool_name(block.p.unwrap_or(f64::NAN));
         // By axis words LinuxCNC, by R alone a Fanuc; L1 with R is LinuxCNC's radius.
         let (axes, radius) = match l as i32 {
             1 | 10 | 11 if given.0 != 0 => (LENGTH, RADIUS),
@@ -170,7 +169,11 @@ impl Reader {
             };
             let one = (written.axes.count_ones() == 1)
                 .then(|| AXES[written.axes.trailing_zeros() as usize]);
-            self.wrote(written.kind, register, one, f64::NAN);
+            if written.is_sure {
+                self.wrote(written.kind, register, one, f64::NAN);
+            } else {
+                count(&mut self.may_write, self.line);
+            }
             if written.kind == OFFSET {
                 // Without a part a call finds the feature at its nominal position.
                 let nominal = self

@@ -11,6 +11,7 @@ mod value;
 use crate::control::iso::lex::{head, program_number};
 use crate::import::signs::{self, Sign};
 use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::control_kind::ControlKind;
 use crate::import::toolpath::flow::{Flow, Step};
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::Ask;
@@ -87,7 +88,7 @@ pub(super) struct Macros {
 
 impl Macros {
     /// None where a text has nothing of a macro. The program is its first bytes; what is below may be called. `set` is what the user knows of variables.
-    pub fn of(text: &str, end: usize, set: &[(&str, f64)]) -> Option<Self> {
+    pub fn of(text: &str, end: usize, set: &[(&str, f64)], kind: ControlKind) -> Option<Self> {
         let bytes = text.as_bytes();
         let computes = memchr::memchr3(b'#', b'[', b'<', bytes).is_some();
         let has_o_words = || {
@@ -100,7 +101,9 @@ impl Macros {
         let index = Index::of(text);
         Some(Macros {
             variables: Variables::new(
-                matches!(signs::of(text), Some(Sign::LinuxCnc | Sign::Rs274)),
+                kind.computes_like_linuxcnc().unwrap_or_else(|| {
+                    matches!(signs::of(text), Some(Sign::LinuxCnc | Sign::Rs274))
+                }),
                 set.iter()
                     .filter_map(|(name, value)| Some((Key::named(name)?, *value)))
                     .collect(),

@@ -24,8 +24,25 @@ impl Macros {
             Keyword::Return if self.is_guarded() => self.may_leave(),
             Keyword::EndSub | Keyword::Return => {
                 let back = self.leave();
-                let given = value.filter(|_| self.is_sure()).unwrap_or(Value::Unknown);
-                self.variables.set(Key::Name("_value".to_owned()), given);
+                // The interpreter sets both to 0 where no value is returned.
+                let is_returned = !code[rest..].trim_ascii().is_empty();
+                let returned = f64::from(u8::from(is_returned));
+                let none = if is_returned {
+                    Value::Unknown
+                } else {
+                    Value::Number(0.0)
+                };
+                for (name, value) in [
+                    ("_value", value.unwrap_or(none)),
+                    ("_value_returned", Value::Number(returned)),
+                ] {
+                    let value = if self.is_sure() {
+                        value
+                    } else {
+                        Value::Unknown
+                    };
+                    self.variables.set(Key::Name(name.to_owned()), value);
+                }
                 back.map_or(Step::AsWritten, Step::Leave)
             }
             Keyword::Call => self.call(code, &label, rest, next),
