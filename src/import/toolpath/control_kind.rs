@@ -96,15 +96,15 @@ impl ControlKind {
         }
     }
 
-    /// Whether variables and functions are those of LinuxCNC, or those of macro B; none where the control is not known.
-    pub fn computes_like_linuxcnc(self) -> Option<bool> {
+    /// Whether variables and functions are those of LinuxCNC, or those of macro B; where the control is not known, the text tells.
+    pub fn computes_like_linuxcnc(self, text: &str) -> bool {
         match self {
             ControlKind::LinuxCnc
             | ControlKind::Grbl
             | ControlKind::GrblHal
-            | ControlKind::FluidNc => Some(true),
-            ControlKind::Fanuc | ControlKind::Centroid => Some(false),
-            _ => None,
+            | ControlKind::FluidNc => true,
+            ControlKind::Fanuc | ControlKind::Centroid => false,
+            _ => matches!(signs::of(text), Some(Sign::LinuxCnc | Sign::Rs274)),
         }
     }
 

@@ -8,8 +8,10 @@ use std::collections::BTreeMap;
 use crate::control::iso::lex::{head, line_end, lines_of, trimmed};
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::{Flow, Step};
-use crate::import::toolpath::klartext::value::{Cursor, Parameters};
 use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::grammar::HEIDENHAIN;
+use crate::import::toolpath::script::variables::{Value, Variables};
 use crate::import::toolpath::system::System;
 use crate::num::decimal;
 
@@ -21,7 +23,7 @@ const DEEPEST: usize = 20;
 
 /// Runs the arithmetic and the jumps of a text.
 pub(super) struct HeidenhainIso {
-    q: Parameters,
+    q: Variables,
     /// Where each label is: the block below it. One that is there twice leads nowhere.
     labels: BTreeMap<u32, Option<Place>>,
     frames: Vec<Place>,
@@ -68,7 +70,7 @@ impl HeidenhainIso {
             at = below;
         }
         Some(HeidenhainIso {
-            q: Parameters::new(set),
+            q: Variables::new(&HEIDENHAIN, set),
             labels,
             frames: Vec::new(),
             repeats: BTreeMap::new(),
@@ -102,11 +104,10 @@ impl HeidenhainIso {
             code.split_once(name)
                 .map(|(_, rest)| rest.split(" P").next().unwrap_or_default().trim())
         };
-        let mut value = |name: &str| {
-            let mut cursor = Cursor::new(part(name)?);
-            cursor
-                .sum(&mut self.q)
-                .filter(|_| cursor.rest.trim().is_empty())
+        let value = |name: &str| {
+            let mut cursor = Cursor::new(part(name)?.as_bytes(), 0, &self.q);
+            let value = cursor.value()?.or_nan();
+            cursor.is_done().then_some(value)
         };
         let (a, b) = (value("P01"), value("P02"));
         let known = a.zip(b).filter(|(a, b)| !a.is_nan() && !b.is_nan());
@@ -135,13 +136,13 @@ impl HeidenhainIso {
             (13, Some(a), Some(b)) => a.atan2(b).to_degrees().rem_euclid(360.0),
             _ => f64::NAN,
         };
-        let Some(name) = Cursor::new(code[3..].trim_start()).parameter() else {
+        let Some(key) = Cursor::new(code.as_bytes(), 3, &self.q).key() else {
             return Step::AsWritten;
         };
         if number == 18 {
-            self.q.set_by_control(&name);
+            self.q.set_by_control(key);
         } else {
-            self.q.set(&name, result);
+            self.q.set(key, Value::of(result));
         }
         if result.is_nan() {
             Step::AsWritten
@@ -166,20 +167,14 @@ impl HeidenhainIso {
 
     /// `Q5 = +Q1 * 2`.
     fn formula(&mut self, code: &str) -> Step {
-        let mut cursor = Cursor::new(code);
-        let Some(name) = cursor.parameter() else {
+        let mut cursor = Cursor::new(code.as_bytes(), 0, &self.q);
+        let Some(key) = cursor.key() else {
             return Step::AsWritten;
         };
-        let value = if cursor.eat("=") {
-            cursor.sum(&mut self.q)
-        } else {
-            None
-        };
-        let value = value
-            .filter(|_| cursor.rest.trim().is_empty())
-            .unwrap_or(f64::NAN);
-        self.q.set(&name, value);
-        if value.is_nan() {
+        let value = cursor.eat("=").then(|| cursor.value()).flatten();
+        let value = value.filter(|_| cursor.is_done()).unwrap_or(Value::Unknown);
+        self.q.set(key, value);
+        if value == Value::Unknown {
             Step::AsWritten
         } else {
             Step::Done
@@ -224,14 +219,15 @@ impl HeidenhainIso {
         let mut rest = code;
         while let Some(at) = rest.find('Q') {
             let (before, from) = rest.split_at(at);
-            let mut cursor = Cursor::new(from);
-            let Some(name) = cursor.parameter() else {
+            let mut cursor = Cursor::new(from.as_bytes(), 0, &self.q);
+            let Some(key) = cursor.key() else {
                 out.push_str(before);
                 out.push('Q');
                 rest = &from[1..];
                 continue;
             };
-            let value = self.q.get(&name);
+            let after = cursor.at;
+            let value = self.q.get(&key).or_nan();
             let (before, sign) = match before.strip_suffix('-') {
                 Some(before) => (before, -1.0),
                 None => (before.strip_suffix('+').unwrap_or(before), 1.0),
@@ -243,7 +239,7 @@ impl HeidenhainIso {
             } else {
                 decimal(sign * value, 9)
             });
-            rest = cursor.rest;
+            rest = &from[after..];
         }
         out.push_str(rest);
         Step::Read(out.into_bytes())

@@ -1,17 +1,27 @@
 //! Variables by their numbers and names.
 
+use crate::import::toolpath::script::grammar::Language;
+
 /// A variable.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Key {
     Number(i32),
-    /// In small letters, without blanks.
+    /// Of a macro in small letters, of the others in capitals; without blanks.
     Name(String),
     /// `#[…]` of what is not known.
     Unknown,
 }
 
 impl Key {
-    /// A variable by its name in a text: `#5`, `#<name>`.
+    /// A variable by its name in a text: `#5`, `#<name>`, `R1`, `Q5`.
+    pub fn of(name: &str, language: Language) -> Option<Key> {
+        match language {
+            Language::LinuxCnc | Language::MacroB => Key::named(name),
+            _ => Some(Key::capitals(name.as_bytes())),
+        }
+    }
+
+    /// A variable of a macro: `#5`, `#<name>`.
     pub fn named(name: &str) -> Option<Key> {
         let name = name.trim().strip_prefix('#')?;
         match name
@@ -27,12 +37,18 @@ impl Key {
         }
     }
 
+    /// A name that is written in capitals.
+    pub fn capitals(name: &[u8]) -> Key {
+        Key::Name(plain(name).to_ascii_uppercase())
+    }
+
     /// Its name in a text.
-    pub fn name(&self) -> Option<String> {
-        match self {
-            Key::Number(number) => Some(format!("#{number}")),
-            Key::Name(name) => Some(format!("#<{name}>")),
-            Key::Unknown => None,
+    pub fn name(&self, language: Language) -> Option<String> {
+        match (self, language) {
+            (Key::Number(number), _) => Some(format!("#{number}")),
+            (Key::Name(name), Language::LinuxCnc | Language::MacroB) => Some(format!("#<{name}>")),
+            (Key::Name(name), _) => Some(name.clone()),
+            (Key::Unknown, _) => None,
         }
     }
 }

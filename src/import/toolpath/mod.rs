@@ -18,7 +18,6 @@ mod heidenhain_iso;
 mod key;
 mod klartext;
 mod known;
-mod macros;
 mod moves;
 mod moves_system;
 mod native;
@@ -27,7 +26,7 @@ mod own_path;
 mod plain;
 mod reader;
 mod rules;
-mod sinumerik;
+mod script;
 mod skipped;
 mod system;
 mod watch;
@@ -51,13 +50,13 @@ pub(super) use guess::guessed;
 use heidenhain_iso::HeidenhainIso;
 use klartext::Klartext;
 pub use known::{Ask, Feature, Known, Trip};
-use macros::Macros;
 pub use native::{NativeArgument, NativeCall};
 pub use outline::{Heading, outline};
 use reader::{Reader, Touching};
 use rules::Log;
 pub use rules::{RUN_RULES, RunRule};
-use sinumerik::Sinumerik;
+use script::grammar::SINUMERIK;
+use script::{Machine, macros};
 use skipped::Skip;
 use watch::probes;
 pub use writes::{WRITE_KINDS, Write};
@@ -352,11 +351,13 @@ fn run(
         true => reader
             .run
             .is_some()
-            .then(|| Box::new(Sinumerik::new(text, set)) as Box<dyn Flow>),
+            .then(|| Box::new(Machine::new(text, end, &SINUMERIK, set)) as Box<dyn Flow>),
         false => match HeidenhainIso::of(text, set).filter(|_| reader.run.is_some()) {
             Some(flow) => Some(Box::new(flow) as Box<dyn Flow>),
-            None => Macros::of(text, end, set, reader.frames.kind)
-                .map(|macros| Box::new(macros) as Box<dyn Flow>),
+            None => macros::is_macro(text).then(|| {
+                let grammar = macros::grammar(reader.frames.kind.computes_like_linuxcnc(text));
+                Box::new(Machine::new(text, end, grammar, set)) as Box<dyn Flow>
+            }),
         },
     };
     let mut macros = macros;

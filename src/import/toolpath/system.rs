@@ -7,6 +7,7 @@
 
 use crate::geom::Plane;
 use crate::import::toolpath::key::Key;
+use crate::import::toolpath::script::grammar::Language;
 
 /// What the control knows before a block. Places are in the units that the program has now; NaN is not known.
 #[derive(Clone, Copy, Debug)]
@@ -55,30 +56,25 @@ impl Default for System {
 }
 
 impl System {
-    /// The same by a SINUMERIK's names: `$AA_IW` the present position in the work system, `$AA_MW` that of the last contact, `$AC_MEA[1]` whether there was
+    /// What a SINUMERIK's variable holds: `$AA_IW` the present position in the work system, `$AA_MW` that of the last contact, `$AC_MEA[1]` whether there was
     /// one, `$A_PROBE[1]` whether the probe is deflected: it is where the last contact was, until it leaves.
-    pub fn of_sinumerik(&self) -> Vec<(&'static str, f64)> {
-        let truth = |is: Option<bool>| is.map_or(f64::NAN, |is| f64::from(u8::from(is)));
+    fn of_sinumerik(&self, name: &str) -> Option<Option<f64>> {
+        let truth = |is: Option<bool>| is.map(|is| f64::from(u8::from(is)));
+        let axis = |position: [f64; 3]| {
+            let axis = name.split_once('[')?.1;
+            let axis = ["X]", "Y]", "Z]"].iter().position(|known| *known == axis)?;
+            Some((!position[axis].is_nan()).then_some(position[axis]))
+        };
         let leaves = (0..3).any(|axis| self.place[axis] != self.contact[axis]);
         let deflected = self.met.map(|met| met && !leaves);
-        let [x, y, z] = self.place;
-        let [cx, cy, cz] = self.contact;
-        vec![
-            ("$AA_IW[X]", x),
-            ("$AA_IW[Y]", y),
-            ("$AA_IW[Z]", z),
-            ("$AA_IM[X]", self.machine[0]),
-            ("$AA_IM[Y]", self.machine[1]),
-            ("$AA_IM[Z]", self.machine[2]),
-            ("$AA_MW[X]", cx),
-            ("$AA_MW[Y]", cy),
-            ("$AA_MW[Z]", cz),
-            ("$AC_MEA[1]", truth(self.met)),
-            (
-                "$A_PROBE[1]",
-                truth(deflected.or(self.rests.then_some(false))),
-            ),
-        ]
+        match name {
+            "$AC_MEA[1]" => Some(truth(self.met)),
+            "$A_PROBE[1]" => Some(truth(deflected.or(self.rests.then_some(false)))),
+            _ if name.starts_with("$AA_IW[") => axis(self.place),
+            _ if name.starts_with("$AA_IM[") => axis(self.machine),
+            _ if name.starts_with("$AA_MW[") => axis(self.contact),
+            _ => None,
+        }
     }
 
     /// Whether a variable holds what is set up before the program: the tool in the spindle, the work offset.
@@ -91,7 +87,12 @@ impl System {
     }
 
     /// What a variable of the control holds: none for one that is not followed here, and none within where the run does not know it.
-    pub fn get(&self, key: &Key, linuxcnc: bool) -> Option<Option<f64>> {
+    pub fn get(&self, key: &Key, language: Language) -> Option<Option<f64>> {
+        let linuxcnc = match (language, key) {
+            (Language::Sinumerik, Key::Name(name)) => return self.of_sinumerik(name),
+            (Language::Sinumerik | Language::Heidenhain, _) => return None,
+            (language, _) => language == Language::LinuxCnc,
+        };
         let known = |x: f64| (!x.is_nan()).then_some(x);
         let axis = |number: i32, first: i32| (number - first) as usize;
         let truth = |is: Option<bool>| is.map(|is| f64::from(u8::from(is)));

@@ -6,7 +6,6 @@
 use crate::control::heidenhain::read::transforms;
 use crate::import::toolpath::frames::{Frames, Register};
 use crate::import::toolpath::klartext::Klartext;
-use crate::import::toolpath::klartext::value::Cursor;
 use crate::import::toolpath::reader::Reader;
 
 impl Klartext {
@@ -84,17 +83,5 @@ impl Klartext {
                 frames.begin_turn(Some([0.0; 3]), angle, added, place);
             }
         });
-    }
-
-    /// A number or a parameter; NaN where it is none that is known.
-    fn value(&mut self, text: &str) -> f64 {
-        let text = text.replace(',', ".");
-        let mut cursor = Cursor::new(&text);
-        let value = cursor.operand(&mut self.q).unwrap_or(f64::NAN);
-        if cursor.rest.trim().is_empty() {
-            value
-        } else {
-            f64::NAN
-        }
     }
 }

@@ -6,17 +6,19 @@
 mod datum;
 mod path;
 mod probe;
-pub(super) mod value;
 
 use std::collections::BTreeMap;
 
 use crate::control::heidenhain::read::{Given, assignments, numbered_blocks};
 use crate::form::Value;
+use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::native::q_parameters;
 use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::grammar::HEIDENHAIN;
+use crate::import::toolpath::script::variables::{Value as Computed, Variables};
 use crate::import::toolpath::skipped::Skip;
-use value::{Cursor, Parameters};
 
 /// So many blocks are run: whoever repeats more has an end.
 const MOST_BLOCKS: usize = 500_000;
@@ -42,7 +44,7 @@ enum Next {
 pub(super) struct Klartext {
     lines: Vec<Line>,
     labels: BTreeMap<String, Option<usize>>,
-    q: Parameters,
+    q: Variables,
     /// Of each call under way, the block after it.
     frames: Vec<usize>,
     /// How often the call at a block repeats its section again.
@@ -78,7 +80,7 @@ impl Klartext {
         Klartext {
             lines,
             labels,
-            q: Parameters::new(set),
+            q: Variables::new(&HEIDENHAIN, set),
             frames: Vec::new(),
             repeats: BTreeMap::new(),
             pole: [f64::NAN; 3],
@@ -128,7 +130,7 @@ impl Klartext {
             ["LBL" | "BLK" | "STOP" | "*" | "TOOL", ..]
                 if words[..2.min(words.len())] != ["TOOL", "CALL"] => {}
             ["TOOL", "CALL", tool, ..] => {
-                reader.tool = Some(Cursor::new(tool).operand(&mut self.q).unwrap_or(f64::NAN));
+                reader.tool = Some(self.value(tool));
                 reader.frames.change_tool();
                 reader.lengthen(7, reader.frames.table(), false);
             }
@@ -180,7 +182,10 @@ impl Klartext {
     /// A cycle of the control's own: its parameters are set, and where it ends is not known.
     fn cycle(&mut self, name: &str, text: &str, reader: &mut Reader) {
         self.assign_all(text);
-        self.q.forget_results();
+        // What a cycle leaves of its results.
+        for number in (115..=119).chain(150..=199).chain(950..=999) {
+            self.q.set(parameter(number), Computed::Unknown);
+        }
         let here = reader.here();
         let given = q_parameters(text);
         let made = name
@@ -201,28 +206,25 @@ impl Klartext {
                 Given::Value(Value::Number(x)) => x,
                 _ => f64::NAN,
             };
-            self.q.set(&format!("Q{number}"), value);
+            self.q.set(parameter(number), Computed::of(value));
         }
     }
 
     /// `Q5 = +Q1 * ( 5 + SIN +30 )`.
     fn assign(&mut self, text: &str, reader: &mut Reader) {
-        let mut cursor = Cursor::new(text);
-        let Some(name) = cursor.parameter() else {
+        let mut cursor = Cursor::new(text.as_bytes(), 0, &self.q);
+        let Some(key) = cursor.key() else {
             // A text: QS1 = "…".
             return reader.skipped.count(Skip::Value, reader.line);
         };
-        let value = if cursor.eat("=") {
-            cursor.sum(&mut self.q)
-        } else {
-            None
-        };
-        let whole = cursor.rest.trim().is_empty();
-        let value = value.filter(|_| whole).unwrap_or(f64::NAN);
-        if value.is_nan() {
+        let value = cursor.eat("=").then(|| cursor.value()).flatten();
+        let value = value
+            .filter(|_| cursor.is_done())
+            .unwrap_or(Computed::Unknown);
+        if value == Computed::Unknown {
             reader.skipped.count(Skip::Value, reader.line);
         }
-        self.q.set(&name, value);
+        self.q.set(key, value);
     }
 
     /// `FN 1: Q1 = +Q2 + +5`, `FN 9: IF +Q1 EQU +Q3 GOTO LBL 5`, `FN 14: ERROR = 1000`.
@@ -244,11 +246,11 @@ impl Klartext {
             // The control's own values, and tables: whom they belong to may know them.
             "18" | "28" | "23" | "24" => {
                 reader.skipped.count(Skip::Value, reader.line);
-                if let Some(name) = rest
+                let key = rest
                     .find('Q')
-                    .and_then(|at| Cursor::new(&rest[at..]).parameter())
-                {
-                    self.q.set_by_control(&name);
+                    .and_then(|at| Cursor::new(rest.as_bytes(), at, &self.q).key());
+                if let Some(key) = key {
+                    self.q.set_by_control(key);
                 }
             }
             // The control's own values, and a table, are written.
@@ -263,9 +265,9 @@ impl Klartext {
     /// `+Q1 EQU +Q3 GOTO LBL 5`. Where the condition is not known the blocks are read in their order, and nothing is known of any parameter.
     fn jump(&mut self, rest: &str, reader: &mut Reader) -> Next {
         reader.asks();
-        let mut cursor = Cursor::new(rest);
-        let holds = self.condition(&mut cursor);
-        let target = cursor.rest.split_once("LBL").map(|(_, name)| label(name));
+        let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.q);
+        let holds = cursor.value().and_then(Computed::holds);
+        let target = rest.split_once("LBL").map(|(_, name)| label(name));
         let place = target.and_then(|label| self.labels.get(&label).copied().flatten());
         match (holds, place) {
             (Some(true), Some(place)) => Next::At(place),
@@ -284,21 +286,11 @@ impl Klartext {
         }
     }
 
-    fn condition(&mut self, cursor: &mut Cursor<'_>) -> Option<bool> {
-        let left = cursor.sum(&mut self.q)?;
-        let operator = ["EQU", "NE", "GT", "LT"]
-            .into_iter()
-            .find(|operator| cursor.eat(operator))?;
-        let right = cursor.sum(&mut self.q)?;
-        if left.is_nan() || right.is_nan() {
-            return None;
-        }
-        Some(match operator {
-            "EQU" => left == right,
-            "NE" => left != right,
-            "GT" => left > right,
-            _ => left < right,
-        })
+    /// A number or a parameter; NaN where it is none that is known.
+    fn value(&self, text: &str) -> f64 {
+        let mut cursor = Cursor::new(text.as_bytes(), 0, &self.q);
+        let value = cursor.operand().map_or(f64::NAN, Computed::or_nan);
+        if cursor.is_done() { value } else { f64::NAN }
     }
 
     /// `5`, `"NAME"`, `5 REP 3`: a subprogram, or the section from the label on again.
@@ -306,7 +298,7 @@ impl Klartext {
         let (name, times) = match rest.split_once("REP") {
             Some((name, times)) => (
                 label(name),
-                Cursor::new(times.trim_start_matches([' ', '/'])).operand(&mut self.q),
+                Some(self.value(times.trim_start_matches([' ', '/']))),
             ),
             None => (label(rest), None),
         };
@@ -356,4 +348,9 @@ fn label(text: &str) -> String {
 fn is_m(word: &str) -> bool {
     word.strip_prefix('M')
         .is_some_and(|number| !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit()))
+}
+
+/// Q and a number.
+fn parameter(number: impl std::fmt::Display) -> Key {
+    Key::Name(format!("Q{number}"))
 }

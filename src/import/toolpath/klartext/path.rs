@@ -4,8 +4,9 @@ use crate::control::iso::script::Motion;
 use crate::import::toolpath::block::{Block, EMPTY};
 use crate::import::toolpath::count::count;
 use crate::import::toolpath::klartext::Klartext;
-use crate::import::toolpath::klartext::value::Cursor;
 use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::skipped::Skip;
 
 /// The words that path functions begin with.
@@ -89,10 +90,9 @@ impl Klartext {
     /// The words of a block.
     fn said(&mut self, rest: &str) -> Said {
         let mut said = Said::default();
-        let mut cursor = Cursor::new(rest);
+        let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.q);
         loop {
-            cursor.rest = cursor.rest.trim_start();
-            if cursor.rest.is_empty() {
+            if cursor.is_done() {
                 return said;
             }
             let Some(word) = WORDS.into_iter().find(|word| cursor.eat(word)) else {
@@ -113,7 +113,7 @@ impl Klartext {
                     }
                 }
                 _ => {
-                    let Some(value) = cursor.operand(&mut self.q) else {
+                    let Some(value) = cursor.operand().map(Value::or_nan) else {
                         said.strange = true;
                         return said;
                     };

@@ -1,0 +1,329 @@
+//! How the languages of controls write values: operators, brackets and functions, as rows.
+
+/// A family of languages that differ in what a variable is called and holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Language {
+    /// LinuxCNC and kin: O words, `#<name>`.
+    LinuxCnc,
+    /// Macro B of Fanuc and kin.
+    MacroB,
+    Sinumerik,
+    /// HEIDENHAIN: Q parameters, in Klartext and in ISO.
+    Heidenhain,
+}
+
+/// What stands between two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    Or,
+    Xor,
+    And,
+    Equal,
+    Unequal,
+    Greater,
+    GreaterOrEqual,
+    Less,
+    LessOrEqual,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    DivideWhole,
+    Modulo,
+    Power,
+    /// The length of two sides: `a LEN b`.
+    Length,
+    /// The angle of two sides, 0 to 360: `opposite ANG adjacent`.
+    Angle,
+}
+
+/// A function of one or two values; angles are in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    Absolute,
+    Sine,
+    Cosine,
+    Tangent,
+    ArcSine,
+    ArcCosine,
+    /// Of a slope, or of `[y]/[x]`.
+    ArcTangent,
+    ArcTangent2,
+    SquareRoot,
+    Square,
+    Negative,
+    Sign,
+    Truncate,
+    Fraction,
+    Round,
+    /// To the next lower whole number; on a Fanuc towards 0.
+    Fix,
+    /// To the next higher whole number; on a Fanuc away from 0.
+    Up,
+    Least,
+    Greatest,
+    /// Whether a variable was set.
+    Exists,
+    /// What no probing program was seen to need.
+    NotComputed,
+}
+
+/// How a language writes values.
+#[derive(Debug)]
+pub struct Grammar {
+    pub language: Language,
+    /// Operators between two values, the loosest first; in a row the longer ones first.
+    pub operators: &'static [&'static [(&'static str, Operator)]],
+    /// The brackets around a part of an expression.
+    pub brackets: (u8, u8),
+    /// Longer names first.
+    pub functions: &'static [(&'static str, Function)],
+    /// Values by name.
+    pub constants: &'static [(&'static str, f64)],
+    /// An operator of letters ends where a name would go on.
+    pub is_spaced: bool,
+    /// A function needs no brackets: `SIN +30`.
+    pub is_prefix: bool,
+}
+
+const MACRO_OPERATORS: &[&[(&str, Operator)]] = &[
+    &[
+        ("AND", Operator::And),
+        ("XOR", Operator::Xor),
+        ("OR", Operator::Or),
+    ],
+    &[
+        ("EQ", Operator::Equal),
+        ("NE", Operator::Unequal),
+        ("GE", Operator::GreaterOrEqual),
+        ("GT", Operator::Greater),
+        ("LE", Operator::LessOrEqual),
+        ("LT", Operator::Less),
+    ],
+    &[("+", Operator::Add), ("-", Operator::Subtract)],
+    &[
+        ("*", Operator::Multiply),
+        ("/", Operator::Divide),
+        ("MOD", Operator::Modulo),
+    ],
+    &[("**", Operator::Power)],
+];
+
+const MACRO_FUNCTIONS: &[(&str, Function)] = &[
+    ("ABS", Function::Absolute),
+    ("SIN", Function::Sine),
+    ("COS", Function::Cosine),
+    ("TAN", Function::Tangent),
+    ("ASIN", Function::ArcSine),
+    ("ACOS", Function::ArcCosine),
+    ("ATAN", Function::ArcTangent),
+    ("SQRT", Function::SquareRoot),
+    ("SQR", Function::SquareRoot),
+    ("ROUND", Function::Round),
+    ("RND", Function::Round),
+    ("FIX", Function::Fix),
+    ("FUP", Function::Up),
+    ("EXP", Function::NotComputed),
+    ("LN", Function::NotComputed),
+];
+
+/// LinuxCNC's words, by its documentation.
+pub const LINUXCNC: Grammar = Grammar {
+    language: Language::LinuxCnc,
+    operators: MACRO_OPERATORS,
+    brackets: (b'[', b']'),
+    functions: {
+        const FUNCTIONS: [(&str, Function); MACRO_FUNCTIONS.len() + 1] = {
+            let mut all = [("EXISTS", Function::Exists); MACRO_FUNCTIONS.len() + 1];
+            let mut i = 0;
+            while i < MACRO_FUNCTIONS.len() {
+                all[i] = MACRO_FUNCTIONS[i];
+                i += 1;
+            }
+            all
+        };
+        &FUNCTIONS
+    },
+    constants: &[],
+    is_spaced: false,
+    is_prefix: false,
+};
+
+/// Macro B of Fanuc and kin.
+pub const MACRO_B: Grammar = Grammar {
+    language: Language::MacroB,
+    functions: MACRO_FUNCTIONS,
+    ..LINUXCNC
+};
+
+/// SINUMERIK, by its programming manual.
+pub const SINUMERIK: Grammar = Grammar {
+    language: Language::Sinumerik,
+    operators: &[
+        &[("OR", Operator::Or), ("XOR", Operator::Xor)],
+        &[("AND", Operator::And)],
+        &[
+            ("==", Operator::Equal),
+            ("<>", Operator::Unequal),
+            (">=", Operator::GreaterOrEqual),
+            ("<=", Operator::LessOrEqual),
+            (">", Operator::Greater),
+            ("<", Operator::Less),
+        ],
+        &[("+", Operator::Add), ("-", Operator::Subtract)],
+        &[
+            ("*", Operator::Multiply),
+            ("/", Operator::Divide),
+            ("DIV", Operator::DivideWhole),
+            ("MOD", Operator::Modulo),
+        ],
+    ],
+    brackets: (b'(', b')'),
+    functions: &[
+        ("ABS", Function::Absolute),
+        ("SIN", Function::Sine),
+        ("COS", Function::Cosine),
+        ("TAN", Function::Tangent),
+        ("ASIN", Function::ArcSine),
+        ("ACOS", Function::ArcCosine),
+        ("ATAN2", Function::ArcTangent2),
+        ("SQRT", Function::SquareRoot),
+        ("POT", Function::Square),
+        ("TRUNC", Function::Truncate),
+        ("ROUND", Function::Round),
+        ("MINVAL", Function::Least),
+        ("MAXVAL", Function::Greatest),
+    ],
+    constants: &[("TRUE", 1.0), ("FALSE", 0.0)],
+    is_spaced: true,
+    is_prefix: false,
+};
+
+/// HEIDENHAIN's formulas and FN functions, by its manual.
+pub const HEIDENHAIN: Grammar = Grammar {
+    language: Language::Heidenhain,
+    operators: &[
+        &[
+            ("EQU", Operator::Equal),
+            ("NE", Operator::Unequal),
+            ("GT", Operator::Greater),
+            ("LT", Operator::Less),
+        ],
+        &[("+", Operator::Add), ("-", Operator::Subtract)],
+        &[
+            ("*", Operator::Multiply),
+            ("/", Operator::Divide),
+            ("DIV", Operator::Divide),
+            ("LEN", Operator::Length),
+            ("ANG", Operator::Angle),
+        ],
+        &[("^", Operator::Power)],
+    ],
+    brackets: (b'(', b')'),
+    functions: &[
+        ("SQRT", Function::SquareRoot),
+        ("SQ", Function::Square),
+        ("SIN", Function::Sine),
+        ("COS", Function::Cosine),
+        ("TAN", Function::Tangent),
+        ("ASIN", Function::ArcSine),
+        ("ACOS", Function::ArcCosine),
+        ("ATAN", Function::ArcTangent),
+        ("LN", Function::NotComputed),
+        ("LOG", Function::NotComputed),
+        ("EXP", Function::NotComputed),
+        ("NEG", Function::Negative),
+        ("INT", Function::Truncate),
+        ("FRAC", Function::Fraction),
+        ("ABS", Function::Absolute),
+        ("SGN", Function::Sign),
+    ],
+    constants: &[("PI", std::f64::consts::PI)],
+    is_spaced: false,
+    is_prefix: true,
+};
+
+/// A word that begins, continues or ends a structure of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keyword {
+    Sub,
+    EndSub,
+    Return,
+    Call,
+    If,
+    ElseIf,
+    Else,
+    EndIf,
+    While,
+    EndWhile,
+    /// A loop with its condition at the end: `do … while` of LinuxCNC, `REPEAT … UNTIL` of a SINUMERIK.
+    Do,
+    Until,
+    /// A number of times.
+    Repeat,
+    EndRepeat,
+    For,
+    EndFor,
+    /// A loop without a condition.
+    Loop,
+    EndLoop,
+    Break,
+    Continue,
+}
+
+impl Keyword {
+    /// What ends the structure that this word begins; none of a word that begins none.
+    pub fn end(self) -> Option<Keyword> {
+        Some(match self {
+            Keyword::If => Keyword::EndIf,
+            Keyword::While => Keyword::EndWhile,
+            Keyword::Do => Keyword::Until,
+            Keyword::Repeat => Keyword::EndRepeat,
+            Keyword::For => Keyword::EndFor,
+            Keyword::Loop => Keyword::EndLoop,
+            _ => return None,
+        })
+    }
+
+    /// Whether the program may continue elsewhere for it, and not only in a structure.
+    pub fn jumps(self) -> bool {
+        matches!(
+            self,
+            Keyword::Call | Keyword::Return | Keyword::Break | Keyword::Continue
+        )
+    }
+}
+
+/// The words behind the label of an O word.
+pub const O_WORDS: [(&str, Keyword); 15] = [
+    ("sub", Keyword::Sub),
+    ("endsub", Keyword::EndSub),
+    ("return", Keyword::Return),
+    ("call", Keyword::Call),
+    ("if", Keyword::If),
+    ("elseif", Keyword::ElseIf),
+    ("else", Keyword::Else),
+    ("endif", Keyword::EndIf),
+    ("while", Keyword::While),
+    ("endwhile", Keyword::EndWhile),
+    ("do", Keyword::Do),
+    ("repeat", Keyword::Repeat),
+    ("endrepeat", Keyword::EndRepeat),
+    ("break", Keyword::Break),
+    ("continue", Keyword::Continue),
+];
+
+/// The words of a SINUMERIK's structures, which lie in each other.
+pub const SINUMERIK_WORDS: [(&str, Keyword); 11] = [
+    ("IF", Keyword::If),
+    ("ELSE", Keyword::Else),
+    ("ENDIF", Keyword::EndIf),
+    ("WHILE", Keyword::While),
+    ("ENDWHILE", Keyword::EndWhile),
+    ("FOR", Keyword::For),
+    ("ENDFOR", Keyword::EndFor),
+    ("LOOP", Keyword::Loop),
+    ("ENDLOOP", Keyword::EndLoop),
+    ("REPEAT", Keyword::Do),
+    ("UNTIL", Keyword::Until),
+];

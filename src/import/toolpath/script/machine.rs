@@ -1,0 +1,627 @@
+//! Runs the arithmetic and the jumps of a text in front of the reader. What is known is put into the blocks as numbers, and the reader reads these; what is
+//! not known stays as it is written, and the reader says so.
+//!
+//! A condition that is not known is not followed: the lines it guards are read in their order, and what they set is not known from there on.
+
+use crate::control::iso::lex::head;
+use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::{Flow, Step};
+use crate::import::toolpath::key::Key;
+use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language};
+use crate::import::toolpath::script::index::{Index, Subprogram};
+use crate::import::toolpath::script::statement;
+use crate::import::toolpath::script::variables::{Value, Variables};
+use crate::import::toolpath::system::System;
+use crate::import::toolpath::writes::Variable;
+
+/// So many blocks are run: whoever repeats more has an end.
+const MOST_BLOCKS: usize = 500_000;
+
+/// So many structures may be open: whoever jumps out of more has an end.
+const MOST_OPEN: usize = 5000;
+
+/// So deep a subprogram may call the next one.
+pub(super) const DEEPEST: usize = 10;
+
+/// A line that is never reached.
+pub(super) const NOWHERE: usize = usize::MAX;
+
+/// A structure that is open, by its span.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Open {
+    /// A branch of it is run.
+    Branch(usize),
+    /// Whether its next `elseif` holds is not known.
+    ElseIf(usize),
+    /// A loop, and how often it runs again: not once more where an unknown condition may have left it.
+    Loop(usize, usize),
+    /// Its condition is not known.
+    Unsure(usize),
+}
+
+impl Open {
+    fn span(self) -> usize {
+        match self {
+            Open::Branch(at) | Open::ElseIf(at) | Open::Loop(at, _) | Open::Unsure(at) => at,
+        }
+    }
+}
+
+/// A call under way: where it continues, and what was open and not sure when it began.
+#[derive(Debug)]
+pub(super) struct Frame {
+    back: Place,
+    /// The end of the text's lines, or of another program, is no way back.
+    pub ends_by_word: bool,
+    open: usize,
+    /// How many M98 calls were under way.
+    pub inside: usize,
+    unsure: usize,
+    leaps: usize,
+    /// How often an unknown condition may have gone back from it: what follows in it is not sure.
+    left: usize,
+}
+
+/// Runs the macros of a text.
+pub(in crate::import::toolpath) struct Machine {
+    pub(super) variables: Variables,
+    pub(super) index: Index,
+    open: Vec<Open>,
+    pub(super) frames: Vec<Frame>,
+    /// How many conditions that are not known guard this line.
+    unsure: usize,
+    /// Lines below that an unknown condition may have jumped to: up to them nothing is sure.
+    leaps: Vec<usize>,
+    blocks: usize,
+    /// How often a branch that ends the program was not taken, by its line.
+    spared: Vec<(usize, usize)>,
+    /// The registers that the line has written.
+    pub(super) written: Vec<(Variable, f64)>,
+    /// The lines of subprograms that ran: from, up to.
+    ran: Vec<(usize, usize)>,
+    /// Whether the program is run with what is known, and not only read.
+    pub(super) runs: bool,
+    /// Subroutines that nothing in the text calls, the last first.
+    uncalled: Vec<Subprogram>,
+}
+
+impl Machine {
+    /// The program is the first bytes of the text; what is below may be called. `set` is what the user knows of variables.
+    pub fn new(text: &str, end: usize, grammar: &'static Grammar, set: &[(&str, f64)]) -> Self {
+        let index = Index::of(text, grammar.language);
+        let uncalled = match grammar.language {
+            Language::LinuxCnc | Language::MacroB => index.uncalled(end),
+            _ => Vec::new(),
+        };
+        Machine {
+            variables: Variables::new(grammar, set),
+            uncalled,
+            index,
+            open: Vec::new(),
+            frames: Vec::new(),
+            unsure: 0,
+            leaps: Vec::new(),
+            blocks: 0,
+            spared: Vec::new(),
+            written: Vec::new(),
+            runs: false,
+            ran: Vec::new(),
+        }
+    }
+
+    fn language(&self) -> Language {
+        self.variables.grammar.language
+    }
+
+    /// The lines of a subprogram run, with the line of its name.
+    pub(super) fn runs(&mut self, begin: Place, end: usize) {
+        const MOST_KNOWN: usize = 500;
+        let lines = (begin.line.saturating_sub(1), end);
+        if self.ran.len() < MOST_KNOWN && !self.ran.contains(&lines) {
+            self.ran.push(lines);
+        }
+    }
+
+    /// Whether what a block sets is set for sure.
+    pub(super) fn is_sure(&self) -> bool {
+        self.unsure == 0 && self.leaps.is_empty()
+    }
+
+    /// Whether an unknown condition of this call guards the block: a jump in it may not be made, and what it jumps over may run.
+    pub(super) fn is_guarded(&self) -> bool {
+        let (unsure, leaps) = self
+            .frames
+            .last()
+            .map_or((0, 0), |frame| (frame.unsure + frame.left, frame.leaps));
+        self.unsure > unsure || self.leaps.len() > leaps
+    }
+
+    /// A part of a block that is guarded by a condition which is not known.
+    pub(super) fn guarded<T>(&mut self, is_unknown: bool, run: impl FnOnce(&mut Self) -> T) -> T {
+        let guards = usize::from(is_unknown);
+        self.unsure += guards;
+        let done = run(self);
+        self.unsure = self.unsure.saturating_sub(guards);
+        done
+    }
+
+    /// Up to a line nothing is sure, in this call: each line once, however often a loop comes by.
+    fn leaps_to(&mut self, line: usize) {
+        let own = self
+            .frames
+            .last()
+            .map_or(0, |frame| frame.leaps)
+            .min(self.leaps.len());
+        if !self.leaps[own..].contains(&line) {
+            self.leaps.push(line);
+        }
+    }
+
+    /// It may continue at a place: up to that nothing is sure. What a jump back repeats may set any variable again.
+    pub(super) fn leap(&mut self, to: Option<Place>, next: Place) -> Step {
+        let below = to.filter(|place| place.line >= next.line);
+        if below.is_none() {
+            self.forget();
+        }
+        self.leaps_to(below.map_or(NOWHERE, |place| place.line));
+        below.map_or(Step::AsWritten, |place| Step::MayJump(place.line))
+    }
+
+    /// A jump under a condition. Where the condition is not known, or an unknown one guards the jump, it is not made: the lines are read in their order.
+    pub(super) fn jump(&mut self, to: Option<Place>, holds: Option<bool>, next: Place) -> Step {
+        match (holds, to) {
+            (Some(false), _) => return Step::Done,
+            (Some(true), Some(to)) if !self.is_guarded() => return Step::Go(to),
+            // One of the two ways ends: the other one is the program's.
+            (None, Some(to)) if self.runs && self.index.leads_out(to) && self.spares() => {
+                return Step::BranchEnds(None);
+            }
+            _ => {}
+        }
+        // A jump that is made to a block that is not known.
+        let is_astray = holds == Some(true) && to.is_none() && !self.is_guarded();
+        let leap = self.leap(to, next);
+        if is_astray { Step::Astray } else { leap }
+    }
+
+    /// Whether the branch of a line that ends the program may be left once more: a loop that only it ends would not end.
+    fn spares(&mut self) -> bool {
+        const MOST_SPARED: usize = 1000;
+        let line = self.variables.line;
+        let times = match self.spared.iter_mut().find(|(known, _)| *known == line) {
+            Some((_, times)) => times,
+            None => {
+                self.spared.push((line, 0));
+                &mut self.spared.last_mut().expect("just pushed").1
+            }
+        };
+        *times += 1;
+        self.runs && *times <= MOST_SPARED
+    }
+
+    pub(super) fn enter(
+        &mut self,
+        back: Place,
+        ends_by_word: bool,
+        inside: usize,
+        arguments: Vec<(Key, Value)>,
+    ) {
+        let (open, unsure, leaps) = (self.open.len(), self.unsure, self.leaps.len());
+        self.variables.enter(arguments);
+        self.frames.push(Frame {
+            back,
+            ends_by_word,
+            open,
+            inside,
+            unsure,
+            leaps,
+            left: 0,
+        });
+    }
+
+    /// Back from a call; none outside of calls.
+    pub(super) fn leave(&mut self) -> Option<Place> {
+        let frame = self.frames.pop()?;
+        self.variables.leave();
+        self.open.truncate(frame.open);
+        self.unsure = frame.unsure;
+        self.leaps.truncate(frame.leaps);
+        Some(frame.back)
+    }
+
+    /// It may go back from the call here, or not: what follows in it is not sure.
+    pub(super) fn may_leave(&mut self) -> Step {
+        if let Some(frame) = self.frames.last_mut() {
+            frame.left += 1;
+            self.unsure += 1;
+        }
+        Step::AsWritten
+    }
+
+    /// Closes what is open above a place of the stack.
+    fn close_to(&mut self, length: usize) {
+        while self.open.len() > length {
+            if let Some(Open::Unsure(_)) = self.open.pop() {
+                self.unsure = self.unsure.saturating_sub(1);
+            }
+        }
+    }
+
+    /// Opens a structure. One of the same span that was left by a jump is over.
+    fn opens(&mut self, open: Open) {
+        if let Some((at, _)) = self.opened(open.span()) {
+            self.close_to(at);
+        }
+        self.unsure += usize::from(matches!(open, Open::Unsure(_)));
+        self.open.push(open);
+    }
+
+    /// What is open of a span in this call, and its place on the stack.
+    fn opened(&self, span: usize) -> Option<(usize, Open)> {
+        let first = self.frames.last().map_or(0, |frame| frame.open);
+        let own = self.open.get(first..)?;
+        let at = own.iter().rposition(|open| open.span() == span)?;
+        Some((first + at, own[at]))
+    }
+
+    fn unsure_begins(&mut self, span: usize) -> Step {
+        self.opens(Open::Unsure(span));
+        Step::AsWritten
+    }
+
+    /// A word of a structure, with what its condition or its count comes to.
+    pub(super) fn structure(
+        &mut self,
+        keyword: Keyword,
+        value: Option<Value>,
+        here: Place,
+    ) -> Step {
+        let Some(span) = self.index.span_at(here.line) else {
+            return match keyword {
+                // A loop without an end may set anything.
+                Keyword::EndWhile | Keyword::EndRepeat | Keyword::EndFor | Keyword::EndLoop => {
+                    self.forget();
+                    Step::AsWritten
+                }
+                _ => Step::AsWritten,
+            };
+        };
+        let is_end = self
+            .index
+            .span(span)
+            .end
+            .is_some_and(|(end, _)| end == here);
+        match keyword {
+            Keyword::If => self.if_(span, value.and_then(Value::holds)),
+            Keyword::ElseIf => match self.opened(span) {
+                Some((at, Open::ElseIf(_))) => {
+                    self.close_to(at);
+                    self.opens(Open::Unsure(span));
+                    Step::Condition
+                }
+                _ => self.next_branch(span),
+            },
+            Keyword::Else => self.next_branch(span),
+            Keyword::EndIf => match self.opened(span) {
+                Some((at, Open::Unsure(_))) => {
+                    self.close_to(at);
+                    Step::AsWritten
+                }
+                Some((at, _)) => {
+                    self.close_to(at);
+                    Step::Done
+                }
+                None => Step::Done,
+            },
+            // The `while` of a `do` holds as long as it runs, an UNTIL as long as it does not.
+            Keyword::While if is_end => self.do_ends(span, value.and_then(Value::holds)),
+            Keyword::Until => self.do_ends(span, value.and_then(Value::holds).map(|holds| !holds)),
+            Keyword::Do => self.loop_begins(span, usize::MAX),
+            Keyword::While | Keyword::For => self.while_(span, value.and_then(Value::holds)),
+            Keyword::Loop => self.while_(span, Some(true)),
+            Keyword::Repeat => match value {
+                Some(Value::Number(times)) if times >= 1.0 => {
+                    self.loop_begins(span, times as usize)
+                }
+                Some(Value::Number(_)) => self.below(span),
+                _ => self.unsure_begins(span),
+            },
+            Keyword::EndRepeat => self.again(span),
+            Keyword::EndWhile | Keyword::EndFor | Keyword::EndLoop => self.loop_ends(span),
+            _ => Step::AsWritten,
+        }
+    }
+
+    /// Below the end of a structure; without one the block is read as it is written.
+    fn below(&self, span: usize) -> Step {
+        Step::to(self.index.span(span).end.map(|(_, below)| below))
+    }
+
+    fn if_(&mut self, span: usize, holds: Option<bool>) -> Step {
+        match holds {
+            Some(true) => {
+                self.opens(Open::Branch(span));
+                Step::Done
+            }
+            Some(false) => self.other_branch(span),
+            None => {
+                let below = self.index.span(span).end.map(|(_, below)| below);
+                let is_left = self.runs && self.index.is_ending(span) && self.spares();
+                match below.filter(|_| is_left) {
+                    Some(below) => Step::BranchEnds(Some(below)),
+                    None => self.unsure_begins(span),
+                }
+            }
+        }
+    }
+
+    /// The first further branch whose condition holds, or the end of the `if`.
+    fn other_branch(&mut self, span: usize) -> Step {
+        for branch in &self.index.span(span).branches {
+            let (here, below) = (branch.here, branch.below);
+            let holds = match &branch.condition {
+                Some(condition) => Cursor::new(condition, 0, &self.variables)
+                    .bracketed()
+                    .and_then(Value::holds),
+                None => Some(true),
+            };
+            match holds {
+                Some(false) => {}
+                Some(true) => {
+                    self.opens(Open::Branch(span));
+                    return Step::Go(below);
+                }
+                // From there on it is not known which of them is run.
+                None => {
+                    self.opens(Open::ElseIf(span));
+                    return Step::Go(here);
+                }
+            }
+        }
+        self.below(span)
+    }
+
+    /// A further branch is reached from the one above it: that was run, or it is not known whether it was.
+    fn next_branch(&mut self, span: usize) -> Step {
+        match self.opened(span) {
+            Some((at, Open::Branch(_))) => {
+                self.close_to(at);
+                self.below(span)
+            }
+            _ => Step::AsWritten,
+        }
+    }
+
+    /// A loop begins, and runs so many times.
+    fn loop_begins(&mut self, span: usize, times: usize) -> Step {
+        match self.opened(span) {
+            Some((at, Open::Loop(..))) => self.close_to(at + 1),
+            _ => self.opens(Open::Loop(span, times)),
+        }
+        Step::Done
+    }
+
+    /// A loop with its condition at the beginning.
+    fn while_(&mut self, span: usize, holds: Option<bool>) -> Step {
+        if holds == Some(true) {
+            return self.loop_begins(span, usize::MAX);
+        }
+        if let Some((at, Open::Loop(..))) = self.opened(span) {
+            self.close_to(at);
+        }
+        match holds {
+            Some(_) => self.below(span),
+            None => self.unsure_begins(span),
+        }
+    }
+
+    /// The end of a loop with its condition at the beginning.
+    fn loop_ends(&mut self, span: usize) -> Step {
+        match self.opened(span) {
+            Some((at, Open::Loop(_, 0))) => {
+                self.close_to(at);
+                self.forget();
+                Step::LoopEnds
+            }
+            Some((at, Open::Loop(..))) => {
+                self.close_to(at + 1);
+                Step::Go(self.index.span(span).begin)
+            }
+            _ => self.unsure_loop_ends(span),
+        }
+    }
+
+    /// The end of a loop with its condition there.
+    fn do_ends(&mut self, span: usize, goes_on: Option<bool>) -> Step {
+        let Some((at, Open::Loop(_, times))) = self.opened(span) else {
+            return self.unsure_loop_ends(span);
+        };
+        match goes_on.filter(|_| times > 0) {
+            Some(true) => {
+                self.close_to(at + 1);
+                Step::Go(self.index.span(span).begin)
+            }
+            known => {
+                self.close_to(at);
+                if known.is_some() {
+                    return Step::Done;
+                }
+                // What it sets, and what it moves by a distance, may be another after the next round.
+                self.forget();
+                Step::LoopEnds
+            }
+        }
+    }
+
+    /// The end of a loop that runs a number of times.
+    fn again(&mut self, span: usize) -> Step {
+        let Some((at, Open::Loop(_, times))) = self.opened(span) else {
+            return self.unsure_loop_ends(span);
+        };
+        if times > 1 {
+            self.close_to(at);
+            self.open.push(Open::Loop(span, times - 1));
+            return Step::Go(self.index.span(span).below);
+        }
+        self.close_to(at);
+        if times == 0 {
+            self.forget();
+            return Step::LoopEnds;
+        }
+        Step::Done
+    }
+
+    /// What another round may set is not known, nor what it would set in a branch that this one did not run.
+    fn unsure_loop_ends(&mut self, span: usize) -> Step {
+        self.forget();
+        if let Some((at, Open::Unsure(_))) = self.opened(span) {
+            self.close_to(at);
+        }
+        Step::AsWritten
+    }
+
+    /// Out of a loop of a label (true), or on to its next round.
+    pub(super) fn leaves_loop(&mut self, label: &str, is_break: bool) -> Step {
+        let first = self.frames.last().map_or(0, |frame| frame.open);
+        let own = |open: &Open| match open {
+            Open::Loop(span, _) => self.index.span(*span).label == label,
+            _ => false,
+        };
+        let Some(at) = self.open[first..]
+            .iter()
+            .rposition(own)
+            .map(|at| first + at)
+        else {
+            // Below the loop that an unknown condition leaves.
+            return self.leap(None, Place { at: 0, line: 0 });
+        };
+        let span = self.open[at].span();
+        // It may leave the loop here, or a round of it.
+        if self.is_guarded() {
+            self.leaps_to(NOWHERE);
+            // It makes no further round, which would be as unknown as this one.
+            if let Open::Loop(_, times) = &mut self.open[at]
+                && is_break
+            {
+                *times = 0;
+            }
+            return Step::AsWritten;
+        }
+        let end = self.index.span(span).end;
+        if is_break {
+            if end.is_some() {
+                self.close_to(at);
+            }
+            return Step::to(end.map(|(_, below)| below));
+        }
+        self.close_to(at + 1);
+        Step::to(end.map(|(here, _)| here))
+    }
+
+    /// Whether a loop runs: its next round begins.
+    pub(super) fn is_running(&self, here: Place) -> bool {
+        let span = self.index.span_at(here.line);
+        let open = span.and_then(|span| self.opened(span));
+        matches!(open, Some((_, Open::Loop(..))))
+    }
+
+    /// What becomes of a block, whose code begins at `begin`.
+    fn block(
+        &mut self,
+        line: &[u8],
+        begin: usize,
+        here: Place,
+        next: Place,
+        inside: usize,
+    ) -> Step {
+        match self.language() {
+            Language::Sinumerik => self.sinumerik(&statement::capitals(line), here, next),
+            _ => self.macro_block(line, begin, here, next, inside),
+        }
+    }
+}
+
+impl Flow for Machine {
+    fn written(&mut self) -> Vec<(Variable, f64)> {
+        std::mem::take(&mut self.written)
+    }
+
+    fn divisions(&self) -> Vec<u32> {
+        self.variables.divisions()
+    }
+
+    fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
+        self.blocks += 1;
+        if self.blocks > MOST_BLOCKS || self.open.len() > MOST_OPEN {
+            return Step::Stop;
+        }
+        self.variables.line = here.line;
+        self.leaps.retain(|leap| *leap != here.line);
+        let head = head(line);
+        if !head.skips {
+            return self.block(line, head.end, here, next, inside);
+        }
+        // With block skip on, the control leaves it out.
+        if self.turns_off(&line[head.end..]) {
+            return self.leap(None, next);
+        }
+        let step = self.guarded(true, |machine| {
+            machine.block(line, head.end, here, next, inside)
+        });
+        match step {
+            Step::Go(_) | Step::Done if self.language() == Language::Sinumerik => Step::AsWritten,
+            step => step,
+        }
+    }
+
+    fn forget(&mut self) {
+        self.variables.forget();
+    }
+
+    fn forget_shared(&mut self) {
+        match self.language() {
+            Language::Sinumerik => self.variables.forget(),
+            _ => self.variables.forget_shared(),
+        }
+    }
+
+    fn fall_out(&mut self, at_end: bool) -> Option<Place> {
+        self.frames
+            .last()
+            .filter(|frame| at_end || !frame.ends_by_word)?;
+        self.leave()
+    }
+
+    fn has_run(&self, line: usize) -> bool {
+        self.ran
+            .iter()
+            .any(|(from, to)| (*from..=*to).contains(&line))
+    }
+
+    fn is_inside(&self) -> bool {
+        !self.frames.is_empty()
+    }
+
+    fn sees(&mut self, system: System) {
+        self.runs = true;
+        self.variables.system = system;
+    }
+
+    fn asks(&self) -> Vec<Ask> {
+        self.variables.asks()
+    }
+
+    fn uncalled(&mut self, end: Place) -> Option<(String, Place)> {
+        let own = self.uncalled.pop()?;
+        while !self.frames.is_empty() {
+            self.leave();
+        }
+        (self.unsure, self.leaps, self.open) = (0, Vec::new(), Vec::new());
+        self.runs(own.begin, own.end);
+        self.enter(end, true, 0, Vec::new());
+        self.variables.enter_uncalled();
+        Some((own.name, own.begin))
+    }
+}

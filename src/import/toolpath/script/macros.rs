@@ -1,0 +1,380 @@
+//! Word address languages: O words of LinuxCNC, macro B of Fanuc and kin.
+
+use crate::control::iso::lex::program_number;
+use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::{Flow, Step};
+use crate::import::toolpath::key::Key;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::grammar::{Grammar, Keyword, LINUXCNC, MACRO_B};
+use crate::import::toolpath::script::machine::{DEEPEST, Machine};
+use crate::import::toolpath::script::statement::{
+    self, Structure, aborts, begins, is_flow, o_word,
+};
+use crate::import::toolpath::script::variables::Value;
+use crate::import::toolpath::writes;
+use crate::num::decimal;
+
+/// What a block assigns.
+type Assigned = Vec<(Key, Value)>;
+
+/// The letters of the arguments of a G65, and the variables that they set.
+const ARGUMENTS: [(u8, i32); 21] = [
+    (b'A', 1),
+    (b'B', 2),
+    (b'C', 3),
+    (b'I', 4),
+    (b'J', 5),
+    (b'K', 6),
+    (b'D', 7),
+    (b'E', 8),
+    (b'F', 9),
+    (b'H', 11),
+    (b'M', 13),
+    (b'Q', 17),
+    (b'R', 18),
+    (b'S', 19),
+    (b'T', 20),
+    (b'U', 21),
+    (b'V', 22),
+    (b'W', 23),
+    (b'X', 24),
+    (b'Y', 25),
+    (b'Z', 26),
+];
+
+/// Whether a text computes, jumps or calls at all: the others are read as they are written.
+pub fn is_macro(text: &str) -> bool {
+    let bytes = text.as_bytes();
+    let computes = memchr::memchr3(b'#', b'[', b'<', bytes).is_some();
+    let has_o_words = || {
+        memchr::memchr2_iter(b'o', b'O', bytes)
+            .any(|at| o_word(&bytes[at..bytes.len().min(at + 40)]).is_some())
+    };
+    let has_calls =
+        || memchr::memchr2_iter(b'g', b'G', bytes).any(|at| bytes[at + 1..].starts_with(b"65"));
+    computes || has_o_words() || has_calls()
+}
+
+/// The grammar of a text of macros.
+pub fn grammar(linuxcnc: bool) -> &'static Grammar {
+    if linuxcnc { &LINUXCNC } else { &MACRO_B }
+}
+
+impl Machine {
+    /// Whether a block changes the way of the program, and not only what is set.
+    pub(super) fn turns_off(&self, code: &[u8]) -> bool {
+        is_flow(code)
+            || o_word(code).is_some_and(|word| word.keyword.jumps())
+            || begins(code, b"G65")
+            || begins(code, b"M99")
+    }
+
+    pub(super) fn macro_block(
+        &mut self,
+        line: &[u8],
+        begin: usize,
+        here: Place,
+        next: Place,
+        inside: usize,
+    ) -> Step {
+        let code = &line[begin..];
+        match code.first().map(u8::to_ascii_uppercase) {
+            // The next program begins: the one that was called is over.
+            Some(b'O') if program_number(code).is_some() => Step::to(self.fall_out(false)),
+            Some(b'O') => match o_word(code) {
+                Some(word) => self.o_word(word, code, here, next),
+                None => Step::AsWritten,
+            },
+            Some(b'(') if self.variables.is_linuxcnc() && aborts(code) && self.is_sure() => {
+                Step::Ends
+            }
+            Some(b'(' | b';' | b'%') | None => Step::AsWritten,
+            _ if is_flow(code) => self.flow(code, here, next),
+            _ => self
+                .macro_word(code, next, inside)
+                .unwrap_or_else(|| self.words(line, begin)),
+        }
+    }
+
+    /// `o<name> call [5]`, `o1 if [#2 GT 0]` and their kin.
+    fn o_word(&mut self, word: Structure, code: &[u8], here: Place, next: Place) -> Step {
+        let value = Cursor::new(code, word.rest, &self.variables).bracketed();
+        match word.keyword {
+            Keyword::Sub => Step::to(self.index.below_definition(here.line)),
+            Keyword::EndSub | Keyword::Return
+                if !self.frames.last().is_some_and(|frame| frame.ends_by_word) =>
+            {
+                Step::AsWritten
+            }
+            Keyword::Return if self.is_guarded() => self.may_leave(),
+            Keyword::EndSub | Keyword::Return => {
+                let back = self.leave();
+                let is_returned = !code[word.rest..].trim_ascii().is_empty();
+                self.returns(value, is_returned);
+                back.map_or(Step::AsWritten, Step::Leave)
+            }
+            Keyword::Call => self.o_call(code, &word, next),
+            Keyword::Break => self.leaves_loop(&word.label, true),
+            Keyword::Continue => self.leaves_loop(&word.label, false),
+            keyword => self.structure(keyword, value, here),
+        }
+    }
+
+    /// What a subroutine returns. The interpreter sets both to 0 where no value is returned.
+    fn returns(&mut self, value: Option<Value>, is_returned: bool) {
+        let none = if is_returned {
+            Value::Unknown
+        } else {
+            Value::Number(0.0)
+        };
+        for (name, value) in [
+            ("_value", value.unwrap_or(none)),
+            (
+                "_value_returned",
+                Value::Number(f64::from(u8::from(is_returned))),
+            ),
+        ] {
+            let value = if self.is_sure() {
+                value
+            } else {
+                Value::Unknown
+            };
+            self.variables.set(Key::Name(name.to_owned()), value);
+        }
+    }
+
+    fn o_call(&mut self, code: &[u8], word: &Structure, next: Place) -> Step {
+        let mut arguments = Vec::new();
+        let mut cursor = Cursor::new(code, word.rest, &self.variables);
+        while cursor.peek() == Some(b'[') {
+            let Some(value) = cursor.bracketed() else {
+                break;
+            };
+            arguments.push((Key::Number(arguments.len() as i32 + 1), value));
+        }
+        let is_understood = cursor.peek() != Some(b'[');
+        let own = self
+            .index
+            .subroutine(&word.label)
+            .map(|own| (own.begin, own.end))
+            .filter(|_| is_understood && self.frames.len() < DEEPEST);
+        let Some((begin, end)) = own else {
+            // It may set any variable but the locals here.
+            self.variables.forget_shared();
+            return Step::AsWritten;
+        };
+        self.runs(begin, end);
+        self.enter(next, true, 0, arguments);
+        Step::Enter(begin)
+    }
+
+    /// `IF[…]GOTO 10`, `IF[…]THEN#1=2`, `WHILE[…]DO1`, `END1`, `GOTO 10`.
+    fn flow(&mut self, mut code: &[u8], here: Place, next: Place) -> Step {
+        let mut cursor = Cursor::new(code, 0, &self.variables);
+        while cursor.eat("IF") {
+            let holds = cursor.bracketed().and_then(Value::holds);
+            if !cursor.eat("THEN") {
+                let goes = cursor.eat("GOTO");
+                let label = cursor.operand().and_then(Value::number).filter(|_| goes);
+                return self.goto(label, holds, next);
+            }
+            code = code[cursor.at..].trim_ascii_start();
+            if holds != Some(true) || !is_flow(code) {
+                return self.then(code, holds, next);
+            }
+            cursor = Cursor::new(code, 0, &self.variables);
+        }
+        if cursor.eat("GOTO") {
+            let label = cursor.operand().and_then(Value::number);
+            return self.goto(label, Some(true), next);
+        }
+        let Some(word) = statement::structure(code, self.variables.grammar.language) else {
+            return Step::AsWritten;
+        };
+        let value = Cursor::new(code, word.rest, &self.variables).bracketed();
+        self.structure(word.keyword, value, here)
+    }
+
+    fn goto(&mut self, label: Option<f64>, holds: Option<bool>, next: Place) -> Step {
+        let to = label.and_then(|label| self.block_number(label, next));
+        self.jump(to, holds, next)
+    }
+
+    /// The block of a number that a jump from above `next` goes to.
+    fn block_number(&self, number: f64, next: Place) -> Option<Place> {
+        self.index.target(&decimal(number.trunc(), 0), next.line)
+    }
+
+    /// The statement after THEN.
+    fn then(&mut self, rest: &[u8], holds: Option<bool>, next: Place) -> Step {
+        if holds == Some(false) {
+            return Step::Done;
+        }
+        if is_flow(rest) {
+            return self.leap(None, next);
+        }
+        match self.guarded(holds.is_none(), |machine| machine.words(rest, 0)) {
+            Step::Done => Step::Done,
+            Step::Ends => Step::Ends,
+            _ => Step::AsWritten,
+        }
+    }
+
+    /// `G65 P100 A5. Z-3.` and `M99`: into a macro of the same text and back; none for any other block.
+    fn macro_word(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
+        if begins(code, b"G65") {
+            return self.macro_call(code, next, inside);
+        }
+        let own = self
+            .frames
+            .last()
+            .is_some_and(|frame| !frame.ends_by_word && frame.inside == inside);
+        if !own || !begins(code, b"M99") {
+            return None;
+        }
+        if self.is_guarded() {
+            return Some(self.may_leave());
+        }
+        let mut cursor = Cursor::new(code, 3, &self.variables);
+        let block = if cursor.eat("P") {
+            Some(cursor.operand().and_then(Value::number))
+        } else {
+            None
+        };
+        let back = self.leave()?;
+        // To a block of the program that called, by its number.
+        let to = block.map_or(Some(back), |number| self.block_number(number?, back));
+        if to.is_none() {
+            self.leap(None, back);
+        }
+        Some(Step::Leave(to.unwrap_or(back)))
+    }
+
+    /// None where the text has no such program, it is called more than once, or its arguments are not understood.
+    fn macro_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
+        let mut arguments: Vec<(Key, Value)> = Vec::new();
+        let mut program = None;
+        let mut centers = [0; 3];
+        let mut cursor = Cursor::new(code, 3, &self.variables);
+        while let Some(letter) = cursor.peek().filter(u8::is_ascii_uppercase) {
+            cursor.at += 1;
+            let value = cursor.operand()?;
+            match (letter, ARGUMENTS.iter().find(|(known, _)| *known == letter)) {
+                (b'P', _) => program = value.number(),
+                (b'L', _) if value == Value::Number(1.0) => {}
+                // I, J and K may come ten times: #4 to #6, then #7 to #9, and so on.
+                (b'I'..=b'K', Some((_, first))) => {
+                    let times = centers[usize::from(letter - b'I')];
+                    centers[usize::from(letter - b'I')] += 1;
+                    if times == 10 {
+                        return None;
+                    }
+                    arguments.push((Key::Number(first + 3 * times), value));
+                }
+                (_, Some((_, variable)))
+                    if arguments
+                        .iter()
+                        .all(|(known, _)| *known != Key::Number(*variable)) =>
+                {
+                    arguments.push((Key::Number(*variable), value));
+                }
+                _ => return None,
+            }
+        }
+        let (begin, end) = self
+            .index
+            .program(program? as u32)
+            .filter(|_| self.frames.len() < DEEPEST)?;
+        self.runs(begin, end);
+        self.enter(next, false, inside, arguments);
+        Some(Step::Enter(begin))
+    }
+
+    /// A block of words: what is known in it becomes numbers, and what it assigns is set.
+    fn words(&mut self, line: &[u8], begin: usize) -> Step {
+        if memchr::memchr2(b'#', b'[', &line[begin..]).is_none() {
+            return Step::AsWritten;
+        }
+        let Some((out, sets)) = self.expanded(line, begin) else {
+            // What it assigns may be to any variable.
+            if line.contains(&b'=') {
+                self.forget();
+            }
+            return Step::AsWritten;
+        };
+        let linuxcnc = self.variables.is_linuxcnc();
+        // On LinuxCNC all take effect after the block; of a Fanuc that is not known here.
+        let sure = self.is_sure() && (sets.len() < 2 || linuxcnc);
+        // An alarm with a message: the program stops.
+        let alarm = !linuxcnc && sets.iter().any(|(key, _)| *key == Key::Number(3000));
+        if alarm && self.is_sure() {
+            return Step::Ends;
+        }
+        let known = sure
+            && sets
+                .iter()
+                .all(|(key, value)| *value != Value::Unknown && *key != Key::Unknown);
+        let assigns = !sets.is_empty();
+        for (key, value) in sets {
+            let value = if sure { value } else { Value::Unknown };
+            if let Key::Number(number) = key
+                && let Some(variable) = writes::of_number(number, linuxcnc)
+            {
+                self.written.push((variable, value.or_nan()));
+            }
+            self.variables.set(key, value);
+        }
+        match out[begin..].trim_ascii().is_empty() {
+            // What divides by zero is reported by itself.
+            true if assigns && (known || self.variables.has_divided()) => Step::Done,
+            // Of what gets no known value the reader says that it computes.
+            true if assigns => Step::AsWritten,
+            _ => Step::Read(out),
+        }
+    }
+
+    /// A block with numbers in place of what is known, and what it assigns; none where it is not understood.
+    fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Assigned)> {
+        let (mut out, mut sets) = (line[..begin].to_vec(), Vec::new());
+        let mut cursor = Cursor::new(line, begin, &self.variables);
+        while let Some(sign) = line.get(cursor.at).copied() {
+            let from = cursor.at;
+            match sign {
+                b';' => break,
+                b'(' => {
+                    cursor.at = line[from..]
+                        .iter()
+                        .position(|b| *b == b')')
+                        .map_or(line.len(), |length| from + length + 1)
+                }
+                b'#' => sets.push(cursor.assignment()?),
+                letter if letter.is_ascii_alphabetic() => {
+                    cursor.at += 1;
+                    out.push(letter);
+                    if !cursor.computes() {
+                        continue;
+                    }
+                    match cursor.in_word()? {
+                        Value::Number(x) => number(&mut out, x),
+                        Value::Empty => drop(out.pop()),
+                        Value::Unknown => out.extend_from_slice(&line[from + 1..cursor.at]),
+                    }
+                }
+                sign => {
+                    cursor.at += 1;
+                    out.push(sign);
+                }
+            }
+        }
+        Some((out, sets))
+    }
+}
+
+/// A number as a word has it, with its point: a Fanuc counts one without in the smallest step.
+fn number(out: &mut Vec<u8>, x: f64) {
+    let mut text = decimal(x, 9);
+    if !text.contains('.') {
+        text.push('.');
+    }
+    out.extend_from_slice(text.as_bytes());
+}

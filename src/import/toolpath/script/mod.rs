@@ -1,0 +1,12 @@
+//! The languages of programs that compute and jump. One machine runs them; what they differ in is rows of a grammar, and the words of each.
+
+pub mod expression;
+pub mod grammar;
+mod index;
+mod machine;
+pub mod macros;
+mod sinumerik;
+mod statement;
+pub mod variables;
+
+pub(in crate::import::toolpath) use machine::Machine;

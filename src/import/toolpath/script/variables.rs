@@ -1,0 +1,323 @@
+//! The variables of a program while it runs: what it sets, what the control sets, what the user knows, and what is asked for.
+
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::import::toolpath::key::Key;
+use crate::import::toolpath::known::Ask;
+use crate::import::toolpath::script::grammar::{Grammar, Language};
+use crate::import::toolpath::system::System;
+
+/// What a variable or an expression comes to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Value {
+    Number(f64),
+    /// It cannot be known here.
+    Unknown,
+    /// `#0`, or an argument that a call does not give, on a Fanuc: a word with it is left out.
+    Empty,
+}
+
+impl Value {
+    /// A number; not finite is not known.
+    pub fn of(x: f64) -> Value {
+        if x.is_finite() {
+            Value::Number(x)
+        } else {
+            Value::Unknown
+        }
+    }
+
+    pub fn number(self) -> Option<f64> {
+        if let Value::Number(x) = self {
+            Some(x)
+        } else {
+            None
+        }
+    }
+
+    /// The number; NaN where it is not known, or none is given.
+    pub fn or_nan(self) -> f64 {
+        self.number().unwrap_or(f64::NAN)
+    }
+
+    /// Whether a condition holds, where that is known.
+    pub fn holds(self) -> Option<bool> {
+        self.number().map(|truth| truth != 0.0)
+    }
+}
+
+/// The variables of one call, or those of all.
+#[derive(Debug, Default)]
+struct Level {
+    set: BTreeMap<Key, Value>,
+    /// Something else may have set any of them since.
+    lost: bool,
+}
+
+impl Level {
+    fn forget(&mut self) {
+        self.lost = true;
+        self.set
+            .values_mut()
+            .for_each(|value| *value = Value::Unknown);
+    }
+}
+
+/// The variables of a program, as far as it sets them.
+#[derive(Debug)]
+pub struct Variables {
+    pub grammar: &'static Grammar,
+    /// What the control itself puts into variables.
+    pub system: System,
+    /// The line that is run.
+    pub line: usize,
+    globals: Level,
+    levels: Vec<Level>,
+    /// What the user knows of variables.
+    given: BTreeMap<Key, f64>,
+    /// Whether the user gives an argument: then those that are not given are none.
+    is_given: bool,
+    /// What the text has set so far.
+    assigned: BTreeSet<Key>,
+    /// What was read and is not known, with the lines.
+    asked: RefCell<BTreeMap<Key, Vec<u32>>>,
+    /// Lines in which a division by zero was asked for.
+    divided: RefCell<Vec<u32>>,
+}
+
+impl Variables {
+    /// `set` is what the user knows, by the names in a text.
+    pub fn new(grammar: &'static Grammar, set: &[(&str, f64)]) -> Self {
+        let given: BTreeMap<Key, f64> = set
+            .iter()
+            .filter_map(|(name, value)| Some((Key::of(name, grammar.language)?, *value)))
+            .collect();
+        Variables {
+            is_given: given.keys().any(|key| matches!(key, Key::Number(1..=33))),
+            grammar,
+            system: System::default(),
+            line: 0,
+            globals: Level::default(),
+            levels: vec![Level::default()],
+            given,
+            assigned: BTreeSet::new(),
+            asked: RefCell::default(),
+            divided: RefCell::default(),
+        }
+    }
+
+    pub fn is_linuxcnc(&self) -> bool {
+        self.grammar.language == Language::LinuxCnc
+    }
+
+    /// Lines in which a division by zero was asked for.
+    pub fn divisions(&self) -> Vec<u32> {
+        self.divided.borrow().clone()
+    }
+
+    /// Whether the line that is run divides by zero.
+    pub fn has_divided(&self) -> bool {
+        self.divided.borrow().last() == Some(&(self.line as u32))
+    }
+
+    /// The line that is run divides by zero.
+    pub fn divides_by_zero(&self) {
+        const MOST: usize = 1000;
+        let mut divided = self.divided.borrow_mut();
+        let line = self.line as u32;
+        if divided.len() < MOST && divided.last() != Some(&line) {
+            divided.push(line);
+        }
+    }
+
+    /// What was read before anything set it.
+    pub fn asks(&self) -> Vec<Ask> {
+        let asked = self.asked.borrow();
+        asked
+            .iter()
+            .filter_map(|(key, lines)| {
+                Some(Ask {
+                    name: key.name(self.grammar.language)?,
+                    lines: lines.clone(),
+                })
+            })
+            .collect()
+    }
+
+    /// The arguments that the user gives of a subroutine that nothing calls.
+    fn given_arguments(&self) -> Vec<(Key, Value)> {
+        let local = |(key, value): (&Key, &f64)| match key {
+            Key::Number(_) if self.is_local(key) => Some((key.clone(), Value::Number(*value))),
+            _ => None,
+        };
+        self.given.iter().filter_map(local).collect()
+    }
+
+    /// What the user knows of a variable, who is asked for it otherwise.
+    fn given_or_asked(&self, key: &Key) -> Value {
+        const MOST_ASKED: usize = 200;
+        const MOST_LINES: usize = 1000;
+        if let Some(value) = self.given.get(key) {
+            return Value::Number(*value);
+        }
+        let mut asked = self.asked.borrow_mut();
+        if asked.len() < MOST_ASKED || asked.contains_key(key) {
+            let lines = asked.entry(key.clone()).or_default();
+            let line = self.line as u32;
+            if lines.len() < MOST_LINES && !lines.contains(&line) {
+                lines.push(line);
+            }
+        }
+        Value::Unknown
+    }
+
+    /// Into a call with these arguments.
+    pub fn enter(&mut self, arguments: Vec<(Key, Value)>) {
+        self.levels.push(Level {
+            set: arguments.into_iter().collect(),
+            lost: false,
+        });
+    }
+
+    pub fn leave(&mut self) {
+        if self.levels.len() > 1 {
+            self.levels.pop();
+        }
+    }
+
+    /// Local to a call: LinuxCNC's arguments are #1 to #30, those of a Fanuc #1 to #33, a SINUMERIK's are those that it defines.
+    fn is_local(&self, key: &Key) -> bool {
+        match (self.grammar.language, key) {
+            (_, Key::Unknown) | (Language::Heidenhain, _) => false,
+            (Language::Sinumerik, _) => self
+                .levels
+                .last()
+                .is_some_and(|level| level.set.contains_key(key)),
+            (Language::LinuxCnc, Key::Number(n)) => (1..=30).contains(n),
+            (Language::MacroB, Key::Number(n)) => (1..=33).contains(n),
+            (_, Key::Name(name)) => !name.starts_with('_'),
+        }
+    }
+
+    /// Whether the control changes it by itself.
+    fn is_system(&self, key: &Key) -> bool {
+        match (self.grammar.language, key) {
+            (_, Key::Unknown) => true,
+            (Language::LinuxCnc, Key::Number(n)) => *n > 5000,
+            (_, Key::Number(n)) => (1000..10_000).contains(n) || *n > 10_999,
+            (_, Key::Name(_)) => false,
+        }
+    }
+
+    fn level_of(&self, key: &Key) -> &Level {
+        self.levels
+            .last()
+            .filter(|_| self.is_local(key))
+            .unwrap_or(&self.globals)
+    }
+
+    pub fn get(&self, key: &Key) -> Value {
+        if *key == Key::Unknown {
+            return Value::Unknown;
+        }
+        if let Some(value) = self.system.get(key, self.grammar.language) {
+            return match value {
+                Some(value) => Value::Number(value),
+                // Which tool is in the spindle a user knows; where a touch ended is what `part` says.
+                None if System::is_set_up(key) => self.given_or_asked(key),
+                None => self
+                    .given
+                    .get(key)
+                    .map_or(Value::Unknown, |value| Value::Number(*value)),
+            };
+        }
+        if self.is_system(key) {
+            return self.given_or_asked(key);
+        }
+        if *key == Key::Number(0) && self.grammar.language == Language::MacroB {
+            return Value::Empty;
+        }
+        let level = self.level_of(key);
+        if let Some(value) = level.set.get(key) {
+            return *value;
+        }
+        let is_argument = matches!(key, Key::Number(_)) && self.is_local(key);
+        match self.given.get(key) {
+            Some(value) => Value::Number(*value),
+            // In a call, what is not given is 0 on LinuxCNC and nothing on a Fanuc.
+            None if is_argument && !level.lost && (self.levels.len() > 1 || self.is_given) => {
+                if self.is_linuxcnc() {
+                    Value::Number(0.0)
+                } else {
+                    Value::Empty
+                }
+            }
+            // What something else may have set, where the text itself does: that is not the user's to say.
+            None if level.lost && self.assigned.contains(key) => Value::Unknown,
+            None => self.given_or_asked(key),
+        }
+    }
+
+    /// Whether a variable was set: 1 or 0, where that is known.
+    pub fn exists(&self, key: &Key) -> Value {
+        let level = self.level_of(key);
+        match (key, level.set.get(key)) {
+            (Key::Number(_), _) => Value::Number(1.0),
+            // Of one without a known value it is not known whether it was set at all.
+            (Key::Name(_), Some(Value::Number(_))) => Value::Number(1.0),
+            (Key::Name(_), None) if self.is_local(key) && !level.lost => Value::Number(0.0),
+            _ => Value::Unknown,
+        }
+    }
+
+    /// Gives a variable a value; where it is not known which one, any of them may have changed.
+    pub fn set(&mut self, key: Key, value: Value) {
+        if key == Key::Unknown {
+            return self.forget();
+        }
+        let is_local = self.is_local(&key);
+        self.assigned.insert(key.clone());
+        let level = self
+            .levels
+            .last_mut()
+            .filter(|_| is_local)
+            .unwrap_or(&mut self.globals);
+        level.set.insert(key, value);
+    }
+
+    /// A variable of this call alone.
+    pub fn define(&mut self, key: Key, value: Value) {
+        self.assigned.insert(key.clone());
+        if let Some(level) = self.levels.last_mut() {
+            level.set.insert(key, value);
+        }
+    }
+
+    /// Its value comes from the control, which the user may know.
+    pub fn set_by_control(&mut self, key: Key) {
+        let value = self.given_or_asked(&key);
+        self.set(key, value);
+    }
+
+    /// Into a subroutine that nothing calls, with the arguments that the user gives: where there is one, others are not given.
+    pub fn enter_uncalled(&mut self) {
+        let arguments = self.given_arguments();
+        self.forget();
+        if let Some(level) = self.levels.last_mut() {
+            level.lost = arguments.is_empty();
+            level.set.extend(arguments);
+        }
+    }
+
+    /// Nothing is known of the variables that calls share: something else was called, which has its own locals.
+    pub fn forget_shared(&mut self) {
+        self.globals.forget();
+    }
+
+    /// Nothing is known of any variable.
+    pub fn forget(&mut self) {
+        self.levels.iter_mut().for_each(Level::forget);
+        self.globals.forget();
+    }
+}
