@@ -16,4 +16,6 @@ export const PROGRAM_POSTS = [
   "okuma",
   "centroid",
   "reprapfirmware",
+  "lnc",
+  "eding",
 ] as const;

@@ -4,6 +4,7 @@
 //! What is only recalled of them: that a write to a Fanuc's offset variables acts at once.
 
 use crate::import::signs::{self, Sign};
+use crate::import::toolpath::script::grammar::{self, Grammar};
 use crate::import::toolpath::{DIALECTS, guess};
 
 /// Whose words a program has.
@@ -20,6 +21,9 @@ pub(super) enum ControlKind {
     Fanuc,
     Centroid,
     RepRap,
+    /// LNC, on SYIL and others.
+    Lnc,
+    Eding,
     Sinumerik,
     Heidenhain,
 }
@@ -36,7 +40,7 @@ pub(super) enum Renames {
 }
 
 /// The controls that a program can be read for: the key, the dialect of its texts, and its kind.
-const TOLD: [(&str, usize, ControlKind); 14] = [
+const TOLD: [(&str, usize, ControlKind); 16] = [
     ("linuxcnc", 0, ControlKind::LinuxCnc),
     ("grbl", 0, ControlKind::Grbl),
     ("grblhal", 0, ControlKind::GrblHal),
@@ -51,11 +55,13 @@ const TOLD: [(&str, usize, ControlKind); 14] = [
     ("okuma", 0, ControlKind::Unknown),
     ("centroid", 0, ControlKind::Centroid),
     ("reprapfirmware", 0, ControlKind::RepRap),
+    ("lnc", 0, ControlKind::Lnc),
+    ("eding", 0, ControlKind::Eding),
 ];
 
 /// The keys of the controls that a program can be read for, in the order of the documentation.
-pub const PROGRAM_POSTS: [&str; 14] = {
-    let mut keys = [""; 14];
+pub const PROGRAM_POSTS: [&str; 16] = {
+    let mut keys = [""; 16];
     let mut i = 0;
     while i < TOLD.len() {
         keys[i] = TOLD[i].0;
@@ -87,6 +93,8 @@ impl ControlKind {
         }
         match signs::of(text) {
             _ if guess::is_centroid(text) => ControlKind::Centroid,
+            _ if guess::is_lnc(text) => ControlKind::Lnc,
+            _ if guess::is_eding(text) => ControlKind::Eding,
             Some(Sign::LinuxCnc | Sign::Rs274) => ControlKind::LinuxCnc,
             Some(Sign::LikeFanuc) => ControlKind::Fanuc,
             Some(Sign::RepRap) => ControlKind::RepRap,
@@ -96,15 +104,24 @@ impl ControlKind {
         }
     }
 
-    /// Whether variables and functions are those of LinuxCNC, or those of macro B; where the control is not known, the text tells.
-    pub fn computes_like_linuxcnc(self, text: &str) -> bool {
+    /// How its programs compute and jump; where the control is not known, the text tells.
+    pub fn grammar(self, text: &str, dialect: &str) -> &'static Grammar {
         match self {
             ControlKind::LinuxCnc
             | ControlKind::Grbl
             | ControlKind::GrblHal
-            | ControlKind::FluidNc => true,
-            ControlKind::Fanuc | ControlKind::Centroid => false,
-            _ => matches!(signs::of(text), Some(Sign::LinuxCnc | Sign::Rs274)),
+            | ControlKind::FluidNc => &grammar::LINUXCNC,
+            ControlKind::Fanuc => &grammar::MACRO_B,
+            ControlKind::Centroid => &grammar::CENTROID,
+            ControlKind::Lnc => &grammar::LNC,
+            ControlKind::Eding => &grammar::EDING,
+            ControlKind::RepRap => &grammar::REPRAP,
+            ControlKind::Sinumerik => &grammar::SINUMERIK,
+            ControlKind::Heidenhain => &grammar::HEIDENHAIN,
+            ControlKind::Unknown => match ControlKind::of(text, dialect, None) {
+                ControlKind::Unknown => &grammar::MACRO_B,
+                kind => kind.grammar(text, dialect),
+            },
         }
     }
 
@@ -127,7 +144,10 @@ impl ControlKind {
     pub fn keeps_written_offsets(self) -> bool {
         matches!(
             self,
-            ControlKind::LinuxCnc | ControlKind::FluidNc | ControlKind::Sinumerik
+            ControlKind::LinuxCnc
+                | ControlKind::FluidNc
+                | ControlKind::Sinumerik
+                | ControlKind::Eding
         )
     }
 

@@ -3,6 +3,7 @@
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::Variable;
 
 /// What becomes of a line.
@@ -23,10 +24,10 @@ pub(super) enum Step {
     Astray,
     /// It is read as it is written, and the program may continue at that line below.
     MayJump(usize),
-    /// A condition that is not known begins here, though the line is another.
-    Condition,
-    /// A loop ends here of which it is not known how often it runs.
-    LoopEnds,
+    /// A condition or a loop that is not known begins, goes on or ends.
+    Way(Way),
+    /// The same, in front of the line, which is stepped again.
+    Again(Way),
     /// A branch whose condition is not known ends the program: it continues below, or there.
     BranchEnds(Option<Place>),
     /// The program ends here, by its own word.

@@ -48,7 +48,7 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
                 .iter()
                 .any(|word| line.trim_ascii().eq_ignore_ascii_case(word))
         {
-            return DIALECTS[1];
+            return DIALECTS[usize::from(!is_eding(text) && !is_lnc(text))];
         }
         units |= matches!(line, [b'G' | b'g', b'7', b'0' | b'1', ..]);
         // Most lines begin with a G or an axis, and assign nothing.
@@ -90,6 +90,30 @@ pub(in crate::import) fn guessed(text: &str) -> &'static str {
     }
     let sinumerik = (likely || assigns && units) && signs::of(text).is_none();
     DIALECTS[usize::from(sinumerik)]
+}
+
+/// The first word of each line of code, in capitals, as far as it is looked.
+fn words(text: &str) -> impl Iterator<Item = String> {
+    lines_of(text).take(MOST_LINES).map(|line| {
+        let line = trimmed(line).as_bytes();
+        let code = &line[head(line).end..];
+        let is_name = |b: &&u8| b.is_ascii_alphanumeric() || **b == b'_';
+        let word: Vec<u8> = code.iter().take_while(is_name).copied().collect();
+        String::from_utf8_lossy(&word).to_ascii_uppercase()
+    })
+}
+
+/// Whether a program is of an LNC: by words that no other control has.
+pub(super) fn is_lnc(text: &str) -> bool {
+    let is_own =
+        |word: String| word == "END_IF" || word.starts_with("W_G5") || word == "FIX_CUT_OR_ON";
+    memchr::memmem::find(text.as_bytes(), b"R_SKIP").is_some() || words(text).any(is_own)
+}
+
+/// Whether a program is of an Eding CNC: subroutines by name, whose variables have numbers.
+pub(super) fn is_eding(text: &str) -> bool {
+    const WORDS: [&str; 4] = ["GOSUB", "ENDSUB", "DLGMSG", "ERRMSG"];
+    text.contains('#') && words(text).any(|word| WORDS.contains(&word.as_str()))
 }
 
 /// Whether a program is of a Centroid: by its own codes, or by macros with a letter for the axis.

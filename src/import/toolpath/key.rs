@@ -16,14 +16,19 @@ impl Key {
     /// A variable by its name in a text: `#5`, `#<name>`, `R1`, `Q5`.
     pub fn of(name: &str, language: Language) -> Option<Key> {
         match language {
-            Language::LinuxCnc | Language::MacroB => Key::named(name),
+            Language::RepRap => Some(Key::Name(name.trim().to_owned())),
+            language if language.is_macro() => Key::named(name),
             _ => Some(Key::capitals(name.as_bytes())),
         }
     }
 
     /// A variable of a macro: `#5`, `#<name>`.
     pub fn named(name: &str) -> Option<Key> {
-        let name = name.trim().strip_prefix('#')?;
+        let name = name.trim();
+        if name.starts_with('@') {
+            return Some(Key::Name(plain(name.as_bytes())));
+        }
+        let name = name.strip_prefix('#')?;
         match name
             .strip_prefix('<')
             .and_then(|name| name.strip_suffix('>'))
@@ -46,7 +51,10 @@ impl Key {
     pub fn name(&self, language: Language) -> Option<String> {
         match (self, language) {
             (Key::Number(number), _) => Some(format!("#{number}")),
-            (Key::Name(name), Language::LinuxCnc | Language::MacroB) => Some(format!("#<{name}>")),
+            // `@100` of an LNC.
+            (Key::Name(name), language) if language.is_macro() && !name.starts_with('@') => {
+                Some(format!("#<{name}>"))
+            }
             (Key::Name(name), _) => Some(name.clone()),
             (Key::Unknown, _) => None,
         }

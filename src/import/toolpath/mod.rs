@@ -30,6 +30,7 @@ mod script;
 mod skipped;
 mod system;
 mod watch;
+mod way;
 mod words;
 mod writes;
 mod wrote;
@@ -56,7 +57,7 @@ use reader::{Reader, Touching};
 use rules::Log;
 pub use rules::{RUN_RULES, RunRule};
 use script::grammar::SINUMERIK;
-use script::{Machine, macros};
+use script::{Machine, is_macro};
 use skipped::Skip;
 use watch::probes;
 pub use writes::{WRITE_KINDS, Write};
@@ -354,8 +355,8 @@ fn run(
             .then(|| Box::new(Machine::new(text, end, &SINUMERIK, set)) as Box<dyn Flow>),
         false => match HeidenhainIso::of(text, set).filter(|_| reader.run.is_some()) {
             Some(flow) => Some(Box::new(flow) as Box<dyn Flow>),
-            None => macros::is_macro(text).then(|| {
-                let grammar = macros::grammar(reader.frames.kind.computes_like_linuxcnc(text));
+            None => (is_macro(text) || reader.frames.kind == ControlKind::RepRap).then(|| {
+                let grammar = reader.frames.kind.grammar(text, dialect);
                 Box::new(Machine::new(text, end, grammar, set)) as Box<dyn Flow>
             }),
         },
@@ -468,7 +469,13 @@ impl Run<'_> {
             self.looks_ahead(line, below);
             match self.step(line, here, below) {
                 Step::AsWritten => self.reader.read(line, &mut block),
-                Step::Read(line) => self.reader.read(&line, &mut block),
+                Step::Read(read) => {
+                    // What is read may be another code.
+                    if !probes(line) {
+                        self.probes_ahead(&read, below);
+                    }
+                    self.reader.read(&read, &mut block);
+                }
                 Step::Done => {}
                 Step::Go(to) => {
                     (at, self.reader.line) = (to.at, to.line);
@@ -489,8 +496,11 @@ impl Run<'_> {
                     self.reader.parts(Some(to));
                     self.reader.read(line, &mut block);
                 }
-                Step::Condition => self.reader.condition_begins(),
-                Step::LoopEnds => self.reader.loop_ends(),
+                Step::Way(way) => self.reader.goes_unknown_way(way),
+                Step::Again(way) => {
+                    self.reader.goes_unknown_way(way);
+                    continue;
+                }
                 Step::BranchEnds(to) => {
                     self.reader.branch_ends();
                     if let Some(to) = to {
@@ -556,15 +566,10 @@ impl Run<'_> {
     /// A run tells the macros what the control knows, and whether the probing move that comes is a positioning move that is watched.
     #[inline]
     fn looks_ahead(&mut self, line: &[u8], below: usize) {
-        let Some(touching) = &mut self.reader.run else {
+        if self.reader.run.is_none() {
             return;
-        };
-        if probes(line) || self.reader.modes.motion.probes() {
-            let behind = watch::behind(line, &self.text[below..]);
-            (touching.watched, touching.asked, touching.reads) =
-                (behind.watched, behind.asked, behind.reads);
-            touching.chained = behind.chained;
         }
+        self.probes_ahead(line, below);
         if watch::judges(line) {
             self.reader.asks();
         }
@@ -574,6 +579,19 @@ impl Run<'_> {
             .filter(|_| memchr::memchr3(b'#', b'[', b'$', line).is_some())
         {
             macros.sees(self.reader.system());
+        }
+    }
+
+    /// What the program does behind a probing move.
+    fn probes_ahead(&mut self, line: &[u8], below: usize) {
+        let Some(touching) = &mut self.reader.run else {
+            return;
+        };
+        if probes(line) || self.reader.modes.motion.probes() {
+            let behind = watch::behind(line, &self.text[below..]);
+            (touching.watched, touching.asked, touching.reads) =
+                (behind.watched, behind.asked, behind.reads);
+            touching.chained = behind.chained;
         }
     }
 

@@ -14,6 +14,7 @@ use crate::import::toolpath::native::{letters, places};
 use crate::import::toolpath::rules::Log;
 use crate::import::toolpath::skipped::{Skip, Skipped};
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::{self, Variable};
 use crate::import::toolpath::{DIALECTS, Toolpath};
 
@@ -758,40 +759,20 @@ impl Reader {
         }
     }
 
-    /// `IF` opens a condition and `ENDIF` closes it, but where an `IF` stands alone. What a loop moves by a distance is somewhere else after
-    /// its next round. A `WHILE` within a loop may be the end of a `DO`.
+    /// `IF` opens a condition and `ENDIF` closes it, but where an `IF` stands alone. A `WHILE` within a loop may be the end of a `DO`.
     fn branch(&mut self, word: &[u8], conditional: bool) {
-        let is = |words: &[&[u8]]| words.iter().any(|name| word.eq_ignore_ascii_case(name));
-        if is(&[b"IF"]) {
-            self.conditions += usize::from(conditional);
-            if conditional {
-                self.parts(None);
+        let way = match word.to_ascii_uppercase().as_slice() {
+            b"IF" if conditional => Way::Begins,
+            b"ELSE" => Way::Branches { otherwise: true },
+            b"ELSEIF" => Way::Branches { otherwise: false },
+            b"ENDIF" => Way::Ends,
+            b"WHILE" | b"DO" | b"REPEAT" | b"FOR" | b"LOOP" => Way::LoopBegins,
+            b"END" | b"ENDWHILE" | b"ENDREPEAT" | b"ENDFOR" | b"ENDLOOP" | b"UNTIL" => {
+                Way::LoopEnds
             }
-        } else if is(&[b"ELSE", b"ELSEIF"]) {
-            self.other_way(is(&[b"ELSE"]));
-        } else if is(&[b"ENDIF"]) {
-            self.conditions = self.conditions.saturating_sub(1);
-            self.meet(None);
-        } else if is(&[b"WHILE", b"DO", b"REPEAT", b"FOR", b"LOOP"]) {
-            if self.loops == 0 {
-                self.relative = 0;
-            } else {
-                self.forget(self.relative);
-            }
-            self.loops += 1;
-            self.parts(None);
-        } else if is(&[
-            b"END",
-            b"ENDWHILE",
-            b"ENDREPEAT",
-            b"ENDFOR",
-            b"ENDLOOP",
-            b"UNTIL",
-        ]) {
-            self.loops = self.loops.saturating_sub(1);
-            self.forget(self.relative);
-            self.meet(None);
-        }
+            _ => return,
+        };
+        self.follows_way(way);
     }
 
     /// The program stops itself: `(ABORT, …)`.
@@ -823,19 +804,41 @@ impl Reader {
         }
     }
 
-    /// A condition that is not known begins.
+    /// A condition or a loop that is not known begins, goes on or ends.
     #[cold]
-    pub fn condition_begins(&mut self) {
-        self.conditions += 1;
-        self.parts(None);
+    pub fn goes_unknown_way(&mut self, way: Way) {
+        self.follows_way(way);
         self.skipped.count(Skip::Condition, self.line);
     }
 
-    /// A loop ends of which it is not known how often it runs: what it moves by a distance is somewhere else after the next round.
-    #[cold]
-    pub fn loop_ends(&mut self) {
-        self.forget(self.relative);
-        self.skipped.count(Skip::Condition, self.line);
+    /// What a loop moves by a distance is somewhere else after its next round.
+    fn follows_way(&mut self, way: Way) {
+        match way {
+            Way::Begins => {
+                self.conditions += 1;
+                self.parts(None);
+            }
+            Way::Branches { otherwise } => self.other_way(otherwise),
+            Way::Ends => {
+                self.conditions = self.conditions.saturating_sub(1);
+                self.meet(None);
+            }
+            Way::LoopBegins => {
+                if self.loops == 0 {
+                    self.relative = 0;
+                } else {
+                    self.forget(self.relative);
+                }
+                self.loops += 1;
+                self.parts(None);
+            }
+            Way::LoopEnds => {
+                self.loops = self.loops.saturating_sub(1);
+                self.forget(self.relative);
+                self.meet(None);
+            }
+            Way::LoopLeft => self.forget(self.relative),
+        }
     }
 
     /// These axes are somewhere else.

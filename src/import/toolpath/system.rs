@@ -77,6 +77,62 @@ impl System {
         }
     }
 
+    /// What an LNC's register holds: `R_SKIP[0,1]` whether there was a contact, `R_SKIP[0,201]` and following where in machine coordinates,
+    /// `R_MACH_COOR[0,1]` the present position there; in mm. Work coordinates of a contact are told in two ways, and not known here.
+    fn of_lnc(&self, name: &str) -> Option<Option<f64>> {
+        let known = |x: f64| (!x.is_nan() && self.metric != Some(false)).then_some(x);
+        let axis = |first: i32| {
+            let number: i32 = name.split_once("[0,")?.1.strip_suffix(']')?.parse().ok()?;
+            (first..first + 3)
+                .contains(&number)
+                .then_some((number - first) as usize)
+        };
+        if name == "r_skip[0,1]" {
+            return Some(self.met.map(|met| f64::from(u8::from(met))));
+        }
+        if name.starts_with("r_skip[") {
+            return Some(axis(201).and_then(|axis| {
+                known(self.contact[axis] + self.machine[axis] - self.place[axis])
+            }));
+        }
+        if name.starts_with("r_mach_coor[") {
+            return Some(axis(1).and_then(|axis| known(self.machine[axis])));
+        }
+        None
+    }
+
+    /// What an Eding CNC sets: #5061 the contact and #5001 the present position in work coordinates, #5051 and #5071 the same in machine coordinates, #5067
+    /// whether there was a contact. A run is none that draws: #5380 and #5397 are 0.
+    fn of_eding(&self, number: i32) -> Option<Option<f64>> {
+        let known = |x: f64| (!x.is_nan()).then_some(x);
+        let axis = (number % 10 - 1) as usize;
+        Some(match number {
+            5061..=5063 => known(self.contact[axis]),
+            5051..=5053 => known(self.contact[axis] + self.machine[axis] - self.place[axis]),
+            5001..=5003 => known(self.place[axis]),
+            5071..=5073 => known(self.machine[axis]),
+            5067 => self.met.map(|met| f64::from(u8::from(met))),
+            5220 => self.offset.map(f64::from),
+            5380 | 5397 => Some(0.0),
+            _ => return None,
+        })
+    }
+
+    /// What RepRapFirmware's object model holds: positions in mm, and `result`, 0 where the last probing move made contact.
+    fn of_reprap(&self, name: &str) -> Option<Option<f64>> {
+        let known = |x: f64| (!x.is_nan() && self.metric != Some(false)).then_some(x);
+        if name == "result" {
+            return Some(self.met.filter(|met| *met).map(|_| 0.0));
+        }
+        let (axis, part) = name.strip_prefix("move.axes[")?.split_once("].")?;
+        let axis: usize = axis.parse().ok().filter(|axis| *axis < 3)?;
+        match part {
+            "userPosition" => Some(known(self.place[axis])),
+            "machinePosition" => Some(known(self.machine[axis])),
+            _ => None,
+        }
+    }
+
     /// Whether a variable holds what is set up before the program: the tool in the spindle, the work offset.
     pub fn is_set_up(key: &Key) -> bool {
         match key {
@@ -90,7 +146,12 @@ impl System {
     pub fn get(&self, key: &Key, language: Language) -> Option<Option<f64>> {
         let linuxcnc = match (language, key) {
             (Language::Sinumerik, Key::Name(name)) => return self.of_sinumerik(name),
-            (Language::Sinumerik | Language::Heidenhain, _) => return None,
+            (Language::RepRap, Key::Name(name)) => return self.of_reprap(name),
+            (Language::Lnc, Key::Name(name)) => return self.of_lnc(name),
+            (Language::Eding, Key::Number(number)) => return self.of_eding(*number),
+            (Language::Sinumerik | Language::Heidenhain | Language::RepRap | Language::Lnc, _) => {
+                return None;
+            }
             (language, _) => language == Language::LinuxCnc,
         };
         let known = |x: f64| (!x.is_nan()).then_some(x);

@@ -48,6 +48,9 @@ pub(super) enum Variable {
     Tool(&'static str, String),
 }
 
+/// How many axes a work offset has here.
+pub(super) const OFFSET_AXES: usize = 3;
+
 /// The names of axes, and of a rotation.
 pub(super) const AXES: [&str; 4] = ["X", "Y", "Z", "R"];
 

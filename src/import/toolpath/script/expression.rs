@@ -65,7 +65,23 @@ impl<'a> Cursor<'a> {
 
     /// An expression.
     pub fn value(&mut self) -> Option<Value> {
-        self.level(0)
+        let value = self.level(0)?;
+        if !self.variables.grammar.is_indented || !self.eat("?") {
+            return Some(value);
+        }
+        // `a ? b : c`
+        self.depth += 1;
+        (self.depth <= DEEPEST).then_some(())?;
+        let one = self.value()?;
+        self.eat(":").then_some(())?;
+        let other = self.value()?;
+        self.depth -= 1;
+        Some(match value.holds() {
+            Some(true) => one,
+            Some(false) => other,
+            None if one == other => one,
+            None => Value::Unknown,
+        })
     }
 
     /// A value as a word has it: a number, a variable, brackets, a function, each with a sign.
@@ -91,9 +107,18 @@ impl<'a> Cursor<'a> {
             first if first == self.variables.grammar.brackets.0 => self.bracketed()?,
             b'0'..=b'9' | b'.' => self.digits()?,
             b',' if heidenhain => self.digits()?,
-            b'#' => {
+            b'#' | b'@' if self.variables.grammar.language.is_macro() => {
                 let key = self.key()?;
                 self.variables.get(&key)
+            }
+            b'{' if self.variables.grammar.is_indented => {
+                self.at += 1;
+                let value = self.value()?;
+                self.eat("}").then_some(value)?
+            }
+            b'!' if self.variables.grammar.is_indented => {
+                self.at += 1;
+                not(self.operand()?)
             }
             _ => self.named()?,
         };
@@ -128,7 +153,12 @@ impl<'a> Cursor<'a> {
         let letters = self.letters();
         let function = letters > 1 && self.line.get(self.at + letters) == Some(&b'[');
         self.at = begin;
-        matches!(next, Some(b'#' | b'[')) || function
+        let is_variable = match self.variables.grammar.language {
+            Language::Lnc => matches!(next, Some(b'#' | b'[' | b'@')),
+            Language::RepRap => next == Some(b'{'),
+            _ => matches!(next, Some(b'#' | b'[')),
+        };
+        is_variable || function
     }
 
     /// How many letters follow; no name of a function has more than seven.
@@ -209,7 +239,9 @@ impl<'a> Cursor<'a> {
         // One that is known may decide alone.
         match operator {
             Op::And if a == Some(0.0) || b == Some(0.0) => return Value::Number(0.0),
-            Op::Or if [a, b].iter().flatten().any(|x| *x == 1.0) => return Value::Number(1.0),
+            Op::Or if [a, b].iter().flatten().any(|x| self.is_truth(*x)) => {
+                return Value::Number(1.0);
+            }
             _ => {}
         }
         let (Some(a), Some(b)) = (a, b) else {
@@ -239,6 +271,11 @@ impl<'a> Cursor<'a> {
             Op::And | Op::Or | Op::Xor => self.logical(operator, a, b),
             _ => self.compared(operator, a, b),
         }
+    }
+
+    /// Whether a number decides an OR alone.
+    fn is_truth(&self, x: f64) -> bool {
+        x == 1.0 || x != 0.0 && self.variables.grammar.language == Language::Sinumerik
     }
 
     /// Of numbers that are no truths a macro joins the bits.
@@ -286,8 +323,7 @@ impl<'a> Cursor<'a> {
     fn named(&mut self) -> Option<Value> {
         let grammar = self.variables.grammar;
         if grammar.language == Language::Sinumerik && self.eat("NOT") {
-            let inner = self.operand()?;
-            return Some(inner.holds().map_or(Value::Unknown, |holds| truth(!holds)));
+            return Some(not(self.operand()?));
         }
         if let Some((_, value)) = grammar.constants.iter().find(|(name, _)| self.eat(name)) {
             return Some(Value::Number(*value));
@@ -314,9 +350,11 @@ impl<'a> Cursor<'a> {
             .map(|(_, function)| *function);
         let before = self.at;
         self.at += letters;
-        if self.peek() != Some(grammar.brackets.0) {
+        let is_register = grammar.language == Language::Lnc && function.is_none();
+        if is_register || self.peek() != Some(grammar.brackets.0) {
             self.at = before;
-            let key = (grammar.language == Language::Sinumerik).then(|| self.key())??;
+            let is_named = !matches!(grammar.language, Language::LinuxCnc | Language::MacroB);
+            let key = is_named.then(|| self.named_key())??;
             return Some(self.variables.get(&key));
         }
         match function {
@@ -324,7 +362,8 @@ impl<'a> Cursor<'a> {
                 self.at += 1;
                 let key = self.key()?;
                 let exists = self.variables.exists(&key);
-                self.eat("]").then_some(exists)
+                (self.peek()? == grammar.brackets.1).then(|| self.at += 1)?;
+                Some(exists)
             }
             Some(Function::ArcTangent) => {
                 let y = self.bracketed()?;
@@ -363,6 +402,25 @@ impl<'a> Cursor<'a> {
             self.eat(",");
         }
         Some(values)
+    }
+
+    /// `[0,54,1,#106]`: values in the brackets of an index.
+    pub fn list(&mut self) -> Option<Vec<Value>> {
+        const MOST: usize = 20;
+        let mut values = Vec::new();
+        let close = if self.eat("[") {
+            "]"
+        } else {
+            self.eat("(").then_some(")")?
+        };
+        loop {
+            (values.len() < MOST).then_some(())?;
+            values.push(self.value()?);
+            if self.eat(close) {
+                return Some(values);
+            }
+            self.eat(",").then_some(())?;
+        }
     }
 
     fn computed(&self, function: Function, arguments: &[Value]) -> Value {
@@ -408,6 +466,10 @@ impl<'a> Cursor<'a> {
             (Function::Up, [x]) => x.abs().ceil().copysign(*x),
             (Function::Least, [a, b]) => a.min(*b),
             (Function::Greatest, [a, b]) => a.max(*b),
+            (Function::Floor, [x]) => x.floor(),
+            (Function::Ceiling, [x]) => x.ceil(),
+            (Function::Power, [a, b]) => a.powf(*b),
+            (Function::Modulo, [a, b]) if *b > 0.0 && *a >= 0.0 => a % b,
             _ => f64::NAN,
         })
     }
@@ -419,23 +481,46 @@ impl<'a> Cursor<'a> {
             return None;
         }
         let key = match self.variables.grammar.language {
-            Language::LinuxCnc | Language::MacroB => self.numbered(),
-            Language::Sinumerik => self.indexed(),
             Language::Heidenhain => self.parameter(),
+            Language::Sinumerik => self.indexed(),
+            Language::RepRap => self.named_key(),
+            _ => self.numbered(),
         };
         self.depth -= 1;
         key
     }
 
+    /// A variable by a name: `R_SKIP[0,1]` of an LNC, `var.x`, `move.axes[0].userPosition`.
+    fn named_key(&mut self) -> Option<Key> {
+        if self.variables.grammar.language == Language::Sinumerik {
+            return self.key();
+        }
+        let mut name = String::from_utf8_lossy(self.name()?).into_owned();
+        loop {
+            match self.line.get(self.at) {
+                Some(b'[') => name += &self.index()?,
+                Some(b'.') => {
+                    self.at += 1;
+                    name.push('.');
+                    name += &String::from_utf8_lossy(self.name()?);
+                }
+                // RepRapFirmware's names differ by capitals.
+                _ if self.variables.grammar.is_indented => return Some(Key::Name(name)),
+                _ => return Some(Key::Name(name.to_ascii_lowercase())),
+            }
+        }
+    }
+
     fn numbered(&mut self) -> Option<Key> {
-        self.eat("#").then_some(())?;
+        let is_global = self.variables.grammar.language == Language::Lnc && self.eat("@");
+        (is_global || self.eat("#")).then_some(())?;
         let whole = |value: Value| match value {
             Value::Number(x) if x.fract() == 0.0 && (0.0..1e6).contains(&x) => {
                 Key::Number(x as i32)
             }
             _ => Key::Unknown,
         };
-        Some(match self.peek()? {
+        let key = match self.peek()? {
             b'<' => {
                 let length = self.rest().iter().position(|b| *b == b'>')?;
                 let name = &self.rest()[1..length];
@@ -452,6 +537,10 @@ impl<'a> Cursor<'a> {
                 self.at += length;
                 whole(Value::Number(number))
             }
+        };
+        Some(match key {
+            Key::Number(number) if is_global => Key::Name(format!("@{number}")),
+            key => key,
         })
     }
 
@@ -490,7 +579,7 @@ impl<'a> Cursor<'a> {
         match self.index() {
             None => Key::Unknown,
             Some(index) if name.eq_ignore_ascii_case(b"R") && index.len() > 2 => {
-                Key::capitals(&[name, index[1..index.len() - 1].as_bytes()].concat())
+                Key::capitals(&[name, &index.as_bytes()[1..index.len() - 1]].concat())
             }
             Some(index) => Key::capitals(&[name, index.as_bytes()].concat()),
         }
@@ -540,6 +629,10 @@ fn closing(text: &[u8]) -> Option<usize> {
         };
         depth == 0
     })
+}
+
+fn not(value: Value) -> Value {
+    value.holds().map_or(Value::Unknown, |holds| truth(!holds))
 }
 
 fn truth(holds: bool) -> Value {

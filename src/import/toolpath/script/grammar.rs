@@ -7,9 +7,25 @@ pub enum Language {
     LinuxCnc,
     /// Macro B of Fanuc and kin.
     MacroB,
+    /// Macros of an LNC: `#` and `@`, words that lie in each other.
+    Lnc,
+    /// Eding CNC: `#`, words that lie in each other, SUB and GOSUB.
+    Eding,
+    /// RepRapFirmware: names, `{ }`, structures by indentation.
+    RepRap,
     Sinumerik,
     /// HEIDENHAIN: Q parameters, in Klartext and in ISO.
     Heidenhain,
+}
+
+impl Language {
+    /// Whether variables have numbers: `#5`.
+    pub fn is_macro(self) -> bool {
+        matches!(
+            self,
+            Language::LinuxCnc | Language::MacroB | Language::Lnc | Language::Eding
+        )
+    }
 }
 
 /// What stands between two values.
@@ -62,6 +78,10 @@ pub enum Function {
     Up,
     Least,
     Greatest,
+    Floor,
+    Ceiling,
+    Power,
+    Modulo,
     /// Whether a variable was set.
     Exists,
     /// What no probing program was seen to need.
@@ -84,6 +104,18 @@ pub struct Grammar {
     pub is_spaced: bool,
     /// A function needs no brackets: `SIN +30`.
     pub is_prefix: bool,
+    /// The words of structures that lie in each other.
+    pub words: &'static [(&'static str, Keyword)],
+    /// Structures end by indentation.
+    pub is_indented: bool,
+    /// Words that stop the program with a message.
+    pub alarms: &'static [&'static str],
+    /// Words that neither move nor set anything.
+    pub ignored: &'static [&'static str],
+    /// Codes of probing moves, and the word that says what a contact means beside a G31.
+    pub probing: &'static [(&'static str, &'static str)],
+    /// What a comment begins with beside `;`, and in what brackets it may be.
+    pub comment: Option<&'static str>,
 }
 
 const MACRO_OPERATORS: &[&[(&str, Operator)]] = &[
@@ -147,6 +179,12 @@ pub const LINUXCNC: Grammar = Grammar {
     constants: &[],
     is_spaced: false,
     is_prefix: false,
+    words: &[],
+    is_indented: false,
+    alarms: &[],
+    ignored: &[],
+    probing: &[],
+    comment: None,
 };
 
 /// Macro B of Fanuc and kin.
@@ -154,6 +192,17 @@ pub const MACRO_B: Grammar = Grammar {
     language: Language::MacroB,
     functions: MACRO_FUNCTIONS,
     ..LINUXCNC
+};
+
+/// Centroid, by its help: without a contact M115 and M116 are an error, with one M125 and M126.
+pub const CENTROID: Grammar = Grammar {
+    probing: &[
+        ("M115", "M79"),
+        ("M116", "M79"),
+        ("M125", "M78"),
+        ("M126", "M78"),
+    ],
+    ..MACRO_B
 };
 
 /// SINUMERIK, by its programming manual.
@@ -196,7 +245,147 @@ pub const SINUMERIK: Grammar = Grammar {
     ],
     constants: &[("TRUE", 1.0), ("FALSE", 0.0)],
     is_spaced: true,
-    is_prefix: false,
+    words: &[
+        ("IF", Keyword::If),
+        ("ELSE", Keyword::Else),
+        ("ENDIF", Keyword::EndIf),
+        ("WHILE", Keyword::While),
+        ("ENDWHILE", Keyword::EndWhile),
+        ("FOR", Keyword::For),
+        ("ENDFOR", Keyword::EndFor),
+        ("LOOP", Keyword::Loop),
+        ("ENDLOOP", Keyword::EndLoop),
+        ("REPEAT", Keyword::Do),
+        ("UNTIL", Keyword::Until),
+    ],
+    alarms: &["SETAL"],
+    ignored: &["STOPRE", "MSG", "PROC", "EXTERN"],
+    ..LINUXCNC
+};
+
+/// The operators of macro B, and signs for them.
+const SIGNED_OPERATORS: &[&[(&str, Operator)]] = &[
+    &[
+        ("AND", Operator::And),
+        ("XOR", Operator::Xor),
+        ("OR", Operator::Or),
+        ("&&", Operator::And),
+        ("||", Operator::Or),
+    ],
+    &[
+        ("EQ", Operator::Equal),
+        ("NE", Operator::Unequal),
+        ("GE", Operator::GreaterOrEqual),
+        ("GT", Operator::Greater),
+        ("LE", Operator::LessOrEqual),
+        ("LT", Operator::Less),
+        ("==", Operator::Equal),
+        ("!=", Operator::Unequal),
+        ("<>", Operator::Unequal),
+        (">=", Operator::GreaterOrEqual),
+        ("<=", Operator::LessOrEqual),
+        (">", Operator::Greater),
+        ("<", Operator::Less),
+    ],
+    &[("+", Operator::Add), ("-", Operator::Subtract)],
+    &[
+        ("*", Operator::Multiply),
+        ("/", Operator::Divide),
+        ("MOD", Operator::Modulo),
+    ],
+    &[("**", Operator::Power)],
+];
+
+/// LNC, by its macro manual and a maker's public macro set.
+pub const LNC: Grammar = Grammar {
+    language: Language::Lnc,
+    operators: SIGNED_OPERATORS,
+    functions: MACRO_FUNCTIONS,
+    words: &[
+        ("IF", Keyword::If),
+        ("ELSEIF", Keyword::ElseIf),
+        ("ELSE", Keyword::Else),
+        ("END_IF", Keyword::EndIf),
+        ("WHILE", Keyword::While),
+        ("END_WHILE", Keyword::EndWhile),
+    ],
+    alarms: &["ALARM"],
+    ignored: &[
+        "FIX_CUT_OR_ON",
+        "FIX_CUT_OR_OFF",
+        "MENU_ADD",
+        "MENU",
+        "MSG_OK",
+    ],
+    comment: Some("//"),
+    ..LINUXCNC
+};
+
+/// Eding CNC, by its manual and public macro sets.
+pub const EDING: Grammar = Grammar {
+    language: Language::Eding,
+    operators: SIGNED_OPERATORS,
+    functions: MACRO_FUNCTIONS,
+    words: &[
+        ("SUB", Keyword::Sub),
+        ("ENDSUB", Keyword::EndSub),
+        ("GOSUB", Keyword::Call),
+        ("IF", Keyword::If),
+        ("ELSEIF", Keyword::ElseIf),
+        ("ELSE", Keyword::Else),
+        ("ENDIF", Keyword::EndIf),
+        ("WHILE", Keyword::While),
+        ("ENDWHILE", Keyword::EndWhile),
+    ],
+    alarms: &["ERRMSG"],
+    ignored: &["MSG", "WARNMSG", "DLGMSG", "LOGMSG"],
+    ..LINUXCNC
+};
+
+/// RepRapFirmware, by its documentation of meta commands. Angles are in radians there: functions of them are not computed.
+pub const REPRAP: Grammar = Grammar {
+    language: Language::RepRap,
+    operators: &[
+        &[("||", Operator::Or), ("|", Operator::Or)],
+        &[("&&", Operator::And), ("&", Operator::And)],
+        &[
+            ("==", Operator::Equal),
+            ("!=", Operator::Unequal),
+            (">=", Operator::GreaterOrEqual),
+            ("<=", Operator::LessOrEqual),
+            ("=", Operator::Equal),
+            (">", Operator::Greater),
+            ("<", Operator::Less),
+        ],
+        &[("+", Operator::Add), ("-", Operator::Subtract)],
+        &[("*", Operator::Multiply), ("/", Operator::Divide)],
+    ],
+    brackets: (b'(', b')'),
+    functions: &[
+        ("exists", Function::Exists),
+        ("abs", Function::Absolute),
+        ("sqrt", Function::SquareRoot),
+        ("pow", Function::Power),
+        ("floor", Function::Floor),
+        ("ceil", Function::Ceiling),
+        ("min", Function::Least),
+        ("max", Function::Greatest),
+        ("mod", Function::Modulo),
+    ],
+    constants: &[("true", 1.0), ("false", 0.0)],
+    is_spaced: true,
+    words: &[
+        ("if", Keyword::If),
+        ("elif", Keyword::ElseIf),
+        ("else", Keyword::Else),
+        ("while", Keyword::While),
+        ("break", Keyword::Break),
+        ("continue", Keyword::Continue),
+    ],
+    is_indented: true,
+    alarms: &["abort"],
+    ignored: &["echo"],
+    ..LINUXCNC
 };
 
 /// HEIDENHAIN's formulas and FN functions, by its manual.
@@ -239,8 +428,8 @@ pub const HEIDENHAIN: Grammar = Grammar {
         ("SGN", Function::Sign),
     ],
     constants: &[("PI", std::f64::consts::PI)],
-    is_spaced: false,
     is_prefix: true,
+    ..LINUXCNC
 };
 
 /// A word that begins, continues or ends a structure of a program.
@@ -311,19 +500,4 @@ pub const O_WORDS: [(&str, Keyword); 15] = [
     ("endrepeat", Keyword::EndRepeat),
     ("break", Keyword::Break),
     ("continue", Keyword::Continue),
-];
-
-/// The words of a SINUMERIK's structures, which lie in each other.
-pub const SINUMERIK_WORDS: [(&str, Keyword); 11] = [
-    ("IF", Keyword::If),
-    ("ELSE", Keyword::Else),
-    ("ENDIF", Keyword::EndIf),
-    ("WHILE", Keyword::While),
-    ("ENDWHILE", Keyword::EndWhile),
-    ("FOR", Keyword::For),
-    ("ENDFOR", Keyword::EndFor),
-    ("LOOP", Keyword::Loop),
-    ("ENDLOOP", Keyword::EndLoop),
-    ("REPEAT", Keyword::Do),
-    ("UNTIL", Keyword::Until),
 ];

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::control::iso::lex::{head, line_end, program_number};
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::script::grammar::{Keyword, Language};
+use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language};
 use crate::import::toolpath::script::statement::{
-    Structure, Turn, capitals, label, structure, turn, without_label,
+    Structure, Turn, capitals, label, structure, turn, without_comment, without_label,
 };
 
 /// So many structures are looked at for the end of one, and so many programs of a text are known: a search has an end.
@@ -60,6 +60,8 @@ pub struct Index {
     spans: Vec<Span>,
     /// The span that a line begins, continues or ends.
     at: BTreeMap<usize, usize>,
+    /// The spans that end in front of a line, the inner ones first.
+    ends: BTreeMap<usize, Vec<usize>>,
     marks: Vec<Mark>,
     /// The lines that turn the way of the program.
     turns: Vec<(usize, Turn)>,
@@ -82,10 +84,13 @@ struct Open {
     spans: Vec<usize>,
     /// The subroutines that have no end yet, with their own lines.
     subs: Vec<(String, usize, Place)>,
+    /// How far the lines of the spans are indented.
+    indents: Vec<usize>,
 }
 
 impl Index {
-    pub fn of(text: &str, language: Language) -> Self {
+    pub fn of(text: &str, grammar: &Grammar) -> Self {
+        let language = grammar.language;
         let bytes = text.as_bytes();
         let (mut index, mut open) = (Index::default(), Open::default());
         let (mut at, mut line) = (0, 0);
@@ -100,16 +105,25 @@ impl Index {
             match language {
                 Language::Sinumerik => {
                     index.number(code, here);
-                    index.sinumerik(&capitals(code), here, below, &mut open);
+                    index.sinumerik(&capitals(code), here, below, &mut open, grammar);
+                }
+                _ if grammar.is_indented => {
+                    let raw = &bytes[at..end];
+                    let indent = raw.iter().take_while(|b| b.is_ascii_whitespace()).count();
+                    let code = without_comment(code, None);
+                    index.indented(code, indent, here, below, &mut open, grammar);
                 }
                 _ => {
                     let begin = index.number(code, here);
-                    index.block(&code[begin..], here, below, &mut open, language);
+                    index.block(&code[begin..], here, below, &mut open, grammar);
                 }
             }
             (at, line) = (next, line + 1);
         }
         index.lines = line;
+        if grammar.is_indented {
+            index.dedents(0, false, Place { at, line }, &mut open);
+        }
         // By number, and of each by line.
         index
             .blocks
@@ -131,6 +145,53 @@ impl Index {
         index
     }
 
+    fn indented(
+        &mut self,
+        code: &[u8],
+        indent: usize,
+        here: Place,
+        below: Place,
+        open: &mut Open,
+        grammar: &Grammar,
+    ) {
+        if code.is_empty() {
+            return;
+        }
+        let goes_on = structure(code, grammar)
+            .is_some_and(|own| matches!(own.keyword, Keyword::ElseIf | Keyword::Else));
+        self.dedents(indent, goes_on, here, open);
+        let before = open.spans.len();
+        self.block(code, here, below, open, grammar);
+        if open.spans.len() > before {
+            open.indents.push(indent);
+        }
+    }
+
+    /// The structures that are indented at least as far as a line end in front of it, but for the `if` that it goes on with.
+    fn dedents(&mut self, indent: usize, goes_on: bool, here: Place, open: &mut Open) {
+        while let Some(own) = open.indents.last() {
+            let at = open.spans[open.indents.len() - 1];
+            let is_its_if = goes_on && *own == indent && self.spans[at].keyword == Keyword::If;
+            if *own < indent || is_its_if {
+                return;
+            }
+            open.indents.pop();
+            open.spans.truncate(open.indents.len());
+            self.spans[at].end = Some((here, here));
+            self.ends.entry(here.line).or_default().push(at);
+        }
+    }
+
+    /// The structures that end in front of a line, the inner ones first.
+    pub fn ends_at(&self, line: usize) -> &[usize] {
+        self.ends.get(&line).map_or(&[], Vec::as_slice)
+    }
+
+    /// The line below the last one.
+    pub fn end(&self) -> usize {
+        self.lines
+    }
+
     /// Notes the number of a block: where its code begins.
     fn number(&mut self, line: &[u8], here: Place) -> usize {
         let head = head(line);
@@ -140,7 +201,14 @@ impl Index {
         head.end
     }
 
-    fn sinumerik(&mut self, code: &[u8], here: Place, below: Place, open: &mut Open) {
+    fn sinumerik(
+        &mut self,
+        code: &[u8],
+        here: Place,
+        below: Place,
+        open: &mut Open,
+        grammar: &Grammar,
+    ) {
         if let Some(own) = label(code) {
             let name = String::from_utf8_lossy(own).into_owned();
             self.labels.entry(name).or_default().push(here);
@@ -156,7 +224,7 @@ impl Index {
         if let Some(rest) = text.strip_prefix("PROC ") {
             self.procedure(rest, below);
         }
-        self.block(block, here, below, open, Language::Sinumerik);
+        self.block(block, here, below, open, grammar);
     }
 
     /// `PROC NAME(REAL A, INT B=5) SAVE`.
@@ -189,13 +257,13 @@ impl Index {
         here: Place,
         below: Place,
         open: &mut Open,
-        language: Language,
+        grammar: &Grammar,
     ) {
         self.turns
-            .extend(turn(code, language).map(|turn| (here.line, turn)));
-        match structure(code, language) {
+            .extend(turn(code, grammar).map(|turn| (here.line, turn)));
+        match structure(code, grammar) {
             Some(own) => self.structure(own, code, here, below, open),
-            None if language != Language::Sinumerik
+            None if grammar.language != Language::Sinumerik
                 && matches!(code.first(), Some(b'O' | b'o')) =>
             {
                 self.programs
@@ -230,7 +298,7 @@ impl Index {
                 let found = open
                     .subs
                     .iter()
-                    .rposition(|(label, ..)| *label == own.label);
+                    .rposition(|(label, ..)| is_nested || *label == own.label);
                 if let Some((name, line, begin)) = found.map(|at| open.subs.remove(at)) {
                     self.definitions.insert(line, below);
                     self.subprograms.push(Subprogram {

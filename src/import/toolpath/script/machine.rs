@@ -14,6 +14,7 @@ use crate::import::toolpath::script::index::{Index, Subprogram};
 use crate::import::toolpath::script::statement;
 use crate::import::toolpath::script::variables::{Value, Variables};
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::Variable;
 
 /// So many blocks are run: whoever repeats more has an end.
@@ -90,10 +91,11 @@ pub(in crate::import::toolpath) struct Machine {
 impl Machine {
     /// The program is the first bytes of the text; what is below may be called. `set` is what the user knows of variables.
     pub fn new(text: &str, end: usize, grammar: &'static Grammar, set: &[(&str, f64)]) -> Self {
-        let index = Index::of(text, grammar.language);
-        let uncalled = match grammar.language {
-            Language::LinuxCnc | Language::MacroB => index.uncalled(end),
-            _ => Vec::new(),
+        let index = Index::of(text, grammar);
+        let uncalled = if grammar.language.is_macro() {
+            index.uncalled(end)
+        } else {
+            Vec::new()
         };
         Machine {
             variables: Variables::new(grammar, set),
@@ -268,7 +270,10 @@ impl Machine {
 
     fn unsure_begins(&mut self, span: usize) -> Step {
         self.opens(Open::Unsure(span));
-        Step::AsWritten
+        Step::Way(match self.index.span(span).keyword {
+            Keyword::If => Way::Begins,
+            _ => Way::LoopBegins,
+        })
     }
 
     /// A word of a structure, with what its condition or its count comes to.
@@ -298,23 +303,12 @@ impl Machine {
             Keyword::ElseIf => match self.opened(span) {
                 Some((at, Open::ElseIf(_))) => {
                     self.close_to(at);
-                    self.opens(Open::Unsure(span));
-                    Step::Condition
+                    self.unsure_begins(span)
                 }
-                _ => self.next_branch(span),
+                _ => self.next_branch(span, false),
             },
-            Keyword::Else => self.next_branch(span),
-            Keyword::EndIf => match self.opened(span) {
-                Some((at, Open::Unsure(_))) => {
-                    self.close_to(at);
-                    Step::AsWritten
-                }
-                Some((at, _)) => {
-                    self.close_to(at);
-                    Step::Done
-                }
-                None => Step::Done,
-            },
+            Keyword::Else => self.next_branch(span, true),
+            Keyword::EndIf => self.structure_ends(span),
             // The `while` of a `do` holds as long as it runs, an UNTIL as long as it does not.
             Keyword::While if is_end => self.do_ends(span, value.and_then(Value::holds)),
             Keyword::Until => self.do_ends(span, value.and_then(Value::holds).map(|holds| !holds)),
@@ -331,6 +325,21 @@ impl Machine {
             Keyword::EndRepeat => self.again(span),
             Keyword::EndWhile | Keyword::EndFor | Keyword::EndLoop => self.loop_ends(span),
             _ => Step::AsWritten,
+        }
+    }
+
+    /// The end of a condition.
+    fn structure_ends(&mut self, span: usize) -> Step {
+        match self.opened(span) {
+            Some((at, Open::Unsure(_))) => {
+                self.close_to(at);
+                Step::Way(Way::Ends)
+            }
+            Some((at, _)) => {
+                self.close_to(at);
+                Step::Done
+            }
+            None => Step::Done,
         }
     }
 
@@ -384,12 +393,13 @@ impl Machine {
     }
 
     /// A further branch is reached from the one above it: that was run, or it is not known whether it was.
-    fn next_branch(&mut self, span: usize) -> Step {
+    fn next_branch(&mut self, span: usize, otherwise: bool) -> Step {
         match self.opened(span) {
             Some((at, Open::Branch(_))) => {
                 self.close_to(at);
                 self.below(span)
             }
+            Some((_, Open::Unsure(_))) => Step::Way(Way::Branches { otherwise }),
             _ => Step::AsWritten,
         }
     }
@@ -423,10 +433,11 @@ impl Machine {
             Some((at, Open::Loop(_, 0))) => {
                 self.close_to(at);
                 self.forget();
-                Step::LoopEnds
+                Step::Way(Way::LoopLeft)
             }
-            Some((at, Open::Loop(..))) => {
-                self.close_to(at + 1);
+            Some((at, Open::Loop(_, times))) => {
+                self.close_to(at);
+                self.open.push(Open::Loop(span, times - 1));
                 Step::Go(self.index.span(span).begin)
             }
             _ => self.unsure_loop_ends(span),
@@ -450,7 +461,7 @@ impl Machine {
                 }
                 // What it sets, and what it moves by a distance, may be another after the next round.
                 self.forget();
-                Step::LoopEnds
+                Step::Way(Way::LoopLeft)
             }
         }
     }
@@ -468,7 +479,7 @@ impl Machine {
         self.close_to(at);
         if times == 0 {
             self.forget();
-            return Step::LoopEnds;
+            return Step::Way(Way::LoopLeft);
         }
         Step::Done
     }
@@ -478,6 +489,7 @@ impl Machine {
         self.forget();
         if let Some((at, Open::Unsure(_))) = self.opened(span) {
             self.close_to(at);
+            return Step::Way(Way::LoopEnds);
         }
         Step::AsWritten
     }
@@ -527,6 +539,60 @@ impl Machine {
         matches!(open, Some((_, Open::Loop(..))))
     }
 
+    /// Ends the structures that end in front of a line, by its indentation: the next round of a loop, or the way on.
+    fn dedents(&mut self, line: usize) -> Option<Step> {
+        let ended = self.index.ends_at(line).iter();
+        let ended: Vec<Open> = ended
+            .filter_map(|span| self.opened(*span).map(|(_, open)| open))
+            .collect();
+        for open in ended {
+            let span = open.span();
+            let step = match open {
+                Open::Loop(..) => self.loop_ends(span),
+                Open::Unsure(_) if self.index.span(span).keyword != Keyword::If => {
+                    self.unsure_loop_ends(span)
+                }
+                _ => self.structure_ends(span),
+            };
+            match step {
+                Step::Way(way) => return Some(Step::Again(way)),
+                Step::Go(_) => return Some(step),
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// How many rounds the innermost loop has made.
+    pub(super) fn rounds(&self) -> usize {
+        let innermost = self.open.iter().rev().find_map(|open| match open {
+            Open::Loop(_, times) => Some(usize::MAX - times),
+            _ => None,
+        });
+        innermost.unwrap_or(0)
+    }
+
+    /// A block of a word that stops the program, or that does nothing here.
+    pub(super) fn plain_word(&self, code: &[u8]) -> Option<Step> {
+        let grammar = self.variables.grammar;
+        let word = Cursor::new(code, 0, &self.variables).name()?;
+        let is = |words: &[&str]| {
+            words
+                .iter()
+                .any(|known| known.as_bytes().eq_ignore_ascii_case(word))
+        };
+        if is(grammar.ignored) {
+            return Some(Step::Done);
+        }
+        is(grammar.alarms).then(|| {
+            if self.is_sure() {
+                Step::Ends
+            } else {
+                Step::AsWritten
+            }
+        })
+    }
+
     /// What becomes of a block, whose code begins at `begin`.
     fn block(
         &mut self,
@@ -538,6 +604,8 @@ impl Machine {
     ) -> Step {
         match self.language() {
             Language::Sinumerik => self.sinumerik(&statement::capitals(line), here, next),
+            Language::RepRap => self.reprap(line, here),
+            Language::Lnc | Language::Eding => self.nested(line, begin, here, next, inside),
             _ => self.macro_block(line, begin, here, next, inside),
         }
     }
@@ -559,6 +627,9 @@ impl Flow for Machine {
         }
         self.variables.line = here.line;
         self.leaps.retain(|leap| *leap != here.line);
+        if let Some(step) = self.dedents(here.line) {
+            return step;
+        }
         let head = head(line);
         if !head.skips {
             return self.block(line, head.end, here, next, inside);
@@ -588,6 +659,10 @@ impl Flow for Machine {
     }
 
     fn fall_out(&mut self, at_end: bool) -> Option<Place> {
+        // A loop whose lines end with the text.
+        if at_end && let Some(Step::Go(begin)) = self.dedents(self.index.end()) {
+            return Some(begin);
+        }
         self.frames
             .last()
             .filter(|frame| at_end || !frame.ends_by_word)?;

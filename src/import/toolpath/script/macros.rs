@@ -1,14 +1,14 @@
 //! Word address languages: O words of LinuxCNC, macro B of Fanuc and kin.
 
-use crate::control::iso::lex::program_number;
+use crate::control::iso::lex::{end_of_value, program_number};
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::{Flow, Step};
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
-use crate::import::toolpath::script::grammar::{Grammar, Keyword, LINUXCNC, MACRO_B};
+use crate::import::toolpath::script::grammar::{CENTROID, Keyword, Language};
 use crate::import::toolpath::script::machine::{DEEPEST, Machine};
 use crate::import::toolpath::script::statement::{
-    self, Structure, aborts, begins, is_flow, o_word,
+    self, Structure, aborts, begins, is_flow, o_word, without_comment,
 };
 use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::writes;
@@ -52,12 +52,12 @@ pub fn is_macro(text: &str) -> bool {
     };
     let has_calls =
         || memchr::memchr2_iter(b'g', b'G', bytes).any(|at| bytes[at + 1..].starts_with(b"65"));
-    computes || has_o_words() || has_calls()
-}
-
-/// The grammar of a text of macros.
-pub fn grammar(linuxcnc: bool) -> &'static Grammar {
-    if linuxcnc { &LINUXCNC } else { &MACRO_B }
+    let has_probing_words = || {
+        let own = [CENTROID.probing[0].0, CENTROID.probing[2].0];
+        own.iter()
+            .any(|word| memchr::memmem::find(bytes, word.as_bytes()).is_some())
+    };
+    computes || has_o_words() || has_calls() || has_probing_words()
 }
 
 impl Machine {
@@ -90,6 +90,15 @@ impl Machine {
             }
             Some(b'(' | b';' | b'%') | None => Step::AsWritten,
             _ if is_flow(code) => self.flow(code, here, next),
+            Some(b'M') if !self.variables.grammar.probing.is_empty() => {
+                match probing_move(code, self.variables.grammar.probing) {
+                    Some(block) => match self.words(&block, 0) {
+                        Step::AsWritten => Step::Read(block),
+                        step => step,
+                    },
+                    None => self.words(line, begin),
+                }
+            }
             _ => self
                 .macro_word(code, next, inside)
                 .unwrap_or_else(|| self.words(line, begin)),
@@ -97,7 +106,13 @@ impl Machine {
     }
 
     /// `o<name> call [5]`, `o1 if [#2 GT 0]` and their kin.
-    fn o_word(&mut self, word: Structure, code: &[u8], here: Place, next: Place) -> Step {
+    pub(super) fn o_word(
+        &mut self,
+        word: Structure,
+        code: &[u8],
+        here: Place,
+        next: Place,
+    ) -> Step {
         let value = Cursor::new(code, word.rest, &self.variables).bracketed();
         match word.keyword {
             Keyword::Sub => Step::to(self.index.below_definition(here.line)),
@@ -188,7 +203,7 @@ impl Machine {
             let label = cursor.operand().and_then(Value::number);
             return self.goto(label, Some(true), next);
         }
-        let Some(word) = statement::structure(code, self.variables.grammar.language) else {
+        let Some(word) = statement::structure(code, self.variables.grammar) else {
             return Step::AsWritten;
         };
         let value = Cursor::new(code, word.rest, &self.variables).bracketed();
@@ -291,8 +306,9 @@ impl Machine {
     }
 
     /// A block of words: what is known in it becomes numbers, and what it assigns is set.
-    fn words(&mut self, line: &[u8], begin: usize) -> Step {
-        if memchr::memchr2(b'#', b'[', &line[begin..]).is_none() {
+    pub(super) fn words(&mut self, line: &[u8], begin: usize) -> Step {
+        let computes = |b: &u8| matches!(b, b'#' | b'[' | b'@' | b'{');
+        if !line[begin..].iter().any(computes) {
             return Step::AsWritten;
         }
         let Some((out, sets)) = self.expanded(line, begin) else {
@@ -335,6 +351,7 @@ impl Machine {
 
     /// A block with numbers in place of what is known, and what it assigns; none where it is not understood.
     fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Assigned)> {
+        let language = self.variables.grammar.language;
         let (mut out, mut sets) = (line[..begin].to_vec(), Vec::new());
         let mut cursor = Cursor::new(line, begin, &self.variables);
         while let Some(sign) = line.get(cursor.at).copied() {
@@ -348,13 +365,24 @@ impl Machine {
                         .map_or(line.len(), |length| from + length + 1)
                 }
                 b'#' => sets.push(cursor.assignment()?),
+                b'@' if language == Language::Lnc => sets.push(cursor.assignment()?),
                 letter if letter.is_ascii_alphabetic() => {
                     cursor.at += 1;
                     out.push(letter);
                     if !cursor.computes() {
                         continue;
                     }
-                    match cursor.in_word()? {
+                    let value = cursor.in_word();
+                    if language == Language::RepRap {
+                        // What is not known stands there as a value of a macro, which the reader knows for one.
+                        match value {
+                            Some(Value::Number(x)) => number(&mut out, x),
+                            _ => out.extend_from_slice(b"[#0]"),
+                        }
+                        cursor.at = closing(line, from + 1);
+                        continue;
+                    }
+                    match value? {
                         Value::Number(x) => number(&mut out, x),
                         Value::Empty => drop(out.pop()),
                         Value::Unknown => out.extend_from_slice(&line[from + 1..cursor.at]),
@@ -368,6 +396,71 @@ impl Machine {
         }
         Some((out, sets))
     }
+}
+
+/// `M115 /X20 P15 F100 L1` as a G31: its axis, its feed, and what a contact means. With L1 nothing is meant by it.
+fn probing_move(code: &[u8], probing: &[(&str, &str)]) -> Option<Vec<u8>> {
+    let (word, meaning) = probing.iter().find(|(word, _)| {
+        code.get(..word.len())
+            .is_some_and(|begin| begin.eq_ignore_ascii_case(word.as_bytes()))
+    })?;
+    let code = without_comment(&code[word.len()..], Some("("));
+    let rest = code.trim_ascii_start().strip_prefix(b"/")?;
+    let (axis, rest) = rest.split_first()?;
+    let mut block = vec![b'G', b'3', b'1', b' ', *axis];
+    let value = value_end(rest);
+    // Without a value it goes on until a limit.
+    block.extend_from_slice(if value == 0 { b"[#0]" } else { &rest[..value] });
+    let mut rest = &rest[value..];
+    let mut may_miss = false;
+    while let Some((letter, after)) = rest.trim_ascii_start().split_first() {
+        let end = value_end(after);
+        match letter.to_ascii_uppercase() {
+            b'F' => block.extend_from_slice(&[b" F", &after[..end]].concat()),
+            b'L' => may_miss = after[..end].trim_ascii() == b"1",
+            b'P' | b'Q' => {}
+            _ => return None,
+        }
+        rest = &after[end..];
+    }
+    if !may_miss {
+        block.push(b' ');
+        block.extend_from_slice(meaning.as_bytes());
+    }
+    Some(block)
+}
+
+/// Where the value ends that a text begins with: a number, a variable, brackets, with a sign.
+fn value_end(text: &[u8]) -> usize {
+    let signed = text
+        .iter()
+        .take_while(|b| matches!(b, b' ' | b'-' | b'+'))
+        .count();
+    match text.get(signed) {
+        Some(b'#' | b'[') => end_of_value(text, signed),
+        Some(b'0'..=b'9' | b'.') => {
+            let digits = text[signed..].iter();
+            signed
+                + digits
+                    .take_while(|b| b.is_ascii_digit() || **b == b'.')
+                    .count()
+        }
+        _ => 0,
+    }
+}
+
+/// Behind the brace that closes the next one of a line.
+fn closing(line: &[u8], from: usize) -> usize {
+    let mut depth = 0;
+    let end = line[from..].iter().position(|b| {
+        depth += match b {
+            b'{' => 1,
+            b'}' => -1,
+            _ => 0,
+        };
+        depth == 0 && *b == b'}'
+    });
+    end.map_or(line.len(), |end| from + end + 1)
 }
 
 /// A number as a word has it, with its point: a Fanuc counts one without in the smallest step.

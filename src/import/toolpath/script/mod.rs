@@ -4,9 +4,12 @@ pub mod expression;
 pub mod grammar;
 mod index;
 mod machine;
-pub mod macros;
+mod macros;
+mod nested;
+mod reprap;
 mod sinumerik;
 mod statement;
 pub mod variables;
 
 pub(in crate::import::toolpath) use machine::Machine;
+pub(in crate::import::toolpath) use macros::is_macro;

@@ -4,7 +4,7 @@ use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::{Flow, Step};
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
-use crate::import::toolpath::script::grammar::{Keyword, Language};
+use crate::import::toolpath::script::grammar::Keyword;
 use crate::import::toolpath::script::machine::{DEEPEST, Machine};
 use crate::import::toolpath::script::statement::{structure, without_label};
 use crate::import::toolpath::script::variables::Value;
@@ -21,7 +21,7 @@ impl Machine {
             return Step::AsWritten;
         }
         let mut cursor = Cursor::new(code, 0, &self.variables);
-        if let Some(word) = structure(code, Language::Sinumerik) {
+        if let Some(word) = structure(code, self.variables.grammar) {
             return self.structure_word(word.keyword, code, word.rest, here);
         }
         if cursor.eat("IF") {
@@ -49,18 +49,8 @@ impl Machine {
                 false => Step::AsWritten,
             };
         }
-        if ["STOPRE", "MSG", "PROC", "EXTERN"]
-            .iter()
-            .any(|word| cursor.eat(word))
-        {
-            return Step::Done;
-        }
-        if cursor.eat("SETAL") {
-            return if self.is_sure() {
-                Step::Ends
-            } else {
-                Step::AsWritten
-            };
+        if let Some(step) = self.plain_word(code) {
+            return step;
         }
         self.call_by_name(code, next)
             .unwrap_or_else(|| self.assignments(code))

@@ -1,7 +1,7 @@
 //! What a block is, before anything in it is computed: a word of a structure, an end, a jump.
 
-use crate::control::iso::lex::{end_of_value, head};
-use crate::import::toolpath::script::grammar::{Keyword, Language, O_WORDS, SINUMERIK_WORDS};
+use crate::control::iso::lex::{comment_at, end_of_value, head};
+use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language, O_WORDS};
 
 /// A word of a structure.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,15 +27,14 @@ pub enum Turn {
 }
 
 /// The word of a structure that a block begins with. The code is without its number, on a SINUMERIK without its label.
-pub fn structure(code: &[u8], language: Language) -> Option<Structure> {
-    match language {
-        Language::Sinumerik => nested(code),
-        Language::Heidenhain => None,
-        Language::LinuxCnc | Language::MacroB => match code.first()?.to_ascii_uppercase() {
-            b'O' => o_word(code),
-            b'E' | b'W' | b'D' => numbered(code),
-            _ => None,
-        },
+pub fn structure(code: &[u8], grammar: &Grammar) -> Option<Structure> {
+    if !grammar.words.is_empty() {
+        return nested(code, grammar);
+    }
+    match code.first()?.to_ascii_uppercase() {
+        b'O' => o_word(code),
+        b'E' | b'W' | b'D' => numbered(code),
+        _ => None,
     }
 }
 
@@ -105,19 +104,31 @@ fn numbered(code: &[u8]) -> Option<Structure> {
     })
 }
 
-/// A word of a SINUMERIK. `IF` with a jump, and `REPEAT` with a label, are none.
-fn nested(code: &[u8]) -> Option<Structure> {
+/// A word of structures that lie in each other. `IF` with a jump, and `REPEAT` with a label, are none.
+fn nested(code: &[u8], grammar: &Grammar) -> Option<Structure> {
     let length = name(code).len();
-    let (_, keyword) = SINUMERIK_WORDS
+    let (_, keyword) = grammar
+        .words
         .iter()
-        .find(|(word, _)| word.as_bytes() == &code[..length])?;
-    let jumps = *keyword == Keyword::If && memchr::memmem::find(code, b"GOTO").is_some();
+        .find(|(word, _)| word.as_bytes().eq_ignore_ascii_case(&code[..length]))?;
+    let jumps = *keyword == Keyword::If
+        && code
+            .windows(4)
+            .any(|word| word.eq_ignore_ascii_case(b"GOTO"));
     let is_labelled = *keyword == Keyword::Do && !code[length..].trim_ascii().is_empty();
-    (!jumps && !is_labelled).then_some(Structure {
+    (!jumps && !is_labelled).then_some(())?;
+    let mut own = Structure {
         keyword: *keyword,
         label: String::new(),
         rest: length,
-    })
+    };
+    if matches!(keyword, Keyword::Sub | Keyword::Call) {
+        let begin = skip_blanks(code, length);
+        let called = name(&code[begin..]);
+        own.label = String::from_utf8_lossy(called).to_ascii_lowercase();
+        own.rest = begin + called.len();
+    }
+    Some(own)
 }
 
 /// Whether a block is one of a Fanuc's that jump or loop.
@@ -140,11 +151,19 @@ pub fn is_flow(code: &[u8]) -> bool {
 }
 
 /// What a block does to the way of the program.
-pub fn turn(code: &[u8], language: Language) -> Option<Turn> {
-    match language {
+pub fn turn(code: &[u8], grammar: &Grammar) -> Option<Turn> {
+    let word = name(code);
+    if grammar
+        .alarms
+        .iter()
+        .any(|alarm| alarm.as_bytes().eq_ignore_ascii_case(word))
+    {
+        return Some(Turn::Ends(true));
+    }
+    match grammar.language {
         Language::Sinumerik => sinumerik_turn(std::str::from_utf8(code).ok()?),
         Language::Heidenhain => None,
-        Language::LinuxCnc | Language::MacroB => macro_turn(code),
+        _ => macro_turn(code),
     }
 }
 
@@ -189,9 +208,8 @@ fn macro_turn(code: &[u8]) -> Option<Turn> {
 
 fn sinumerik_turn(code: &str) -> Option<Turn> {
     let first = code.split_whitespace().next()?;
-    let alarm = code.starts_with("SETAL(");
-    if alarm || matches!(first, "M2" | "M02" | "M30") {
-        return Some(Turn::Ends(alarm));
+    if matches!(first, "M2" | "M02" | "M30") {
+        return Some(Turn::Ends(false));
     }
     if matches!(first, "M17" | "RET") || first.starts_with("PROC") || first.starts_with("%_N_") {
         return Some(Turn::Back);
@@ -221,8 +239,14 @@ pub fn without_label(code: &[u8]) -> &[u8] {
 /// A SINUMERIK's block in capitals, without its number and its comment, but with its label.
 pub fn capitals(line: &[u8]) -> Vec<u8> {
     let code = &line[head(line).end..];
-    let end = crate::control::iso::lex::comment_at(code, false).unwrap_or(code.len());
-    code[..end].trim_ascii().to_ascii_uppercase()
+    without_comment(code, None).to_ascii_uppercase()
+}
+
+/// A line without the comment that ends it.
+pub fn without_comment<'l>(line: &'l [u8], sign: Option<&str>) -> &'l [u8] {
+    let end = comment_at(line, false).unwrap_or(line.len());
+    let own = sign.and_then(|sign| memchr::memmem::find(&line[..end], sign.as_bytes()));
+    line[..own.unwrap_or(end)].trim_ascii()
 }
 
 /// Whether a comment of LinuxCNC stops the program: `(ABORT, …)`.

@@ -195,7 +195,9 @@ impl Variables {
                 .last()
                 .is_some_and(|level| level.set.contains_key(key)),
             (Language::LinuxCnc, Key::Number(n)) => (1..=30).contains(n),
-            (Language::MacroB, Key::Number(n)) => (1..=33).contains(n),
+            (Language::MacroB | Language::Lnc, Key::Number(n)) => (1..=33).contains(n),
+            (Language::Eding, Key::Number(_)) | (Language::RepRap, _) => false,
+            (Language::Lnc | Language::Eding, Key::Name(_)) => false,
             (_, Key::Name(name)) => !name.starts_with('_'),
         }
     }
@@ -204,7 +206,8 @@ impl Variables {
     fn is_system(&self, key: &Key) -> bool {
         match (self.grammar.language, key) {
             (_, Key::Unknown) => true,
-            (Language::LinuxCnc, Key::Number(n)) => *n > 5000,
+            (Language::LinuxCnc | Language::Eding, Key::Number(n)) => *n > 5000,
+            (Language::Lnc, Key::Number(_)) => false,
             (_, Key::Number(n)) => (1000..10_000).contains(n) || *n > 10_999,
             (_, Key::Name(_)) => false,
         }
@@ -235,7 +238,9 @@ impl Variables {
         if self.is_system(key) {
             return self.given_or_asked(key);
         }
-        if *key == Key::Number(0) && self.grammar.language == Language::MacroB {
+        if *key == Key::Number(0)
+            && matches!(self.grammar.language, Language::MacroB | Language::Lnc)
+        {
             return Value::Empty;
         }
         let level = self.level_of(key);
@@ -262,6 +267,9 @@ impl Variables {
     /// Whether a variable was set: 1 or 0, where that is known.
     pub fn exists(&self, key: &Key) -> Value {
         let level = self.level_of(key);
+        if self.grammar.is_indented {
+            return self.is_given(key);
+        }
         match (key, level.set.get(key)) {
             (Key::Number(_), _) => Value::Number(1.0),
             // Of one without a known value it is not known whether it was set at all.
@@ -269,6 +277,18 @@ impl Variables {
             (Key::Name(_), None) if self.is_local(key) && !level.lost => Value::Number(0.0),
             _ => Value::Unknown,
         }
+    }
+
+    /// Whether RepRapFirmware knows a name: one that the text sets, or an argument. Where one argument is given, the others are not.
+    fn is_given(&self, key: &Key) -> Value {
+        let is_argument = |key: &Key| matches!(key, Key::Name(name) if name.starts_with("param."));
+        if self.globals.set.contains_key(key) || self.given.contains_key(key) {
+            return Value::Number(1.0);
+        }
+        if is_argument(key) && self.given.keys().any(is_argument) {
+            return Value::Number(0.0);
+        }
+        self.given_or_asked(key)
     }
 
     /// Gives a variable a value; where it is not known which one, any of them may have changed.
@@ -292,6 +312,19 @@ impl Variables {
         if let Some(level) = self.levels.last_mut() {
             level.set.insert(key, value);
         }
+    }
+
+    /// Nothing is known of the elements of a list.
+    pub fn forget_elements(&mut self, name: &str) {
+        let is_element = |key: &Key| {
+            matches!(key, Key::Name(own) if own
+                .strip_prefix(name)
+                .is_some_and(|rest| rest.starts_with('[')))
+        };
+        let known = self.globals.set.iter_mut();
+        known
+            .filter(|(key, _)| is_element(key))
+            .for_each(|(_, value)| *value = Value::Unknown);
     }
 
     /// Its value comes from the control, which the user may know.

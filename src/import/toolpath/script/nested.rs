@@ -1,0 +1,81 @@
+//! Macros whose structures lie in each other: LNC and Eding CNC.
+
+use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::grammar::Keyword;
+use crate::import::toolpath::script::machine::Machine;
+use crate::import::toolpath::script::statement::{structure, without_comment};
+use crate::import::toolpath::writes::{OFFSET_AXES, TABLE, Variable};
+
+impl Machine {
+    pub(super) fn nested(
+        &mut self,
+        line: &[u8],
+        begin: usize,
+        here: Place,
+        next: Place,
+        inside: usize,
+    ) -> Step {
+        let plain = without_comment(line, self.variables.grammar.comment);
+        let code = plain.get(begin..).unwrap_or_default();
+        if code.is_empty() {
+            return Step::Done;
+        }
+        if let Some(word) = structure(code, self.variables.grammar) {
+            return match word.keyword {
+                Keyword::Sub | Keyword::EndSub | Keyword::Call => {
+                    self.o_word(word, code, here, next)
+                }
+                keyword => {
+                    let value = Cursor::new(code, word.rest, &self.variables).value();
+                    self.structure(keyword, value, here)
+                }
+            };
+        }
+        if let Some(step) = self.plain_word(code).or_else(|| self.register(code)) {
+            return step;
+        }
+        match self.macro_block(plain, begin, here, next, inside) {
+            // Without its comment the reader understands it.
+            Step::AsWritten if plain.len() < line.len() => Step::Read(plain.to_vec()),
+            step => step,
+        }
+    }
+
+    /// A word of an LNC that writes a register: `W_G53G59_COOR[0,54,1,#106]`, axes from 1.
+    fn register(&mut self, code: &[u8]) -> Option<Step> {
+        let mut cursor = Cursor::new(code, 0, &self.variables);
+        let name = cursor.name()?.to_ascii_uppercase();
+        let name = name.strip_prefix(b"W_")?;
+        let values = cursor.list()?;
+        let number = |at: usize| values.get(at).and_then(|value| value.number());
+        let axis = number(2)
+            .map(|axis| axis as usize)
+            .filter(|axis| (1..=OFFSET_AXES).contains(axis));
+        let offset = |number: i32| {
+            axis.map_or_else(
+                || Variable::AnyOffset(String::from_utf8_lossy(name).into_owned()),
+                |axis| Variable::Offset(number, axis - 1),
+            )
+        };
+        let written = match (name, number(1)) {
+            (b"G53G59_COOR", Some(g)) if (54.0..=59.0).contains(&g) => offset(g as i32 - 53),
+            (b"G54EXP_COOR", Some(p)) if (1.0..=100.0).contains(&p) => {
+                offset(6 + 1000 * (p as i32))
+            }
+            (b"G53G59_COOR" | b"G54EXP_COOR", _) => {
+                Variable::AnyOffset(String::from_utf8_lossy(name).into_owned())
+            }
+            (b"TOOL_DATA", tool) => Variable::Tool(
+                TABLE,
+                crate::control::native::tool_name(tool.unwrap_or(f64::NAN)),
+            ),
+            _ => return None,
+        };
+        let value = values.last().map_or(f64::NAN, |value| value.or_nan());
+        let value = if self.is_sure() { value } else { f64::NAN };
+        self.written.push((written, value));
+        Some(Step::Done)
+    }
+}

@@ -1,0 +1,62 @@
+//! RepRapFirmware's meta commands, by its documentation: names, expressions in braces, structures by indentation.
+
+use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::key::Key;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::grammar::Keyword;
+use crate::import::toolpath::script::machine::Machine;
+use crate::import::toolpath::script::statement::{structure, without_comment};
+use crate::import::toolpath::script::variables::Value;
+
+impl Machine {
+    pub(super) fn reprap(&mut self, line: &[u8], here: Place) -> Step {
+        let code = without_comment(line, None);
+        if code.is_empty() {
+            return Step::AsWritten;
+        }
+        let rounds = Value::Number(self.rounds() as f64);
+        self.variables
+            .set(Key::Name("iterations".to_owned()), rounds);
+        if let Some(word) = structure(code, self.variables.grammar) {
+            let value = Cursor::new(code, word.rest, &self.variables).value();
+            return match word.keyword {
+                Keyword::Break => self.leaves_loop("", true),
+                Keyword::Continue => self.leaves_loop("", false),
+                keyword => self.structure(keyword, value, here),
+            };
+        }
+        if let Some(step) = self.plain_word(code) {
+            return step;
+        }
+        self.named_value(code)
+            .unwrap_or_else(|| self.words(code, 0))
+    }
+
+    /// `var x = 5`, `global x = 5`, `set var.x = 6`.
+    fn named_value(&mut self, code: &[u8]) -> Option<Step> {
+        let mut cursor = Cursor::new(code, 0, &self.variables);
+        let scope = ["var", "global", "set"]
+            .into_iter()
+            .find(|word| cursor.eat(word))?;
+        let key = match (scope, cursor.key()?) {
+            ("set", key) => key,
+            (scope, Key::Name(name)) => Key::Name(format!("{scope}.{name}")),
+            (_, key) => key,
+        };
+        let value = cursor.eat("=").then(|| cursor.value()).flatten();
+        let is_whole = cursor.is_done();
+        let value = value
+            .filter(|_| is_whole && self.is_sure())
+            .unwrap_or(Value::Unknown);
+        if let (Key::Name(name), false) = (&key, is_whole) {
+            // A list of values, which are not followed.
+            self.variables.forget_elements(name);
+        }
+        self.variables.set(key, value);
+        Some(match value {
+            Value::Unknown => Step::AsWritten,
+            _ => Step::Done,
+        })
+    }
+}
