@@ -5,10 +5,10 @@
 ; run:
 ; set: Q9=50
 ; moves: 2 rapid 0 0 20 | 19 feed 0 30 20 | 8 feed 18 30 20 | 8 feed 36 30 20 | 8 feed 54 30 20 | 16 feed 54 30 -12
-; Nothing is known of any parameter behind a jump that is not known: line 14 is read in its order, and Z is not known.
+; A jump ahead that is not known leaves Y open, and no parameter: D11 compares 12 with 5 either way.
 ; run:
 ; asks: Q9
-; moves: 2 rapid 0 0 20 | 19 feed 0 30 20 | 8 feed 18 30 20 | 8 feed 36 30 20 | 8 feed 54 30 20 | 11 feed 54 50 20 | 14 feed 999 ? 20 | 16 feed ? ? ?
+; moves: 2 rapid 0 0 20 | 19 feed 0 30 20 | 8 feed 18 30 20 | 8 feed 36 30 20 | 8 feed 54 30 20 | 11 feed 54 50 20 | 16 feed 54 ? -12
 %HOLES G71 *
 N10 G00 G40 G90 X+0 Y+0 Z+20 *
 N20 D00 Q1 P01 +12 *

@@ -14,7 +14,6 @@ mod fork;
 mod frames;
 mod guess;
 mod heidenhain;
-mod heidenhain_iso;
 mod key;
 mod klartext;
 mod known;
@@ -45,10 +44,9 @@ use block::EMPTY;
 use calls::{Calls, Place};
 use control_kind::ControlKind;
 pub use control_kind::PROGRAM_POSTS;
-use flow::{Flow, Step};
+use flow::Step;
 use frames::Frames;
 pub(super) use guess::guessed;
-use heidenhain_iso::HeidenhainIso;
 use klartext::Klartext;
 pub use known::{Ask, Feature, Known, Trip};
 pub use native::{NativeArgument, NativeCall};
@@ -56,7 +54,7 @@ pub use outline::{Heading, outline};
 use reader::{Reader, Touching};
 use rules::Log;
 pub use rules::{RUN_RULES, RunRule};
-use script::grammar::SINUMERIK;
+use script::grammar::{HEIDENHAIN, SINUMERIK};
 use script::{Machine, is_macro};
 use skipped::Skip;
 use watch::probes;
@@ -334,6 +332,12 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
     path
 }
 
+/// Whether a text is the ISO of a HEIDENHAIN: `%NAME G71 *` begins it.
+fn is_heidenhain(text: &str) -> bool {
+    let first = lines_of(text).map(trimmed).find(|line| !line.is_empty());
+    first.is_some_and(|line| line.starts_with('%') && line.ends_with('*'))
+}
+
 /// Reads the first bytes of a text; what is below may be called.
 fn run(
     text: &str,
@@ -347,21 +351,17 @@ fn run(
         klartext.run(&mut reader);
         return finished(text, reader, klartext.asks(), &[]);
     }
-    let macros: Option<Box<dyn Flow>> = match dialect == DIALECTS[1] {
+    let kind = reader.frames.kind;
+    let grammar = if dialect == DIALECTS[1] {
         // A text that is only read is read as it was: the run is what knows more.
-        true => reader
-            .run
-            .is_some()
-            .then(|| Box::new(Machine::new(text, end, &SINUMERIK, set)) as Box<dyn Flow>),
-        false => match HeidenhainIso::of(text, set).filter(|_| reader.run.is_some()) {
-            Some(flow) => Some(Box::new(flow) as Box<dyn Flow>),
-            None => (is_macro(text) || reader.frames.kind == ControlKind::RepRap).then(|| {
-                let grammar = reader.frames.kind.grammar(text, dialect);
-                Box::new(Machine::new(text, end, grammar, set)) as Box<dyn Flow>
-            }),
-        },
+        reader.run.is_some().then_some(&SINUMERIK)
+    } else if reader.run.is_some() && is_heidenhain(text) {
+        Some(&HEIDENHAIN)
+    } else {
+        let computes = is_macro(text) || kind == ControlKind::RepRap;
+        computes.then(|| kind.grammar(text, dialect))
     };
-    let mut macros = macros;
+    let mut macros = grammar.map(|grammar| Machine::new(text, end, grammar, set));
     if let Some(macros) = macros.as_mut().filter(|_| reader.run.is_some()) {
         macros.sees(reader.system());
     }
@@ -442,7 +442,7 @@ struct Run<'t> {
     start: [f64; 3],
     reader: Reader,
     calls: Calls<'t>,
-    macros: Option<Box<dyn Flow>>,
+    macros: Option<Machine>,
 }
 
 impl Run<'_> {

@@ -620,8 +620,9 @@ fn is_name(b: u8) -> bool {
 
 /// Where the bracket closes that a text begins with.
 fn closing(text: &[u8]) -> Option<usize> {
+    const LONGEST: usize = 1000;
     let mut depth = 0;
-    text.iter().position(|sign| {
+    text.iter().take(LONGEST).position(|sign| {
         depth += match sign {
             b'[' => 1,
             b']' => -1,

@@ -104,6 +104,8 @@ pub struct Grammar {
     pub is_spaced: bool,
     /// A function needs no brackets: `SIN +30`.
     pub is_prefix: bool,
+    /// So deep a subprogram may call the next one.
+    pub deepest: usize,
     /// The words of structures that lie in each other.
     pub words: &'static [(&'static str, Keyword)],
     /// Structures end by indentation.
@@ -179,6 +181,7 @@ pub const LINUXCNC: Grammar = Grammar {
     constants: &[],
     is_spaced: false,
     is_prefix: false,
+    deepest: 10,
     words: &[],
     is_indented: false,
     alarms: &[],
@@ -429,6 +432,7 @@ pub const HEIDENHAIN: Grammar = Grammar {
     ],
     constants: &[("PI", std::f64::consts::PI)],
     is_prefix: true,
+    deepest: 20,
     ..LINUXCNC
 };
 

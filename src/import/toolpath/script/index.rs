@@ -6,7 +6,8 @@ use crate::control::iso::lex::{head, line_end, program_number};
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language};
 use crate::import::toolpath::script::statement::{
-    Structure, Turn, capitals, label, structure, turn, without_comment, without_label,
+    Structure, Turn, capitals, heidenhain_code, heidenhain_label, heidenhain_turn, label,
+    structure, turn, without_comment, without_label,
 };
 
 /// So many structures are looked at for the end of one, and so many programs of a text are known: a search has an end.
@@ -33,7 +34,7 @@ pub struct Span {
     /// Below its first line.
     pub below: Place,
     pub branches: Vec<Branch>,
-    /// The line that ends it, and the place below; none where it has no end.
+    /// The line that ends it, and the place below; none where it has no end. One that ends by indentation ends in front of the line below it: both are that.
     pub end: Option<(Place, Place)>,
 }
 
@@ -60,8 +61,6 @@ pub struct Index {
     spans: Vec<Span>,
     /// The span that a line begins, continues or ends.
     at: BTreeMap<usize, usize>,
-    /// The spans that end in front of a line, the inner ones first.
-    ends: BTreeMap<usize, Vec<usize>>,
     marks: Vec<Mark>,
     /// The lines that turn the way of the program.
     turns: Vec<(usize, Turn)>,
@@ -106,6 +105,15 @@ impl Index {
                 Language::Sinumerik => {
                     index.number(code, here);
                     index.sinumerik(&capitals(code), here, below, &mut open, grammar);
+                }
+                Language::Heidenhain => {
+                    let code = heidenhain_code(code);
+                    if let Some(number) = heidenhain_label(&code) {
+                        let places = index.labels.entry(number.to_string()).or_default();
+                        places.push(here);
+                    }
+                    let turn = heidenhain_turn(&code);
+                    index.turns.extend(turn.map(|turn| (here.line, turn)));
                 }
                 _ if grammar.is_indented => {
                     let raw = &bytes[at..end];
@@ -178,13 +186,7 @@ impl Index {
             open.indents.pop();
             open.spans.truncate(open.indents.len());
             self.spans[at].end = Some((here, here));
-            self.ends.entry(here.line).or_default().push(at);
         }
-    }
-
-    /// The structures that end in front of a line, the inner ones first.
-    pub fn ends_at(&self, line: usize) -> &[usize] {
-        self.ends.get(&line).map_or(&[], Vec::as_slice)
     }
 
     /// The line below the last one.
@@ -526,6 +528,14 @@ impl Index {
         }
         let number = name.strip_prefix('N').unwrap_or(name);
         self.numbered(number.parse().ok()?, line)
+    }
+
+    /// The place of a label; none where it is there twice.
+    pub fn only_label(&self, name: &str) -> Option<Place> {
+        match self.labels.get(name)?.as_slice() {
+            [place] => Some(*place),
+            _ => None,
+        }
     }
 
     /// The block of this number that a jump from above a line goes to: the next one below, or the first of its program.

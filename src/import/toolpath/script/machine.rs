@@ -3,9 +3,11 @@
 //!
 //! A condition that is not known is not followed: the lines it guards are read in their order, and what they set is not known from there on.
 
+use std::collections::BTreeMap;
+
 use crate::control::iso::lex::head;
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::{Flow, Step};
+use crate::import::toolpath::flow::Step;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::script::expression::Cursor;
@@ -22,9 +24,6 @@ const MOST_BLOCKS: usize = 500_000;
 
 /// So many structures may be open: whoever jumps out of more has an end.
 const MOST_OPEN: usize = 5000;
-
-/// So deep a subprogram may call the next one.
-pub(super) const DEEPEST: usize = 10;
 
 /// A line that is never reached.
 pub(super) const NOWHERE: usize = usize::MAX;
@@ -76,6 +75,8 @@ pub(in crate::import::toolpath) struct Machine {
     /// Lines below that an unknown condition may have jumped to: up to them nothing is sure.
     leaps: Vec<usize>,
     blocks: usize,
+    /// How often the call in a line repeats its section again.
+    repeats: BTreeMap<usize, usize>,
     /// How often a branch that ends the program was not taken, by its line.
     spared: Vec<(usize, usize)>,
     /// The registers that the line has written.
@@ -106,6 +107,7 @@ impl Machine {
             unsure: 0,
             leaps: Vec::new(),
             blocks: 0,
+            repeats: BTreeMap::new(),
             spared: Vec::new(),
             written: Vec::new(),
             runs: false,
@@ -201,6 +203,22 @@ impl Machine {
         };
         *times += 1;
         self.runs && *times <= MOST_SPARED
+    }
+
+    /// Whether the call in a line repeats its section once more.
+    pub(super) fn repeats(&mut self, here: Place, times: usize) -> bool {
+        let left = self.repeats.entry(here.line).or_insert(times);
+        if *left == 0 {
+            self.repeats.remove(&here.line);
+            return false;
+        }
+        *left -= 1;
+        true
+    }
+
+    /// Whether one more call may be under way.
+    pub(super) fn may_call(&self) -> bool {
+        self.frames.len() < self.variables.grammar.deepest
     }
 
     pub(super) fn enter(
@@ -541,12 +559,12 @@ impl Machine {
 
     /// Ends the structures that end in front of a line, by its indentation: the next round of a loop, or the way on.
     fn dedents(&mut self, line: usize) -> Option<Step> {
-        let ended = self.index.ends_at(line).iter();
-        let ended: Vec<Open> = ended
-            .filter_map(|span| self.opened(*span).map(|(_, open)| open))
-            .collect();
-        for open in ended {
+        while let Some(open) = self.open.last().copied() {
             let span = open.span();
+            let ends_here = |(end, below): (Place, Place)| end == below && end.line == line;
+            if !self.index.span(span).end.is_some_and(ends_here) {
+                break;
+            }
             let step = match open {
                 Open::Loop(..) => self.loop_ends(span),
                 Open::Unsure(_) if self.index.span(span).keyword != Keyword::If => {
@@ -605,22 +623,26 @@ impl Machine {
         match self.language() {
             Language::Sinumerik => self.sinumerik(&statement::capitals(line), here, next),
             Language::RepRap => self.reprap(line, here),
+            Language::Heidenhain => self.heidenhain(line, here, next),
             Language::Lnc | Language::Eding => self.nested(line, begin, here, next, inside),
             _ => self.macro_block(line, begin, here, next, inside),
         }
     }
 }
 
-impl Flow for Machine {
-    fn written(&mut self) -> Vec<(Variable, f64)> {
+impl Machine {
+    /// The registers of the control that the last line has written as variables, with their values: NaN is not known.
+    pub fn written(&mut self) -> Vec<(Variable, f64)> {
         std::mem::take(&mut self.written)
     }
 
-    fn divisions(&self) -> Vec<u32> {
+    /// Lines in which a division by zero was asked for.
+    pub fn divisions(&self) -> Vec<u32> {
         self.variables.divisions()
     }
 
-    fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
+    /// What becomes of the line at `here`; `inside` is how many M98 calls are under way.
+    pub fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
         self.blocks += 1;
         if self.blocks > MOST_BLOCKS || self.open.len() > MOST_OPEN {
             return Step::Stop;
@@ -647,18 +669,21 @@ impl Flow for Machine {
         }
     }
 
-    fn forget(&mut self) {
+    /// Nothing is known of any variable: something else may have set them.
+    pub fn forget(&mut self) {
         self.variables.forget();
     }
 
-    fn forget_shared(&mut self) {
+    /// The same of those that calls share: a macro was called, which has locals of its own.
+    pub fn forget_shared(&mut self) {
         match self.language() {
             Language::Sinumerik => self.variables.forget(),
             _ => self.variables.forget_shared(),
         }
     }
 
-    fn fall_out(&mut self, at_end: bool) -> Option<Place> {
+    /// The lines of a subprogram end without a way back, at the end of the text or at the next program.
+    pub fn fall_out(&mut self, at_end: bool) -> Option<Place> {
         // A loop whose lines end with the text.
         if at_end && let Some(Step::Go(begin)) = self.dedents(self.index.end()) {
             return Some(begin);
@@ -669,26 +694,33 @@ impl Flow for Machine {
         self.leave()
     }
 
-    fn has_run(&self, line: usize) -> bool {
-        self.ran
-            .iter()
-            .any(|(from, to)| (*from..=*to).contains(&line))
+    /// Whether a line ran where it was called.
+    pub fn has_run(&self, line: usize) -> bool {
+        self.language() == Language::Heidenhain
+            || self
+                .ran
+                .iter()
+                .any(|(from, to)| (*from..=*to).contains(&line))
     }
 
-    fn is_inside(&self) -> bool {
+    /// Whether lines run because something called them.
+    pub fn is_inside(&self) -> bool {
         !self.frames.is_empty()
     }
 
-    fn sees(&mut self, system: System) {
+    /// What the control itself knows before the next block.
+    pub fn sees(&mut self, system: System) {
         self.runs = true;
         self.variables.system = system;
     }
 
-    fn asks(&self) -> Vec<Ask> {
+    /// What was read before anything set it.
+    pub fn asks(&self) -> Vec<Ask> {
         self.variables.asks()
     }
 
-    fn uncalled(&mut self, end: Place) -> Option<(String, Place)> {
+    /// The next subroutine that nothing calls: its name, and where it begins, from which it comes back to `end`.
+    pub fn uncalled(&mut self, end: Place) -> Option<(String, Place)> {
         let own = self.uncalled.pop()?;
         while !self.frames.is_empty() {
             self.leave();

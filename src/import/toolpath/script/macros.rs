@@ -2,11 +2,11 @@
 
 use crate::control::iso::lex::{end_of_value, program_number};
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::{Flow, Step};
+use crate::import::toolpath::flow::Step;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::{CENTROID, Keyword, Language};
-use crate::import::toolpath::script::machine::{DEEPEST, Machine};
+use crate::import::toolpath::script::machine::Machine;
 use crate::import::toolpath::script::statement::{
     self, Structure, aborts, begins, is_flow, o_word, without_comment,
 };
@@ -172,7 +172,7 @@ impl Machine {
             .index
             .subroutine(&word.label)
             .map(|own| (own.begin, own.end))
-            .filter(|_| is_understood && self.frames.len() < DEEPEST);
+            .filter(|_| is_understood && self.may_call());
         let Some((begin, end)) = own else {
             // It may set any variable but the locals here.
             self.variables.forget_shared();
@@ -299,7 +299,7 @@ impl Machine {
         let (begin, end) = self
             .index
             .program(program? as u32)
-            .filter(|_| self.frames.len() < DEEPEST)?;
+            .filter(|_| self.may_call())?;
         self.runs(begin, end);
         self.enter(next, false, inside, arguments);
         Some(Step::Enter(begin))

@@ -2,6 +2,7 @@
 
 pub mod expression;
 pub mod grammar;
+mod heidenhain;
 mod index;
 mod machine;
 mod macros;

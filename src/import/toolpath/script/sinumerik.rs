@@ -1,11 +1,11 @@
 //! SINUMERIK: its words behind those of structures, by its programming manual.
 
 use crate::import::toolpath::calls::Place;
-use crate::import::toolpath::flow::{Flow, Step};
+use crate::import::toolpath::flow::Step;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::Keyword;
-use crate::import::toolpath::script::machine::{DEEPEST, Machine};
+use crate::import::toolpath::script::machine::Machine;
 use crate::import::toolpath::script::statement::{structure, without_label};
 use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::writes;
@@ -164,7 +164,7 @@ impl Machine {
         let own = self
             .index
             .subroutine(&name)
-            .filter(|_| self.frames.len() < DEEPEST && self.is_sure())?
+            .filter(|_| self.may_call() && self.is_sure())?
             .clone();
         let given = if cursor.peek() == Some(b'(') {
             cursor.arguments()?

@@ -162,7 +162,6 @@ pub fn turn(code: &[u8], grammar: &Grammar) -> Option<Turn> {
     }
     match grammar.language {
         Language::Sinumerik => sinumerik_turn(std::str::from_utf8(code).ok()?),
-        Language::Heidenhain => None,
         _ => macro_turn(code),
     }
 }
@@ -247,6 +246,42 @@ pub fn without_comment<'l>(line: &'l [u8], sign: Option<&str>) -> &'l [u8] {
     let end = comment_at(line, false).unwrap_or(line.len());
     let own = sign.and_then(|sign| memchr::memmem::find(&line[..end], sign.as_bytes()));
     line[..own.unwrap_or(end)].trim_ascii()
+}
+
+/// A block of a HEIDENHAIN's ISO without its number and the `*` that ends it, in capitals.
+pub fn heidenhain_code(line: &[u8]) -> String {
+    let code = without_comment(&line[head(line).end..], None).to_ascii_uppercase();
+    let code = String::from_utf8_lossy(&code);
+    code.strip_suffix('*').unwrap_or(&code).trim().to_owned()
+}
+
+/// The number of `G98 L5`.
+pub fn heidenhain_label(code: &str) -> Option<u32> {
+    code.strip_prefix("G98")?
+        .trim_start()
+        .strip_prefix('L')?
+        .trim()
+        .parse()
+        .ok()
+}
+
+/// What a block of a HEIDENHAIN's ISO does to the way of the program.
+pub fn heidenhain_turn(code: &str) -> Option<Turn> {
+    match (heidenhain_label(code), code.get(..3)) {
+        (Some(0), _) => Some(Turn::Back),
+        (_, Some("D14")) => Some(Turn::Ends(true)),
+        (_, Some("D09" | "D10" | "D11" | "D12")) => {
+            Some(Turn::Jumps(d_part(code, "P03")?.to_owned(), false))
+        }
+        _ if ["M2", "M02", "M30"].contains(&code) => Some(Turn::Ends(false)),
+        _ => None,
+    }
+}
+
+/// What stands behind P01, P02 or P03 of a D code.
+pub fn d_part<'c>(code: &'c str, name: &str) -> Option<&'c str> {
+    let (_, rest) = code.split_once(name)?;
+    Some(rest.split(" P").next().unwrap_or_default().trim())
 }
 
 /// Whether a comment of LinuxCNC stops the program: `(ABORT, …)`.

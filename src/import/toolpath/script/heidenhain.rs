@@ -1,0 +1,159 @@
+//! The ISO of a HEIDENHAIN: Q parameters by D codes and formulas, labels G98, calls and repeats L.
+//!
+//! D00 to D14 are FN 0 to FN 14 of Klartext, with P01, P02 and P03 in front of what they work on.
+
+use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::script::expression::Cursor;
+use crate::import::toolpath::script::machine::Machine;
+use crate::import::toolpath::script::statement::{d_part, heidenhain_code, heidenhain_label};
+use crate::import::toolpath::script::variables::Value;
+use crate::num::decimal;
+
+impl Machine {
+    pub(super) fn heidenhain(&mut self, line: &[u8], here: Place, next: Place) -> Step {
+        if line.first() == Some(&b'%') {
+            return Step::AsWritten;
+        }
+        let code = heidenhain_code(line);
+        if let Some(number) = heidenhain_label(&code) {
+            let back = if number == 0 { self.leave() } else { None };
+            return back.map_or(Step::Done, Step::Leave);
+        }
+        let mut letters = code.bytes();
+        match (letters.next(), letters.next()) {
+            (Some(b'D'), Some(b'0'..=b'9')) => self.d_code(&code, next),
+            (Some(b'L'), Some(b'0'..=b'9')) => self.calls_label(&code, here, next),
+            (Some(b'Q'), _) => self.formula(&code),
+            _ => self.with_parameters(&code),
+        }
+    }
+
+    /// `D01 Q1 P01 +Q2 P02 +5`, `D09 P01 +Q1 P02 +Q3 P03 5`.
+    fn d_code(&mut self, code: &str, next: Place) -> Step {
+        let Some(number) = code.get(1..3).and_then(|digits| digits.parse::<u32>().ok()) else {
+            return Step::AsWritten;
+        };
+        let value = |name: &str| {
+            let mut cursor = Cursor::new(d_part(code, name)?.as_bytes(), 0, &self.variables);
+            let value = cursor.value()?.or_nan();
+            cursor.is_done().then_some(value)
+        };
+        let (a, b) = (value("P01"), value("P02"));
+        let known = a.zip(b).filter(|(a, b)| !a.is_nan() && !b.is_nan());
+        let result = match (number, a, b) {
+            (9..=12, ..) => {
+                let holds = known.map(|(a, b)| match number {
+                    9 => a == b,
+                    10 => a != b,
+                    11 => a > b,
+                    _ => a < b,
+                });
+                let to = d_part(code, "P03").and_then(|label| self.index.only_label(label));
+                return self.jump(to, holds, next);
+            }
+            (14, ..) if self.is_sure() => return Step::Ends,
+            (0, Some(a), _) => a,
+            (1, Some(a), Some(b)) => a + b,
+            (2, Some(a), Some(b)) => a - b,
+            (3, Some(a), Some(b)) => a * b,
+            (4, Some(a), Some(b)) => a / b,
+            (5, Some(a), _) => a.sqrt(),
+            (6, Some(a), _) => a.to_radians().sin(),
+            (7, Some(a), _) => a.to_radians().cos(),
+            (8, Some(a), Some(b)) => a.hypot(b),
+            (13, Some(a), Some(b)) => a.atan2(b).to_degrees().rem_euclid(360.0),
+            _ => f64::NAN,
+        };
+        let Some(key) = Cursor::new(code.as_bytes(), 3, &self.variables).key() else {
+            return Step::AsWritten;
+        };
+        if number == 18 {
+            self.variables.set_by_control(key);
+            return Step::AsWritten;
+        }
+        let result = Value::of(result);
+        let value = if self.is_sure() {
+            result
+        } else {
+            Value::Unknown
+        };
+        self.variables.set(key, value);
+        match value {
+            Value::Unknown => Step::AsWritten,
+            _ => Step::Done,
+        }
+    }
+
+    /// `Q5 = +Q1 * 2`.
+    fn formula(&mut self, code: &str) -> Step {
+        let mut cursor = Cursor::new(code.as_bytes(), 0, &self.variables);
+        let Some(key) = cursor.key() else {
+            return Step::AsWritten;
+        };
+        let value = cursor.eat("=").then(|| cursor.value()).flatten();
+        let is_known = cursor.is_done() && self.is_sure();
+        let value = value.filter(|_| is_known).unwrap_or(Value::Unknown);
+        self.variables.set(key, value);
+        match value {
+            Value::Unknown => Step::AsWritten,
+            _ => Step::Done,
+        }
+    }
+
+    /// `L5,0` calls; `L5,3` runs the section from the label on three times more.
+    fn calls_label(&mut self, code: &str, here: Place, next: Place) -> Step {
+        let (number, times) = code[1..]
+            .split_once([',', '.'])
+            .unwrap_or((&code[1..], "0"));
+        let place = self.index.only_label(number.trim());
+        let (Some(place), Ok(times)) = (place, times.trim().parse::<usize>()) else {
+            return Step::AsWritten;
+        };
+        if times > 0 {
+            return if self.repeats(here, times) {
+                Step::Go(place)
+            } else {
+                Step::Done
+            };
+        }
+        if self.frames.len() == self.variables.grammar.deepest {
+            return Step::Stop;
+        }
+        self.enter(next, false, 0, Vec::new());
+        Step::Enter(place)
+    }
+
+    /// A block of words, with numbers in place of the parameters that are known.
+    fn with_parameters(&self, code: &str) -> Step {
+        if !code.contains('Q') {
+            return Step::AsWritten;
+        }
+        let mut out = String::with_capacity(code.len());
+        let mut rest = code;
+        while let Some(at) = rest.find('Q') {
+            let (before, from) = rest.split_at(at);
+            let mut cursor = Cursor::new(from.as_bytes(), 0, &self.variables);
+            let Some(key) = cursor.key() else {
+                out.push_str(before);
+                out.push('Q');
+                rest = &from[1..];
+                continue;
+            };
+            let after = cursor.at;
+            let (before, sign) = match before.strip_suffix('-') {
+                Some(before) => (before, -1.0),
+                None => (before.strip_suffix('+').unwrap_or(before), 1.0),
+            };
+            out.push_str(before);
+            // What is not known stands there as a value of another dialect, which the reader knows for one.
+            out.push_str(&match self.variables.get(&key) {
+                Value::Number(value) => decimal(sign * value, 9),
+                _ => "[#0]".to_owned(),
+            });
+            rest = &from[after..];
+        }
+        out.push_str(rest);
+        Step::Read(out.into_bytes())
+    }
+}
