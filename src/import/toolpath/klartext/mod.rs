@@ -7,24 +7,19 @@ mod datum;
 mod path;
 mod probe;
 
-use std::collections::BTreeMap;
-
 use crate::control::heidenhain::read::{Given, assignments, numbered_blocks};
 use crate::form::Value;
+use crate::import::toolpath::calls::Place;
+use crate::import::toolpath::flow::Step;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::native::q_parameters;
 use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::HEIDENHAIN;
-use crate::import::toolpath::script::variables::{Value as Computed, Variables};
+use crate::import::toolpath::script::variables::Value as Computed;
+use crate::import::toolpath::script::{Index, Machine, Turn};
 use crate::import::toolpath::skipped::Skip;
-
-/// So many blocks are run: whoever repeats more has an end.
-const MOST_BLOCKS: usize = 500_000;
-
-/// So deep a subprogram may call the next one.
-const DEEPEST: usize = 20;
 
 /// A block, with the line it begins in.
 struct Line {
@@ -43,12 +38,8 @@ enum Next {
 /// Runs a Klartext program.
 pub(super) struct Klartext {
     lines: Vec<Line>,
-    labels: BTreeMap<String, Option<usize>>,
-    q: Variables,
-    /// Of each call under way, the block after it.
-    frames: Vec<usize>,
-    /// How often the call at a block repeats its section again.
-    repeats: BTreeMap<usize, usize>,
+    /// Its places are those of blocks: a number from 0, and the line that the block begins in.
+    machine: Machine,
     /// The pole: where circles and polar coordinates have their centre.
     pole: [f64; 3],
 }
@@ -62,44 +53,39 @@ impl Klartext {
                 text: text.to_ascii_uppercase(),
             })
             .collect();
-        let mut labels = BTreeMap::new();
+        let mut index = Index::default();
         for (at, line) in lines.iter().enumerate() {
-            if let Some(label) = line
-                .text
-                .strip_prefix("LBL ")
-                .map(label)
-                .filter(|label| label != "0")
-            {
-                // A label that is there twice leads nowhere.
-                labels
-                    .entry(label)
-                    .and_modify(|place| *place = None)
-                    .or_insert(Some(at));
+            let here = Place {
+                at,
+                line: line.number,
+            };
+            let name = line.text.strip_prefix("LBL ").map(label);
+            if let Some(name) = name.filter(|name| name != "0") {
+                index.adds_label(name, here);
+            }
+            if let Some(turn) = turn(&line.text) {
+                index.adds_turn(here, turn);
             }
         }
         Klartext {
             lines,
-            labels,
-            q: Variables::new(&HEIDENHAIN, set),
-            frames: Vec::new(),
-            repeats: BTreeMap::new(),
+            machine: Machine::over(index, &HEIDENHAIN, set),
             pole: [f64::NAN; 3],
         }
     }
 
     /// What was read before anything set it.
     pub fn asks(&self) -> Vec<Ask> {
-        self.q.asks()
+        self.machine.variables.asks()
     }
 
     pub fn run(&mut self, reader: &mut Reader) {
-        let (mut at, mut ran) = (0, 0);
+        let mut at = 0;
+        self.machine.runs = reader.run.is_some();
         while at < self.lines.len() {
             reader.line = self.lines[at].number;
-            self.q.line = reader.line;
             reader.meet(Some(reader.line));
-            ran += 1;
-            if ran > MOST_BLOCKS {
+            if !self.machine.begins_block(reader.line) {
                 return reader.lose(Skip::Endless, reader.line);
             }
             let text = std::mem::take(&mut self.lines[at].text);
@@ -121,10 +107,11 @@ impl Klartext {
                 "INCH" => reader.units(false),
                 _ => reader.units(true),
             },
-            ["END", "PGM", ..] => return Next::End,
+            ["END", "PGM", ..] if self.machine.is_sure() => return Next::End,
+            ["END", "PGM", ..] => {}
             ["LBL", ..] if label(text.get(4..).unwrap_or_default()) == "0" => {
-                if let Some(back) = self.frames.pop() {
-                    return Next::At(back);
+                if let Some(back) = self.machine.leave() {
+                    return Next::At(back.at);
                 }
             }
             ["LBL" | "BLK" | "STOP" | "*" | "TOOL", ..]
@@ -145,8 +132,10 @@ impl Klartext {
             ["CYCL", "CALL", ..] => self.cycle("CYCL CALL", text, reader),
             _ if self.datum(&words, reader) => {}
             ["CYCL", "DEF", ..] => self.assign_all(text),
-            ["FN", number, ..] => return self.function(number.trim_end_matches(':'), text, reader),
-            ["IF", ..] => return self.jump(&text[2..], reader),
+            ["FN", number, ..] => {
+                return self.function(number.trim_end_matches(':'), text, at, reader);
+            }
+            ["IF", ..] => return self.jump(&text[2..], at, reader),
             [first, ..] if first.starts_with('Q') && text.contains('=') => {
                 self.assign(text, reader)
             }
@@ -175,7 +164,7 @@ impl Klartext {
 
     /// What is not understood may move, call and compute.
     fn strange(&mut self, reader: &mut Reader) {
-        self.q.forget();
+        self.machine.variables.forget();
         reader.lose(Skip::Words, reader.line);
     }
 
@@ -184,7 +173,9 @@ impl Klartext {
         self.assign_all(text);
         // What a cycle leaves of its results.
         for number in (115..=119).chain(150..=199).chain(950..=999) {
-            self.q.set(parameter(number), Computed::Unknown);
+            self.machine
+                .variables
+                .set(parameter(number), Computed::Unknown);
         }
         let here = reader.here();
         let given = q_parameters(text);
@@ -206,13 +197,15 @@ impl Klartext {
                 Given::Value(Value::Number(x)) => x,
                 _ => f64::NAN,
             };
-            self.q.set(parameter(number), Computed::of(value));
+            self.machine
+                .variables
+                .set(parameter(number), Computed::of(value));
         }
     }
 
     /// `Q5 = +Q1 * ( 5 + SIN +30 )`.
     fn assign(&mut self, text: &str, reader: &mut Reader) {
-        let mut cursor = Cursor::new(text.as_bytes(), 0, &self.q);
+        let mut cursor = Cursor::new(text.as_bytes(), 0, &self.machine.variables);
         let Some(key) = cursor.key() else {
             // A text: QS1 = "…".
             return reader.skipped.count(Skip::Value, reader.line);
@@ -224,11 +217,16 @@ impl Klartext {
         if value == Computed::Unknown {
             reader.skipped.count(Skip::Value, reader.line);
         }
-        self.q.set(key, value);
+        let value = if self.machine.is_sure() {
+            value
+        } else {
+            Computed::Unknown
+        };
+        self.machine.variables.set(key, value);
     }
 
     /// `FN 1: Q1 = +Q2 + +5`, `FN 9: IF +Q1 EQU +Q3 GOTO LBL 5`, `FN 14: ERROR = 1000`.
-    fn function(&mut self, number: &str, text: &str, reader: &mut Reader) -> Next {
+    fn function(&mut self, number: &str, text: &str, at: usize, reader: &mut Reader) -> Next {
         let Some((_, rest)) = text.split_once(':') else {
             self.strange(reader);
             return Next::Below;
@@ -237,8 +235,10 @@ impl Klartext {
         match number {
             "0" | "1" | "2" | "3" | "4" | "5" | "6" | "7" | "8" | "13" => self.assign(rest, reader),
             "9" | "10" | "11" | "12" => {
-                return self.jump(rest.strip_prefix("IF").unwrap_or(rest), reader);
+                return self.jump(rest.strip_prefix("IF").unwrap_or(rest), at, reader);
             }
+            // One that an unknown condition may jump over is not this way's.
+            "14" if !self.machine.is_sure() => reader.branch_ends(),
             "14" => {
                 reader.aborts();
                 return Next::End;
@@ -248,9 +248,9 @@ impl Klartext {
                 reader.skipped.count(Skip::Value, reader.line);
                 let key = rest
                     .find('Q')
-                    .and_then(|at| Cursor::new(rest.as_bytes(), at, &self.q).key());
+                    .and_then(|at| Cursor::new(rest.as_bytes(), at, &self.machine.variables).key());
                 if let Some(key) = key {
-                    self.q.set_by_control(key);
+                    self.machine.variables.set_by_control(key);
                 }
             }
             // The control's own values, and a table, are written.
@@ -262,33 +262,34 @@ impl Klartext {
         Next::Below
     }
 
-    /// `+Q1 EQU +Q3 GOTO LBL 5`. Where the condition is not known the blocks are read in their order, and nothing is known of any parameter.
-    fn jump(&mut self, rest: &str, reader: &mut Reader) -> Next {
+    /// `+Q1 EQU +Q3 GOTO LBL 5`. Where the condition is not known the blocks are read in their order.
+    fn jump(&mut self, rest: &str, at: usize, reader: &mut Reader) -> Next {
         reader.asks();
-        let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.q);
+        let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.machine.variables);
         let holds = cursor.value().and_then(Computed::holds);
         let target = rest.split_once("LBL").map(|(_, name)| label(name));
-        let place = target.and_then(|label| self.labels.get(&label).copied().flatten());
-        match (holds, place) {
-            (Some(true), Some(place)) => Next::At(place),
-            (Some(false), _) => Next::Below,
-            _ => {
+        let to = target.and_then(|name| self.machine.index.only_label(&name));
+        let next = Place {
+            at: at + 1,
+            line: reader.line + 1,
+        };
+        match self.machine.jump(to, holds, next) {
+            Step::Go(to) => return Next::At(to.at),
+            Step::Done => {}
+            Step::BranchEnds(_) => reader.branch_ends(),
+            step => {
                 reader.skipped.count(Skip::Condition, reader.line);
-                self.q.forget();
-                if let Some(below) = place
-                    .and_then(|place| self.lines.get(place))
-                    .filter(|line| line.number > reader.line)
-                {
-                    reader.parts(Some(below.number));
+                if let Step::MayJump(line) = step {
+                    reader.parts(Some(line));
                 }
-                Next::Below
             }
         }
+        Next::Below
     }
 
     /// A number or a parameter; NaN where it is none that is known.
     fn value(&self, text: &str) -> f64 {
-        let mut cursor = Cursor::new(text.as_bytes(), 0, &self.q);
+        let mut cursor = Cursor::new(text.as_bytes(), 0, &self.machine.variables);
         let value = cursor.operand().map_or(f64::NAN, Computed::or_nan);
         if cursor.is_done() { value } else { f64::NAN }
     }
@@ -303,29 +304,28 @@ impl Klartext {
             None => (label(rest), None),
         };
         let repeats = rest.contains("REP");
-        let Some(place) = self
-            .labels
-            .get(&name)
-            .copied()
-            .flatten()
-            .filter(|_| self.frames.len() < DEEPEST)
-        else {
+        let place = self.machine.index.only_label(&name);
+        let Some(place) = place.filter(|_| self.machine.may_call()) else {
             self.strange(reader);
             return Next::Below;
         };
+        let here = Place {
+            at,
+            line: reader.line,
+        };
         if !repeats {
-            self.frames.push(at + 1);
-            return Next::At(place + 1);
+            let back = Place {
+                at: at + 1,
+                line: reader.line + 1,
+            };
+            self.machine.enter(back, false, 0, Vec::new());
+            return Next::At(place.at + 1);
         }
         match times.filter(|times| *times >= 0.0) {
-            Some(times) => {
-                let left = self.repeats.entry(at).or_insert(times as usize);
-                if *left > 0 {
-                    *left -= 1;
-                    return Next::At(place);
-                }
-                self.repeats.remove(&at);
+            Some(times) if self.machine.repeats(here, times as usize) => {
+                return Next::At(place.at);
             }
+            Some(_) => {}
             None => self.strange(reader),
         }
         Next::Below
@@ -343,6 +343,23 @@ fn label(text: &str) -> String {
             .unwrap_or_default()
             .to_owned(),
     }
+}
+
+/// What a block does to the way of the program.
+fn turn(text: &str) -> Option<Turn> {
+    let rest = text.strip_prefix("FN ").unwrap_or(text);
+    if rest.len() < text.len() && rest.starts_with("14") {
+        return Some(Turn::Ends(true));
+    }
+    if text.strip_prefix("LBL ").map(label).as_deref() == Some("0") {
+        return Some(Turn::Back);
+    }
+    let ends = |word: &str| matches!(word, "M2" | "M02" | "M30");
+    if text.starts_with("END PGM") || text.split_whitespace().any(ends) {
+        return Some(Turn::Ends(false));
+    }
+    let (_, name) = text.split_once("GOTO LBL")?;
+    Some(Turn::Jumps(label(name), false))
 }
 
 fn is_m(word: &str) -> bool {

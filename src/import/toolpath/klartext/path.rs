@@ -90,7 +90,7 @@ impl Klartext {
     /// The words of a block.
     fn said(&mut self, rest: &str) -> Said {
         let mut said = Said::default();
-        let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.q);
+        let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.machine.variables);
         loop {
             if cursor.is_done() {
                 return said;

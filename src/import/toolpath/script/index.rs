@@ -153,6 +153,16 @@ impl Index {
         index
     }
 
+    /// Adds a label of a program that is no text of lines.
+    pub fn adds_label(&mut self, name: String, here: Place) {
+        self.labels.entry(name).or_default().push(here);
+    }
+
+    /// Adds a turn of such a program, in the order of its blocks.
+    pub fn adds_turn(&mut self, here: Place, turn: Turn) {
+        self.turns.push((here.line, turn));
+    }
+
     fn indented(
         &mut self,
         code: &[u8],

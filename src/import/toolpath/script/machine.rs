@@ -66,8 +66,8 @@ pub(super) struct Frame {
 
 /// Runs the macros of a text.
 pub(in crate::import::toolpath) struct Machine {
-    pub(super) variables: Variables,
-    pub(super) index: Index,
+    pub variables: Variables,
+    pub index: Index,
     open: Vec<Open>,
     pub(super) frames: Vec<Frame>,
     /// How many conditions that are not known guard this line.
@@ -84,7 +84,7 @@ pub(in crate::import::toolpath) struct Machine {
     /// The lines of subprograms that ran: from, up to.
     ran: Vec<(usize, usize)>,
     /// Whether the program is run with what is known, and not only read.
-    pub(super) runs: bool,
+    pub runs: bool,
     /// Subroutines that nothing in the text calls, the last first.
     uncalled: Vec<Subprogram>,
 }
@@ -99,8 +99,16 @@ impl Machine {
             Vec::new()
         };
         Machine {
-            variables: Variables::new(grammar, set),
             uncalled,
+            ..Machine::over(index, grammar, set)
+        }
+    }
+
+    /// Over the places of a program.
+    pub fn over(index: Index, grammar: &'static Grammar, set: &[(&str, f64)]) -> Self {
+        Machine {
+            variables: Variables::new(grammar, set),
+            uncalled: Vec::new(),
             index,
             open: Vec::new(),
             frames: Vec::new(),
@@ -129,7 +137,7 @@ impl Machine {
     }
 
     /// Whether what a block sets is set for sure.
-    pub(super) fn is_sure(&self) -> bool {
+    pub fn is_sure(&self) -> bool {
         self.unsure == 0 && self.leaps.is_empty()
     }
 
@@ -174,7 +182,7 @@ impl Machine {
     }
 
     /// A jump under a condition. Where the condition is not known, or an unknown one guards the jump, it is not made: the lines are read in their order.
-    pub(super) fn jump(&mut self, to: Option<Place>, holds: Option<bool>, next: Place) -> Step {
+    pub fn jump(&mut self, to: Option<Place>, holds: Option<bool>, next: Place) -> Step {
         match (holds, to) {
             (Some(false), _) => return Step::Done,
             (Some(true), Some(to)) if !self.is_guarded() => return Step::Go(to),
@@ -206,7 +214,7 @@ impl Machine {
     }
 
     /// Whether the call in a line repeats its section once more.
-    pub(super) fn repeats(&mut self, here: Place, times: usize) -> bool {
+    pub fn repeats(&mut self, here: Place, times: usize) -> bool {
         let left = self.repeats.entry(here.line).or_insert(times);
         if *left == 0 {
             self.repeats.remove(&here.line);
@@ -217,11 +225,11 @@ impl Machine {
     }
 
     /// Whether one more call may be under way.
-    pub(super) fn may_call(&self) -> bool {
+    pub fn may_call(&self) -> bool {
         self.frames.len() < self.variables.grammar.deepest
     }
 
-    pub(super) fn enter(
+    pub fn enter(
         &mut self,
         back: Place,
         ends_by_word: bool,
@@ -242,7 +250,7 @@ impl Machine {
     }
 
     /// Back from a call; none outside of calls.
-    pub(super) fn leave(&mut self) -> Option<Place> {
+    pub fn leave(&mut self) -> Option<Place> {
         let frame = self.frames.pop()?;
         self.variables.leave();
         self.open.truncate(frame.open);
@@ -641,14 +649,19 @@ impl Machine {
         self.variables.divisions()
     }
 
+    /// A block begins, in a line; false where the program has run for too long.
+    pub fn begins_block(&mut self, line: usize) -> bool {
+        self.blocks += 1;
+        self.variables.line = line;
+        self.leaps.retain(|leap| *leap != line);
+        self.blocks <= MOST_BLOCKS && self.open.len() <= MOST_OPEN
+    }
+
     /// What becomes of the line at `here`; `inside` is how many M98 calls are under way.
     pub fn step(&mut self, line: &[u8], here: Place, next: Place, inside: usize) -> Step {
-        self.blocks += 1;
-        if self.blocks > MOST_BLOCKS || self.open.len() > MOST_OPEN {
+        if !self.begins_block(here.line) {
             return Step::Stop;
         }
-        self.variables.line = here.line;
-        self.leaps.retain(|leap| *leap != here.line);
         if let Some(step) = self.dedents(here.line) {
             return step;
         }

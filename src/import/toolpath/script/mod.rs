@@ -12,5 +12,7 @@ mod sinumerik;
 mod statement;
 pub mod variables;
 
+pub(in crate::import::toolpath) use index::Index;
 pub(in crate::import::toolpath) use machine::Machine;
 pub(in crate::import::toolpath) use macros::is_macro;
+pub(in crate::import::toolpath) use statement::Turn;
