@@ -44,7 +44,8 @@ impl Key {
 
     /// A name that is written in capitals.
     pub fn capitals(name: &[u8]) -> Key {
-        Key::Name(plain(name).to_ascii_uppercase())
+        let solid = name.iter().filter(|b| !b.is_ascii_whitespace());
+        Key::Name(solid.map(|b| char::from(b.to_ascii_uppercase())).collect())
     }
 
     /// Its name in a text.

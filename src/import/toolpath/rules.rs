@@ -38,6 +38,8 @@ pub(super) struct Log {
     pub maybe_changed: bool,
     /// Whether the program came to an end of its own.
     pub ends: bool,
+    /// The clearance heights of cycles of a HEIDENHAIN: nothing is in the way there.
+    pub clearances: Vec<(usize, f64)>,
 }
 
 impl Log {
@@ -45,6 +47,18 @@ impl Log {
     fn is_own(&self, index: usize) -> bool {
         let at = self.own.partition_point(|(_, end)| *end <= index);
         self.own.get(at).is_some_and(|(begin, _)| *begin <= index)
+    }
+
+    /// Whether a move stays at or above the clearance height of the next cycle.
+    fn is_clear(&self, path: &Toolpath, index: usize) -> bool {
+        let next = self
+            .clearances
+            .partition_point(|(moves, _)| *moves <= index);
+        let tool = path.plane.axes()[2];
+        let lowest = path.begin(index)[tool].min(path.end(index)[tool]);
+        self.clearances
+            .get(next)
+            .is_some_and(|(_, height)| lowest >= height - 1e-6)
     }
 }
 
@@ -185,6 +199,12 @@ fn row(rule: &'static str, holds: Option<bool>, message: Text, mut lines: Vec<us
 }
 
 fn modes(path: &Toolpath, log: &Log) -> RunRule {
+    if path.dialect == DIALECTS[2] {
+        let message = text!(
+            "The first block states the units, TOOL CALL the tool axis, and each value whether it is a distance"
+        );
+        return row("modes-stated", Some(true), message, Vec::new());
+    }
     let Some((line, [units, plane, distance])) = log.stated else {
         return row("modes-stated", None, text!("Nothing moves"), Vec::new());
     };
@@ -311,6 +331,7 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     for index in (0..last).filter(|index| path.kind[*index] != PROBE && !log.is_own(*index)) {
         match is_free(path, index) {
             Some(true) => {}
+            _ if log.is_clear(path, index) => {}
             Some(false) => bad.push(path.line[index] as usize),
             None => unknown.push(path.line[index] as usize),
         }
@@ -321,6 +342,12 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
         _ => "G31 … / IF [ABS[#5061-…] GT 0.05] GOTO …",
     };
     match (bad.is_empty(), unknown.is_empty()) {
+        (false, _) if path.dialect == DIALECTS[2] => {
+            let message = text!(
+                "Positioning moves below the clearance height of the next cycle are not watched: a contact in them goes unnoticed. Go there at Q260 or above"
+            );
+            row(WATCHED, Some(false), message, bad)
+        }
         (false, _) => {
             let message = text!(
                 "Positioning moves before the last touch are not watched: a contact in them goes unnoticed. Write {instead}",
@@ -412,12 +439,19 @@ fn rapids(path: &Toolpath, log: &Log, first: usize, last: usize) -> RunRule {
             path.drawn(index, path.end(index))[tool],
         ) {
             (Some(true), _) => {}
+            _ if log.is_clear(path, index) => {}
             (Some(false), end) if end < height - 1e-6 => bad.push(line),
             (Some(false), _) if !height.is_nan() => {}
             _ => unknown.push(line),
         }
     }
     match (bad.is_empty(), unknown.is_empty()) {
+        (false, _) if path.dialect == DIALECTS[2] => {
+            let message = text!(
+                "Rapids go down or across between the touches, below the clearance height of the next cycle: a rapid does not stop in time. Go there at Q260 or above"
+            );
+            row(NO_LOW_RAPID, Some(false), message, bad)
+        }
         (false, _) => {
             let message = text!(
                 "Rapids go down or across between the touches, lower than the program began: a rapid does not stop in time. Write G1 with a feed, watched"

@@ -94,7 +94,12 @@ impl Klartext {
             at = match next {
                 Next::Below => at + 1,
                 Next::At(place) => place,
-                Next::End => return,
+                Next::End => {
+                    if let Some(log) = reader.log.as_mut().filter(|_| !reader.ended) {
+                        log.ends = true;
+                    }
+                    return;
+                }
             };
         }
     }
@@ -140,11 +145,13 @@ impl Klartext {
                 self.assign(text, reader)
             }
             [first, ..] if path::is_path(first) => {
+                Self::notes_spindle(&words, reader);
                 if self.path(text, reader) {
                     return Next::End;
                 }
             }
             [first, ..] if is_m(first) => {
+                Self::notes_spindle(&words, reader);
                 if words
                     .iter()
                     .any(|word| matches!(*word, "M2" | "M02" | "M30"))
@@ -171,6 +178,7 @@ impl Klartext {
     /// A cycle of the control's own: its parameters are set, and where it ends is not known.
     fn cycle(&mut self, name: &str, text: &str, reader: &mut Reader) {
         self.assign_all(text);
+        self.notes_clearance(text, reader);
         // What a cycle leaves of its results.
         for number in (115..=119).chain(150..=199).chain(950..=999) {
             self.machine
@@ -188,6 +196,36 @@ impl Klartext {
         }
         reader.forget(7);
         reader.native(name, given, here);
+    }
+
+    /// At the clearance height of a cycle, Q260, nothing is in the way: so its manual has it.
+    fn notes_clearance(&self, text: &str, reader: &mut Reader) {
+        let scale = reader.modes.scale;
+        let moves = reader.path.len();
+        let height = assignments(text)
+            .into_iter()
+            .find_map(|(number, given)| match given {
+                Given::Value(Value::Number(height)) if number == 260 => Some(height),
+                _ => None,
+            });
+        if let (Some(height), Some(log)) = (height, &mut reader.log) {
+            log.clearances.push((moves, height * scale));
+        }
+    }
+
+    /// The spindle is started or stopped.
+    fn notes_spindle(words: &[&str], reader: &mut Reader) {
+        let entry = (reader.path.len(), reader.line);
+        let Some(log) = &mut reader.log else { return };
+        for word in words {
+            match *word {
+                "M3" | "M03" | "M4" | "M04" | "M13" | "M14" => {
+                    log.spindle.push((entry.0, entry.1, true));
+                }
+                "M5" | "M05" => log.spindle.push((entry.0, entry.1, false)),
+                _ => {}
+            }
+        }
     }
 
     /// The parameters of a cycle.

@@ -578,6 +578,7 @@ impl<'a> Cursor<'a> {
     pub fn index_of(&mut self, name: &[u8]) -> Key {
         match self.index() {
             None => Key::Unknown,
+            Some(index) if index.is_empty() => Key::capitals(name),
             Some(index) if name.eq_ignore_ascii_case(b"R") && index.len() > 2 => {
                 Key::capitals(&[name, &index.as_bytes()[1..index.len() - 1]].concat())
             }

@@ -53,9 +53,10 @@ pub fn is_macro(text: &str) -> bool {
     let has_calls =
         || memchr::memchr2_iter(b'g', b'G', bytes).any(|at| bytes[at + 1..].starts_with(b"65"));
     let has_probing_words = || {
-        let own = [CENTROID.probing[0].0, CENTROID.probing[2].0];
-        own.iter()
-            .any(|word| memchr::memmem::find(bytes, word.as_bytes()).is_some())
+        memchr::memmem::find_iter(bytes, b"M1").any(|at| {
+            let own = |(word, _): &(&str, &str)| bytes[at..].starts_with(word.as_bytes());
+            CENTROID.probing.iter().any(own)
+        })
     };
     computes || has_o_words() || has_calls() || has_probing_words()
 }
