@@ -57,7 +57,7 @@ pub use rules::{RUN_RULES, RunRule};
 use script::grammar::{HEIDENHAIN, SINUMERIK};
 use script::{Machine, is_macro};
 use skipped::Skip;
-use watch::probes;
+use watch::{Behind, probes};
 pub use writes::{WRITE_KINDS, Write};
 
 /// The longest program that is read, in UTF-16 units.
@@ -279,10 +279,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         touch: known.touch,
         positioning: known.positioning,
         feature: known.feature.clone(),
-        watched: false,
-        asked: false,
-        reads: false,
-        chained: false,
+        behind: Behind::default(),
         contact: [f64::NAN; 3],
         met: None,
     });
@@ -588,10 +585,7 @@ impl Run<'_> {
             return;
         };
         if probes(line) || self.reader.modes.motion.probes() {
-            let behind = watch::behind(line, &self.text[below..]);
-            (touching.watched, touching.asked, touching.reads) =
-                (behind.watched, behind.asked, behind.reads);
-            touching.chained = behind.chained;
+            touching.behind = watch::behind(line, &self.text[below..]);
         }
     }
 

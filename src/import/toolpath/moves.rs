@@ -137,8 +137,10 @@ impl Reader {
         let to = self.place;
         // A Haas says itself what the move is.
         match block.contact {
-            Some(Motion::MustBeFree) => (run.watched, run.asked) = (true, true),
-            Some(_) => (run.watched, run.asked) = (false, true),
+            Some(Motion::MustBeFree) => {
+                (run.behind.watched, run.behind.asked) = (true, true);
+            }
+            Some(_) => (run.behind.watched, run.behind.asked) = (false, true),
             None => {}
         }
         self.path.by_g38 |= motion == Motion::MustTouch || self.modes.motion.probes();
@@ -147,14 +149,16 @@ impl Reader {
                 index: self.path.kind.len() - 1,
                 line: self.line,
                 stops: motion == Motion::MustTouch,
-                asked: run.asked,
-                watched: run.watched,
-                positions: run.watched || motion != Motion::MustTouch && !run.asked && !run.reads,
+                asked: run.behind.asked,
+                watched: run.behind.watched,
+                positions: run.behind.watched
+                    || motion != Motion::MustTouch && !run.behind.asked && !run.behind.reads,
+                called: run.behind.called,
                 feed: self.feed,
                 states_feed: self.states_feed || block.feed.is_some(),
             });
         }
-        let stated = if std::mem::take(&mut run.watched) {
+        let stated = if std::mem::take(&mut run.behind.watched) {
             run.positioning
         } else {
             run.touch
@@ -195,7 +199,7 @@ impl Reader {
         }
         // LinuxCNC's G38.2 and G38.4 stop the program without a contact.
         let missed = trip == Trip::Never && matches!(motion, Motion::MustTouch);
-        let chained = run.chained && run.met == Some(true);
+        let chained = run.behind.chained && run.met == Some(true);
         if missed {
             count(&mut self.missed, self.line);
         }

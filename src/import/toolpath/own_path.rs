@@ -230,6 +230,7 @@ impl Reader {
                 stops: true,
                 asked: true,
                 watched: false,
+                called: false,
                 positions: false,
                 feed: f64::NAN,
                 states_feed: true,

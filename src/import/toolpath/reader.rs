@@ -14,6 +14,7 @@ use crate::import::toolpath::native::{letters, places};
 use crate::import::toolpath::rules::Log;
 use crate::import::toolpath::skipped::{Skip, Skipped};
 use crate::import::toolpath::system::System;
+use crate::import::toolpath::watch::Behind;
 use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::{self, Variable};
 use crate::import::toolpath::{DIALECTS, Toolpath};
@@ -70,13 +71,8 @@ pub(super) struct Touching {
     pub positioning: Trip,
     /// What probing moves meet, in the place of both.
     pub feature: Option<Feature>,
-    /// Whether the next probing move is a positioning move that is watched.
-    pub watched: bool,
-    /// Whether the program asks behind it for a contact, and whether it reads where it ended.
-    pub asked: bool,
-    pub reads: bool,
-    /// Whether the motion behind it is an alarm after a contact.
-    pub chained: bool,
+    /// What the program does behind the next probing move.
+    pub behind: Behind,
     /// Where the last one ended, in the units of the path, and whether it met something.
     pub contact: [f64; 3],
     pub met: Option<bool>,

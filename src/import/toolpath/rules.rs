@@ -75,6 +75,8 @@ pub(super) struct Touch {
     pub watched: bool,
     /// It is a positioning move: a contact leads away, or the program takes no notice of where it ended.
     pub positions: bool,
+    /// A subprogram that is called behind it may ask.
+    pub called: bool,
     /// Its feed, in the units of the path; NaN is not known.
     pub feed: f64,
     /// The program has stated a feed before or in its block.
@@ -319,10 +321,12 @@ fn is_first_of_two(path: &Toolpath, index: usize) -> Option<bool> {
 
 fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     let (mut bad, mut unknown) = (Vec::new(), Vec::new());
+    let mut called: Vec<usize> = Vec::new();
     // A contact stops such a move, and the program continues from there.
     let unasked = |touch: &&Touch| touch.index < last && touch.positions && !touch.asked;
     for touch in log.touches.iter().filter(unasked) {
         match is_first_of_two(path, touch.index) {
+            _ if touch.called => called.push(touch.line),
             Some(true) => {}
             Some(false) => bad.push(touch.line),
             None => unknown.push(touch.line),
@@ -355,6 +359,7 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
             );
             row(WATCHED, Some(false), message, bad)
         }
+        (true, _) if !called.is_empty() => row(WATCHED, None, may_be_asked(), called),
         (true, false) => row(
             WATCHED,
             None,
@@ -372,6 +377,10 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     }
 }
 
+fn may_be_asked() -> Text {
+    text!("What is called after these moves may ask whether there was a contact")
+}
+
 fn missed(path: &Toolpath, touches: &[&Touch], last: usize) -> RunRule {
     const RULE: &str = "missed-touch-stops";
     // What is wrong with a positioning move that nothing asks about is that a contact goes unnoticed.
@@ -379,9 +388,15 @@ fn missed(path: &Toolpath, touches: &[&Touch], last: usize) -> RunRule {
     let bad: Vec<usize> = touches
         .iter()
         .filter(is_touch)
-        .filter(|touch| !touch.stops && !touch.asked)
+        .filter(|touch| !touch.stops && !touch.asked && !touch.called)
         .map(|touch| touch.line)
         .collect();
+    let is_open = |touch: &&&Touch| !touch.stops && !touch.asked && touch.called;
+    let open = touches.iter().filter(is_open).map(|touch| touch.line);
+    let open: Vec<usize> = open.collect();
+    if bad.is_empty() && !open.is_empty() {
+        return row(RULE, None, may_be_asked(), open);
+    }
     if bad.is_empty() {
         return row(
             RULE,

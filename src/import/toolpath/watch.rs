@@ -31,20 +31,20 @@ pub(super) struct Behind {
     pub reads: bool,
     /// The next motion is an alarm where there was a contact.
     pub chained: bool,
+    /// A subprogram is called first, which may do any of it.
+    pub called: bool,
 }
 
 /// What follows a probing move, by the lines below its block.
 pub(super) fn behind(line: &[u8], below: &str) -> Behind {
-    const MOST_LINES: usize = 8;
+    const MOST_LINES: usize = 16;
     let lines: Vec<String> = lines_of(below)
         .map(code_of)
         .filter(|line| !line.is_empty())
         .take(MOST_LINES)
         .collect();
-    let before = &lines[..lines
-        .iter()
-        .position(|line| moves(line))
-        .unwrap_or(lines.len())];
+    let turn = lines.iter().position(|line| moves(line) || calls(line));
+    let before = &lines[..turn.unwrap_or(lines.len())];
     // Behind a move that may miss, the present position is that of a positioning move.
     let may_miss = is_free_to_miss(line);
     let reads = before.iter().any(|line| reads_place(line, may_miss));
@@ -68,6 +68,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
             chained,
             asked: chained,
             watched: chained,
+            called: !reads && lines.get(before.len()).is_some_and(|line| calls(line)),
         };
     };
     let condition = &before[at];
@@ -82,7 +83,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         asked: true,
         watched: !touches && leaves_then,
         reads,
-        chained: false,
+        ..Behind::default()
     }
 }
 
@@ -110,14 +111,6 @@ fn begins_free(next: Option<&String>, before: &[String]) -> bool {
 /// The last condition that reads a variable which was given the place of the contact: `#148=#5063-30.`, then `IF[ABS[#148]GT0.05]`. A condition in front
 /// of it leads on where the stylus is where it should be.
 fn asks_by_name(lines: &[String]) -> Option<usize> {
-    let place = |line: &String| {
-        let (name, value) = line.split_once('=')?;
-        let is_name = name
-            .strip_prefix('#')
-            .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-        (is_name && reads_axis(value)).then(|| name.to_owned())
-    };
-    let names: Vec<String> = lines.iter().filter_map(place).collect();
     let reads = |line: &str, name: &str| {
         let ends = |at: usize| {
             !line
@@ -127,6 +120,16 @@ fn asks_by_name(lines: &[String]) -> Option<usize> {
         };
         line.match_indices(name).any(|(at, _)| ends(at))
     };
+    // What is computed of it, too: `#4=#5061-#24`, `#7=SQRT[#4*#4]`.
+    let mut names: Vec<&str> = Vec::new();
+    for (name, value) in lines.iter().filter_map(|line| line.split_once('=')) {
+        let is_name = name
+            .strip_prefix('#')
+            .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+        if is_name && (reads_axis(value) || names.iter().any(|known| reads(value, known))) {
+            names.push(name);
+        }
+    }
     lines
         .iter()
         .rposition(|line| line.contains("IF[") && names.iter().any(|name| reads(line, name)))
@@ -153,11 +156,26 @@ fn code_of(line: &str) -> String {
 
 fn moves(line: &str) -> bool {
     line.starts_with("MEAS")
+        || is_cycle(line)
         || line.starts_with(['G', 'X', 'Y', 'Z'])
             && line.contains(['X', 'Y', 'Z'])
             && !["G53", "G10", "G92"]
                 .iter()
                 .any(|code| line.starts_with(code))
+}
+
+/// Whether it is one of Renishaw's macros, which begins with moves of its own.
+fn is_cycle(line: &str) -> bool {
+    line.starts_with("G65P98") || line.starts_with("G65P88")
+}
+
+/// Whether it calls a subprogram, and no alarm.
+fn calls(line: &str) -> bool {
+    let is_call = line.starts_with('O') && line.contains("CALL")
+        || ["G65", "M98", "GOSUB", "CALL"]
+            .iter()
+            .any(|word| line.starts_with(word));
+    is_call && !leaves(line) && !is_cycle(line)
 }
 
 /// Whether it reads where the contact was, or sets that place; where the axes are, unless only the contact counts.
