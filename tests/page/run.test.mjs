@@ -251,3 +251,14 @@ test("where a long program names its parts, and what is said of a line, could no
     /G54 X is written whatever was measured/,
   );
 });
+
+test("which control a program is for could not be told: a list, and no refusal of a text that runs", async () => {
+  // FluidNC alone writes the work offset by P; the importer reads a text with G92 as LinuxCNC and refuses it.
+  await openText("G21 G90\nG38.2 Z-10 F50 P1\nG92 X0\nG0 Z5\n", "told.nc");
+  await begins("0", "0", "0");
+  const panel = page.locator("tp-viewer .said");
+  assert.doesNotMatch(await textOf(panel), /read as a program for/);
+  assert.doesNotMatch(await textOf(panel), /active Z/);
+  await page.locator("#known-post").selectOption({ label: "FluidNC" });
+  await panel.locator(".writes li", { hasText: "active Z 1" }).waitFor();
+});

@@ -19,3 +19,26 @@ export const PROGRAM_POSTS = [
   "lnc",
   "eding",
 ] as const;
+
+/** Their names. */
+export const PROGRAM_POST_TITLES: Record<
+  (typeof PROGRAM_POSTS)[number],
+  string
+> = {
+  linuxcnc: "LinuxCNC",
+  grbl: "grbl",
+  grblhal: "grblHAL",
+  fluidnc: "FluidNC",
+  sinumerik: "SINUMERIK",
+  heidenhain: "HEIDENHAIN",
+  fanuc: "Fanuc",
+  haas: "Haas",
+  mazak: "Mazak",
+  brother: "Brother",
+  hurco: "Hurco",
+  okuma: "Okuma",
+  centroid: "Centroid",
+  reprapfirmware: "RepRapFirmware",
+  lnc: "LNC (SYIL)",
+  eding: "Eding CNC",
+};

@@ -7,6 +7,7 @@ import type {
   ProgramPart,
   ProgramRun,
 } from "../core/browser.js";
+import { PROGRAM_POST_TITLES } from "../core/program-posts.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { handMade, handMadeFields, isHandMade } from "./hand-made.js";
@@ -181,6 +182,7 @@ export class RunPanel {
       ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: the start, work offsets and tool length 0, and where touches trigger, as far as you have not entered it.")}</p>` : nothing}
       <p>${this.names.length > 0 || !assumes ? t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.") : nothing}</p>
       <div class="fields">
+        ${this.control(own)}
         ${this.meets("at", t("Touches trigger"), own, known, run)}
         ${known.part && "cycle" in known.part ? nothing : this.meets("positioning", t("Watched positioning triggers"), own, known, run)}
         ${isHandMade(own.part) ? this.hand(own, number) : nothing}
@@ -188,6 +190,21 @@ export class RunPanel {
         ${this.names.map(variable)}
       </div>
     </details>`;
+  }
+
+  /** The control that the program is for: the text decides where nobody says it. */
+  private control(own: ProgramKnown): TemplateResult {
+    const t = this.store().t.bind(this.store());
+    const choose = (event: Event) => {
+      const post = (event.target as HTMLSelectElement).value;
+      const { post: _, ...rest } = own;
+      this.changed(
+        post ? { ...rest, post: post as NonNullable<typeof own.post> } : rest,
+      );
+    };
+    const titles = Object.entries(PROGRAM_POST_TITLES);
+    return html`<div class="field"><label for="known-post">${t("Control")}</label>
+      <select id="known-post" @change=${choose}><option value="" ?selected=${!own.post}>${t("by its text")}</option>${titles.map(([post, title]) => html`<option value=${post} ?selected=${own.post === post}>${title}</option>`)}</select></div>`;
   }
 
   /** The fields of a part that is put there by hand. */

@@ -214,8 +214,12 @@ class ViewerPart extends DrawnPart {
   static override properties = { viewed: { attribute: false } };
 
   override render(): TemplateResult {
-    // Why no job is made of it comes last: faults and positions are what it was opened for.
-    const notes = [...this.moves.findings, ...this.viewed.why];
+    // Why no job is made of it comes last: faults and positions are what it was opened for. What the run understands is not said to be strange.
+    const runs = this.moves.kind.length > 0;
+    const why = this.viewed.why.filter(
+      ({ code }) => !runs || code !== "not-understood",
+    );
+    const notes = [...this.moves.findings, ...why];
     const said = notes.map((finding) => this.message(finding));
     return html`
       <div class="see">

@@ -39,24 +39,24 @@ pub(super) enum Renames {
     Machine,
 }
 
-/// The controls that a program can be read for: the key, the dialect of its texts, and its kind.
-const TOLD: [(&str, usize, ControlKind); 16] = [
-    ("linuxcnc", 0, ControlKind::LinuxCnc),
-    ("grbl", 0, ControlKind::Grbl),
-    ("grblhal", 0, ControlKind::GrblHal),
-    ("fluidnc", 0, ControlKind::FluidNc),
-    ("sinumerik", 1, ControlKind::Sinumerik),
-    ("heidenhain", 2, ControlKind::Heidenhain),
-    ("fanuc", 0, ControlKind::Fanuc),
-    ("haas", 0, ControlKind::Fanuc),
-    ("mazak", 0, ControlKind::Fanuc),
-    ("brother", 0, ControlKind::Fanuc),
-    ("hurco", 0, ControlKind::Fanuc),
-    ("okuma", 0, ControlKind::Unknown),
-    ("centroid", 0, ControlKind::Centroid),
-    ("reprapfirmware", 0, ControlKind::RepRap),
-    ("lnc", 0, ControlKind::Lnc),
-    ("eding", 0, ControlKind::Eding),
+/// The controls that a program can be read for: the key, the name, the dialect of its texts, and its kind.
+const TOLD: [(&str, &str, usize, ControlKind); 16] = [
+    ("linuxcnc", "LinuxCNC", 0, ControlKind::LinuxCnc),
+    ("grbl", "grbl", 0, ControlKind::Grbl),
+    ("grblhal", "grblHAL", 0, ControlKind::GrblHal),
+    ("fluidnc", "FluidNC", 0, ControlKind::FluidNc),
+    ("sinumerik", "SINUMERIK", 1, ControlKind::Sinumerik),
+    ("heidenhain", "HEIDENHAIN", 2, ControlKind::Heidenhain),
+    ("fanuc", "Fanuc", 0, ControlKind::Fanuc),
+    ("haas", "Haas", 0, ControlKind::Fanuc),
+    ("mazak", "Mazak", 0, ControlKind::Fanuc),
+    ("brother", "Brother", 0, ControlKind::Fanuc),
+    ("hurco", "Hurco", 0, ControlKind::Fanuc),
+    ("okuma", "Okuma", 0, ControlKind::Unknown),
+    ("centroid", "Centroid", 0, ControlKind::Centroid),
+    ("reprapfirmware", "RepRapFirmware", 0, ControlKind::RepRap),
+    ("lnc", "LNC (SYIL)", 0, ControlKind::Lnc),
+    ("eding", "Eding CNC", 0, ControlKind::Eding),
 ];
 
 /// The keys of the controls that a program can be read for, in the order of the documentation.
@@ -70,12 +70,17 @@ pub const PROGRAM_POSTS: [&str; 16] = {
     keys
 };
 
-/// The dialect of a control's programs, by its key.
-pub(super) fn dialect_of(post: &str) -> Option<&'static str> {
-    told(post).map(|(_, dialect, _)| DIALECTS[*dialect])
+/// The name of a control, by its key.
+pub fn program_post_title(post: &str) -> Option<&'static str> {
+    told(post).map(|(_, title, ..)| *title)
 }
 
-fn told(post: &str) -> Option<&'static (&'static str, usize, ControlKind)> {
+/// The dialect of a control's programs, by its key.
+pub(super) fn dialect_of(post: &str) -> Option<&'static str> {
+    told(post).map(|(.., dialect, _)| DIALECTS[*dialect])
+}
+
+fn told(post: &str) -> Option<&'static (&'static str, &'static str, usize, ControlKind)> {
     TOLD.iter().find(|(key, ..)| *key == post)
 }
 

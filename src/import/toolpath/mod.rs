@@ -43,7 +43,7 @@ use crate::text::text;
 use block::EMPTY;
 use calls::{Calls, Place};
 use control_kind::ControlKind;
-pub use control_kind::PROGRAM_POSTS;
+pub use control_kind::{PROGRAM_POSTS, program_post_title};
 use flow::Step;
 use frames::Frames;
 pub(super) use guess::guessed;
