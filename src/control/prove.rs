@@ -5,7 +5,7 @@ use crate::control::iso::script::{Script, Slot};
 use crate::control::rules::LOW_START;
 use crate::control::trace::{Kind, Place, Step, Trace};
 use crate::control::{Form, Request};
-use crate::formula::{Asked, Dual, Question, Role, Variable};
+use crate::formula::{Asked, Dual, Formula, Node, Question, Role, Variable};
 use crate::geom::Vec3;
 use crate::path::{Arc, Follow, Move, Path, Purpose, Shifts, Term, Touch, WAY};
 use crate::text::{Text, text, words};
@@ -952,18 +952,24 @@ fn results(request: &Request<'_>, followed: &Followed<'_>) -> Result<(), Fault> 
         .iter()
         .filter_map(|result| Some((result, &values[result.variable?.index()])));
     let mut given = trace.outputs.iter();
+    let residuals = of_residuals(&path.formula);
     for (result, value) in wanted {
         let unit = if result.role.is_angle() {
             1.0
         } else {
             expected.scale
         };
-        let same = |x: f64| match result.role {
-            // A root mean square moves no more than its places do; at 0 it has no derivative that would say so.
-            Role::Residual if value.value.is_finite() => {
-                (x - value.value / unit).abs() <= expected.size + CANCELLED * expected.far
+        // A root mean square moves no more than its places do; at 0 it has no derivative that would say so.
+        let off_by_roots = expected.size + CANCELLED * expected.far;
+        let is_of_residuals = result.variable.is_some_and(|own| residuals[own.index()]);
+        let same = |x: f64| {
+            let off = (x - value.value / unit).abs();
+            match result.role {
+                Role::Residual if value.value.is_finite() => off <= off_by_roots,
+                // A relation of two of them.
+                _ if is_of_residuals && off <= 2.0 * off_by_roots => true,
+                _ => equal(x, value, unit, expected.size),
             }
-            _ => equal(x, value, unit, expected.size),
         };
         match given.next() {
             Some((code, x))
@@ -1005,6 +1011,26 @@ fn sampled(request: &Request<'_>, triggers: &[Vec3]) -> (Vec<Option<Vec3>>, Vec<
         .into_iter()
         .map(|(sum, count, vector)| (Some(sum / count), vector))
         .unzip()
+}
+
+/// For each assignment whether it is a residual, or is computed of one.
+fn of_residuals(formula: &Formula) -> Vec<bool> {
+    let mut all = vec![false; formula.assignments.len()];
+    let residuals = formula
+        .results
+        .iter()
+        .filter(|result| result.role == Role::Residual);
+    for own in residuals.filter_map(|result| result.variable) {
+        all[own.index()] = true;
+    }
+    for (i, assignment) in formula.assignments.iter().enumerate() {
+        let mut reads = all[i];
+        formula.each(assignment.node, &mut |node| {
+            reads |= matches!(node, Node::Variable(own) if all[own.index()]);
+        });
+        all[i] = reads;
+    }
+    all
 }
 
 /// Equal but for the rounding of constants; what multiplies the errors of the triggers multiplies those of rounding.

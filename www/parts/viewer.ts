@@ -28,6 +28,9 @@ const LONGEST_RUN = 500_000;
 /** A longer text is run once, without assumptions. */
 const LONGEST_ASSUMED = 100_000;
 
+/** A run of more moves is not tried again with what is assumed: the page would stand still. */
+const MOST_ASSUMED = 20_000;
+
 /** Findings of a run that ends early. A touch at its target is a miss for programs that check for one. */
 const ENDS = new Set(["macro-stops", "program-stops", "no-moves"]);
 /** Fractions of their way at which touches are assumed to trigger, in the order of the attempts. `undefined`: unknown. */
@@ -128,7 +131,11 @@ class ViewerPart extends DrawnPart {
 
   /** The assumption with the fewest unknown positions, and its run. `null` if none has fewer than the plain run without ending earlier. */
   private assume(plain: ProgramRun): [ProgramKnown, ProgramRun] | null {
-    if (this.viewed.text.length > LONGEST_ASSUMED) return null;
+    if (
+      this.viewed.text.length > LONGEST_ASSUMED ||
+      plain.kind.length > MOST_ASSUMED
+    )
+      return null;
     const { part } = this.own;
     const isKnown = part && ("cycle" in part || "at" in part);
     let least = unknowns(plain);

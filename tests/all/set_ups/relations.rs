@@ -761,3 +761,28 @@ fn a_wrong_relation_hides_nothing_else() {
         );
     }
 }
+
+/// At 0 a residual has no derivative, nor has a difference of two: its program was refused, for its last digits seemed wrong.
+#[test]
+fn a_difference_of_residuals_is_proven_on_a_straight_part() {
+    let asked = job(r#"{ "format": 2, "units": "inch", "name": "STRAIGHT",
+      "limits": { "size": 0.118, "angle": 1, "residual": 0.0082 },
+      "control": { "post": "linuxcnc", "workOffset": 1 },
+      "part": { "offset": [2.01e-5, -6.9e-7, -1.09e-4], "rotation": -0.000714 },
+      "datum": { "rotation": null },
+      "cycles": [
+        { "name": "C1", "type": "web", "origin": [-7.244, 7.165, -4.606], "depth": 2.944, "feedDistance": 3.8378 },
+        { "name": "C2", "type": "double-wall-external-corner", "origin": [23.58267716535433, -6.850393700787402, -2.283464566929134],
+          "rotation": -179, "clearance1": 0.5905511811023623, "distance2": 3.090244688973365, "count1": 5, "count2": 3,
+          "step1": 12.736220472440946, "step2": 7.099992736656125 }
+      ],
+      "relations": [{ "name": "R2", "type": "difference", "of": ["C2.residual1", "C2.residual2"] }] }"#);
+    let plan = planned(&asked);
+    assert!(plan.program.proof.is_some(), "{:?}", plan.findings);
+    near(
+        value(&plan, "R2", "difference"),
+        0.0,
+        1e-5,
+        "two straight walls",
+    );
+}
