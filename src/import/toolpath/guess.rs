@@ -107,7 +107,11 @@ fn words(text: &str) -> impl Iterator<Item = String> {
 pub(super) fn is_lnc(text: &str) -> bool {
     let is_own =
         |word: String| word == "END_IF" || word.starts_with("W_G5") || word == "FIX_CUT_OR_ON";
-    memchr::memmem::find(text.as_bytes(), b"R_SKIP").is_some() || words(text).any(is_own)
+    let signs: [&[u8]; 2] = [b"R_SKIP", b"G65 \""];
+    signs
+        .iter()
+        .any(|sign| memchr::memmem::find(text.as_bytes(), sign).is_some())
+        || words(text).any(is_own)
 }
 
 /// Whether a program is of an Eding CNC: subroutines by name, whose variables have numbers.

@@ -17,6 +17,8 @@ impl Key {
     pub fn of(name: &str, language: Language) -> Option<Key> {
         match language {
             Language::RepRap => Some(Key::Name(name.trim().to_owned())),
+            // R_TOOL_DATA[0,99,3]
+            Language::Lnc if name.contains('[') => Some(Key::Name(plain(name.as_bytes()))),
             language if language.is_macro() => Key::named(name),
             _ => Some(Key::capitals(name.as_bytes())),
         }
@@ -52,10 +54,8 @@ impl Key {
     pub fn name(&self, language: Language) -> Option<String> {
         match (self, language) {
             (Key::Number(number), _) => Some(format!("#{number}")),
-            // `@100` of an LNC.
-            (Key::Name(name), language) if language.is_macro() && !name.starts_with('@') => {
-                Some(format!("#<{name}>"))
-            }
+            (Key::Name(name), Language::Lnc) => Some(name.to_ascii_uppercase()),
+            (Key::Name(name), language) if language.is_macro() => Some(format!("#<{name}>")),
             (Key::Name(name), _) => Some(name.clone()),
             (Key::Unknown, _) => None,
         }

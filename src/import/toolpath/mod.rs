@@ -358,7 +358,8 @@ fn run(
         let computes = is_macro(text) || kind == ControlKind::RepRap;
         computes.then(|| kind.grammar(text, dialect))
     };
-    let mut macros = grammar.map(|grammar| Machine::new(text, end, grammar, set));
+    let files = &reader.files;
+    let mut macros = grammar.map(|grammar| Machine::new(text, end, grammar, set, files));
     if let Some(macros) = macros.as_mut().filter(|_| reader.run.is_some()) {
         macros.sees(reader.system());
     }
@@ -448,7 +449,15 @@ impl Run<'_> {
         let (bytes, mut block) = (self.text.as_bytes(), EMPTY);
         let mut at = from.at;
         self.reader.line = from.line;
-        while at < bytes.len() && (at < self.end || self.is_called()) {
+        loop {
+            let is_below = at >= self.end && (self.reader.ended || !self.is_called());
+            if at >= bytes.len() || is_below {
+                let Some(next) = self.behind_the_end(at) else {
+                    break;
+                };
+                (at, self.reader.line) = (next.at, next.line);
+                continue;
+            }
             let (end, below) = line_end(bytes, at);
             let line = match &bytes[at..end] {
                 line @ [first, .., last] if first.is_ascii_graphic() && last.is_ascii_graphic() => {
@@ -539,16 +548,19 @@ impl Run<'_> {
                 let next = self.calls.fall_out(&mut self.reader, next);
                 (at, self.reader.line) = (next.at, next.line);
             }
-            while at >= bytes.len()
-                && let Some(back) = self
-                    .macros
-                    .as_mut()
-                    .and_then(|macros| macros.fall_out(true))
-            {
-                self.reader.leaves_call();
-                (at, self.reader.line) = (back.at, back.line);
-            }
         }
+    }
+
+    /// Where it goes on at the end of the lines: in a loop that ends with them, or behind the call of what ends with the text.
+    fn behind_the_end(&mut self, at: usize) -> Option<Place> {
+        let macros = self.macros.as_mut().filter(|_| !self.reader.ended)?;
+        if let Some(begin) = macros.loops_back(self.reader.line) {
+            return Some(begin);
+        }
+        let is_over = at >= self.text.len();
+        let back = is_over.then(|| macros.fall_out(true)).flatten()?;
+        self.reader.leaves_call();
+        Some(back)
     }
 
     /// Whether lines run because something called them.

@@ -319,6 +319,8 @@ pub const LNC: Grammar = Grammar {
         "MENU_ADD",
         "MENU",
         "MSG_OK",
+        // The spindle's orientation is unlocked.
+        "M20",
     ],
     comment: Some("//"),
     ..LINUXCNC

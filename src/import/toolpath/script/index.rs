@@ -69,11 +69,22 @@ pub struct Index {
     /// Where a subroutine is defined, the place below its end.
     definitions: BTreeMap<usize, Place>,
     labels: BTreeMap<String, Vec<Place>>,
+    /// Files below the program, which it calls by name.
+    files: Vec<Subprogram>,
     /// Numbers of blocks, by number.
     blocks: Vec<(u32, Place)>,
     /// Numbers of programs, and the places below their lines.
     programs: Vec<(u32, Place)>,
     lines: usize,
+}
+
+/// The name of a file in small letters, without folder and ending: `0:/macros/Probe.g` is probe, and `G6512.1.g` is g6512.1.
+fn base_name(name: &str) -> String {
+    let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    let ending = name.rsplit_once('.').filter(|(_, ending)| {
+        !ending.is_empty() && ending.bytes().all(|b| b.is_ascii_alphabetic())
+    });
+    ending.map_or(name, |(base, _)| base).to_ascii_lowercase()
 }
 
 /// Joins the words of structures while a text is read.
@@ -88,7 +99,8 @@ struct Open {
 }
 
 impl Index {
-    pub fn of(text: &str, grammar: &Grammar) -> Self {
+    /// `files` are those below the program: the line that each begins in, and its name.
+    pub fn of(text: &str, grammar: &Grammar, files: &[(u32, String)]) -> Self {
         let language = grammar.language;
         let bytes = text.as_bytes();
         let (mut index, mut open) = (Index::default(), Open::default());
@@ -100,6 +112,10 @@ impl Index {
                 at: next,
                 line: line + 1,
             };
+            if let Some((_, name)) = files.iter().find(|(first, _)| *first as usize == line) {
+                index.dedents(0, false, here, &mut open);
+                index.file(name, here);
+            }
             let code = bytes[at..end].trim_ascii();
             match language {
                 Language::Sinumerik => {
@@ -129,6 +145,7 @@ impl Index {
             (at, line) = (next, line + 1);
         }
         index.lines = line;
+        index.close_file(line);
         if grammar.is_indented {
             index.dedents(0, false, Place { at, line }, &mut open);
         }
@@ -151,6 +168,29 @@ impl Index {
         }
         index.subprograms.sort_by(|a, b| a.name.cmp(&b.name));
         index
+    }
+
+    /// A file of subprograms begins.
+    fn file(&mut self, name: &str, begin: Place) {
+        self.close_file(begin.line);
+        self.files.push(Subprogram {
+            name: base_name(name),
+            begin,
+            end: usize::MAX,
+            parameters: Vec::new(),
+        });
+    }
+
+    fn close_file(&mut self, line: usize) {
+        if let Some(file) = self.files.last_mut().filter(|file| file.end == usize::MAX) {
+            file.end = line;
+        }
+    }
+
+    /// The file of a name, in which case and ending do not matter.
+    pub fn file_named(&self, name: &str) -> Option<&Subprogram> {
+        let name = base_name(name);
+        self.files.iter().find(|file| file.name == name)
     }
 
     /// Adds a label of a program that is no text of lines.
@@ -197,11 +237,6 @@ impl Index {
             open.spans.truncate(open.indents.len());
             self.spans[at].end = Some((here, here));
         }
-    }
-
-    /// The line below the last one.
-    pub fn end(&self) -> usize {
-        self.lines
     }
 
     /// Notes the number of a block: where its code begins.

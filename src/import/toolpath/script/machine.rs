@@ -62,6 +62,8 @@ pub(super) struct Frame {
     leaps: usize,
     /// How often an unknown condition may have gone back from it: what follows in it is not sure.
     left: usize,
+    /// The line below a file that was called.
+    end: usize,
 }
 
 /// Runs the macros of a text.
@@ -91,8 +93,14 @@ pub(in crate::import::toolpath) struct Machine {
 
 impl Machine {
     /// The program is the first bytes of the text; what is below may be called. `set` is what the user knows of variables.
-    pub fn new(text: &str, end: usize, grammar: &'static Grammar, set: &[(&str, f64)]) -> Self {
-        let index = Index::of(text, grammar);
+    pub fn new(
+        text: &str,
+        end: usize,
+        grammar: &'static Grammar,
+        set: &[(&str, f64)],
+        files: &[(u32, String)],
+    ) -> Self {
+        let index = Index::of(text, grammar, files);
         let uncalled = if grammar.language.is_macro() {
             index.uncalled(end)
         } else {
@@ -246,6 +254,7 @@ impl Machine {
             unsure,
             leaps,
             left: 0,
+            end: usize::MAX,
         });
     }
 
@@ -398,7 +407,7 @@ impl Machine {
             let (here, below) = (branch.here, branch.below);
             let holds = match &branch.condition {
                 Some(condition) => Cursor::new(condition, 0, &self.variables)
-                    .bracketed()
+                    .value()
                     .and_then(Value::holds),
                 None => Some(true),
             };
@@ -565,6 +574,32 @@ impl Machine {
         matches!(open, Some((_, Open::Loop(..))))
     }
 
+    /// Into a file of the program, by its name; none where there is no such file.
+    pub(super) fn calls_file(
+        &mut self,
+        name: &str,
+        arguments: Vec<(Key, Value)>,
+        next: Place,
+        inside: usize,
+    ) -> Option<Step> {
+        let file = self.index.file_named(name).filter(|_| self.may_call())?;
+        let (begin, end) = (file.begin, file.end);
+        self.runs(begin, end);
+        self.enter(next, false, inside, arguments);
+        if let Some(frame) = self.frames.last_mut() {
+            frame.end = end;
+        }
+        Some(Step::Enter(begin))
+    }
+
+    /// Where a loop goes on whose lines end with those of the program.
+    pub fn loops_back(&mut self, line: usize) -> Option<Place> {
+        match self.dedents(line) {
+            Some(Step::Go(begin)) => Some(begin),
+            _ => None,
+        }
+    }
+
     /// Ends the structures that end in front of a line, by its indentation: the next round of a loop, or the way on.
     fn dedents(&mut self, line: usize) -> Option<Step> {
         while let Some(open) = self.open.last().copied() {
@@ -630,7 +665,7 @@ impl Machine {
     ) -> Step {
         match self.language() {
             Language::Sinumerik => self.sinumerik(&statement::capitals(line), here, next),
-            Language::RepRap => self.reprap(line, here),
+            Language::RepRap => self.reprap(line, here, next),
             Language::Heidenhain => self.heidenhain(line, here, next),
             Language::Lnc | Language::Eding => self.nested(line, begin, here, next, inside),
             _ => self.macro_block(line, begin, here, next, inside),
@@ -665,6 +700,15 @@ impl Machine {
         if let Some(step) = self.dedents(here.line) {
             return step;
         }
+        // A file that was called is over.
+        if self
+            .frames
+            .last()
+            .is_some_and(|frame| frame.end <= here.line)
+            && let Some(back) = self.leave()
+        {
+            return Step::Leave(back);
+        }
         let head = head(line);
         if !head.skips {
             return self.block(line, head.end, here, next, inside);
@@ -697,10 +741,6 @@ impl Machine {
 
     /// The lines of a subprogram end without a way back, at the end of the text or at the next program.
     pub fn fall_out(&mut self, at_end: bool) -> Option<Place> {
-        // A loop whose lines end with the text.
-        if at_end && let Some(Step::Go(begin)) = self.dedents(self.index.end()) {
-            return Some(begin);
-        }
         self.frames
             .last()
             .filter(|frame| at_end || !frame.ends_by_word)?;

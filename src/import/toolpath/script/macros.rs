@@ -344,7 +344,10 @@ impl Machine {
         match out[begin..].trim_ascii().is_empty() {
             // What divides by zero is reported by itself.
             true if assigns && (known || self.variables.has_divided()) => Step::Done,
-            // Of what gets no known value the reader says that it computes.
+            // Of what gets no known value the reader says that it computes. An `@` would be a polar radius there.
+            true if assigns && self.variables.grammar.language == Language::Lnc => {
+                Step::Read(b"#0=#0".to_vec())
+            }
             true if assigns => Step::AsWritten,
             _ => Step::Read(out),
         }

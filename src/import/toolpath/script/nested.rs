@@ -2,10 +2,12 @@
 
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::Keyword;
 use crate::import::toolpath::script::machine::Machine;
-use crate::import::toolpath::script::statement::{structure, without_comment};
+use crate::import::toolpath::script::statement::{begins, structure, without_comment};
+use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::writes::{OFFSET_AXES, TABLE, Variable};
 
 impl Machine {
@@ -33,6 +35,9 @@ impl Machine {
                 }
             };
         }
+        if let Some(step) = self.named_call(code, next, inside) {
+            return step;
+        }
         if let Some(step) = self.plain_word(code).or_else(|| self.register(code)) {
             return step;
         }
@@ -41,6 +46,35 @@ impl Machine {
             Step::AsWritten if plain.len() < line.len() => Step::Read(plain.to_vec()),
             step => step,
         }
+    }
+
+    /// `G65 "PROBEX" A54. B10.` of an LNC: the letters from A on are #1, #2 and so on.
+    fn named_call(&mut self, code: &[u8], next: Place, inside: usize) -> Option<Step> {
+        if !begins(code, b"G65") {
+            return None;
+        }
+        let rest = code[3..].trim_ascii_start().strip_prefix(b"\"")?;
+        let end = memchr::memchr(b'"', rest)?;
+        let name = String::from_utf8_lossy(&rest[..end]).into_owned();
+        let key = |letter: u8| Key::Number(i32::from(letter - b'A') + 1);
+        let arguments = self.letters(&rest[end + 1..], key)?;
+        self.calls_file(&name, arguments, next, inside)
+    }
+
+    /// Letters with their values.
+    pub(super) fn letters(
+        &self,
+        code: &[u8],
+        key: impl Fn(u8) -> Key,
+    ) -> Option<Vec<(Key, Value)>> {
+        let mut cursor = Cursor::new(code, 0, &self.variables);
+        let mut given = Vec::new();
+        while let Some(letter) = cursor.peek() {
+            letter.is_ascii_uppercase().then_some(())?;
+            cursor.at += 1;
+            given.push((key(letter), cursor.operand()?));
+        }
+        Some(given)
     }
 
     /// A word of an LNC that writes a register: `W_G53G59_COOR[0,54,1,#106]`, axes from 1.

@@ -6,11 +6,11 @@ use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::Keyword;
 use crate::import::toolpath::script::machine::Machine;
-use crate::import::toolpath::script::statement::{structure, without_comment};
+use crate::import::toolpath::script::statement::{begins, structure, without_comment};
 use crate::import::toolpath::script::variables::Value;
 
 impl Machine {
-    pub(super) fn reprap(&mut self, line: &[u8], here: Place) -> Step {
+    pub(super) fn reprap(&mut self, line: &[u8], here: Place, next: Place) -> Step {
         let code = without_comment(line, None);
         if code.is_empty() {
             return Step::AsWritten;
@@ -29,8 +29,34 @@ impl Machine {
         if let Some(step) = self.plain_word(code) {
             return step;
         }
-        self.named_value(code)
+        if begins(code, b"M99") && !self.frames.is_empty() {
+            if self.is_guarded() {
+                return self.may_leave();
+            }
+            return self.leave().map_or(Step::AsWritten, Step::Leave);
+        }
+        self.file_call(code, next)
+            .or_else(|| self.named_value(code))
             .unwrap_or_else(|| self.words(code, 0))
+    }
+
+    /// `M98 P"probe.g" X5`, and a code that is a file: `G6550 X5` runs G6550.g. Its letters are `param.X` there.
+    fn file_call(&mut self, code: &[u8], next: Place) -> Option<Step> {
+        let is_word = |b: &&u8| b.is_ascii_alphanumeric() || **b == b'.';
+        let word = &code[..code.iter().take_while(is_word).count()];
+        let (name, rest) = if begins(code, b"M98") {
+            let rest = code[3..].trim_ascii_start().strip_prefix(b"P\"")?;
+            let end = memchr::memchr(b'"', rest)?;
+            (&rest[..end], &rest[end + 1..])
+        } else {
+            matches!(word, [b'G' | b'g' | b'M' | b'm', ..])
+                .then_some((word, &code[word.len()..]))?
+        };
+        let name = String::from_utf8_lossy(name).into_owned();
+        self.index.file_named(&name)?;
+        let key = |letter: u8| Key::Name(format!("param.{}", char::from(letter)));
+        let arguments = self.letters(rest, key)?;
+        self.calls_file(&name, arguments, next, 0)
     }
 
     /// `var x = 5`, `global x = 5`, `set var.x = 6`.

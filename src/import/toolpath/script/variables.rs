@@ -196,7 +196,10 @@ impl Variables {
                 .is_some_and(|level| level.set.contains_key(key)),
             (Language::LinuxCnc, Key::Number(n)) => (1..=30).contains(n),
             (Language::MacroB | Language::Lnc, Key::Number(n)) => (1..=33).contains(n),
-            (Language::Eding, Key::Number(_)) | (Language::RepRap, _) => false,
+            (Language::Eding, Key::Number(_)) | (Language::RepRap, Key::Number(_)) => false,
+            (Language::RepRap, Key::Name(name)) => {
+                name.starts_with("var.") || name.starts_with("param.")
+            }
             (Language::Lnc | Language::Eding, Key::Name(_)) => false,
             (_, Key::Name(name)) => !name.starts_with('_'),
         }
@@ -247,6 +250,10 @@ impl Variables {
         if let Some(value) = level.set.get(key) {
             return *value;
         }
+        // What a call of RepRapFirmware does not give is not there.
+        if is_param(key) && self.levels.len() > 1 {
+            return Value::Unknown;
+        }
         let is_argument = matches!(key, Key::Number(_)) && self.is_local(key);
         match self.given.get(key) {
             Some(value) => Value::Number(*value),
@@ -281,14 +288,18 @@ impl Variables {
 
     /// Whether RepRapFirmware knows a name: one that the text sets, or an argument. Where one argument is given, the others are not.
     fn is_given(&self, key: &Key) -> Value {
-        let is_argument = |key: &Key| matches!(key, Key::Name(name) if name.starts_with("param."));
-        if self.globals.set.contains_key(key) || self.given.contains_key(key) {
+        if self.level_of(key).set.contains_key(key) {
             return Value::Number(1.0);
         }
-        if is_argument(key) && self.given.keys().any(is_argument) {
-            return Value::Number(0.0);
+        let is_called = self.levels.len() > 1;
+        if is_param(key) && (is_called || self.given.keys().any(is_param)) {
+            let is_given = !is_called && self.given.contains_key(key);
+            return Value::Number(f64::from(u8::from(is_given)));
         }
-        self.given_or_asked(key)
+        match self.given.get(key) {
+            Some(_) => Value::Number(1.0),
+            None => self.given_or_asked(key),
+        }
     }
 
     /// Gives a variable a value; where it is not known which one, any of them may have changed.
@@ -321,8 +332,10 @@ impl Variables {
                 .strip_prefix(name)
                 .is_some_and(|rest| rest.starts_with('[')))
         };
-        let known = self.globals.set.iter_mut();
-        known
+        let levels = self.levels.last_mut().into_iter();
+        levels
+            .chain([&mut self.globals])
+            .flat_map(|level| level.set.iter_mut())
             .filter(|(key, _)| is_element(key))
             .for_each(|(_, value)| *value = Value::Unknown);
     }
@@ -353,4 +366,9 @@ impl Variables {
         self.levels.iter_mut().for_each(Level::forget);
         self.globals.forget();
     }
+}
+
+/// Whether a variable is an argument of RepRapFirmware.
+fn is_param(key: &Key) -> bool {
+    matches!(key, Key::Name(name) if name.starts_with("param."))
 }
