@@ -764,7 +764,7 @@ impl Reader {
             b"ENDIF" => Way::Ends,
             b"WHILE" | b"DO" | b"REPEAT" | b"FOR" | b"LOOP" => Way::LoopBegins,
             b"END" | b"ENDWHILE" | b"ENDREPEAT" | b"ENDFOR" | b"ENDLOOP" | b"UNTIL" => {
-                Way::LoopEnds
+                Way::LoopEnds(0)
             }
             _ => return,
         };
@@ -828,12 +828,12 @@ impl Reader {
                 self.loops += 1;
                 self.parts(None);
             }
-            Way::LoopEnds => {
+            Way::LoopEnds(axes) => {
                 self.loops = self.loops.saturating_sub(1);
-                self.forget(self.relative);
+                self.forget(self.relative | axes);
                 self.meet(None);
             }
-            Way::LoopLeft => self.forget(self.relative),
+            Way::LoopLeft(axes) => self.forget(self.relative | axes),
         }
     }
 

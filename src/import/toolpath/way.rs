@@ -1,5 +1,7 @@
 //! The ways of a run that part and meet where a condition is not known.
 
+use crate::import::toolpath::frames::Axes;
+
 /// What a condition or a loop that is not known does to the ways of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Way {
@@ -11,7 +13,8 @@ pub(super) enum Way {
     },
     Ends,
     LoopBegins,
-    LoopEnds,
+    /// The loop was run once: these axes went where values said, which may be others in the next round.
+    LoopEnds(Axes),
     /// A loop that was run ends, of which it is not known how often it runs.
-    LoopLeft,
+    LoopLeft(Axes),
 }

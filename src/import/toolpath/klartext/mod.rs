@@ -315,6 +315,7 @@ impl Klartext {
             Step::Go(to) => return Next::At(to.at),
             Step::Done => {}
             Step::BranchEnds(_) => reader.branch_ends(),
+            Step::Way(way) => reader.goes_unknown_way(way),
             step => {
                 reader.skipped.count(Skip::Condition, reader.line);
                 if let Step::MayJump(line) = step {

@@ -90,9 +90,11 @@ impl Klartext {
     /// The words of a block.
     fn said(&mut self, rest: &str) -> Said {
         let mut said = Said::default();
+        let mut valued = 0;
         let mut cursor = Cursor::new(rest.as_bytes(), 0, &self.machine.variables);
         loop {
             if cursor.is_done() {
+                self.machine.valued |= valued;
                 return said;
             }
             let Some(word) = WORDS.into_iter().find(|word| cursor.eat(word)) else {
@@ -113,7 +115,17 @@ impl Klartext {
                     }
                 }
                 _ => {
-                    let Some(value) = cursor.operand().map(Value::or_nan) else {
+                    let from = cursor.at;
+                    let value = cursor.operand().map(Value::or_nan);
+                    let is_valued = rest.as_bytes()[from..cursor.at].contains(&b'Q');
+                    valued |= match word.bytes().last() {
+                        _ if !is_valued => 0,
+                        Some(axis @ b'X'..=b'Z') => 1 << (axis - b'X'),
+                        // A polar radius or angle.
+                        _ if word.contains('P') => 7,
+                        _ => 0,
+                    };
+                    let Some(value) = value else {
                         said.strange = true;
                         return said;
                     };

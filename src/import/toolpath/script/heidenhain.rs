@@ -125,7 +125,7 @@ impl Machine {
     }
 
     /// A block of words, with numbers in place of the parameters that are known.
-    fn with_parameters(&self, code: &str) -> Step {
+    fn with_parameters(&mut self, code: &str) -> Step {
         if !code.contains('Q') {
             return Step::AsWritten;
         }
@@ -146,6 +146,9 @@ impl Machine {
                 None => (before.strip_suffix('+').unwrap_or(before), 1.0),
             };
             out.push_str(before);
+            if let Some(axis @ b'X'..=b'Z') = before.bytes().last() {
+                self.valued |= 1 << (axis - b'X');
+            }
             // What is not known stands there as a value of another dialect, which the reader knows for one.
             out.push_str(&match self.variables.get(&key) {
                 Value::Number(value) => decimal(sign * value, 9),

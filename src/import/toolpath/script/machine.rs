@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use crate::control::iso::lex::head;
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::frames::Axes;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::Ask;
 use crate::import::toolpath::script::expression::Cursor;
@@ -81,6 +82,8 @@ pub(in crate::import::toolpath) struct Machine {
     repeats: BTreeMap<usize, usize>,
     /// How often a branch that ends the program was not taken, by its line.
     spared: Vec<(usize, usize)>,
+    /// The axes that went where values said.
+    pub valued: Axes,
     /// The registers that the line has written.
     pub(super) written: Vec<(Variable, f64)>,
     /// The lines of subprograms that ran: from, up to.
@@ -125,6 +128,7 @@ impl Machine {
             blocks: 0,
             repeats: BTreeMap::new(),
             spared: Vec::new(),
+            valued: 0,
             written: Vec::new(),
             runs: false,
             ran: Vec::new(),
@@ -181,12 +185,22 @@ impl Machine {
 
     /// It may continue at a place: up to that nothing is sure. What a jump back repeats may set any variable again.
     pub(super) fn leap(&mut self, to: Option<Place>, next: Place) -> Step {
-        let below = to.filter(|place| place.line >= next.line);
-        if below.is_none() {
-            self.forget();
+        match to {
+            Some(below) if below.line >= next.line => {
+                self.leaps_to(below.line);
+                Step::MayJump(below.line)
+            }
+            // Behind a jump back it goes on when its rounds are over.
+            Some(_) => {
+                self.forget();
+                Step::Way(Way::LoopLeft(self.valued))
+            }
+            None => {
+                self.forget();
+                self.leaps_to(NOWHERE);
+                Step::AsWritten
+            }
         }
-        self.leaps_to(below.map_or(NOWHERE, |place| place.line));
-        below.map_or(Step::AsWritten, |place| Step::MayJump(place.line))
     }
 
     /// A jump under a condition. Where the condition is not known, or an unknown one guards the jump, it is not made: the lines are read in their order.
@@ -468,7 +482,7 @@ impl Machine {
             Some((at, Open::Loop(_, 0))) => {
                 self.close_to(at);
                 self.forget();
-                Step::Way(Way::LoopLeft)
+                Step::Way(Way::LoopLeft(self.valued))
             }
             Some((at, Open::Loop(_, times))) => {
                 self.close_to(at);
@@ -496,7 +510,7 @@ impl Machine {
                 }
                 // What it sets, and what it moves by a distance, may be another after the next round.
                 self.forget();
-                Step::Way(Way::LoopLeft)
+                Step::Way(Way::LoopLeft(self.valued))
             }
         }
     }
@@ -514,7 +528,7 @@ impl Machine {
         self.close_to(at);
         if times == 0 {
             self.forget();
-            return Step::Way(Way::LoopLeft);
+            return Step::Way(Way::LoopLeft(self.valued));
         }
         Step::Done
     }
@@ -524,7 +538,7 @@ impl Machine {
         self.forget();
         if let Some((at, Open::Unsure(_))) = self.opened(span) {
             self.close_to(at);
-            return Step::Way(Way::LoopEnds);
+            return Step::Way(Way::LoopEnds(self.valued));
         }
         Step::AsWritten
     }

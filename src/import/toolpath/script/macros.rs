@@ -3,6 +3,7 @@
 use crate::control::iso::lex::{end_of_value, program_number};
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::Step;
+use crate::import::toolpath::frames::Axes;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
 use crate::import::toolpath::script::grammar::{CENTROID, Keyword, Language};
@@ -312,13 +313,14 @@ impl Machine {
         if !line[begin..].iter().any(computes) {
             return Step::AsWritten;
         }
-        let Some((out, sets)) = self.expanded(line, begin) else {
+        let Some((out, sets, valued)) = self.expanded(line, begin) else {
             // What it assigns may be to any variable.
             if line.contains(&b'=') {
                 self.forget();
             }
             return Step::AsWritten;
         };
+        self.valued |= valued;
         let linuxcnc = self.variables.is_linuxcnc();
         // On LinuxCNC all take effect after the block; of a Fanuc that is not known here.
         let sure = self.is_sure() && (sets.len() < 2 || linuxcnc);
@@ -353,10 +355,10 @@ impl Machine {
         }
     }
 
-    /// A block with numbers in place of what is known, and what it assigns; none where it is not understood.
-    fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Assigned)> {
+    /// A block with numbers in place of what is known, what it assigns, and the axes that values say; none where it is not understood.
+    fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Assigned, Axes)> {
         let language = self.variables.grammar.language;
-        let (mut out, mut sets) = (line[..begin].to_vec(), Vec::new());
+        let (mut out, mut sets, mut valued) = (line[..begin].to_vec(), Vec::new(), 0);
         let mut cursor = Cursor::new(line, begin, &self.variables);
         while let Some(sign) = line.get(cursor.at).copied() {
             let from = cursor.at;
@@ -377,6 +379,9 @@ impl Machine {
                         continue;
                     }
                     let value = cursor.in_word();
+                    if let axis @ b'X'..=b'Z' = letter.to_ascii_uppercase() {
+                        valued |= 1 << (axis - b'X');
+                    }
                     if language == Language::RepRap {
                         // What is not known stands there as a value of a macro, which the reader knows for one.
                         match value {
@@ -398,7 +403,7 @@ impl Machine {
                 }
             }
         }
-        Some((out, sets))
+        Some((out, sets, valued))
     }
 }
 

@@ -222,6 +222,10 @@ impl Machine {
                     out.extend_from_slice(&code[before..]);
                     break;
                 };
+                let is_plain = code[at..cursor.at].iter().all(|b| !b.is_ascii_alphabetic());
+                if let ([axis @ b'X'..=b'Z'], false) = (name, is_plain) {
+                    self.valued |= 1 << (axis - b'X');
+                }
                 at = cursor.at;
                 // What is not known stands there as a variable, which the reader knows for one.
                 let value = value
