@@ -55,6 +55,12 @@ impl<'t> Calls<'t> {
         self.stack.len()
     }
 
+    /// Where the subprogram that is under way goes back to, once its lines have run as often as they were called.
+    pub fn back(&self) -> Option<Place> {
+        let frame = self.stack.last().filter(|frame| frame.left == 0)?;
+        Some(frame.back)
+    }
+
     /// Whether a subprogram is under way.
     pub fn is_inside(&self) -> bool {
         !self.stack.is_empty()

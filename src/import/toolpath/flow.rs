@@ -21,6 +21,8 @@ pub(super) enum Step {
     Astray,
     /// It is read as it is written, and the program may continue at that line below.
     MayJump(usize),
+    /// It may go back to that line from a subprogram, or go on below.
+    MayLeave(usize),
     /// A condition or a loop that is not known begins, goes on or ends.
     Way(Way),
     /// The same, in front of the line, which is stepped again.

@@ -27,8 +27,19 @@ fn agreed(
 impl Reader {
     /// A condition that is not known: its lines are run, or not. `until` is where a jump leads to.
     pub(super) fn parts(&mut self, until: Option<usize>) {
-        let known = until.is_some() && self.forks.iter().any(|fork| fork.until == until);
-        if self.run.is_some() && !known && self.forks.len() < MOST_FORKS {
+        let own = (self.place, &self.frames);
+        let known = self
+            .forks
+            .iter_mut()
+            .find(|fork| until.is_some() && fork.until == until);
+        if let Some(fork) = known {
+            // Another way leads there.
+            let place = std::mem::take(&mut fork.place);
+            let frames = fork.frames.clone();
+            (fork.place, fork.frames) = agreed(own, (place, frames));
+            return;
+        }
+        if self.run.is_some() && self.forks.len() < MOST_FORKS {
             self.forks.push(Fork {
                 place: self.place,
                 frames: self.frames.clone(),

@@ -502,6 +502,7 @@ impl Run<'_> {
                     self.reader.parts(Some(to));
                     self.reader.read(line, &mut block);
                 }
+                Step::MayLeave(to) => self.reader.may_leave(to),
                 Step::Way(way) => self.reader.goes_unknown_way(way),
                 Step::Again(way) => {
                     self.reader.goes_unknown_way(way);
@@ -519,6 +520,15 @@ impl Run<'_> {
             }
             self.reader.line += 1;
             at = below;
+            // An unknown jump may have gone over the end of a subprogram.
+            let is_open = self.macros.as_ref().is_some_and(|macros| !macros.is_sure());
+            if self.reader.returned
+                && is_open
+                && let Some(back) = self.calls.back()
+            {
+                (self.reader.returned, self.reader.ended) = (false, false);
+                self.reader.may_leave(back.line);
+            }
             if self.reader.turns_off {
                 let next = self.calls.step(
                     &mut self.reader,

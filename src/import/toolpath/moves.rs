@@ -153,7 +153,7 @@ impl Reader {
                 watched: run.behind.watched,
                 positions: run.behind.watched
                     || motion != Motion::MustTouch && !run.behind.asked && !run.behind.reads,
-                called: run.behind.called,
+                may_ask: run.behind.may_ask,
                 feed: self.feed,
                 states_feed: self.states_feed || block.feed.is_some(),
             });

@@ -230,7 +230,7 @@ impl Reader {
                 stops: true,
                 asked: true,
                 watched: false,
-                called: false,
+                may_ask: false,
                 positions: false,
                 feed: f64::NAN,
                 states_feed: true,

@@ -800,6 +800,13 @@ impl Reader {
         }
     }
 
+    /// The program may go back from a subprogram to a line, or go on: there both ways meet.
+    #[cold]
+    pub fn may_leave(&mut self, to: usize) {
+        self.parts(Some(to));
+        self.skipped.count(Skip::Condition, self.line);
+    }
+
     /// A condition or a loop that is not known begins, goes on or ends.
     #[cold]
     pub fn goes_unknown_way(&mut self, way: Way) {

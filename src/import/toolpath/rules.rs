@@ -75,8 +75,8 @@ pub(super) struct Touch {
     pub watched: bool,
     /// It is a positioning move: a contact leads away, or the program takes no notice of where it ended.
     pub positions: bool,
-    /// A subprogram that is called behind it may ask.
-    pub called: bool,
+    /// Whether the program asks is not known.
+    pub may_ask: bool,
     /// Its feed, in the units of the path; NaN is not known.
     pub feed: f64,
     /// The program has stated a feed before or in its block.
@@ -326,7 +326,7 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     let unasked = |touch: &&Touch| touch.index < last && touch.positions && !touch.asked;
     for touch in log.touches.iter().filter(unasked) {
         match is_first_of_two(path, touch.index) {
-            _ if touch.called => called.push(touch.line),
+            _ if touch.may_ask => called.push(touch.line),
             Some(true) => {}
             Some(false) => bad.push(touch.line),
             None => unknown.push(touch.line),
@@ -378,7 +378,7 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
 }
 
 fn may_be_asked() -> Text {
-    text!("What is called after these moves may ask whether there was a contact")
+    text!("Whether the program asks for a contact after these moves is not known")
 }
 
 fn missed(path: &Toolpath, touches: &[&Touch], last: usize) -> RunRule {
@@ -388,10 +388,10 @@ fn missed(path: &Toolpath, touches: &[&Touch], last: usize) -> RunRule {
     let bad: Vec<usize> = touches
         .iter()
         .filter(is_touch)
-        .filter(|touch| !touch.stops && !touch.asked && !touch.called)
+        .filter(|touch| !touch.stops && !touch.asked && !touch.may_ask)
         .map(|touch| touch.line)
         .collect();
-    let is_open = |touch: &&&Touch| !touch.stops && !touch.asked && touch.called;
+    let is_open = |touch: &&&Touch| !touch.stops && !touch.asked && touch.may_ask;
     let open = touches.iter().filter(is_open).map(|touch| touch.line);
     let open: Vec<usize> = open.collect();
     if bad.is_empty() && !open.is_empty() {

@@ -31,14 +31,16 @@ pub(super) struct Behind {
     pub reads: bool,
     /// The next motion is an alarm where there was a contact.
     pub chained: bool,
-    /// A subprogram is called first, which may do any of it.
-    pub called: bool,
+    /// A subprogram is called first, or a condition about what was measured leads nobody knows where: it may ask.
+    pub may_ask: bool,
 }
 
 /// What follows a probing move, by the lines below its block.
 pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     const MOST_LINES: usize = 16;
+    const MOST_RAW: usize = 200;
     let lines: Vec<String> = lines_of(below)
+        .take(MOST_RAW)
         .map(code_of)
         .filter(|line| !line.is_empty())
         .take(MOST_LINES)
@@ -54,9 +56,12 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         .or_else(|| asks_by_name(before))
     else {
         // A touch that is asked about after its retract.
-        if reads && asks_by_name(until_next_probe(&lines)).is_some() {
+        let later = until_next_probe(&lines);
+        if let Some(at) = asks_by_name(later).filter(|_| reads) {
+            let leads_out = leads_to_alarm(&later[at], later.get(at + 1), below);
             return Behind {
-                asked: true,
+                asked: leads_out,
+                may_ask: !leads_out,
                 reads,
                 ..Behind::default()
             };
@@ -68,7 +73,7 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
             chained,
             asked: chained,
             watched: chained,
-            called: !reads && lines.get(before.len()).is_some_and(|line| calls(line)),
+            may_ask: !reads && lines.get(before.len()).is_some_and(|line| calls(line)),
         };
     };
     let condition = &before[at];
@@ -85,6 +90,28 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         reads,
         ..Behind::default()
     }
+}
+
+/// Whether a condition leads to an alarm: in its line, in the next one, or in the lines of the block that it jumps to.
+fn leads_to_alarm(condition: &str, next: Option<&String>, below: &str) -> bool {
+    const MOST_LINES: usize = 2000;
+    const NEAR: usize = 8;
+    // A jump may lead to the end of the program as well.
+    let is_alarm = |line: &str| line.contains("#3000=");
+    if condition.contains("THEN#3000=") {
+        return true;
+    }
+    let Some((_, label)) = condition.split_once("GOTO") else {
+        return next.is_some_and(|line| is_alarm(line) || leaves(line));
+    };
+    let number = label.trim_start_matches('0').parse().ok();
+    let numbered = lines_of(below)
+        .take(MOST_LINES)
+        .skip_while(|line| head(trimmed(line).as_bytes()).number != number || number.is_none());
+    let codes = numbered.take(NEAR).map(code_of);
+    codes
+        .take_while(|line| !line.starts_with("M99"))
+        .any(|line| is_alarm(&line))
 }
 
 /// The lines up to the next probing move.

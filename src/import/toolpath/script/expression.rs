@@ -14,8 +14,9 @@ pub struct Cursor<'a> {
     pub at: usize,
     variables: &'a Variables,
     depth: usize,
-    /// How many operators were read outside of brackets.
+    /// How many operators, and how many comparisons, were read outside of brackets.
     operators: usize,
+    comparisons: usize,
     /// Whether it is the value of a word, and no part of a macro's own statement.
     word: bool,
 }
@@ -28,6 +29,7 @@ impl<'a> Cursor<'a> {
             variables,
             depth: 0,
             operators: 0,
+            comparisons: 0,
             word: false,
         }
     }
@@ -186,9 +188,9 @@ impl<'a> Cursor<'a> {
     pub fn bracketed(&mut self) -> Option<Value> {
         let (open, close) = self.variables.grammar.brackets;
         (self.peek()? == open).then(|| self.at += 1)?;
-        let before = self.operators;
+        let before = (self.operators, self.comparisons);
         let value = self.value()?;
-        self.operators = before;
+        (self.operators, self.comparisons) = before;
         (self.peek()? == close).then(|| self.at += 1)?;
         Some(value)
     }
@@ -198,7 +200,7 @@ impl<'a> Cursor<'a> {
         let Some(operators) = grammar.operators.get(level) else {
             return self.operand();
         };
-        let before = self.operators;
+        let before = (self.operators, self.comparisons);
         let mut left = self.level(level + 1)?;
         loop {
             // `**` is no product.
@@ -212,10 +214,17 @@ impl<'a> Cursor<'a> {
             let right = self.level(level + 1)?;
             left = self.combined(*operator, left, right);
             // On a Fanuc AND binds as a product: without brackets around what it joins it does something else.
-            if level == 0 && grammar.language == Language::MacroB && self.operators > before {
+            if level == 0 && grammar.language == Language::MacroB && self.operators > before.0 {
+                left = Value::Unknown;
+            }
+            // A SINUMERIK compares last: without brackets around a comparison AND and OR join something else.
+            let is_logical = matches!(operator, Operator::And | Operator::Or | Operator::Xor);
+            if grammar.language == Language::Sinumerik && is_logical && self.comparisons > before.1
+            {
                 left = Value::Unknown;
             }
             self.operators += 1;
+            self.comparisons += usize::from(is_comparison(*operator));
         }
     }
 
@@ -324,6 +333,9 @@ impl<'a> Cursor<'a> {
         let grammar = self.variables.grammar;
         if grammar.language == Language::Sinumerik && self.eat("NOT") {
             return Some(not(self.operand()?));
+        }
+        if grammar.is_indented && self.eat("null") {
+            return Some(Value::Empty);
         }
         if let Some((_, value)) = grammar.constants.iter().find(|(name, _)| self.eat(name)) {
             return Some(Value::Number(*value));
@@ -631,6 +643,18 @@ fn closing(text: &[u8]) -> Option<usize> {
         };
         depth == 0
     })
+}
+
+fn is_comparison(operator: Operator) -> bool {
+    matches!(
+        operator,
+        Operator::Equal
+            | Operator::Unequal
+            | Operator::Greater
+            | Operator::GreaterOrEqual
+            | Operator::Less
+            | Operator::LessOrEqual
+    )
 }
 
 fn not(value: Value) -> Value {

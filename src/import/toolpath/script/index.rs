@@ -139,7 +139,12 @@ impl Index {
                 }
                 _ => {
                     let begin = index.number(code, here);
-                    index.block(&code[begin..], here, below, &mut open, grammar);
+                    let code = if grammar.words.is_empty() {
+                        &code[begin..]
+                    } else {
+                        without_comment(&code[begin..], grammar.comment)
+                    };
+                    index.block(code, here, below, &mut open, grammar);
                 }
             }
             (at, line) = (next, line + 1);
@@ -167,6 +172,12 @@ impl Index {
             }
         }
         index.subprograms.sort_by(|a, b| a.name.cmp(&b.name));
+        if language == Language::Sinumerik {
+            // The last one of a name counts.
+            index.subprograms.reverse();
+            index.subprograms.dedup_by(|a, b| a.name == b.name);
+            index.subprograms.reverse();
+        }
         index
     }
 
@@ -289,7 +300,6 @@ impl Index {
     }
 
     fn subprogram(&mut self, name: &str, begin: Place, parameters: Vec<String>) {
-        self.subprograms.retain(|known| known.name != name);
         self.subprograms.push(Subprogram {
             name: name.to_owned(),
             begin,

@@ -36,8 +36,8 @@ enum Open {
     Branch(usize),
     /// Whether its next `elseif` holds is not known.
     ElseIf(usize),
-    /// A loop, and how often it runs again: not once more where an unknown condition may have left it.
-    Loop(usize, usize),
+    /// A loop, how often it runs again, and how many rounds it has made. It runs not once more where an unknown condition may have left it.
+    Loop(usize, usize, usize),
     /// Its condition is not known.
     Unsure(usize),
 }
@@ -45,7 +45,7 @@ enum Open {
 impl Open {
     fn span(self) -> usize {
         match self {
-            Open::Branch(at) | Open::ElseIf(at) | Open::Loop(at, _) | Open::Unsure(at) => at,
+            Open::Branch(at) | Open::ElseIf(at) | Open::Loop(at, ..) | Open::Unsure(at) => at,
         }
     }
 }
@@ -284,11 +284,12 @@ impl Machine {
 
     /// It may go back from the call here, or not: what follows in it is not sure.
     pub(super) fn may_leave(&mut self) -> Step {
-        if let Some(frame) = self.frames.last_mut() {
-            frame.left += 1;
-            self.unsure += 1;
-        }
-        Step::AsWritten
+        let Some(frame) = self.frames.last_mut() else {
+            return Step::AsWritten;
+        };
+        frame.left += 1;
+        self.unsure += 1;
+        Step::MayLeave(frame.back.line)
     }
 
     /// Closes what is open above a place of the stack.
@@ -457,7 +458,7 @@ impl Machine {
     fn loop_begins(&mut self, span: usize, times: usize) -> Step {
         match self.opened(span) {
             Some((at, Open::Loop(..))) => self.close_to(at + 1),
-            _ => self.opens(Open::Loop(span, times)),
+            _ => self.opens(Open::Loop(span, times, 0)),
         }
         Step::Done
     }
@@ -479,14 +480,14 @@ impl Machine {
     /// The end of a loop with its condition at the beginning.
     fn loop_ends(&mut self, span: usize) -> Step {
         match self.opened(span) {
-            Some((at, Open::Loop(_, 0))) => {
+            Some((at, Open::Loop(_, 0, _))) => {
                 self.close_to(at);
                 self.forget();
                 Step::Way(Way::LoopLeft(self.valued))
             }
-            Some((at, Open::Loop(_, times))) => {
+            Some((at, Open::Loop(_, times, rounds))) => {
                 self.close_to(at);
-                self.open.push(Open::Loop(span, times - 1));
+                self.open.push(Open::Loop(span, times, rounds + 1));
                 Step::Go(self.index.span(span).begin)
             }
             _ => self.unsure_loop_ends(span),
@@ -495,7 +496,7 @@ impl Machine {
 
     /// The end of a loop with its condition there.
     fn do_ends(&mut self, span: usize, goes_on: Option<bool>) -> Step {
-        let Some((at, Open::Loop(_, times))) = self.opened(span) else {
+        let Some((at, Open::Loop(_, times, _))) = self.opened(span) else {
             return self.unsure_loop_ends(span);
         };
         match goes_on.filter(|_| times > 0) {
@@ -517,12 +518,12 @@ impl Machine {
 
     /// The end of a loop that runs a number of times.
     fn again(&mut self, span: usize) -> Step {
-        let Some((at, Open::Loop(_, times))) = self.opened(span) else {
+        let Some((at, Open::Loop(_, times, rounds))) = self.opened(span) else {
             return self.unsure_loop_ends(span);
         };
         if times > 1 {
             self.close_to(at);
-            self.open.push(Open::Loop(span, times - 1));
+            self.open.push(Open::Loop(span, times - 1, rounds + 1));
             return Step::Go(self.index.span(span).below);
         }
         self.close_to(at);
@@ -546,9 +547,9 @@ impl Machine {
     /// Out of a loop of a label (true), or on to its next round.
     pub(super) fn leaves_loop(&mut self, label: &str, is_break: bool) -> Step {
         let first = self.frames.last().map_or(0, |frame| frame.open);
-        let own = |open: &Open| match open {
-            Open::Loop(span, _) => self.index.span(*span).label == label,
-            _ => false,
+        let own = |open: &Open| {
+            let span = self.index.span(open.span());
+            span.keyword != Keyword::If && span.label == label
         };
         let Some(at) = self.open[first..]
             .iter()
@@ -563,7 +564,7 @@ impl Machine {
         if self.is_guarded() {
             self.leaps_to(NOWHERE);
             // It makes no further round, which would be as unknown as this one.
-            if let Open::Loop(_, times) = &mut self.open[at]
+            if let Open::Loop(_, times, _) = &mut self.open[at]
                 && is_break
             {
                 *times = 0;
@@ -638,13 +639,24 @@ impl Machine {
         None
     }
 
-    /// How many rounds the innermost loop has made.
-    pub(super) fn rounds(&self) -> usize {
-        let innermost = self.open.iter().rev().find_map(|open| match open {
-            Open::Loop(_, times) => Some(usize::MAX - times),
+    /// How many rounds the innermost loop of this call has made; of one that begins in this line none.
+    pub(super) fn rounds(&self, here: Place) -> Value {
+        let own = self.index.span_at(here.line);
+        let begins = own.is_some_and(|span| {
+            self.index.span(span).keyword != Keyword::If && self.opened(span).is_none()
+        });
+        if begins {
+            return Value::Number(0.0);
+        }
+        let first = self.frames.last().map_or(0, |frame| frame.open);
+        let innermost = self.open[first..].iter().rev().find_map(|open| match open {
+            Open::Loop(_, _, rounds) => Some(Value::Number(*rounds as f64)),
+            Open::Unsure(span) if self.index.span(*span).keyword != Keyword::If => {
+                Some(Value::Unknown)
+            }
             _ => None,
         });
-        innermost.unwrap_or(0)
+        innermost.unwrap_or(Value::Unknown)
     }
 
     /// A block of a word that stops the program, or that does nothing here.
@@ -730,6 +742,10 @@ impl Machine {
         // With block skip on, the control leaves it out.
         if self.turns_off(&line[head.end..]) {
             return self.leap(None, next);
+        }
+        if self.calls_by_words(&line[head.end..]) {
+            self.leap(None, next);
+            return Step::Astray;
         }
         let step = self.guarded(true, |machine| {
             machine.block(line, head.end, here, next, inside)

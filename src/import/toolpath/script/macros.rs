@@ -63,6 +63,24 @@ pub fn is_macro(text: &str) -> bool {
 }
 
 impl Machine {
+    /// Whether a block of another language calls or jumps.
+    pub(super) fn calls_by_words(&self, code: &[u8]) -> bool {
+        let grammar = self.variables.grammar;
+        let word: Vec<u8> = code
+            .iter()
+            .take_while(|b| b.is_ascii_alphanumeric() || **b == b'_')
+            .map(u8::to_ascii_uppercase)
+            .collect();
+        match grammar.language {
+            Language::Heidenhain => matches!(word.as_slice(), [b'L', b'0'..=b'9', ..]),
+            Language::Sinumerik => {
+                let name = String::from_utf8_lossy(&word);
+                self.index.subroutine(&name).is_some() || name.starts_with("GOTO")
+            }
+            _ => statement::structure(code, grammar).is_some_and(|word| word.keyword.jumps()),
+        }
+    }
+
     /// Whether a block changes the way of the program, and not only what is set.
     pub(super) fn turns_off(&self, code: &[u8]) -> bool {
         is_flow(code)
@@ -388,7 +406,7 @@ impl Machine {
                             Some(Value::Number(x)) => number(&mut out, x),
                             _ => out.extend_from_slice(b"[#0]"),
                         }
-                        cursor.at = closing(line, from + 1);
+                        cursor = Cursor::new(line, closing(line, from + 1), &self.variables);
                         continue;
                     }
                     match value? {

@@ -15,7 +15,7 @@ impl Machine {
         if code.is_empty() {
             return Step::AsWritten;
         }
-        let rounds = Value::Number(self.rounds() as f64);
+        let rounds = self.rounds(here);
         self.variables
             .set(Key::Name("iterations".to_owned()), rounds);
         if let Some(word) = structure(code, self.variables.grammar) {

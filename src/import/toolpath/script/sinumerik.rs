@@ -44,9 +44,9 @@ impl Machine {
         }
         let is_inside = !self.frames.is_empty();
         if cursor.eat("RET") || is_inside && (cursor.eat("M17") || cursor.eat("M99")) {
-            return match self.is_sure() {
-                true => self.leave().map_or(Step::AsWritten, Step::Leave),
-                false => Step::AsWritten,
+            return match self.is_guarded() {
+                true => self.may_leave(),
+                false => self.leave().map_or(Step::AsWritten, Step::Leave),
             };
         }
         if let Some(step) = self.plain_word(code) {

@@ -116,7 +116,9 @@ fn nested(code: &[u8], grammar: &Grammar) -> Option<Structure> {
             .windows(4)
             .any(|word| word.eq_ignore_ascii_case(b"GOTO"));
     let is_labelled = *keyword == Keyword::Do && !code[length..].trim_ascii().is_empty();
-    (!jumps && !is_labelled).then_some(())?;
+    let is_statement =
+        *keyword == Keyword::If && grammar.language.is_macro() && has_statement(&code[length..]);
+    (!jumps && !is_labelled && !is_statement).then_some(())?;
     let mut own = Structure {
         keyword: *keyword,
         label: String::new(),
@@ -129,6 +131,29 @@ fn nested(code: &[u8], grammar: &Grammar) -> Option<Structure> {
         own.rest = begin + called.len();
     }
     Some(own)
+}
+
+/// Whether a statement follows the condition of an `IF […] THEN` in its line.
+fn has_statement(rest: &[u8]) -> bool {
+    let rest = rest.trim_ascii_start();
+    if rest.first() != Some(&b'[') {
+        return false;
+    }
+    let mut depth = 0;
+    let end = rest.iter().position(|b| {
+        depth += match b {
+            b'[' => 1,
+            b']' => -1,
+            _ => 0,
+        };
+        depth == 0
+    });
+    let behind = end.map_or(&[][..], |end| rest[end + 1..].trim_ascii());
+    let behind = match behind.get(..4) {
+        Some(word) if word.eq_ignore_ascii_case(b"THEN") => behind[4..].trim_ascii(),
+        _ => behind,
+    };
+    !behind.is_empty() && behind[0] != b'('
 }
 
 /// Whether a block is one of a Fanuc's that jump or loop.

@@ -53,11 +53,21 @@ struct Level {
     set: BTreeMap<Key, Value>,
     /// Something else may have set any of them since.
     lost: bool,
+    /// Whether a value was set since then.
+    is_set: bool,
 }
 
 impl Level {
+    fn insert(&mut self, key: Key, value: Value) {
+        self.is_set |= value != Value::Unknown;
+        self.set.insert(key, value);
+    }
+
     fn forget(&mut self) {
         self.lost = true;
+        if !std::mem::take(&mut self.is_set) {
+            return;
+        }
         self.set
             .values_mut()
             .for_each(|value| *value = Value::Unknown);
@@ -177,6 +187,7 @@ impl Variables {
         self.levels.push(Level {
             set: arguments.into_iter().collect(),
             lost: false,
+            is_set: true,
         });
     }
 
@@ -314,14 +325,14 @@ impl Variables {
             .last_mut()
             .filter(|_| is_local)
             .unwrap_or(&mut self.globals);
-        level.set.insert(key, value);
+        level.insert(key, value);
     }
 
     /// A variable of this call alone.
     pub fn define(&mut self, key: Key, value: Value) {
         self.assigned.insert(key.clone());
         if let Some(level) = self.levels.last_mut() {
-            level.set.insert(key, value);
+            level.insert(key, value);
         }
     }
 
@@ -352,6 +363,7 @@ impl Variables {
         self.forget();
         if let Some(level) = self.levels.last_mut() {
             level.lost = arguments.is_empty();
+            level.is_set = true;
             level.set.extend(arguments);
         }
     }
