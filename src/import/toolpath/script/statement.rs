@@ -149,11 +149,15 @@ fn has_statement(rest: &[u8]) -> bool {
         depth == 0
     });
     let behind = end.map_or(&[][..], |end| rest[end + 1..].trim_ascii());
-    let behind = match behind.get(..4) {
-        Some(word) if word.eq_ignore_ascii_case(b"THEN") => behind[4..].trim_ascii(),
-        _ => behind,
+    let is_then = behind
+        .get(..4)
+        .is_some_and(|word| word.eq_ignore_ascii_case(b"THEN"));
+    let statement = if is_then {
+        behind[4..].trim_ascii()
+    } else {
+        &[]
     };
-    !behind.is_empty() && behind[0] != b'('
+    statement.first().is_some_and(|b| *b != b'(')
 }
 
 /// Whether a block is one of a Fanuc's that jump or loop.
