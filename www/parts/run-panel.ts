@@ -192,7 +192,7 @@ export class RunPanel {
     </details>`;
   }
 
-  /** The control that the program is for: the text decides where nobody says it. */
+  /** The control that the program is for. If none is chosen, it is recognised by the text. */
   private control(own: ProgramKnown): TemplateResult {
     const t = this.store().t.bind(this.store());
     const choose = (event: Event) => {

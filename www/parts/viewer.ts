@@ -28,7 +28,7 @@ const LONGEST_RUN = 500_000;
 /** A longer text is run once, without assumptions. */
 const LONGEST_ASSUMED = 100_000;
 
-/** A run of more moves is not tried again with what is assumed: the page would stand still. */
+/** A run with more moves is not repeated with assumptions: the page would not respond. */
 const MOST_ASSUMED = 20_000;
 
 /** Findings of a run that ends early. A touch at its target is a miss for programs that check for one. */

@@ -56,7 +56,7 @@ pub enum Unary {
     Sqrt,
 }
 
-/// What stands between two values. Truth is 1.
+/// A binary operator. Truth is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binary {
     Add,

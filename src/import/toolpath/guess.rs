@@ -107,11 +107,12 @@ fn words(text: &str) -> impl Iterator<Item = String> {
 pub(super) fn is_lnc(text: &str) -> bool {
     let is_own =
         |word: String| word == "END_IF" || word.starts_with("W_G5") || word == "FIX_CUT_OR_ON";
-    let signs: [&[u8]; 2] = [b"R_SKIP", b"G65 \""];
-    signs
-        .iter()
-        .any(|sign| memchr::memmem::find(text.as_bytes(), sign).is_some())
-        || words(text).any(is_own)
+    let in_code = |line: &str| {
+        let code = &line[..comment_at(line.as_bytes(), true).unwrap_or(line.len())];
+        let code = code.split("//").next().unwrap_or_default();
+        code.contains("R_SKIP") || code.contains("G65 \"")
+    };
+    lines_of(text).take(MOST_LINES).any(in_code) || words(text).any(is_own)
 }
 
 /// Whether a program is of an Eding CNC: subroutines by name, whose variables have numbers.

@@ -281,6 +281,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         feature: known.feature.clone(),
         behind: Behind::default(),
         contact: [f64::NAN; 3],
+        contact_in_machine: [f64::NAN; 3],
         met: None,
     });
     reader.path.centroid = kind == ControlKind::Centroid;
@@ -564,8 +565,12 @@ impl Run<'_> {
     /// Where it goes on at the end of the lines: in a loop that ends with them, or behind the call of what ends with the text.
     fn behind_the_end(&mut self, at: usize) -> Option<Place> {
         let macros = self.macros.as_mut().filter(|_| !self.reader.ended)?;
-        if let Some(begin) = macros.loops_back(self.reader.line) {
-            return Some(begin);
+        while let Some(step) = macros.dedents(self.reader.line) {
+            match step {
+                Step::Go(begin) => return Some(begin),
+                Step::Again(way) => self.reader.goes_unknown_way(way),
+                _ => break,
+            }
         }
         let is_over = at >= self.text.len();
         let back = is_over.then(|| macros.fall_out(true)).flatten()?;

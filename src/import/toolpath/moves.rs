@@ -186,6 +186,7 @@ impl Reader {
         };
         self.place = [0, 1, 2].map(end);
         run.contact = self.frames.contact_variables(self.place);
+        run.contact_in_machine = self.frames.in_machine(self.place);
         run.met = match trip {
             Trip::At(_) => Some(true),
             Trip::Never => Some(false),

@@ -75,6 +75,8 @@ pub(super) struct Touching {
     pub behind: Behind,
     /// Where the last one ended, in the units of the path, and whether it met something.
     pub contact: [f64; 3],
+    /// The same in machine coordinates: a work offset that is written later does not change it.
+    pub contact_in_machine: [f64; 3],
     pub met: Option<bool>,
 }
 
@@ -279,13 +281,15 @@ impl Reader {
     pub fn system(&self) -> System {
         let scale = self.modes.scale;
         let to_units = |position: Position| position.map(|x| x / scale);
-        let (contact, met) = self
-            .run
-            .as_ref()
-            .map_or(([f64::NAN; 3], None), |run| (run.contact, run.met));
+        let unknown = [f64::NAN; 3];
+        let (contact, contact_in_machine, met) =
+            self.run.as_ref().map_or((unknown, unknown, None), |run| {
+                (run.contact, run.contact_in_machine, run.met)
+            });
         System {
             place: to_units(self.place),
             contact: to_units(contact),
+            contact_in_machine: to_units(contact_in_machine),
             machine: to_units(self.frames.in_machine(self.place)),
             // In inch it depends on the machine what these count in.
             offsets: self.frames.values().map(|offset| {
@@ -755,7 +759,7 @@ impl Reader {
         }
     }
 
-    /// `IF` opens a condition and `ENDIF` closes it, but where an `IF` stands alone. A `WHILE` within a loop may be the end of a `DO`.
+    /// `IF` begins a condition and `ENDIF` ends it; macro B has no `ENDIF`. A `WHILE` inside a loop may end a `DO`.
     fn branch(&mut self, word: &[u8], conditional: bool) {
         let way = match word.to_ascii_uppercase().as_slice() {
             b"IF" if conditional => Way::Begins,
@@ -800,7 +804,7 @@ impl Reader {
         }
     }
 
-    /// The program may go back from a subprogram to a line, or go on: there both ways meet.
+    /// The program may return from a subprogram to a line, or go on below. Both ways meet at that line.
     #[cold]
     pub fn may_leave(&mut self, to: usize) {
         self.parts(Some(to));

@@ -306,7 +306,7 @@ fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     (!touch.is_nan()).then(back)
 }
 
-/// The move is the first of two touches in one direction, with a way back between them; none where that is not known.
+/// Whether the move is the first of two touches in one direction with a retract between them; `None` if that is not known.
 fn is_first_of_two(path: &Toolpath, index: usize) -> Option<bool> {
     if index + 2 >= path.len() || [1, 2].map(|i| path.kind[index + i] == PROBE) != [false, true] {
         return Some(false);

@@ -21,6 +21,8 @@ pub struct System {
     pub table: [f64; 3],
     /// Where the last probing move ended, and whether it met something.
     pub contact: [f64; 3],
+    /// Where it ended in machine coordinates.
+    pub contact_in_machine: [f64; 3],
     pub met: Option<bool>,
     /// Whether it is known what touches meet, and none was made yet: the probe is not deflected.
     pub rests: bool,
@@ -43,6 +45,7 @@ impl Default for System {
             shift: NOWHERE,
             table: NOWHERE,
             contact: NOWHERE,
+            contact_in_machine: NOWHERE,
             met: None,
             rests: false,
             metric: None,
@@ -91,9 +94,7 @@ impl System {
             return Some(self.met.map(|met| f64::from(u8::from(met))));
         }
         if name.starts_with("r_skip[") {
-            return Some(axis(201).and_then(|axis| {
-                known(self.contact[axis] + self.machine[axis] - self.place[axis])
-            }));
+            return Some(axis(201).and_then(|axis| known(self.contact_in_machine[axis])));
         }
         if name.starts_with("r_mach_coor[") {
             return Some(axis(1).and_then(|axis| known(self.machine[axis])));
@@ -102,13 +103,13 @@ impl System {
     }
 
     /// What an Eding CNC sets: #5061 the contact and #5001 the present position in work coordinates, #5051 and #5071 the same in machine coordinates, #5067
-    /// whether there was a contact. A run is none that draws: #5380 and #5397 are 0.
+    /// whether there was a contact. #5380 and #5397 are 0: the program is not simulated.
     fn of_eding(&self, number: i32) -> Option<Option<f64>> {
         let known = |x: f64| (!x.is_nan()).then_some(x);
         let axis = (number % 10 - 1) as usize;
         Some(match number {
             5061..=5063 => known(self.contact[axis]),
-            5051..=5053 => known(self.contact[axis] + self.machine[axis] - self.place[axis]),
+            5051..=5053 => known(self.contact_in_machine[axis]),
             5001..=5003 => known(self.place[axis]),
             5071..=5073 => known(self.machine[axis]),
             5067 => self.met.map(|met| f64::from(u8::from(met))),

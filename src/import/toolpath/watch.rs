@@ -191,7 +191,7 @@ fn moves(line: &str) -> bool {
                 .any(|code| line.starts_with(code))
 }
 
-/// Whether it is one of Renishaw's macros, which begins with moves of its own.
+/// Whether it calls one of Renishaw's macros, which begin with moves.
 fn is_cycle(line: &str) -> bool {
     line.starts_with("G65P98") || line.starts_with("G65P88")
 }

@@ -13,7 +13,7 @@ pub(super) enum Way {
     },
     Ends,
     LoopBegins,
-    /// The loop was run once: these axes went where values said, which may be others in the next round.
+    /// The loop was run once. The positions of these axes were computed, and may differ in the next round.
     LoopEnds(Axes),
     /// A loop that was run ends, of which it is not known how often it runs.
     LoopLeft(Axes),

@@ -74,7 +74,7 @@ impl Klartext {
         }
     }
 
-    /// What was read before anything set it.
+    /// The variables that were read before anything set them.
     pub fn asks(&self) -> Vec<Ask> {
         self.machine.variables.asks()
     }
@@ -326,7 +326,7 @@ impl Klartext {
         Next::Below
     }
 
-    /// A number or a parameter; NaN where it is none that is known.
+    /// A number or a parameter; NaN if its value is not known.
     fn value(&self, text: &str) -> f64 {
         let mut cursor = Cursor::new(text.as_bytes(), 0, &self.machine.variables);
         let value = cursor.operand().map_or(f64::NAN, Computed::or_nan);

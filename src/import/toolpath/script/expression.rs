@@ -245,7 +245,7 @@ impl<'a> Cursor<'a> {
             Value::Empty => Some(0.0),
             value => value.number(),
         });
-        // One that is known may decide alone.
+        // One known operand may decide the result.
         match operator {
             Op::And if a == Some(0.0) || b == Some(0.0) => return Value::Number(0.0),
             Op::Or if [a, b].iter().flatten().any(|x| self.is_truth(*x)) => {
@@ -282,7 +282,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// Whether a number decides an OR alone.
+    /// Whether this operand alone makes an OR true.
     fn is_truth(&self, x: f64) -> bool {
         x == 1.0 || x != 0.0 && self.variables.grammar.language == Language::Sinumerik
     }
@@ -458,7 +458,7 @@ impl<'a> Cursor<'a> {
             // On a Fanuc a parameter says whether the other half turn is below 0 or above 180.
             (Function::ArcTangent, [x]) if is_macro_b && *x < 0.0 => f64::NAN,
             (Function::ArcTangent2, [y, _]) if is_macro_b && *y < 0.0 => f64::NAN,
-            // LinuxCNC has it of two values alone.
+            // LinuxCNC has ATAN only with two values.
             (Function::ArcTangent, _) if is_linuxcnc => f64::NAN,
             (Function::ArcTangent, [x]) => x.atan().to_degrees(),
             (Function::ArcTangent2, [y, x]) => y.atan2(*x).to_degrees(),
@@ -511,6 +511,12 @@ impl<'a> Cursor<'a> {
         loop {
             match self.line.get(self.at) {
                 Some(b'[') => name += &self.index()?,
+                // `R_SKIP(0,1)`, as the manual of an LNC has it.
+                Some(b'(') if self.variables.grammar.language == Language::Lnc => {
+                    let whole = |value: &Value| Some(crate::num::decimal(value.number()?, 0));
+                    let index: Option<Vec<String>> = self.list()?.iter().map(whole).collect();
+                    name += &format!("[{}]", index?.join(","));
+                }
                 Some(b'.') => {
                     self.at += 1;
                     name.push('.');
@@ -598,7 +604,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The index behind a name: `[2]` of `[R1+1]`, `[X]`. Empty where there is none; none where it is not known.
+    /// The index after a name: `[2]` for `[R1+1]`, `[X]`. Empty if there is no index, `None` if its value is not known.
     pub fn index(&mut self) -> Option<String> {
         if self.line.get(self.at) != Some(&b'[') {
             return Some(String::new());

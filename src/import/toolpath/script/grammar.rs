@@ -7,9 +7,9 @@ pub enum Language {
     LinuxCnc,
     /// Macro B of Fanuc and kin.
     MacroB,
-    /// Macros of an LNC: `#` and `@`, words that lie in each other.
+    /// Macros of an LNC: `#` and `@`, nested structures.
     Lnc,
-    /// Eding CNC: `#`, words that lie in each other, SUB and GOSUB.
+    /// Eding CNC: `#`, nested structures, SUB and GOSUB.
     Eding,
     /// RepRapFirmware: names, `{ }`, structures by indentation.
     RepRap,
@@ -28,7 +28,7 @@ impl Language {
     }
 }
 
-/// What stands between two values.
+/// A binary operator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Operator {
     Or,
@@ -106,7 +106,7 @@ pub struct Grammar {
     pub is_prefix: bool,
     /// So deep a subprogram may call the next one.
     pub deepest: usize,
-    /// The words of structures that lie in each other.
+    /// The words of nested structures.
     pub words: &'static [(&'static str, Keyword)],
     /// Structures end by indentation.
     pub is_indented: bool,
@@ -114,7 +114,7 @@ pub struct Grammar {
     pub alarms: &'static [&'static str],
     /// Words that neither move nor set anything.
     pub ignored: &'static [&'static str],
-    /// Codes of probing moves, and the word that says what a contact means beside a G31.
+    /// Codes of probing moves, and the word of a G31 that has the same meaning of a contact.
     pub probing: &'static [(&'static str, &'static str)],
     /// What a comment begins with beside `;`, and in what brackets it may be.
     pub comment: Option<&'static str>,
@@ -311,6 +311,9 @@ pub const LNC: Grammar = Grammar {
         ("END_IF", Keyword::EndIf),
         ("WHILE", Keyword::While),
         ("END_WHILE", Keyword::EndWhile),
+        ("FOR", Keyword::For),
+        ("END_FOR", Keyword::EndFor),
+        ("EXIT_FOR", Keyword::Break),
     ],
     alarms: &["ALARM"],
     ignored: &[
@@ -467,7 +470,7 @@ pub enum Keyword {
 }
 
 impl Keyword {
-    /// What ends the structure that this word begins; none of a word that begins none.
+    /// The word that ends the structure which this word begins; `None` if it begins no structure.
     pub fn end(self) -> Option<Keyword> {
         Some(match self {
             Keyword::If => Keyword::EndIf,

@@ -72,17 +72,7 @@ impl Machine {
             self.variables.set_by_control(key);
             return Step::AsWritten;
         }
-        let result = Value::of(result);
-        let value = if self.is_sure() {
-            result
-        } else {
-            Value::Unknown
-        };
-        self.variables.set(key, value);
-        match value {
-            Value::Unknown => Step::AsWritten,
-            _ => Step::Done,
-        }
+        self.sets(key, Value::of(result))
     }
 
     /// `Q5 = +Q1 * 2`.
@@ -92,13 +82,8 @@ impl Machine {
             return Step::AsWritten;
         };
         let value = cursor.eat("=").then(|| cursor.value()).flatten();
-        let is_known = cursor.is_done() && self.is_sure();
-        let value = value.filter(|_| is_known).unwrap_or(Value::Unknown);
-        self.variables.set(key, value);
-        match value {
-            Value::Unknown => Step::AsWritten,
-            _ => Step::Done,
-        }
+        let is_whole = cursor.is_done();
+        self.sets(key, value.filter(|_| is_whole).unwrap_or(Value::Unknown))
     }
 
     /// `L5,0` calls; `L5,3` runs the section from the label on three times more.
@@ -149,7 +134,7 @@ impl Machine {
             if let Some(axis @ b'X'..=b'Z') = before.bytes().last() {
                 self.valued |= 1 << (axis - b'X');
             }
-            // What is not known stands there as a value of another dialect, which the reader knows for one.
+            // An unknown value is written as a variable of another dialect: the reader takes it for a computed value.
             out.push_str(&match self.variables.get(&key) {
                 Value::Number(value) => decimal(sign * value, 9),
                 _ => "[#0]".to_owned(),

@@ -34,7 +34,7 @@ pub struct Span {
     /// Below its first line.
     pub below: Place,
     pub branches: Vec<Branch>,
-    /// The line that ends it, and the place below; none where it has no end. One that ends by indentation ends in front of the line below it: both are that.
+    /// The line that ends it and the line below. A structure that ends by indentation has no end line: both are the first line after it. `None` without an end.
     pub end: Option<(Place, Place)>,
 }
 
@@ -524,7 +524,7 @@ impl Index {
             .any(|span| span.end.is_none_or(|(end, _)| end.line >= line))
     }
 
-    /// The subroutine of this name; none where it is not there once.
+    /// The subroutine with this name; `None` if the text has no such subroutine, or several.
     pub fn subroutine(&self, name: &str) -> Option<&Subprogram> {
         let from = self
             .subprograms
@@ -556,7 +556,7 @@ impl Index {
         all
     }
 
-    /// Where the lines of a program begin, and its last line; none where it is not there once.
+    /// The first and the last line of a program; `None` if the text has no such program, or several.
     pub fn program(&self, number: u32) -> Option<(Place, usize)> {
         let mut all = self.programs.iter().filter(|(known, _)| *known == number);
         let ((_, begin), more) = (all.next()?, all.next());
@@ -585,7 +585,7 @@ impl Index {
         self.numbered(number.parse().ok()?, line)
     }
 
-    /// The place of a label; none where it is there twice.
+    /// The place of a label; `None` if the text has it twice.
     pub fn only_label(&self, name: &str) -> Option<Place> {
         match self.labels.get(name)?.as_slice() {
             [place] => Some(*place),

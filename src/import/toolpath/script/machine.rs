@@ -82,7 +82,7 @@ pub(in crate::import::toolpath) struct Machine {
     repeats: BTreeMap<usize, usize>,
     /// How often a branch that ends the program was not taken, by its line.
     spared: Vec<(usize, usize)>,
-    /// The axes that went where values said.
+    /// The axes whose positions were computed so far.
     pub valued: Axes,
     /// The registers that the line has written.
     pub(super) written: Vec<(Variable, f64)>,
@@ -334,14 +334,14 @@ impl Machine {
         here: Place,
     ) -> Step {
         let Some(span) = self.index.span_at(here.line) else {
-            return match keyword {
-                // A loop without an end may set anything.
-                Keyword::EndWhile | Keyword::EndRepeat | Keyword::EndFor | Keyword::EndLoop => {
-                    self.forget();
-                    Step::AsWritten
-                }
-                _ => Step::AsWritten,
-            };
+            // The end of a loop that begins nowhere: it may set anything.
+            if matches!(
+                keyword,
+                Keyword::EndWhile | Keyword::EndRepeat | Keyword::EndFor | Keyword::EndLoop
+            ) {
+                self.forget();
+            }
+            return Step::AsWritten;
         };
         let is_end = self
             .index
@@ -582,14 +582,62 @@ impl Machine {
         Step::to(end.map(|(here, _)| here))
     }
 
+    /// Gives a variable a value, where that is sure. Of an unknown value the reader reports that it is computed.
+    pub(super) fn sets(&mut self, key: Key, value: Value) -> Step {
+        let value = if self.is_sure() {
+            value
+        } else {
+            Value::Unknown
+        };
+        self.variables.set(key, value);
+        match value {
+            Value::Unknown => Step::AsWritten,
+            _ => Step::Done,
+        }
+    }
+
+    /// A word of a structure, with what follows it.
+    pub(super) fn structure_word(
+        &mut self,
+        keyword: Keyword,
+        code: &[u8],
+        rest: usize,
+        here: Place,
+    ) -> Step {
+        let value = match keyword {
+            Keyword::For => self.counts(code, rest, here),
+            _ => Cursor::new(code, rest, &self.variables).value(),
+        };
+        self.structure(keyword, value, here)
+    }
+
+    /// `FOR I=1 TO 5`: counts up by one, and goes on as long as the last value is not passed.
+    fn counts(&mut self, code: &[u8], rest: usize, here: Place) -> Option<Value> {
+        let mut cursor = Cursor::new(code, rest, &self.variables);
+        let key = cursor.key()?;
+        let first = cursor.eat("=").then(|| cursor.value())??;
+        let last = cursor.eat("TO").then(|| cursor.value())??;
+        let is_understood = cursor.is_done();
+        let now = match self.is_running(here) {
+            true => Value::of(self.variables.get(&key).or_nan() + 1.0),
+            false => first,
+        };
+        let now = if self.is_sure() { now } else { Value::Unknown };
+        self.variables.set(key, now);
+        let (now, last) = (now.number()?, last.number()?);
+        // Another step, `BY 2`, is not followed.
+        is_understood.then_some(())?;
+        Some(Value::Number(f64::from(u8::from(now <= last))))
+    }
+
     /// Whether a loop runs: its next round begins.
-    pub(super) fn is_running(&self, here: Place) -> bool {
+    fn is_running(&self, here: Place) -> bool {
         let span = self.index.span_at(here.line);
         let open = span.and_then(|span| self.opened(span));
         matches!(open, Some((_, Open::Loop(..))))
     }
 
-    /// Into a file of the program, by its name; none where there is no such file.
+    /// Calls a file by its name; `None` if there is no such file.
     pub(super) fn calls_file(
         &mut self,
         name: &str,
@@ -607,16 +655,9 @@ impl Machine {
         Some(Step::Enter(begin))
     }
 
-    /// Where a loop goes on whose lines end with those of the program.
-    pub fn loops_back(&mut self, line: usize) -> Option<Place> {
-        match self.dedents(line) {
-            Some(Step::Go(begin)) => Some(begin),
-            _ => None,
-        }
-    }
-
-    /// Ends the structures that end in front of a line, by its indentation: the next round of a loop, or the way on.
-    fn dedents(&mut self, line: usize) -> Option<Step> {
+    /// Ends the structures that end in front of a line, by its indentation: the next round of a loop, or what an unknown condition leaves. Each call ends
+    /// those up to the first of these; none where there is nothing more to end.
+    pub fn dedents(&mut self, line: usize) -> Option<Step> {
         while let Some(open) = self.open.last().copied() {
             let span = open.span();
             let ends_here = |(end, below): (Place, Place)| end == below && end.line == line;
@@ -697,9 +738,7 @@ impl Machine {
             _ => self.macro_block(line, begin, here, next, inside),
         }
     }
-}
 
-impl Machine {
     /// The registers of the control that the last line has written as variables, with their values: NaN is not known.
     pub fn written(&mut self) -> Vec<(Variable, f64)> {
         std::mem::take(&mut self.written)
@@ -761,7 +800,7 @@ impl Machine {
         self.variables.forget();
     }
 
-    /// The same of those that calls share: a macro was called, which has locals of its own.
+    /// Forgets the variables that calls share: a macro was called, and its locals are separate.
     pub fn forget_shared(&mut self) {
         match self.language() {
             Language::Sinumerik => self.variables.forget(),
@@ -797,7 +836,7 @@ impl Machine {
         self.variables.system = system;
     }
 
-    /// What was read before anything set it.
+    /// The variables that were read before anything set them.
     pub fn asks(&self) -> Vec<Ask> {
         self.variables.asks()
     }

@@ -364,7 +364,7 @@ impl Machine {
         match out[begin..].trim_ascii().is_empty() {
             // What divides by zero is reported by itself.
             true if assigns && (known || self.variables.has_divided()) => Step::Done,
-            // Of what gets no known value the reader says that it computes. An `@` would be a polar radius there.
+            // The reader reports an assignment of an unknown value. It would take `@` for a polar radius.
             true if assigns && self.variables.grammar.language == Language::Lnc => {
                 Step::Read(b"#0=#0".to_vec())
             }
@@ -373,7 +373,7 @@ impl Machine {
         }
     }
 
-    /// A block with numbers in place of what is known, what it assigns, and the axes that values say; none where it is not understood.
+    /// A block with numbers in place of known values, its assignments, and the axes whose positions are computed; `None` if it is not understood.
     fn expanded(&self, line: &[u8], begin: usize) -> Option<(Vec<u8>, Assigned, Axes)> {
         let language = self.variables.grammar.language;
         let (mut out, mut sets, mut valued) = (line[..begin].to_vec(), Vec::new(), 0);
@@ -401,7 +401,7 @@ impl Machine {
                         valued |= 1 << (axis - b'X');
                     }
                     if language == Language::RepRap {
-                        // What is not known stands there as a value of a macro, which the reader knows for one.
+                        // An unknown value is written as a macro variable: the reader takes it for a computed value.
                         match value {
                             Some(Value::Number(x)) => number(&mut out, x),
                             _ => out.extend_from_slice(b"[#0]"),

@@ -1,5 +1,6 @@
-//! Macros whose structures lie in each other: LNC and Eding CNC.
+//! Macros with nested structures: LNC and Eding CNC.
 
+use crate::control::native::tool_name;
 use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::Step;
 use crate::import::toolpath::key::Key;
@@ -29,10 +30,8 @@ impl Machine {
                 Keyword::Sub | Keyword::EndSub | Keyword::Call => {
                     self.o_word(word, code, here, next)
                 }
-                keyword => {
-                    let value = Cursor::new(code, word.rest, &self.variables).value();
-                    self.structure(keyword, value, here)
-                }
+                Keyword::Break => self.leaves_loop("", true),
+                keyword => self.structure_word(keyword, code, word.rest, here),
             };
         }
         if let Some(step) = self.named_call(code, next, inside) {
@@ -83,31 +82,24 @@ impl Machine {
         let name = cursor.name()?.to_ascii_uppercase();
         let name = name.strip_prefix(b"W_")?;
         let values = cursor.list()?;
-        let number = |at: usize| values.get(at).and_then(|value| value.number());
-        let axis = number(2)
-            .map(|axis| axis as usize)
-            .filter(|axis| (1..=OFFSET_AXES).contains(axis));
-        let offset = |number: i32| {
-            axis.map_or_else(
-                || Variable::AnyOffset(String::from_utf8_lossy(name).into_owned()),
-                |axis| Variable::Offset(number, axis - 1),
-            )
-        };
-        let written = match (name, number(1)) {
-            (b"G53G59_COOR", Some(g)) if (54.0..=59.0).contains(&g) => offset(g as i32 - 53),
-            (b"G54EXP_COOR", Some(p)) if (1.0..=100.0).contains(&p) => {
-                offset(6 + 1000 * (p as i32))
-            }
-            (b"G53G59_COOR" | b"G54EXP_COOR", _) => {
-                Variable::AnyOffset(String::from_utf8_lossy(name).into_owned())
-            }
-            (b"TOOL_DATA", tool) => Variable::Tool(
-                TABLE,
-                crate::control::native::tool_name(tool.unwrap_or(f64::NAN)),
-            ),
+        // NaN as a number is 0: no offset and no axis.
+        let number = |at: usize| values.get(at).map_or(f64::NAN, |value| value.or_nan());
+        let (which, axis) = (number(1) as i32, number(2) as usize);
+        let offset = match (name, which) {
+            (b"TOOL_DATA", _) => None,
+            (b"G53G59_COOR", 54..=59) => Some(which - 53),
+            (b"G54EXP_COOR", 1..=100) => Some(6 + 1000 * which),
+            (b"G53G59_COOR" | b"G54EXP_COOR", _) => Some(0),
             _ => return None,
         };
-        let value = values.last().map_or(f64::NAN, |value| value.or_nan());
+        let written = match offset {
+            None => Variable::Tool(TABLE, tool_name(number(1))),
+            Some(offset @ 1..) if (1..=OFFSET_AXES).contains(&axis) => {
+                Variable::Offset(offset, axis - 1)
+            }
+            Some(_) => Variable::AnyOffset(String::from_utf8_lossy(name).into_owned()),
+        };
+        let value = number(values.len().saturating_sub(1));
         let value = if self.is_sure() { value } else { f64::NAN };
         self.written.push((written, value));
         Some(Step::Done)

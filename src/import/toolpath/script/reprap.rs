@@ -72,17 +72,11 @@ impl Machine {
         };
         let value = cursor.eat("=").then(|| cursor.value()).flatten();
         let is_whole = cursor.is_done();
-        let value = value
-            .filter(|_| is_whole && self.is_sure())
-            .unwrap_or(Value::Unknown);
+        let value = value.filter(|_| is_whole).unwrap_or(Value::Unknown);
         if let (Key::Name(name), false) = (&key, is_whole) {
             // A list of values, which are not followed.
             self.variables.forget_elements(name);
         }
-        self.variables.set(key, value);
-        Some(match value {
-            Value::Unknown => Step::AsWritten,
-            _ => Step::Done,
-        })
+        Some(self.sets(key, value))
     }
 }

@@ -4,14 +4,13 @@ use crate::import::toolpath::calls::Place;
 use crate::import::toolpath::flow::Step;
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::script::expression::Cursor;
-use crate::import::toolpath::script::grammar::Keyword;
 use crate::import::toolpath::script::machine::Machine;
 use crate::import::toolpath::script::statement::{structure, without_label};
 use crate::import::toolpath::script::variables::Value;
 use crate::import::toolpath::writes;
 use crate::num::decimal;
 
-/// What stands in front of a jump's label.
+/// The words of jumps.
 const JUMPS: [&str; 4] = ["GOTOF", "GOTOB", "GOTOC", "GOTO"];
 
 impl Machine {
@@ -54,30 +53,6 @@ impl Machine {
         }
         self.call_by_name(code, next)
             .unwrap_or_else(|| self.assignments(code))
-    }
-
-    fn structure_word(&mut self, keyword: Keyword, code: &[u8], rest: usize, here: Place) -> Step {
-        let value = match keyword {
-            Keyword::For => self.counts(code, rest, here),
-            _ => Cursor::new(code, rest, &self.variables).value(),
-        };
-        self.structure(keyword, value, here)
-    }
-
-    /// `FOR I=1 TO 5`: counts up by one, and goes on as long as the last value is not passed.
-    fn counts(&mut self, code: &[u8], rest: usize, here: Place) -> Option<Value> {
-        let mut cursor = Cursor::new(code, rest, &self.variables);
-        let key = cursor.key()?;
-        let first = cursor.eat("=").then(|| cursor.value())??;
-        let last = cursor.eat("TO").then(|| cursor.value())??;
-        let now = match self.is_running(here) {
-            true => Value::of(self.variables.get(&key).or_nan() + 1.0),
-            false => first,
-        };
-        let now = if self.is_sure() { now } else { Value::Unknown };
-        self.variables.set(key, now);
-        let (now, last) = (now.number()?, last.number()?);
-        Some(Value::Number(f64::from(u8::from(now <= last))))
     }
 
     fn goto_label(&mut self, label: &str, holds: Option<bool>, next: Place) -> Step {
@@ -227,7 +202,7 @@ impl Machine {
                     self.valued |= 1 << (axis - b'X');
                 }
                 at = cursor.at;
-                // What is not known stands there as a variable, which the reader knows for one.
+                // An unknown value is written as a variable: the reader takes it for a computed value.
                 let value = value
                     .number()
                     .map_or("R0".to_owned(), |value| decimal(value, 9));
@@ -283,7 +258,7 @@ fn jump(cursor: &mut Cursor<'_>) -> Option<String> {
     Some(String::from_utf8_lossy(cursor.name()?).into_owned())
 }
 
-/// What stands behind the sign of an address: a value, or one in `IC( )`, `AC( )`, `DC( )`.
+/// The value of an address, or one in `IC( )`, `AC( )`, `DC( )`.
 fn address(cursor: &mut Cursor<'_>) -> (Option<&'static str>, Option<Value>) {
     for wrap in ["IC", "AC", "DC", "ACP", "ACN"] {
         if cursor.eat(wrap) {

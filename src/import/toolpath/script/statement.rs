@@ -7,7 +7,7 @@ use crate::import::toolpath::script::grammar::{Grammar, Keyword, Language, O_WOR
 #[derive(Clone, Debug, PartialEq)]
 pub struct Structure {
     pub keyword: Keyword,
-    /// What joins the words of one structure; empty where they lie in each other.
+    /// The label of the structure; empty if structures are nested and have no labels.
     pub label: String,
     /// Where in the code the rest begins: a condition, a count, arguments.
     pub rest: usize,
@@ -104,7 +104,7 @@ fn numbered(code: &[u8]) -> Option<Structure> {
     })
 }
 
-/// A word of structures that lie in each other. `IF` with a jump, and `REPEAT` with a label, are none.
+/// A word of a nested structure. `IF` with a jump and `REPEAT` with a label are not.
 fn nested(code: &[u8], grammar: &Grammar) -> Option<Structure> {
     let length = name(code).len();
     let (_, keyword) = grammar
@@ -307,7 +307,7 @@ pub fn heidenhain_turn(code: &str) -> Option<Turn> {
     }
 }
 
-/// What stands behind P01, P02 or P03 of a D code.
+/// The operand P01, P02 or P03 of a D code.
 pub fn d_part<'c>(code: &'c str, name: &str) -> Option<&'c str> {
     let (_, rest) = code.split_once(name)?;
     Some(rest.split(" P").next().unwrap_or_default().trim())

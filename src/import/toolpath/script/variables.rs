@@ -141,7 +141,7 @@ impl Variables {
         }
     }
 
-    /// What was read before anything set it.
+    /// The variables that were read before anything set them.
     pub fn asks(&self) -> Vec<Ask> {
         let asked = self.asked.borrow();
         asked
@@ -368,7 +368,7 @@ impl Variables {
         }
     }
 
-    /// Nothing is known of the variables that calls share: something else was called, which has its own locals.
+    /// Forgets the variables that calls share: something else was called, and its locals are separate.
     pub fn forget_shared(&mut self) {
         self.globals.forget();
     }
