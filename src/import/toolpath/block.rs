@@ -4,6 +4,7 @@ use crate::control::iso::codes::Shift;
 use crate::control::iso::script::Motion;
 use crate::import::toolpath::count::Count;
 use crate::import::toolpath::frames::{Axes, Frames, Position};
+use crate::import::toolpath::reader::Modes;
 
 /// A call of a subprogram.
 #[derive(Clone, Copy)]
@@ -40,6 +41,8 @@ pub(super) enum Foreign {
     No,
     /// The code sets or stores something: nothing moves.
     Sets,
+    /// The control computes the code, as `G#3` that restores a mode.
+    Computed,
     /// Nothing is known of the code: it may move anything.
     Unknown,
 }
@@ -240,12 +243,20 @@ pub(super) struct Named {
 
 /// Where the ways of a condition part.
 pub(super) struct Fork {
-    pub place: Position,
-    pub frames: Frames,
+    pub begins: State,
     /// Where the ways before this one ended.
-    pub ends: Option<(Position, Frames)>,
+    pub ends: Option<State>,
     /// The line at which they meet, where it was a jump; else a word says it.
     pub until: Option<usize>,
     /// Whether one of the ways is run in any case.
     pub otherwise: bool,
+}
+
+/// What a way of the program begins or ends with.
+#[derive(Clone)]
+pub(super) struct State {
+    pub place: Position,
+    pub frames: Frames,
+    pub modes: Modes,
+    pub feed: f64,
 }

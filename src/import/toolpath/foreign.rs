@@ -47,6 +47,12 @@ impl Reader {
             block.foreign
         } {
             Foreign::No => return false,
+            Foreign::Computed => {
+                self.modes.maybe_changed = true;
+                self.forget(block.given);
+                self.skipped.count(Skip::Words, self.line);
+                return names_axes;
+            }
             Foreign::Sets if !names_axes => return false,
             Foreign::Sets => self.forget(block.given),
             Foreign::Unknown => self.forget(7),

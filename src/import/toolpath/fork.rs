@@ -1,48 +1,77 @@
-//! Both ways of a condition that is not known: each is read from where they part, and where they meet a place is known only if both say the same.
+//! Both ways of a condition that is not known: each is read from where they part, and where they meet a position, a mode and a feed are known only if
+//! both ways agree.
 
-use crate::import::toolpath::block::Fork;
-use crate::import::toolpath::frames::{Frames, Position};
-use crate::import::toolpath::reader::Reader;
+use crate::import::toolpath::block::{Fork, State};
+use crate::import::toolpath::reader::{Modes, Reader, Unsure};
 
 /// So many ways may be open: whoever jumps over more ends has an end.
 const MOST_FORKS: usize = 200;
 
 /// What two ways agree on; NaN is not known.
-fn agreed(
-    (place, frames): (Position, &Frames),
-    (other, others): (Position, Frames),
-) -> (Position, Frames) {
-    let agreed = [0, 1, 2].map(|axis| {
-        if place[axis] == other[axis] {
-            place[axis]
-        } else {
-            f64::NAN
+fn agreed(own: State, mut other: State) -> State {
+    let same = |a: f64, b: f64| if a == b { a } else { f64::NAN };
+    other.frames.agree(&own.frames);
+    State {
+        place: [0, 1, 2].map(|axis| same(own.place[axis], other.place[axis])),
+        frames: other.frames,
+        modes: own.modes.agreed(other.modes),
+        feed: same(own.feed, other.feed),
+    }
+}
+
+impl Modes {
+    /// The modes after one of two ways.
+    fn agreed(self, other: Modes) -> Modes {
+        let moves = |modes: Modes| (modes.motion, modes.curve, modes.given);
+        let counts = |modes: Modes| (modes.absolute, modes.diameter, modes.polar);
+        let unsure = Unsure {
+            motion: self.unsure.motion || other.unsure.motion || moves(self) != moves(other),
+            distance: self.unsure.distance
+                || other.unsure.distance
+                || counts(self) != counts(other),
+        };
+        Modes {
+            unsure,
+            stated: self.stated && other.stated,
+            maybe_changed: self.maybe_changed || other.maybe_changed,
+            plane: self.plane.filter(|plane| other.plane == Some(*plane)),
+            scale: if self.scale == other.scale {
+                self.scale
+            } else {
+                f64::NAN
+            },
+            by_other: self.by_other || other.by_other,
+            ..self
         }
-    });
-    let mut all = others;
-    all.agree(frames);
-    (agreed, all)
+    }
 }
 
 impl Reader {
+    fn state(&self) -> State {
+        State {
+            place: self.place,
+            frames: self.frames.clone(),
+            modes: self.modes,
+            feed: self.feed,
+        }
+    }
+
     /// A condition that is not known: its lines are run, or not. `until` is where a jump leads to.
     pub(super) fn parts(&mut self, until: Option<usize>) {
-        let own = (self.place, &self.frames);
+        if self.run.is_none() {
+            return;
+        }
+        let own = self.state();
         let known = self
             .forks
             .iter_mut()
             .find(|fork| until.is_some() && fork.until == until);
         if let Some(fork) = known {
             // Another way leads there.
-            let place = std::mem::take(&mut fork.place);
-            let frames = fork.frames.clone();
-            (fork.place, fork.frames) = agreed(own, (place, frames));
-            return;
-        }
-        if self.run.is_some() && self.forks.len() < MOST_FORKS {
+            fork.begins = agreed(own, fork.begins.clone());
+        } else if self.forks.len() < MOST_FORKS {
             self.forks.push(Fork {
-                place: self.place,
-                frames: self.frames.clone(),
+                begins: own,
                 ends: None,
                 until,
                 otherwise: false,
@@ -52,6 +81,7 @@ impl Reader {
 
     /// The next way of the same condition, in any case if none before it was run.
     pub(super) fn other_way(&mut self, otherwise: bool) {
+        let own = self.state();
         let Some(fork) = self
             .forks
             .iter_mut()
@@ -60,13 +90,12 @@ impl Reader {
         else {
             return;
         };
-        let own = (self.place, self.frames.clone());
         fork.ends = Some(match fork.ends.take() {
-            Some(ends) => agreed((ends.0, &ends.1), own),
+            Some(ends) => agreed(ends, own),
             None => own,
         });
         fork.otherwise |= otherwise;
-        let begins = (fork.place, fork.frames.clone());
+        let begins = fork.begins.clone();
         self.continues_from(begins);
     }
 
@@ -74,12 +103,12 @@ impl Reader {
     pub(super) fn meet(&mut self, line: Option<usize>) {
         while let Some(at) = self.forks.iter().rposition(|fork| fork.until == line) {
             let fork = self.forks.swap_remove(at);
-            let mut ends = (self.place, self.frames.clone());
-            if let Some((place, frames)) = &fork.ends {
-                ends = agreed((*place, frames), ends);
+            let mut ends = self.state();
+            if let Some(others) = fork.ends {
+                ends = agreed(others, ends);
             }
             if !fork.otherwise {
-                ends = agreed((fork.place, &fork.frames), ends);
+                ends = agreed(fork.begins, ends);
             }
             self.continues_from(ends);
             if line.is_none() {
@@ -89,11 +118,13 @@ impl Reader {
     }
 
     /// The next move begins here, and not where the one before ended.
-    fn continues_from(&mut self, (place, frames): (Position, Frames)) {
+    fn continues_from(&mut self, state: State) {
         let same = |axis: usize| {
-            place[axis] == self.place[axis] || place[axis].is_nan() && self.place[axis].is_nan()
+            let (place, own) = (state.place[axis], self.place[axis]);
+            place == own || place.is_nan() && own.is_nan()
         };
         self.resumes |= !(0..3).all(same);
-        (self.place, self.frames) = (place, frames);
+        (self.place, self.frames) = (state.place, state.frames);
+        (self.modes, self.feed) = (state.modes, state.feed);
     }
 }

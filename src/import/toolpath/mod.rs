@@ -396,6 +396,7 @@ fn run(
 fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) -> Toolpath {
     let log = reader.log.take();
     let unread = reader.unread();
+    let left = reader.modes;
     let mut path = reader.finish();
     path.asks = asks;
     if let Some(mut log) = log {
@@ -415,6 +416,8 @@ fn finished(text: &str, mut reader: Reader, asks: Vec<Ask>, shown: &[String]) ->
             path.finding_lines.push(lines);
         }
         log.unread = unread;
+        (log.left_incremental, log.maybe_changed) = (!left.absolute, left.maybe_changed);
+        log.left_unsure = left.unsure.distance;
         log.stopped = path.stopped;
         log.returns |= !shown.is_empty();
         path.rules = rules::asked(&path, &mut log);
@@ -626,7 +629,8 @@ impl Run<'_> {
         while let Some((name, begin)) = self.macros.as_mut().and_then(|macros| macros.uncalled(end))
         {
             self.reader.ended = false;
-            self.reader.place = self.start;
+            (self.reader.place, self.reader.depth) = (self.start, 0);
+            self.reader.enters_call();
             let before = self.reader.path.len();
             self.lines(begin);
             shown.extend((self.reader.path.len() > before).then_some(name));

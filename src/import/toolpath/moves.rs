@@ -26,6 +26,11 @@ impl Reader {
                 .push([self.path.kind.len() as f64, x, y, z]);
         }
         self.goes(block, from);
+        let tool = self.tool_axis();
+        if block.given & 1 << tool != 0 {
+            let is_zero = block.computed & 1 << tool == 0 && block.places[tool] == 0.0;
+            self.is_up = block.home || block.machine && is_zero;
+        }
         if matches!(motion, Motion::Clockwise | Motion::Counter) {
             match self.arc(block, from, motion == Motion::Counter) {
                 Some([a, b, c, sweep]) => {
@@ -47,6 +52,9 @@ impl Reader {
         let kind = self.arrives(motion);
         if self.run.is_none() {
             return;
+        }
+        if let Some(log) = self.log.as_mut().filter(|_| self.is_up) {
+            log.up.push(self.path.kind.len() - 1);
         }
         if kind == PROBE {
             self.touched(from, motion, block);
@@ -80,6 +88,8 @@ impl Reader {
     /// Where a block goes.
     fn goes(&mut self, block: &Block, from: [f64; 3]) {
         // Which axes are given as places, and not as distances.
+        let is_unsure = self.modes.unsure.distance
+            || self.modes.unsure.motion && block.once.is_none() && !block.motion;
         let places = if self.modes.absolute {
             !block.moved
         } else {
@@ -92,7 +102,7 @@ impl Reader {
             .filter(|(axis, _)| block.given & (1 << axis) != 0)
         {
             let x = block.places[axis] * self.modes.scale;
-            *place = if block.computed & (1 << axis) != 0 {
+            *place = if is_unsure || block.computed & (1 << axis) != 0 {
                 count(&mut self.computed, self.line);
                 f64::NAN
             } else if block.machine {
@@ -148,6 +158,7 @@ impl Reader {
             log.touches.push(Touch {
                 index: self.path.kind.len() - 1,
                 line: self.line,
+                axes: block.given,
                 stops: motion == Motion::MustTouch,
                 asked: run.behind.asked,
                 watched: run.behind.watched,

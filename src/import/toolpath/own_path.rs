@@ -225,6 +225,7 @@ impl Reader {
         }
         if let Some(log) = self.log.as_mut().filter(|_| kind == PROBE) {
             log.touches.push(Touch {
+                axes: 7,
                 index,
                 line: self.line,
                 stops: true,

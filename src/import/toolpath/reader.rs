@@ -30,9 +30,19 @@ pub(super) enum Given {
     Control,
 }
 
+/// Modes that are not known, for two ways of the program left them in different ways.
+#[derive(Clone, Copy, Default, PartialEq)]
+pub(super) struct Unsure {
+    /// How the axes go, until a block names a motion.
+    pub motion: bool,
+    /// Whether axis words are positions, until G90 or G91.
+    pub distance: bool,
+}
+
 /// What stays in force from block to block.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct Modes {
+    pub unsure: Unsure,
     pub motion: Motion,
     /// That motion is a curve, straight here.
     pub curve: bool,
@@ -83,6 +93,7 @@ pub(super) struct Touching {
 impl Default for Modes {
     fn default() -> Self {
         Modes {
+            unsure: Unsure::default(),
             motion: Motion::Rapid,
             curve: false,
             given: Given::Place,
@@ -123,6 +134,8 @@ pub(super) struct Reader {
     pub modes: Modes,
     /// The plane that was chosen first.
     pub plane: Option<Plane>,
+    /// Whether the tool axis is at the machine's zero or at its home position.
+    pub is_up: bool,
     /// How many calls are under way.
     pub depth: usize,
     /// Between `sub` and `endsub`: what stands there runs where it is called.
@@ -313,6 +326,10 @@ impl Reader {
             tool: self.tool.filter(|tool| !tool.is_nan()),
             feed: self.feed / scale,
         }
+    }
+
+    pub fn tool_axis(&self) -> usize {
+        self.modes.plane.unwrap_or_default().axes()[2]
     }
 
     /// Where the stylus stands, in the units that the program has now.
@@ -550,11 +567,13 @@ impl Reader {
             self.modes.plane.is_some(),
             self.modes.stated,
         ];
-        let (incremental, maybe_changed) = (!self.modes.absolute, self.modes.maybe_changed);
         let returns = block.returns && self.depth == 0;
+        let is_sure = self.forks.is_empty();
         let Some(log) = &mut self.log else { return };
-        if let Some(on) = block.spindle {
-            log.spindle.push((moves, line, on));
+        match block.spindle {
+            Some(true) if !is_sure => log.may_spin.push((moves, line)),
+            Some(on) => log.spindle.push((moves, line, on)),
+            None => {}
         }
         log.returns |= returns;
         if block.given != 0 && !block.elsewhere && log.stated.is_none() {
@@ -563,7 +582,6 @@ impl Reader {
         if waits {
             log.endless_waits.push(line);
         }
-        (log.left_incremental, log.maybe_changed) = (incremental, maybe_changed);
         log.ends |= block.ends;
     }
 
@@ -598,7 +616,7 @@ impl Reader {
         if block.given | block.centered != 0 {
             self.moves(block);
         } else if block.home {
-            self.place = [f64::NAN; 3];
+            (self.place, self.is_up) = ([f64::NAN; 3], true);
             count(&mut self.machine, self.line);
         }
     }
@@ -850,6 +868,7 @@ impl Reader {
 
     /// These axes are somewhere else.
     pub fn forget(&mut self, axes: Axes) {
+        self.is_up &= axes & 1 << self.tool_axis() == 0;
         for (axis, place) in self.place.iter_mut().enumerate() {
             if axes & (1 << axis) != 0 {
                 *place = f64::NAN;

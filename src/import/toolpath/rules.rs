@@ -4,6 +4,7 @@
 use serde::Serialize;
 
 use crate::control::rules::{NO_LOW_RAPID, ONE_WRITE, PLAUSIBLE, WATCHED, WRITE_LAST};
+use crate::import::toolpath::frames::Axes;
 use crate::import::toolpath::writes::{OFFSET, SHIFT, Write};
 use crate::import::toolpath::{DIALECTS, PROBE, RAPID, Toolpath};
 use crate::part::Machine as Inertia;
@@ -16,6 +17,8 @@ pub(super) struct Log {
     pub touches: Vec<Touch>,
     /// The spindle is started (true) or stopped.
     pub spindle: Vec<(usize, usize, bool)>,
+    /// Lines in which a condition that is not known starts it.
+    pub may_spin: Vec<(usize, usize)>,
     /// What is written that lasts.
     pub writes: Vec<Write>,
     /// Lines in which something may happen that is not seen.
@@ -36,10 +39,14 @@ pub(super) struct Log {
     pub left_incremental: bool,
     /// What was called since may have changed that.
     pub maybe_changed: bool,
+    /// They are distances at the end of some ways, and positions at the end of others.
+    pub left_unsure: bool,
     /// Whether the program came to an end of its own.
     pub ends: bool,
     /// The clearance heights of cycles of a HEIDENHAIN: nothing is in the way there.
     pub clearances: Vec<(usize, f64)>,
+    /// Moves with the tool axis at the machine's zero or home position, which is taken to be above every part.
+    pub up: Vec<usize>,
 }
 
 impl Log {
@@ -49,8 +56,22 @@ impl Log {
         self.own.get(at).is_some_and(|(begin, _)| *begin <= index)
     }
 
-    /// Whether a move stays at or above the clearance height of the next cycle.
+    /// Whether the program asks after the next move, which goes on along the same axes.
+    fn asks_next(&self, touch: &Touch) -> bool {
+        let at = self
+            .touches
+            .partition_point(|other| other.index <= touch.index);
+        let next = self.touches.get(at);
+        next.is_some_and(|next| {
+            next.index == touch.index + 1 && next.axes == touch.axes && next.asked
+        })
+    }
+
+    /// Whether a move stays at or above the clearance height of the next cycle, or at the top of the machine.
     fn is_clear(&self, path: &Toolpath, index: usize) -> bool {
+        if self.up.binary_search(&index).is_ok() {
+            return true;
+        }
         let next = self
             .clearances
             .partition_point(|(moves, _)| *moves <= index);
@@ -67,6 +88,8 @@ impl Log {
 pub(super) struct Touch {
     pub index: usize,
     pub line: usize,
+    /// The axes that its block names.
+    pub axes: Axes,
     /// A miss is an alarm of the control.
     pub stops: bool,
     /// The program asks behind it whether it met something.
@@ -171,7 +194,7 @@ pub(super) fn asked(path: &Toolpath, log: &mut Log) -> Vec<RunRule> {
         modes(path, log),
         spindle(log, last),
         watched(path, log, last),
-        missed(path, &touches, last),
+        missed(path, log, &touches, last),
         feeds(&touches),
         rapids(path, log, first, last),
         writes(log, first, last_probing),
@@ -257,7 +280,19 @@ fn spindle(log: &Log, last: usize) -> RunRule {
         .spindle
         .first()
         .is_some_and(|(moves, _, on)| *moves == 0 && !on);
+    let may: Vec<usize> = log
+        .may_spin
+        .iter()
+        .filter(|(moves, _)| *moves <= last)
+        .map(|(_, line)| *line)
+        .collect();
     match (on.is_empty(), off_first) {
+        (true, _) if !may.is_empty() => row(
+            RULE,
+            None,
+            text!("Conditions that are not known start the spindle before the last touch"),
+            may,
+        ),
         (false, _) => row(
             RULE,
             Some(false),
@@ -306,6 +341,12 @@ fn is_free(path: &Toolpath, index: usize) -> Option<bool> {
     (!touch.is_nan()).then(back)
 }
 
+/// How far a move goes up along the tool axis.
+fn rise(path: &Toolpath, index: usize) -> f64 {
+    let way = path.end(index) - path.begin(index);
+    way[path.plane.axes()[2]]
+}
+
 /// Whether the move is the first of two touches in one direction with a retract between them; `None` if that is not known.
 fn is_first_of_two(path: &Toolpath, index: usize) -> Option<bool> {
     if index + 2 >= path.len() || [1, 2].map(|i| path.kind[index + i] == PROBE) != [false, true] {
@@ -320,14 +361,21 @@ fn is_first_of_two(path: &Toolpath, index: usize) -> Option<bool> {
 }
 
 fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
+    let tool = path.plane.axes()[2];
     let (mut bad, mut unknown) = (Vec::new(), Vec::new());
     let mut called: Vec<usize> = Vec::new();
     // A contact stops such a move, and the program continues from there.
     let unasked = |touch: &&Touch| touch.index < last && touch.positions && !touch.asked;
     for touch in log.touches.iter().filter(unasked) {
         match is_first_of_two(path, touch.index) {
+            _ if log.asks_next(touch) || log.is_clear(path, touch.index) => {}
             _ if touch.may_ask => called.push(touch.line),
             Some(true) => {}
+            _ if touch.axes == 1 << tool => match rise(path, touch.index) {
+                rise if rise > 0.0 => {}
+                rise if rise.is_nan() => unknown.push(touch.line),
+                _ => bad.push(touch.line),
+            },
             Some(false) => bad.push(touch.line),
             None => unknown.push(touch.line),
         }
@@ -381,17 +429,25 @@ fn may_be_asked() -> Text {
     text!("Whether the program asks for a contact after these moves is not known")
 }
 
-fn missed(path: &Toolpath, touches: &[&Touch], last: usize) -> RunRule {
+fn missed(path: &Toolpath, log: &Log, touches: &[&Touch], last: usize) -> RunRule {
     const RULE: &str = "missed-touch-stops";
     // What is wrong with a positioning move that nothing asks about is that a contact goes unnoticed.
-    let is_touch = |touch: &&&Touch| !touch.positions || !path.by_g38 && touch.index >= last;
+    // Where the touches are in what is called, this one may be a positioning move.
+    let may_ask = |touch: &Touch| touch.may_ask || touch.positions && !log.unread.is_empty();
+    let is_asked = |touch: &Touch| touch.stops || touch.asked || log.asks_next(touch);
+    // One that goes nowhere reads the position.
+    let is_still =
+        |touch: &Touch| (path.end(touch.index) - path.begin(touch.index)).length() < 1e-3;
+    let is_touch = |touch: &&&Touch| {
+        (!touch.positions || !path.by_g38 && touch.index >= last) && !is_still(touch)
+    };
     let bad: Vec<usize> = touches
         .iter()
         .filter(is_touch)
-        .filter(|touch| !touch.stops && !touch.asked && !touch.may_ask)
+        .filter(|touch| !is_asked(touch) && !may_ask(touch))
         .map(|touch| touch.line)
         .collect();
-    let is_open = |touch: &&&Touch| !touch.stops && !touch.asked && touch.may_ask;
+    let is_open = |touch: &&&Touch| !is_asked(touch) && may_ask(touch);
     let open = touches.iter().filter(is_open).map(|touch| touch.line);
     let open: Vec<usize> = open.collect();
     if bad.is_empty() && !open.is_empty() {
@@ -663,6 +719,14 @@ fn waits(log: &Log) -> RunRule {
 
 fn left(log: &Log) -> RunRule {
     match (log.left_incremental, log.ends) {
+        _ if log.left_unsure => row(
+            "modes-left",
+            None,
+            text!(
+                "Not known: G91 is active at the end if the program goes certain ways, which depend on conditions that are not known"
+            ),
+            Vec::new(),
+        ),
         _ if log.maybe_changed => row(
             "modes-left",
             None,

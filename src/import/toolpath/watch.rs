@@ -6,7 +6,8 @@
 //! Without variables a positioning move is a `G38.3` behind which the next motion is a `G38.2` or `G38.3`, or the program ends: a probing move that begins
 //! in contact is an alarm.
 
-use crate::control::iso::lex::{code, head, lines_of, trimmed};
+use crate::control::iso::lex::{code, head, lines_of, next_line, trimmed};
+use crate::geom::AXIS_NAMES;
 
 /// Whether a block has a code of a probing move in it.
 pub(super) fn probes(line: &[u8]) -> bool {
@@ -37,19 +38,13 @@ pub(super) struct Behind {
 
 /// What follows a probing move, by the lines below its block.
 pub(super) fn behind(line: &[u8], below: &str) -> Behind {
-    const MOST_LINES: usize = 16;
-    const MOST_RAW: usize = 200;
-    let lines: Vec<String> = lines_of(below)
-        .take(MOST_RAW)
-        .map(code_of)
-        .filter(|line| !line.is_empty())
-        .take(MOST_LINES)
-        .collect();
+    let lines = next_lines(below);
     let turn = lines.iter().position(|line| moves(line) || calls(line));
     let before = &lines[..turn.unwrap_or(lines.len())];
     // Behind a move that may miss, the present position is that of a positioning move.
     let may_miss = is_free_to_miss(line);
-    let reads = before.iter().any(|line| reads_place(line, may_miss));
+    let axis = single_axis(line);
+    let reads = before.iter().any(|line| reads_place(line, may_miss, axis));
     let Some(at) = before
         .iter()
         .position(|line| asks(line))
@@ -57,7 +52,8 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     else {
         // A touch that is asked about after its retract.
         let later = until_next_probe(&lines);
-        if let Some(at) = asks_by_name(later).filter(|_| reads) {
+        let asked = later.iter().rposition(|line| asks(line));
+        if let Some(at) = asks_by_name(later).filter(|_| reads).or(asked) {
             let leads_out = leads_to_alarm(&later[at], later.get(at + 1), below);
             return Behind {
                 asked: leads_out,
@@ -92,9 +88,44 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
     }
 }
 
+/// The codes of the lines that run next: a jump without a condition goes on at its block further down.
+fn next_lines(below: &str) -> Vec<String> {
+    const MOST_LINES: usize = 16;
+    const MOST_RAW: usize = 200;
+    let (mut lines, mut rest) = (Vec::new(), below);
+    for _ in 0..MOST_RAW {
+        if rest.is_empty() || lines.len() == MOST_LINES {
+            break;
+        }
+        let line = code_of(next_line(&mut rest));
+        match line.strip_prefix("GOTO").map(|label| block_of(rest, label)) {
+            Some(Some(block)) => rest = block,
+            _ if line.is_empty() => {}
+            _ => lines.push(line),
+        }
+    }
+    lines
+}
+
+/// The text from the block with a number on.
+fn block_of<'t>(text: &'t str, number: &str) -> Option<&'t str> {
+    const MOST_LINES: usize = 2000;
+    let number: u32 = number.parse().ok()?;
+    let mut rest = text;
+    for _ in 0..MOST_LINES {
+        let here = rest;
+        if rest.is_empty() {
+            return None;
+        }
+        if head(trimmed(next_line(&mut rest)).as_bytes()).number == Some(number) {
+            return Some(here);
+        }
+    }
+    None
+}
+
 /// Whether a condition leads to an alarm: in its line, in the next one, or in the lines of the block that it jumps to.
 fn leads_to_alarm(condition: &str, next: Option<&String>, below: &str) -> bool {
-    const MOST_LINES: usize = 2000;
     const NEAR: usize = 8;
     // A jump may lead to the end of the program as well.
     let is_alarm = |line: &str| line.contains("#3000=");
@@ -104,11 +135,9 @@ fn leads_to_alarm(condition: &str, next: Option<&String>, below: &str) -> bool {
     let Some((_, label)) = condition.split_once("GOTO") else {
         return next.is_some_and(|line| is_alarm(line) || leaves(line));
     };
-    let number = label.trim_start_matches('0').parse().ok();
-    let numbered = lines_of(below)
-        .take(MOST_LINES)
-        .skip_while(|line| head(trimmed(line).as_bytes()).number != number || number.is_none());
-    let codes = numbered.take(NEAR).map(code_of);
+    let codes = lines_of(block_of(below, label).unwrap_or_default())
+        .take(NEAR)
+        .map(code_of);
     codes
         .take_while(|line| !line.starts_with("M99"))
         .any(|line| is_alarm(&line))
@@ -205,20 +234,45 @@ fn calls(line: &str) -> bool {
     is_call && !leaves(line) && !is_cycle(line)
 }
 
-/// Whether it reads where the contact was, or sets that place; where the axes are, unless only the contact counts.
-fn reads_place(line: &str, only_contact: bool) -> bool {
+/// The axis that a block names, if it names one alone.
+fn single_axis(line: &[u8]) -> Option<usize> {
+    let code = code_of(&String::from_utf8_lossy(line));
+    let mut named = (0..3).filter(|axis| code.contains(AXIS_NAMES[*axis]));
+    named.next().filter(|_| named.next().is_none())
+}
+
+/// Whether it reads where the contact was, or sets that place; where the axes are, unless only the contact counts. Where an axis is says where a touch ended
+/// that moved this axis alone: after other moves it is where the program goes on from.
+fn reads_place(line: &str, only_contact: bool, axis: Option<usize>) -> bool {
     const CONTACT: [&str; 2] = ["$AA_", "G10L20"];
     const PRESENT: [&str; 4] = ["#542", "#<_X", "#<_Y", "#<_Z"];
     let has = |words: &[&str]| words.iter().any(|word| line.contains(word));
-    line.starts_with("G92") || reads_axis(line) || has(&CONTACT) || !only_contact && has(&PRESENT)
+    let is_touched = |(group, own): (u8, usize)| group == b'6' || axis == Some(own);
+    line.starts_with("G92")
+        || axes_read(line).any(is_touched)
+        || has(&CONTACT)
+        || !only_contact && has(&PRESENT)
 }
 
-/// Whether it reads a position of an axis: where the last probing move triggered (#5061 to #5069), or where the axis is (#5041, on a Fanuc #5001).
+/// Whether it reads a position of an axis.
 fn reads_axis(line: &str) -> bool {
-    line.match_indices("#50").any(|(at, _)| {
-        matches!(line.as_bytes()[at + 3..], [b'0' | b'4' | b'6', b'1'..=b'9', ref rest @ ..]
-            if !rest.first().is_some_and(u8::is_ascii_digit))
-    })
+    axes_read(line).next().is_some()
+}
+
+/// The positions that a line reads, as the group and the axis: where the last probing move triggered (#5061 to #5069), where the axis is (#5041, on a Fanuc
+/// #5001).
+fn axes_read(line: &str) -> impl Iterator<Item = (u8, usize)> {
+    line.match_indices("#50")
+        .filter_map(|(at, _)| match line.as_bytes()[at + 3..] {
+            [
+                group @ (b'0' | b'4' | b'6'),
+                axis @ b'1'..=b'9',
+                ref rest @ ..,
+            ] if !rest.first().is_some_and(u8::is_ascii_digit) => {
+                Some((group, usize::from(axis - b'1')))
+            }
+            _ => None,
+        })
 }
 
 /// Whether it is a condition about the last probing move.

@@ -66,7 +66,9 @@ impl Reader {
                     (block.foreign, block.name, block.special) = (foreign, [at, end], true);
                 }
             }
-            (b'G', _) => return None,
+            (b'G', _) if block.foreign < Foreign::Computed => {
+                (block.foreign, block.special) = (Foreign::Computed, true);
+            }
             (b'M', Word::Number(x)) => {
                 let led = self.code(effect(self.family(), letter, tenths(x)), block);
                 if led != Foreign::No && leads(line, block.begin, at) {
@@ -206,6 +208,7 @@ impl Reader {
             Effect::Metric(metric) => self.units(metric),
             Effect::Absolute(absolute) => {
                 (self.modes.absolute, self.modes.stated) = (absolute, true);
+                self.modes.unsure.distance = false;
                 self.modes.maybe_changed = false;
             }
             Effect::CentersAbsolute(absolute) => self.modes.centers_absolute = absolute,
@@ -291,6 +294,7 @@ impl Reader {
 
     fn go(&mut self, motion: Motion, block: &mut Block) {
         block.twice |= block.motion;
+        self.modes.unsure.motion = false;
         (
             self.modes.motion,
             self.modes.curve,
