@@ -4,7 +4,7 @@ use crate::control::iso::codes::Shift;
 use crate::control::iso::script::Motion;
 use crate::import::toolpath::count::Count;
 use crate::import::toolpath::frames::{Axes, Frames, Position};
-use crate::import::toolpath::reader::Modes;
+use crate::import::toolpath::modes::Modes;
 
 /// A call of a subprogram.
 #[derive(Clone, Copy)]

@@ -2,7 +2,8 @@
 //! both ways agree.
 
 use crate::import::toolpath::block::{Fork, State};
-use crate::import::toolpath::reader::{Modes, Reader, Unsure};
+use crate::import::toolpath::modes::{Modes, Unsure};
+use crate::import::toolpath::reader::Reader;
 
 /// So many ways may be open: whoever jumps over more ends has an end.
 const MOST_FORKS: usize = 200;

@@ -3,7 +3,8 @@
 use crate::control::iso::codes::{Effect, effect};
 use crate::control::iso::lex::head;
 use crate::control::iso::script::Motion;
-use crate::import::toolpath::reader::{Given, Modes, Reader};
+use crate::import::toolpath::modes::{Given, Modes};
+use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::words::tenths;
 use crate::num::read_digits;
 

@@ -2,7 +2,6 @@
 
 use crate::control::iso::codes::Family;
 use crate::control::iso::lex::{comment_at, end_of, end_of_value, head, next_word, number, valued};
-use crate::control::iso::script::Motion;
 use crate::geom::Plane;
 use crate::import::toolpath::block::{Block, Call, Foreign, Fork, Length, ModeChange, Named};
 use crate::import::toolpath::control_kind::ControlKind;
@@ -10,6 +9,7 @@ use crate::import::toolpath::count::{Count, count};
 use crate::import::toolpath::frames::{Axes, Frames, Position};
 use crate::import::toolpath::key::Key;
 use crate::import::toolpath::known::{Feature, Trip};
+use crate::import::toolpath::modes::{Given, Modes};
 use crate::import::toolpath::native::{letters, places};
 use crate::import::toolpath::rules::Log;
 use crate::import::toolpath::skipped::{Skip, Skipped};
@@ -18,51 +18,6 @@ use crate::import::toolpath::watch::Behind;
 use crate::import::toolpath::way::Way;
 use crate::import::toolpath::writes::{self, Variable};
 use crate::import::toolpath::{DIALECTS, Toolpath};
-
-/// What places are, until a motion.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Given {
-    /// Where the axes go.
-    Place,
-    /// Where a cycle runs, from G81 on; G80 ends it, too.
-    Cycle,
-    /// Control points of a spline; its end ends them, too.
-    Control,
-}
-
-/// Modes that are not known, for two ways of the program left them in different ways.
-#[derive(Clone, Copy, Default, PartialEq)]
-pub(super) struct Unsure {
-    /// How the axes go, until a block names a motion.
-    pub motion: bool,
-    /// Whether axis words are positions, until G90 or G91.
-    pub distance: bool,
-}
-
-/// What stays in force from block to block.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) struct Modes {
-    pub unsure: Unsure,
-    pub motion: Motion,
-    /// That motion is a curve, straight here.
-    pub curve: bool,
-    pub given: Given,
-    pub absolute: bool,
-    /// Whether the program says so.
-    pub stated: bool,
-    /// Whether what was called since, and is not in the text, may have changed it.
-    pub maybe_changed: bool,
-    pub centers_absolute: bool,
-    pub plane: Option<Plane>,
-    /// Units of the path in a unit that the program has now.
-    pub scale: f64,
-    /// Feeds are not by the minute: G93, G95.
-    pub by_other: bool,
-    /// X is a diameter: G7.
-    pub diameter: bool,
-    /// Positions are given by a distance from a pole and an angle: G16.
-    pub polar: bool,
-}
 
 /// What M70 and M73 keep.
 #[derive(Clone)]
@@ -88,26 +43,6 @@ pub(super) struct Touching {
     /// The same in machine coordinates: a work offset that is written later does not change it.
     pub contact_in_machine: [f64; 3],
     pub met: Option<bool>,
-}
-
-impl Default for Modes {
-    fn default() -> Self {
-        Modes {
-            unsure: Unsure::default(),
-            motion: Motion::Rapid,
-            curve: false,
-            given: Given::Place,
-            absolute: true,
-            stated: false,
-            maybe_changed: false,
-            centers_absolute: false,
-            plane: None,
-            scale: 1.0,
-            by_other: false,
-            diameter: false,
-            polar: false,
-        }
-    }
 }
 
 /// Follows a program block by block.

@@ -56,14 +56,14 @@ impl Log {
         self.own.get(at).is_some_and(|(begin, _)| *begin <= index)
     }
 
-    /// Whether the program asks after the next move, which goes on along the same axes.
-    fn asks_next(&self, touch: &Touch) -> bool {
+    /// Whether the next move goes on along the same axes, and the program asks whether that met something: it begins where this one ends.
+    fn is_chained(&self, touch: &Touch) -> bool {
         let at = self
             .touches
             .partition_point(|other| other.index <= touch.index);
         let next = self.touches.get(at);
         next.is_some_and(|next| {
-            next.index == touch.index + 1 && next.axes == touch.axes && next.asked
+            next.index == touch.index + 1 && next.axes == touch.axes && next.watched
         })
     }
 
@@ -368,7 +368,7 @@ fn watched(path: &Toolpath, log: &Log, last: usize) -> RunRule {
     let unasked = |touch: &&Touch| touch.index < last && touch.positions && !touch.asked;
     for touch in log.touches.iter().filter(unasked) {
         match is_first_of_two(path, touch.index) {
-            _ if log.asks_next(touch) || log.is_clear(path, touch.index) => {}
+            _ if log.is_chained(touch) || log.is_clear(path, touch.index) => {}
             _ if touch.may_ask => called.push(touch.line),
             Some(true) => {}
             _ if touch.axes == 1 << tool => match rise(path, touch.index) {
@@ -434,7 +434,7 @@ fn missed(path: &Toolpath, log: &Log, touches: &[&Touch], last: usize) -> RunRul
     // What is wrong with a positioning move that nothing asks about is that a contact goes unnoticed.
     // Where the touches are in what is called, this one may be a positioning move.
     let may_ask = |touch: &Touch| touch.may_ask || touch.positions && !log.unread.is_empty();
-    let is_asked = |touch: &Touch| touch.stops || touch.asked || log.asks_next(touch);
+    let is_asked = |touch: &Touch| touch.stops || touch.asked;
     // One that goes nowhere reads the position.
     let is_still =
         |touch: &Touch| (path.end(touch.index) - path.begin(touch.index)).length() < 1e-3;

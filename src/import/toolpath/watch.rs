@@ -53,8 +53,14 @@ pub(super) fn behind(line: &[u8], below: &str) -> Behind {
         // A touch that is asked about after its retract.
         let later = until_next_probe(&lines);
         let asked = later.iter().rposition(|line| asks(line));
-        if let Some(at) = asks_by_name(later).filter(|_| reads).or(asked) {
-            let leads_out = leads_to_alarm(&later[at], later.get(at + 1), below);
+        // Two touches may be compared with each other.
+        let compared = || asks_for(&lines, &kept_in(&lines, later.len()));
+        if let Some(at) = asks_by_name(later)
+            .filter(|_| reads)
+            .or(asked)
+            .or_else(compared)
+        {
+            let leads_out = leads_to_alarm(&lines[at], lines.get(at + 1), below);
             return Behind {
                 asked: leads_out,
                 may_ask: !leads_out,
@@ -167,28 +173,43 @@ fn begins_free(next: Option<&String>, before: &[String]) -> bool {
 /// The last condition that reads a variable which was given the place of the contact: `#148=#5063-30.`, then `IF[ABS[#148]GT0.05]`. A condition in front
 /// of it leads on where the stylus is where it should be.
 fn asks_by_name(lines: &[String]) -> Option<usize> {
-    let reads = |line: &str, name: &str| {
-        let ends = |at: usize| {
-            !line
-                .as_bytes()
-                .get(at + name.len())
-                .is_some_and(u8::is_ascii_digit)
-        };
-        line.match_indices(name).any(|(at, _)| ends(at))
-    };
-    // What is computed of it, too: `#4=#5061-#24`, `#7=SQRT[#4*#4]`.
-    let mut names: Vec<&str> = Vec::new();
-    for (name, value) in lines.iter().filter_map(|line| line.split_once('=')) {
-        let is_name = name
-            .strip_prefix('#')
-            .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
-        if is_name && (reads_axis(value) || names.iter().any(|known| reads(value, known))) {
-            names.push(name);
-        }
-    }
+    asks_for(lines, &kept_in(lines, lines.len()))
+}
+
+/// The last condition that reads one of these variables.
+fn asks_for(lines: &[String], names: &[&str]) -> Option<usize> {
     lines
         .iter()
         .rposition(|line| line.contains("IF[") && names.iter().any(|name| reads(line, name)))
+}
+
+/// The variables that are given the place of a contact in the first lines, and those that are computed of them: `#4=#5061-#24`, `#7=SQRT[#4*#4]`.
+fn kept_in(lines: &[String], first: usize) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for (at, line) in lines.iter().enumerate() {
+        let Some((name, value)) = line.split_once('=') else {
+            continue;
+        };
+        let is_name = name
+            .strip_prefix('#')
+            .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+        let is_contact = at < first && reads_axis(value);
+        if is_name && (is_contact || names.iter().any(|known| reads(value, known))) {
+            names.push(name);
+        }
+    }
+    names
+}
+
+/// Whether a line reads a variable.
+fn reads(line: &str, name: &str) -> bool {
+    let ends = |at: usize| {
+        !line
+            .as_bytes()
+            .get(at + name.len())
+            .is_some_and(u8::is_ascii_digit)
+    };
+    line.match_indices(name).any(|(at, _)| ends(at))
 }
 
 /// The code of a line without blanks, in capitals.

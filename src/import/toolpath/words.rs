@@ -5,7 +5,8 @@ use crate::control::iso::lex::{end_of_value, leads, number};
 use crate::control::iso::script::Motion;
 use crate::import::toolpath::block::{Block, Foreign, Length, ModeChange, Word};
 use crate::import::toolpath::count::count;
-use crate::import::toolpath::reader::{Given, Reader};
+use crate::import::toolpath::modes::Given;
+use crate::import::toolpath::reader::Reader;
 use crate::import::toolpath::skipped::Skip;
 use crate::num::read_digits;
 
