@@ -160,6 +160,8 @@ fn result_findings(run: &Toolpath) -> Result<Array, JsValue> {
 fn columns(path: &Toolpath) -> Result<Object, JsValue> {
     let columns = Object::new();
     set(&columns, "dialect", &JsValue::from_str(path.dialect));
+    let post = path.post.map_or(JsValue::NULL, JsValue::from_str);
+    set(&columns, "post", &post);
     let units = path
         .metric
         .map(|metric| JsValue::from_str(if metric { "mm" } else { "inch" }));

@@ -18,6 +18,8 @@ export const PROGRAM_POSTS = [
   "reprapfirmware",
   "lnc",
   "eding",
+  "planetcnc",
+  "mach3",
 ] as const;
 
 /** Their names. */
@@ -41,4 +43,6 @@ export const PROGRAM_POST_TITLES: Record<
   reprapfirmware: "RepRapFirmware",
   lnc: "LNC (SYIL)",
   eding: "Eding CNC",
+  planetcnc: "PlanetCNC",
+  mach3: "Mach3",
 };

@@ -32,6 +32,8 @@ export type Dialect = "iso" | "sinumerik" | "klartext";
 export interface ProgramMoves {
   /** What it was read as. */
   dialect: Dialect;
+  /** The control that it was read for: the one that was told, or the one that its words show; `null` is any with G codes. */
+  post: ProgramPost | null;
   /** `null` where the program does not say. */
   units: "mm" | "inch" | null;
   plane: "G17" | "G18" | "G19";

@@ -24,6 +24,9 @@ pub(super) enum ControlKind {
     /// LNC, on SYIL and others.
     Lnc,
     Eding,
+    PlanetCnc,
+    /// Mach3: parameters, and neither conditions nor jumps.
+    Mach3,
     Sinumerik,
     Heidenhain,
 }
@@ -40,7 +43,7 @@ pub(super) enum Renames {
 }
 
 /// The controls that a program can be read for: the key, the name, the dialect of its texts, and its kind.
-const TOLD: [(&str, &str, usize, ControlKind); 16] = [
+const TOLD: [(&str, &str, usize, ControlKind); 18] = [
     ("linuxcnc", "LinuxCNC", 0, ControlKind::LinuxCnc),
     ("grbl", "grbl", 0, ControlKind::Grbl),
     ("grblhal", "grblHAL", 0, ControlKind::GrblHal),
@@ -57,11 +60,13 @@ const TOLD: [(&str, &str, usize, ControlKind); 16] = [
     ("reprapfirmware", "RepRapFirmware", 0, ControlKind::RepRap),
     ("lnc", "LNC (SYIL)", 0, ControlKind::Lnc),
     ("eding", "Eding CNC", 0, ControlKind::Eding),
+    ("planetcnc", "PlanetCNC", 0, ControlKind::PlanetCnc),
+    ("mach3", "Mach3", 0, ControlKind::Mach3),
 ];
 
 /// The keys of the controls that a program can be read for, in the order of the documentation.
-pub const PROGRAM_POSTS: [&str; 16] = {
-    let mut keys = [""; 16];
+pub const PROGRAM_POSTS: [&str; TOLD.len()] = {
+    let mut keys = [""; TOLD.len()];
     let mut i = 0;
     while i < TOLD.len() {
         keys[i] = TOLD[i].0;
@@ -85,6 +90,13 @@ fn told(post: &str) -> Option<&'static (&'static str, &'static str, usize, Contr
 }
 
 impl ControlKind {
+    /// The key of the first control of this kind.
+    pub fn post(self) -> Option<&'static str> {
+        let own = TOLD.iter().find(|(.., kind)| *kind == self);
+        own.filter(|_| self != ControlKind::Unknown)
+            .map(|(key, ..)| *key)
+    }
+
     /// Of a text in a dialect: the control that was told, else by signs that no other control's programs have.
     pub fn of(text: &str, dialect: &str, post: Option<&str>) -> Self {
         if let Some((.., kind)) = post.and_then(told) {
@@ -100,6 +112,7 @@ impl ControlKind {
             _ if guess::is_centroid(text) => ControlKind::Centroid,
             _ if guess::is_lnc(text) => ControlKind::Lnc,
             _ if guess::is_eding(text) => ControlKind::Eding,
+            _ if guess::is_planetcnc(text) => ControlKind::PlanetCnc,
             Some(Sign::LinuxCnc | Sign::Rs274) => ControlKind::LinuxCnc,
             Some(Sign::LikeFanuc) => ControlKind::Fanuc,
             Some(Sign::RepRap) => ControlKind::RepRap,
@@ -120,6 +133,8 @@ impl ControlKind {
             ControlKind::Centroid => &grammar::CENTROID,
             ControlKind::Lnc => &grammar::LNC,
             ControlKind::Eding => &grammar::EDING,
+            ControlKind::PlanetCnc => &grammar::PLANETCNC,
+            ControlKind::Mach3 => &grammar::MACH3,
             ControlKind::RepRap => &grammar::REPRAP,
             ControlKind::Sinumerik => &grammar::SINUMERIK,
             ControlKind::Heidenhain => &grammar::HEIDENHAIN,
@@ -128,6 +143,11 @@ impl ControlKind {
                 kind => kind.grammar(text, dialect),
             },
         }
+    }
+
+    /// Whether its programs compute: grbl reads numbers alone.
+    pub fn computes(self) -> bool {
+        self != ControlKind::Grbl
     }
 
     /// Whether `G10 L2` adds its values under G91.

@@ -121,6 +121,13 @@ pub(super) fn is_eding(text: &str) -> bool {
     text.contains('#') && words(text).any(|word| WORDS.contains(&word.as_str()))
 }
 
+/// Whether a program is of PlanetCNC: by what its measuring macros return, and by its own commands.
+pub(super) fn is_planetcnc(text: &str) -> bool {
+    ["#<_measure", "$<cmd_", "#<_coordsys_", "(dlg,"]
+        .iter()
+        .any(|word| text.contains(word))
+}
+
 /// Whether a program is of a Centroid: by its own codes, or by macros with a letter for the axis.
 pub(super) fn is_centroid(text: &str) -> bool {
     lines_of(text).take(MOST_LINES).any(|line| {

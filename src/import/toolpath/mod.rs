@@ -17,6 +17,7 @@ mod heidenhain;
 mod key;
 mod klartext;
 mod known;
+mod modes;
 mod moves;
 mod moves_system;
 mod native;
@@ -87,6 +88,8 @@ pub const DIALECTS: [&str; 3] = ["iso", "sinumerik", "klartext"];
 pub struct Toolpath {
     /// Which of [`DIALECTS`] it was read as.
     pub dialect: &'static str,
+    /// The control that it was read for, by its key: the one that was told, or the one that its words show.
+    pub post: Option<&'static str>,
     /// Whether its units are millimetres; none where it does not say.
     pub metric: Option<bool>,
     /// Where each move ends, three numbers a move. NaN along an axis whose place is not known.
@@ -245,7 +248,12 @@ fn turned(angle: f64, position: Vec3) -> Vec3 {
 pub fn read_program(text: &str, dialect: Option<&'static str>) -> Toolpath {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let dialect = dialect.unwrap_or_else(|| guessed(text));
-    run(text, text.len(), dialect, &[], Reader::new(text, dialect))
+    let mut reader = Reader::new(text, dialect);
+    // Long programs show early whose they are.
+    const ENOUGH: usize = 50_000;
+    let head = (ENOUGH..ENOUGH + 4).find_map(|end| text.get(..end));
+    reader.path.post = ControlKind::of(head.unwrap_or(text), dialect, None).post();
+    run(text, text.len(), dialect, &[], reader)
 }
 
 /// Runs a program with what is known beside its text: [`read_program`] with values of variables, a start, and what touches meet. After a touch of which that
@@ -285,6 +293,7 @@ pub fn run_program(text: &str, known: &Known<'_>) -> Toolpath {
         met: None,
     });
     reader.path.centroid = kind == ControlKind::Centroid;
+    reader.path.post = known.post.or(kind.post());
     reader.files = files.clone();
     reader.path.start = reader.place;
     reader.log = Some(Log::default());
@@ -356,7 +365,7 @@ fn run(
     } else if reader.run.is_some() && is_heidenhain(text) {
         Some(&HEIDENHAIN)
     } else {
-        let computes = is_macro(text) || kind == ControlKind::RepRap;
+        let computes = kind.computes() && (is_macro(text) || kind == ControlKind::RepRap);
         computes.then(|| kind.grammar(text, dialect))
     };
     let files = &reader.files;

@@ -40,7 +40,14 @@ impl Reader {
     pub(super) fn moves_system(&mut self, block: &Block) {
         let given = (block.given, self.values(block));
         if let Some(first) = block.offset {
-            let number = if block.counts {
+            // PlanetCNC counts on from G59 by P.
+            let is_more = self.frames.kind == ControlKind::PlanetCnc && first == 6;
+            let number = if is_more && block.p.is_some() {
+                block
+                    .p
+                    .filter(|p| p.fract() == 0.0)
+                    .map_or(i32::MAX, |p| p as i32)
+            } else if block.counts {
                 counted(first, block.p.unwrap_or(f64::NAN))
             } else {
                 first
@@ -62,6 +69,11 @@ impl Reader {
                 });
             }
             Some(Shift::Position | Shift::Value) | None => {}
+            // PlanetCNC sets the active work offset by it.
+            Some(Shift::End) if given.0 != 0 && self.frames.kind == ControlKind::PlanetCnc => {
+                self.wrote_any();
+                self.with_frames(|frames, place| frames.forget(given.0, place));
+            }
             Some(end @ (Shift::End | Shift::Off)) => {
                 self.with_frames(|frames, place| frames.end_shift(end == Shift::End, place));
             }

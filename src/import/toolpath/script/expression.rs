@@ -163,9 +163,9 @@ impl<'a> Cursor<'a> {
         is_variable || function
     }
 
-    /// How many letters follow; no name of a function has more than seven.
+    /// How many letters follow; no name of a function has more than nine.
     fn letters(&self) -> usize {
-        let letters = self.rest().iter().take(7);
+        let letters = self.rest().iter().take(9);
         letters.take_while(|b| b.is_ascii_alphabetic()).count()
     }
 
@@ -370,10 +370,15 @@ impl<'a> Cursor<'a> {
             return Some(self.variables.get(&key));
         }
         match function {
-            Some(Function::Exists) => {
+            Some(asks @ (Function::Exists | Function::NotExists)) => {
                 self.at += 1;
                 let key = self.key()?;
                 let exists = self.variables.exists(&key);
+                let exists = if asks == Function::Exists {
+                    exists
+                } else {
+                    not(exists)
+                };
                 (self.peek()? == grammar.brackets.1).then(|| self.at += 1)?;
                 Some(exists)
             }
@@ -465,6 +470,7 @@ impl<'a> Cursor<'a> {
             (Function::SquareRoot, [x]) => x.sqrt(),
             (Function::Square, [x]) => x * x,
             (Function::Negative, [x]) => -x,
+            (Function::Not, [x]) => f64::from(u8::from(*x == 0.0)),
             (Function::Sign, [0.0]) => 0.0,
             (Function::Sign, [x]) => x.signum(),
             (Function::Truncate, [x]) => x.trunc(),

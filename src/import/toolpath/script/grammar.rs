@@ -84,6 +84,9 @@ pub enum Function {
     Modulo,
     /// Whether a variable was set.
     Exists,
+    NotExists,
+    /// Whether a condition does not hold.
+    Not,
     /// What no probing program was seen to need.
     NotComputed,
 }
@@ -114,6 +117,8 @@ pub struct Grammar {
     pub alarms: &'static [&'static str],
     /// Words that neither move nor set anything.
     pub ignored: &'static [&'static str],
+    /// The variables of the last contact begin with this number.
+    pub contact: i32,
     /// Codes of probing moves, and the word of a G31 that has the same meaning of a contact.
     pub probing: &'static [(&'static str, &'static str)],
     /// What a comment begins with beside `;`, and in what brackets it may be.
@@ -186,8 +191,37 @@ pub const LINUXCNC: Grammar = Grammar {
     is_indented: false,
     alarms: &[],
     ignored: &[],
+    contact: 5061,
     probing: &[],
     comment: None,
+};
+
+/// PlanetCNC, by public macros.
+pub const PLANETCNC: Grammar = Grammar {
+    functions: &[
+        ("ABS", Function::Absolute),
+        ("SIN", Function::Sine),
+        ("COS", Function::Cosine),
+        ("TAN", Function::Tangent),
+        ("ASIN", Function::ArcSine),
+        ("ACOS", Function::ArcCosine),
+        ("ATAN", Function::ArcTangent),
+        ("SQRT", Function::SquareRoot),
+        ("ROUND", Function::Round),
+        ("FIX", Function::Fix),
+        ("FUP", Function::Up),
+        ("EXISTS", Function::Exists),
+        ("NOTEXISTS", Function::NotExists),
+        ("LNOT", Function::Not),
+        ("ACTIVE", Function::NotComputed),
+    ],
+    ..LINUXCNC
+};
+
+/// Mach3: its contact is in #2000 to #2002 [R].
+pub const MACH3: Grammar = Grammar {
+    contact: 2000,
+    ..MACRO_B
 };
 
 /// Macro B of Fanuc and kin.

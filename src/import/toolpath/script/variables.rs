@@ -238,7 +238,14 @@ impl Variables {
         if *key == Key::Unknown {
             return Value::Unknown;
         }
-        if let Some(value) = self.system.get(key, self.grammar.language) {
+        let contact = self.grammar.contact;
+        let own = match key {
+            Key::Number(number) if (contact..contact + 3).contains(number) => {
+                &Key::Number(number - contact + 5061)
+            }
+            key => key,
+        };
+        if let Some(value) = self.system.get(own, self.grammar.language) {
             return match value {
                 Some(value) => Value::Number(value),
                 // Which tool is in the spindle a user knows; where a touch ended is what `part` says.
