@@ -1,8 +1,8 @@
 import type { TouchPath } from "./element.js";
-import { readBeside } from "./read-in-worker.js";
 import "./element.js";
+import { beside } from "./in-worker.js";
 import { keep, keepOffline } from "./offline.js";
-import type { Unread } from "./parts/intake.js";
+import type { Asked, Task } from "./tasks.js";
 
 /** Milliseconds after which a visitor looks at the page, and nothing is loaded any more. */
 const IDLE = 4000;
@@ -28,8 +28,8 @@ page.addEventListener("language", (event) => {
 });
 page.addEventListener("wanted", (event) => keep(wanted(event)));
 
-// Texts that are long enough to hold up the page are read in a worker.
-page.addEventListener("read", (event) => {
-  const { detail } = event as CustomEvent<Unread>;
-  detail.reading = readBeside(detail.text, detail.signal);
+// Texts that are long enough to hold up the page are read and run in a worker.
+page.addEventListener("beside", (event) => {
+  const { detail } = event as CustomEvent<Asked<Task>>;
+  detail.answer = beside(detail.task, detail.signal);
 });

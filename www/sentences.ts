@@ -1,14 +1,22 @@
 // The plan of the page in words: a move, the run, a result, and how the virtual part lies.
-import type { Plan, ResultRow, Said } from "./core/types.js";
+import { PROGRAM_POST_TITLES } from "./core/program-posts.js";
+import type { Plan, ProgramMoves, ResultRow, Said } from "./core/types.js";
 import type { Draft, Store } from "./store.js";
 import { w } from "./words.js";
 
 /** What the dialects of opened programs are called. */
-export const DIALECTS = {
+const DIALECTS = {
   iso: "ISO",
   sinumerik: "SINUMERIK",
   klartext: "HEIDENHAIN",
 } as const;
+
+/** What a program was read as: a control, or what several of them read. */
+export const readAs = ({
+  post,
+  dialect,
+}: Pick<ProgramMoves, "post" | "dialect">): string =>
+  post ? PROGRAM_POST_TITLES[post] : DIALECTS[dialect];
 
 /** What feeds are called. */
 const FEEDS: Record<Plan["moves"][number]["feed"], string> = {

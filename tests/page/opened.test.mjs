@@ -278,6 +278,23 @@ test("a long program that says no job is read in a worker, too, and one whose wo
   await settles(async () => /^6002 moves/.test(await said()));
 });
 
+test("the run of a long program froze the page: it runs in a worker, and what was read is shown meanwhile", async () => {
+  const rows = Array.from({ length: 2_500 }, (_, i) => `G1 X${i % 200} F500`);
+  const text = `G21 G17 G90\nM5\n${rows.join("\n")}\nG38.2 Z-5 F100\nM2\n`;
+  const worker = page.waitForEvent("worker");
+  await openText(text, "long.ngc");
+  await worker;
+  const viewer = page.locator("tp-viewer");
+  await viewer.getByText("No broken rule was found").waitFor();
+  assert.equal(await viewer.locator(".running").count(), 0);
+  // What is entered runs it again.
+  await viewer.locator("#start-2").fill("10");
+  await viewer.locator("#start-2").press("Tab");
+  const end = () =>
+    viewer.evaluate((node) => /** @type {any} */ (node).ran.run.to.at(-1));
+  await settles(async () => (await end()) === -5);
+});
+
 test("of two texts the one that was opened last counts, whichever is read first", async () => {
   // Both in one task; the first is read for longer, and so is its file.
   await page.evaluate(

@@ -106,7 +106,7 @@ test("a routine that computes with its touches was drawn up to the first of them
   assert.match(await textOf(viewer.locator(".said")), /^\s*3 faults.*Line 9/s);
   assert.match(
     await textOf(page.locator(".sentence")),
-    /^Read routine\.ngc as ISO: 6 moves, 2 of them touches$/,
+    /^Read routine\.ngc as LinuxCNC: 6 moves, 2 of them touches$/,
   );
   // What is typed takes the place of what is assumed.
   await page.locator("#meets-at").selectOption("half");

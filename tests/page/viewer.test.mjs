@@ -38,7 +38,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   await viewer.waitFor();
   assert.match(
     await textOf(viewer.locator("p[role=status]")),
-    /6 moves, 1 of them probing; mm; read as ISO/,
+    /6 moves, 1 of them probing; mm; read as LinuxCNC/,
   );
   assert.match(
     await textOf(viewer.locator(".notes")),
@@ -46,7 +46,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   );
   assert.match(
     await textOf(page.locator(".sentence")),
-    /^Read foreign\.ngc as ISO: 6 moves, 1 of them touches$/,
+    /^Read foreign\.ngc as LinuxCNC: 6 moves, 1 of them touches$/,
   );
   await viewer.getByRole("button", { name: "front" }).click();
   for (const colour of ["touch", "link", "position"])

@@ -1,7 +1,7 @@
 import { coded } from "./coded.js";
 import { attach, instance } from "./instance.js";
 import { arrival, loadWhole, raw as module, stand } from "./load.js";
-import type { ProgramKnown } from "./types.js";
+import type { ProgramKnown, ProgramRun } from "./types.js";
 import type * as raw from "./wasm/touchpath.js";
 
 export * from "./api.js";
@@ -78,10 +78,10 @@ export class PageView extends module.View implements View {
     return this.showLentoaxCoded(codes, text);
   }
 
-  /** Shows the moves of a program that is run with what is known, as `runProgram` runs it. */
-  showRun(text: string, known: ProgramKnown): void {
-    const { codes, text: texts } = coded(known);
-    this.showRunCoded(text, codes, texts);
+  /** Shows the moves of a run, on the part of what is known. */
+  showRun(run: ProgramRun, known: ProgramKnown): void {
+    const { codes, text } = coded(known);
+    this.showRunCoded(run, codes, text);
   }
 
   /** Grips an end of the line of a field's dimension at a pixel; the job is the one that is shown. False where no drag moves it. */

@@ -4,6 +4,7 @@ import {
   awaited,
   type Job,
   JobError,
+  type ProgramMoves,
   type Said,
   whole,
 } from "../core/browser.js";
@@ -11,9 +12,10 @@ import { hold } from "../hold.js";
 import { isObject } from "../job.js";
 import { keepTheme, kept, keptTheme } from "../persistence.js";
 import type { Preset } from "../presets.js";
-import { DIALECTS } from "../sentences.js";
+import { readAs } from "../sentences.js";
 import { Store } from "../store.js";
 import { css } from "../styles.js";
+import { askFor } from "../tasks.js";
 import { w } from "../words.js";
 import { letterOf } from "./keys.js";
 import "./bar.js";
@@ -26,7 +28,7 @@ import "./help.js";
 import "./measured.js";
 import type { CommandsPart } from "./commands.js";
 import { Export } from "./export.js";
-import { Intake, type Unread, type Viewed } from "./intake.js";
+import { Intake, type Viewed } from "./intake.js";
 import { Language } from "./language.js";
 import {
   actions,
@@ -157,6 +159,8 @@ export class App extends LitElement {
   /** The page of the manual that is shown. */
   private topic = "";
   private viewed: Viewed | null = null;
+  /** The moves that are shown of it, once it has run. */
+  private shownMoves: ProgramMoves | null = null;
   /** What is said of the job: of the whole document above it, of the job as it is now in the foot, where nothing moves when it goes. */
   private said: {
     text: Said;
@@ -205,6 +209,7 @@ export class App extends LitElement {
       },
       showMoves: (viewed) => {
         this.viewed = viewed;
+        this.shownMoves = null;
         this.use("viewer");
         // The page keeps the editor of long programs for when there is no network.
         if (!isShort(viewed.text))
@@ -213,11 +218,8 @@ export class App extends LitElement {
           );
       },
       whole: () => this.whole(),
-      beside: (text, signal) => {
-        const detail: Unread = { text, signal, reading: null };
-        this.around.host.dispatchEvent(new CustomEvent("read", { detail }));
-        return detail.reading;
-      },
+      beside: (text, signal) =>
+        askFor(this.around.host, { read: text }, signal),
     });
     this.outlet = new Export(store, {
       tell: (said) => this.tell(said, true),
@@ -447,7 +449,7 @@ export class App extends LitElement {
       </main>
       ${this.tool === "gallery" ? html`<tp-gallery role="main" .store=${store} .adds=${this.adds} @chosen=${this.chosen}></tp-gallery>` : nothing}
       ${this.tool === "manual" ? html`<tp-manual role="main" tabindex="0" .store=${store} .topic=${this.topic} @chosen=${this.chosen}></tp-manual>` : nothing}
-      ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)}></tp-viewer>` : nothing}
+      ${this.tool === "viewer" && this.viewed ? html`<tp-viewer role="main" .store=${store} .viewed=${this.viewed} @adopt=${(e: CustomEvent<Job>) => this.intake.adopt(e.detail)} @shown=${(e: CustomEvent<ProgramMoves>) => this.showsMoves(e.detail)}></tp-viewer>` : nothing}
       ${this.tool === "lengths" ? html`<tp-lentoax role="main" .store=${store} @taken=${() => this.use("cycles")}></tp-lentoax>` : nothing}
       ${this.tool === "sheet" ? html`<tp-sheet role="main" .store=${store}></tp-sheet>` : nothing}
       <footer part="footer" ?hidden=${this.around.lent || (beside && away === "" && !this.around.host.querySelector("[slot=footer]"))} aria-label=${this.t("State of the job")}>${away ? html`<div class="foot">${this.tool === "viewer" ? html`<p class="verdict warning">${this.t("Not checked, not proven: this only follows the program's words.")}</p>` : html`<p class="verdict">${away}</p>`}</div>` : beside ? nothing : findings}<slot name="footer"></slot></footer>
@@ -458,15 +460,21 @@ export class App extends LitElement {
     `;
   }
 
+  private showsMoves(moves: ProgramMoves): void {
+    this.shownMoves = moves;
+    this.requestUpdate();
+  }
+
   /** Sentence of the opened program; empty while the job is shown. */
   private get opened(): string {
     if (this.tool !== "viewer" || !this.viewed) return "";
-    const { name, moves } = this.viewed;
+    const { name } = this.viewed;
+    const moves = this.shownMoves ?? this.viewed.moves;
     const touches = moves.kind.filter((k) => moves.kinds[k] === "probe").length;
     return this.t(
       "Read {file} as {dialect}: {count} moves, {touches} of them touches",
       name ?? this.t("the text"),
-      DIALECTS[moves.dialect],
+      readAs(moves),
       moves.kind.length,
       touches,
     );

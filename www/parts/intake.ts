@@ -29,13 +29,6 @@ interface Page {
   beside(text: string, signal: AbortSignal): Promise<Reading> | null;
 }
 
-/** A text to be read, for the page around: whoever reads it says so in `reading`. */
-export interface Unread {
-  text: string;
-  signal: AbortSignal;
-  reading: Promise<Reading> | null;
-}
-
 /** What reads texts could not be loaded. */
 class NotLoaded extends Error {}
 

@@ -1,13 +1,13 @@
 // What is asked of an opened program, and what its run shows: the form, the safety rules, the cycles of the control's own.
 import { html, nothing, type TemplateResult } from "lit";
 import type {
-  Finding,
   Job,
   ProgramKnown,
   ProgramPart,
   ProgramRun,
 } from "../core/browser.js";
 import { PROGRAM_POST_TITLES } from "../core/program-posts.js";
+import type { Ran } from "../run-text.js";
 import type { Store } from "../store.js";
 import { w } from "../words.js";
 import { handMade, handMadeFields, isHandMade } from "./hand-made.js";
@@ -32,16 +32,6 @@ const VERDICTS = {
   false: { mark: "!", word: w("does not hold") },
   null: { mark: "?", word: w("not known") },
 } as const;
-
-/** What is said beside the run itself. */
-interface Report {
-  /** The run without assumptions: its rules and calls are those of the program. */
-  plain: ProgramRun;
-  /** What is wrong with the part that was given. */
-  wrong: Finding[];
-  /** What is not followed, and why no job is made of the program. */
-  notes: string[];
-}
 
 /** What is written, one row for each line and register: `G54 X 0, Y 5`. Of a line that runs more than once the last values count. */
 function written(
@@ -95,12 +85,11 @@ export class RunPanel {
     this.open = false;
   }
 
-  /** Faults first, then what is not followed, what is assumed or known, native calls, and the rules that hold. */
+  /** Faults first, then what is not followed (`notes`), what is assumed or known, native calls, and the rules that hold. `own` is what the user knows. */
   render(
     own: ProgramKnown,
-    known: ProgramKnown,
-    run: ProgramRun,
-    report: Report,
+    { known, assumes, run, plain, wrong }: Ran,
+    notes: string[],
   ): TemplateResult {
     const t = this.store().t.bind(this.store());
     const asked = run.asks.map(({ name }) => name);
@@ -110,7 +99,6 @@ export class RunPanel {
     ].slice(0, MOST_ASKED);
     const probes = run.kind.some((k) => run.kinds[k] === "probe");
     const form = this.names.length > 0 || probes;
-    const { wrong, notes, plain } = report;
     const broken = plain.rules.filter(({ holds }) => holds === false);
     const others = plain.rules.filter(({ holds }) => holds !== false);
     const rules = (rows: ProgramRun["rules"]) =>
@@ -120,7 +108,7 @@ export class RunPanel {
       ${wrong.length > 0 ? html`<ul class="notes">${wrong.map((finding) => html`<li class="warning">${t("The part is not used:")} ${this.store().say(finding.said)}</li>`)}</ul>` : nothing}
       ${noteList(notes)}
       ${plain.writes.length > 0 ? html`<h2>${t("Written for good")}</h2><ul class="writes">${written(run.writes).map(({ what, line }) => html`<li>${what}${this.places([line])}</li>`)}</ul>` : nothing}
-      ${form ? this.form(own, known, run) : nothing}
+      ${form ? this.form(own, known, run, assumes) : nothing}
       ${plain.calls.length > 0 ? html`<h2>${t("Cycles of the control's own")}</h2><ul class="calls">${plain.calls.slice(0, 50).map((call) => this.call(call))}</ul>` : nothing}
       ${others.length > 0 ? html`<details class="others"><summary>${t("Other safety rules: {count}", others.length)}</summary>${rules(others)}</details>` : nothing}
     `;
@@ -131,8 +119,8 @@ export class RunPanel {
     own: ProgramKnown,
     known: ProgramKnown,
     run: ProgramRun,
+    assumes: boolean,
   ): TemplateResult {
-    const assumes = own !== known;
     const t = this.store().t.bind(this.store());
     const number = (
       id: string,

@@ -1,17 +1,16 @@
 // An opened program: picture of its moves, faults, and what is known or assumed. It is not proven.
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
-import {
-  type Finding,
-  JobError,
-  type PageView,
-  type ProgramKnown,
-  type ProgramMoves,
-  type ProgramRun,
-  runProgram,
-  type Said,
+import type {
+  Finding,
+  PageView,
+  ProgramKnown,
+  ProgramMoves,
+  Said,
 } from "../core/browser.js";
 import { keepKnown, knownOf } from "../known.js";
-import { DIALECTS } from "../sentences.js";
+import { type Ran, runText } from "../run-text.js";
+import { readAs } from "../sentences.js";
+import { askFor } from "../tasks.js";
 import { w } from "../words.js";
 import { DrawnPart } from "./canvas-part.js";
 import { Drawing } from "./drawing.js";
@@ -22,37 +21,12 @@ import { ProgramList } from "./program-list.js";
 import { noteList, RunPanel } from "./run-panel.js";
 import { Steps } from "./steps.js";
 
-/** A longer text is read beside the page, and only read: its run would hold up the page at each entry. */
-const LONGEST_RUN = 500_000;
+/** A longer text, or one with more moves, is run in a worker: the page can be used meanwhile. */
+const LONG_TEXT = 20_000;
+const MANY_MOVES = 2000;
 
-/** A longer text is run once, without assumptions. */
-const LONGEST_ASSUMED = 100_000;
-
-/** A run with more moves is not repeated with assumptions: the page would not respond. */
-const MOST_ASSUMED = 20_000;
-
-/** Findings of a run that ends early. A touch at its target is a miss for programs that check for one. */
-const ENDS = new Set(["macro-stops", "program-stops", "no-moves"]);
-/** Fractions of their way at which touches are assumed to trigger, in the order of the attempts. `undefined`: unknown. */
-const TRIALS = [1, 0.5, undefined];
-
-const unknowns = ({ to }: ProgramMoves): number =>
-  to.reduce((sum, x) => sum + Number(Number.isNaN(x)), 0);
-
-const endings = ({ findings }: ProgramMoves): number =>
-  findings.filter(({ code }) => ENDS.has(code)).length;
-
-/** Adds assumptions: unknown axes of the start and unknown offsets are 0, and touches trigger at a fraction of their way. */
-function assumed(known: ProgramKnown, at: number | undefined): ProgramKnown {
-  const { start, part } = known;
-  const axis = (i: 0 | 1 | 2) => start?.[i] ?? 0;
-  return {
-    ...known,
-    offsets: 0,
-    start: [axis(0), axis(1), axis(2)],
-    ...(at === undefined ? {} : { part: { ...part, at } }),
-  };
-}
+/** A longer text is only read. */
+const LONGEST_RUN = 5_000_000;
 
 /** What the kinds of moves are called. */
 const KINDS = { rapid: w("rapid"), feed: w("feed"), probe: w("probing") };
@@ -81,12 +55,10 @@ class ViewerPart extends DrawnPart {
   private moveAt = new Map<number, number>();
   /** What the user knows of the program; nothing: it is read as it is. */
   private own: ProgramKnown = {};
-  /** What it is run with: what the user knows, and what is assumed beside that. */
-  private known: ProgramKnown = {};
-  /** Its run; null where the text is too long to be run at once. */
-  private run: ProgramRun | null = null;
-  /** Its run without assumptions, from which rules and calls are taken. */
-  private plain: ProgramRun | null = null;
+  /** Its run; `null` until it is there, and if the text is too long. */
+  private ran: Ran | null = null;
+  /** The run that is under way in a worker: aborted when another one begins. */
+  private running: AbortController | null = null;
   private readonly panel = new RunPanel(
     () => this.store,
     (known) => {
@@ -110,8 +82,6 @@ class ViewerPart extends DrawnPart {
     () => this.store,
     (move) => this.point(move),
   );
-  /** What is wrong with the part that was given: the program is run without it. */
-  private wrong: Finding[] = [];
   /** What is said of lines: findings, and rules that they break. */
   private notes = new Map<number, string[]>();
   /** What is said of the line that is pointed at. */
@@ -119,44 +89,20 @@ class ViewerPart extends DrawnPart {
 
   /** The moves that are shown. */
   private get moves(): ProgramMoves {
-    return this.shown && this.run ? this.run : this.viewed.moves;
+    return this.shown && this.ran ? this.ran.run : this.viewed.moves;
   }
 
   /** Whether the run is shown: where it knows more than the words, or makes more moves, as those of a control's own macros. */
   private get shown(): boolean {
     return (
-      this.knows || (this.run?.kind.length ?? 0) > this.viewed.moves.kind.length
+      this.knows ||
+      (this.ran?.run.kind.length ?? 0) > this.viewed.moves.kind.length
     );
-  }
-
-  /** The assumption with the fewest unknown positions, and its run. `null` if none has fewer than the plain run without ending earlier. */
-  private assume(plain: ProgramRun): [ProgramKnown, ProgramRun] | null {
-    if (
-      this.viewed.text.length > LONGEST_ASSUMED ||
-      plain.kind.length > MOST_ASSUMED
-    )
-      return null;
-    const { part } = this.own;
-    const isKnown = part && ("cycle" in part || "at" in part);
-    let least = unknowns(plain);
-    let best: [ProgramKnown, ProgramRun] | null = null;
-    for (const at of isKnown ? [undefined] : TRIALS) {
-      if (least === 0) break;
-      const known = assumed(this.own, at);
-      const run = this.tried(known);
-      const ends =
-        run.kind.length < plain.kind.length || endings(run) > endings(plain);
-      if (!ends && unknowns(run) < least) {
-        least = unknowns(run);
-        best = [known, run];
-      }
-    }
-    return best;
   }
 
   /** Whether anything is known beside the text. */
   private get knows(): boolean {
-    const { set = {}, start, part = {} } = this.known;
+    const { set = {}, start, part = {} } = this.ran?.known ?? {};
     return (
       Object.keys(set).length > 0 ||
       start !== undefined ||
@@ -164,21 +110,45 @@ class ViewerPart extends DrawnPart {
     );
   }
 
-  /** Runs the program with what is known. */
+  /** Runs the program with what is known: a long one in a worker, and what was shown stays until the run is there. */
   private runs(own: ProgramKnown): void {
     this.own = own;
-    this.plain =
-      this.viewed.text.length <= LONGEST_RUN ? this.tried(own) : null;
-    const { wrong } = this;
-    [this.known, this.run] = (this.plain && this.assume(this.plain)) ?? [
-      own,
-      this.plain,
-    ];
-    this.wrong = wrong;
+    this.running?.abort();
+    this.running = null;
+    const { text, moves } = this.viewed;
+    const isLong =
+      text.length > LONG_TEXT ||
+      (this.ran?.run ?? moves).kind.length > MANY_MOVES;
+    if (text.length > LONGEST_RUN) this.takes(null);
+    else if (!isLong) this.takes(runText(text, own));
+    else this.runsBeside(text, own);
+  }
+
+  private runsBeside(text: string, own: ProgramKnown): void {
+    const running = new AbortController();
+    const task = { run: text, known: own };
+    const answer = askFor(this, task, running.signal);
+    this.running = running;
+    this.takes(this.ran);
+    const take = (ran: Ran) => {
+      if (running.signal.aborted) return;
+      this.running = null;
+      this.takes(ran);
+      this.drawn = undefined;
+      this.requestUpdate();
+    };
+    (answer ?? Promise.reject()).then(take, () => {
+      if (!running.signal.aborted) take(runText(text, own));
+    });
+  }
+
+  /** Takes a run, or only the moves that were read. */
+  private takes(ran: Ran | null): void {
+    this.ran = ran;
     this.pointed = null;
     const { line, kind, kinds } = this.moves;
     const ownFile = (move: number) =>
-      !this.run || this.run.file.length === 0 || this.run.file[move] === 0;
+      !this.ran?.run.file.length || this.ran.run.file[move] === 0;
     this.moveAt = new Map(
       Array.from(line, (at, move): [number, number] => [
         ownFile(move) ? at : -1,
@@ -191,19 +161,20 @@ class ViewerPart extends DrawnPart {
     });
     this.steps.take(kind.length, touches);
     this.notes = this.said();
+    this.dispatchEvent(new CustomEvent("shown", { detail: this.moves }));
     this.noted = [];
   }
 
   /** What is said of each line. */
   private said(): Map<number, string[]> {
     const notes = new Map<number, string[]>();
-    const { findings = [] } = this.run ?? {};
+    const { findings = [] } = this.ran?.run ?? {};
     const say = (lines: number[], text: string) => {
       for (const line of lines)
         notes.set(line, [...(notes.get(line) ?? []), text]);
     };
     for (const finding of findings) say(finding.lines, this.message(finding));
-    for (const { holds, said, lines } of this.plain?.rules ?? [])
+    for (const { holds, said, lines } of this.ran?.plain.rules ?? [])
       if (holds === false) say(lines, this.store.say(said));
     return notes;
   }
@@ -243,13 +214,11 @@ class ViewerPart extends DrawnPart {
         </ul>
       </div>
       <div class="said">${
-        this.run && this.plain
-          ? this.panel.render(this.own, this.known, this.run, {
-              plain: this.plain,
-              wrong: this.wrong,
-              notes: said,
-            })
-          : noteList(said)
+        this.running
+          ? html`<p class="running" aria-live="polite">${this.t("The program is being run …")}</p>`
+          : nothing
+      }${
+        this.ran ? this.panel.render(this.own, this.ran, said) : noteList(said)
       }</div>
       <div class="read" @keydown=${this.key}>
         <div class="tools">${this.finder.render()}${this.headings()}</div>
@@ -261,7 +230,7 @@ class ViewerPart extends DrawnPart {
 
   /** The lines that name what stands below them, to go there. */
   private headings(): TemplateResult | typeof nothing {
-    const outline = this.run?.outline ?? [];
+    const outline = this.ran?.run.outline ?? [];
     if (outline.length < 2) return nothing;
     const go = (event: Event) => {
       const select = event.target as HTMLSelectElement;
@@ -273,6 +242,7 @@ class ViewerPart extends DrawnPart {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    this.running?.abort();
     this.drawn = undefined;
     this.listing?.free();
     this.listing = undefined;
@@ -281,6 +251,7 @@ class ViewerPart extends DrawnPart {
   protected override willUpdate(changed: PropertyValues): void {
     if (!changed.has("viewed")) return;
     this.panel.begin();
+    this.ran = null;
     this.runs(knownOf(this.viewed.name));
     this.finder.again();
   }
@@ -354,29 +325,16 @@ class ViewerPart extends DrawnPart {
     this.drawn = this.viewed;
   }
 
-  /** A run; one without the part where the job of the form has errors. */
-  private tried(known: ProgramKnown): ProgramRun {
-    this.wrong = [];
-    try {
-      return runProgram(this.viewed.text, known);
-    } catch (thrown) {
-      if (!(thrown instanceof JobError)) throw thrown;
-      // What is wrong is said, and the fields stay to be mended.
-      this.wrong = thrown.findings;
-      const { part: _, ...rest } = known;
-      return runProgram(this.viewed.text, rest);
-    }
-  }
-
   private show(view: PageView): void {
-    const { part: _, ...rest } = this.known;
-    if (this.shown && this.run)
-      view.showRun(this.viewed.text, this.wrong.length > 0 ? rest : this.known);
-    else view.showProgram(this.viewed.text);
+    if (this.shown && this.ran) {
+      const { run, known, wrong } = this.ran;
+      const { part: _, ...rest } = known;
+      view.showRun(run, wrong.length > 0 ? rest : known);
+    } else view.showProgram(this.viewed.text);
   }
 
   private says(): string {
-    const { kind, kinds, units, dialect } = this.moves;
+    const { kind, kinds, units } = this.moves;
     const probing = kind.filter((k) => kinds[k] === "probe").length;
     const said: Said[] = [units ? [units] : [w("units not said")]];
     return this.t(
@@ -384,7 +342,7 @@ class ViewerPart extends DrawnPart {
       kind.length,
       probing,
       ...said,
-      DIALECTS[dialect],
+      readAs(this.moves),
     );
   }
 

@@ -1,12 +1,14 @@
 //! Pictures of programs and of LENTOAX: the module that a first visit loads is built without them.
 
+use js_sys::{Float64Array, Reflect, Uint8Array};
+use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
 
 use super::View;
 use crate::border::coded::decoded;
-use crate::geom::Vec2;
-use crate::import::toolpath::{Known, LONGEST_PROGRAM, run_program};
-use crate::import::{fits, read_program};
+use crate::geom::{Plane, Vec2};
+use crate::import::toolpath::{Known, LONGEST_PROGRAM};
+use crate::import::{Toolpath, fits, read_program};
 use crate::job;
 use crate::view::camera::Camera;
 use crate::view::lengths;
@@ -22,13 +24,13 @@ impl View {
         self.show_moves(read_program(text, None), None);
     }
 
-    /// The same of a program that is run with what is known, coded; a text that is too long, or what is known wrongly, leaves the picture as it is.
+    /// Shows the moves of a run, an object as `runProgram` gives it, on the part of what is known, coded. What is no run, or what is known wrongly, leaves the
+    /// picture as it is.
     #[wasm_bindgen(js_name = showRunCoded)]
-    pub fn show_run(&mut self, text: &str, codes: &[f64], known: &str) {
+    pub fn show_run(&mut self, run: &JsValue, codes: &[f64], known: &str) {
         let value = decoded(codes, known);
-        let short = fits(text, LONGEST_PROGRAM);
-        if let Some(known) = Known::of(&value).ok().filter(|_| short) {
-            self.show_moves(run_program(text, &known), known.feature);
+        if let (Some(path), Ok(known)) = (path_of(run), Known::of(&value)) {
+            self.show_moves(path, known.feature);
         }
     }
 
@@ -51,4 +53,30 @@ impl View {
         self.paint_lit();
         true
     }
+}
+
+/// The path of a run by its columns; `None` where they do not belong together.
+fn path_of(run: &JsValue) -> Option<Toolpath> {
+    let get = |name: &str| Reflect::get(run, &JsValue::from_str(name)).ok();
+    let word = |name: &str| get(name).and_then(|word| word.as_string());
+    let numbers = |name: &str| Some(get(name)?.dyn_into::<Float64Array>().ok()?.to_vec());
+    let kind = get("kind")?.dyn_into::<Uint8Array>().ok()?.to_vec();
+    let path = Toolpath {
+        metric: word("units").map(|units| units == "mm"),
+        to: numbers("to")?,
+        arcs: rows(&numbers("arcs")?),
+        contacts: rows(&numbers("contacts")?),
+        resumes: rows(&numbers("resumes")?),
+        systems: rows(&numbers("systems")?),
+        plane: Plane::named(&word("plane")?),
+        kind,
+        ..Toolpath::default()
+    };
+    (path.to.len() == 3 * path.kind.len()).then_some(path)
+}
+
+/// Numbers in rows of so many.
+fn rows<const N: usize>(numbers: &[f64]) -> Vec<[f64; N]> {
+    let (rows, _) = numbers.as_chunks::<N>();
+    rows.to_vec()
 }
