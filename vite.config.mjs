@@ -51,22 +51,27 @@ const preload = () => ({
   },
 });
 
-/** The page begins with a smaller module; its workers read with the whole one. @returns {import("vite").Plugin} */
-const smaller = () => {
+/** The page begins with the first part of the module; its workers wait for both. @returns {import("vite").Plugin} */
+const parts = (/** @type {string} */ loader) => {
   let replaced = false;
   return {
-    name: "smaller-module",
+    name: "parts-of-the-module",
     enforce: "pre",
     resolveId(id, from) {
       if (id !== "./load.js" || !from?.endsWith("/core/browser.ts"))
         return null;
       replaced = true;
-      return fileURLToPath(new URL("www/load-first.ts", import.meta.url));
+      return fileURLToPath(new URL(loader, import.meta.url));
     },
+    // The bindings would have the whole module beside them.
+    transform: (code, id) =>
+      id.endsWith("/core/wasm/touchpath.js")
+        ? code.replace("new URL('touchpath_bg.wasm', import.meta.url)", "''")
+        : null,
     buildEnd(error) {
       if (!error && !replaced)
         throw new Error(
-          "www/core/load.ts was not replaced: the page would begin with the whole module",
+          "www/core/load.ts was not replaced: the page would load the whole module, too",
         );
     },
   };
@@ -213,8 +218,8 @@ export default defineConfig({
   root: "www",
   define: { VERSION: JSON.stringify(version) },
   base: "./",
-  plugins: [smaller(), answers(), preload(), first()],
-  worker: { format: "es" },
+  plugins: [parts("www/load-first.ts"), answers(), preload(), first()],
+  worker: { format: "es", plugins: () => [parts("www/load-both.ts")] },
   build: {
     outDir: "../dist/page",
     emptyOutDir: true,

@@ -622,7 +622,7 @@ const rare = [
   ...readdirSync(at("dist", "words")).map((name) => name.replace(".json", "-")),
   "program-editor-",
   "reader-",
-  "touchpath_bg-",
+  "rest-",
 ];
 const page = readdirSync(at("dist", "page", "assets"))
   .filter((name) => !rare.some((start) => name.startsWith(start)))
@@ -652,28 +652,11 @@ for (const [name, size] of Object.entries(sizes)) {
 
 // By the names of the functions: what is shared, such as collections and formatting, is the rest. Mazak, Brother, Hurco and Okuma are entries of `renishaw`.
 const target = process.env.CARGO_TARGET_DIR ?? at("target");
-const built = (/** @type {string} */ folder) =>
-  new Map(
-    rooms(
-      readFileSync(
-        join(
-          target,
-          folder,
-          "wasm32-unknown-unknown",
-          "release",
-          "touchpath.wasm",
-        ),
-      ),
-    ),
-  );
-const [all, begins] = [built("wasm"), built("first")];
-console.log(
-  "\nCode by room and control, kB before wasm-opt: in the whole module, in the first one",
+const built = rooms(
+  readFileSync(
+    join(target, "wasm", "wasm32-unknown-unknown", "release", "touchpath.wasm"),
+  ),
 );
-for (const [name, size] of all)
-  console.log(
-    name.padEnd(22),
-    ...[size, begins.get(name) ?? 0].map((b) =>
-      (b / 1000).toFixed(1).padStart(8),
-    ),
-  );
+console.log("\nCode by room and control, kB before wasm-opt");
+for (const [name, size] of built)
+  console.log(name.padEnd(22), (size / 1000).toFixed(1).padStart(8));

@@ -1,5 +1,5 @@
 // Builds the package into dist/ and the page into dist/page/: what is published. `--quick` builds what works alike on this machine, in a fraction of the
-// time: without link-time optimization, and with one module in both places.
+// time: without link-time optimization, and with the module in one part.
 import { createHash } from "node:crypto";
 import {
   appendFileSync,
@@ -29,32 +29,28 @@ import {
 } from "./lib.mjs";
 import { crateLicences } from "./licences.mjs";
 import { trapPanics } from "./panics.mjs";
+import { split, unnamed } from "./split.mjs";
 import { webTypes } from "./web-types.mjs";
 
-/** How a module is built: by a profile of Cargo.toml, in a folder of its own, for cargo builds one thing at a time in a folder. */
-const MODULES = {
-  whole: { profile: "release", folder: "wasm", flags: [] },
-  first: {
-    profile: "release",
-    folder: "first",
-    flags: ["--no-default-features"],
-  },
-  quick: { profile: "quick", folder: "wasm", flags: [] },
-};
-/** @typedef {{ profile: string, folder: string, flags: string[] }} Module */
+/** What wasm-bindgen calls the module. */
+const MODULE = "touchpath_bg.wasm";
 
-/** Where cargo builds a module: `wasm-pack build` takes the whole one from there. */
+/** Where cargo builds the module: `wasm-pack build` takes it from there. */
 export const targetOf = (/** @type {string} */ folder) =>
   join(process.env.CARGO_TARGET_DIR ?? at("target"), folder);
 
-/** Compiles the crate to a module; gives its path. */
-async function compile(/** @type {Module} */ { profile, folder, flags }) {
-  const target = targetOf(folder);
-  // Lints look at the whole module; here what is unused without its features is an error.
-  const strict =
-    folder === MODULES.first.folder ? ["--", "-D", "warnings"] : [];
-  const cargo = [
-    strict.length > 0 ? "rustc" : "build",
+const profileOf = (/** @type {boolean} */ quick) =>
+  quick ? "quick" : "release";
+
+/** Where the module and its bindings are, with the names of its functions. */
+const bindingsOf = (/** @type {boolean} */ quick) =>
+  join(targetOf("wasm"), `bindings-${profileOf(quick)}`);
+
+/** Compiles the crate to a module, by a profile of Cargo.toml; gives its path. */
+async function compile(/** @type {string} */ profile) {
+  const target = targetOf("wasm");
+  await beside("cargo", [
+    "build",
     "--quiet",
     "--locked",
     "--profile",
@@ -62,24 +58,20 @@ async function compile(/** @type {Module} */ { profile, folder, flags }) {
     "--target",
     "wasm32-unknown-unknown",
     "--lib",
-  ];
-  await beside("cargo", [
-    ...cargo,
-    ...flags,
     "--target-dir",
     target,
-    ...strict,
   ]);
   return `${target}/wasm32-unknown-unknown/${profile}/touchpath.wasm`;
 }
 
-/** A module and its bindings; gives the folder they are in. */
-async function buildModule(/** @type {Module} */ kind) {
+/** The module and its bindings; gives the folder they are in. Needs no package of npm. */
+export async function compileModule(/** @type {boolean} */ quick) {
+  ensureTarget();
   const [bindings, module] = await Promise.all([
     ensureBindings(),
-    compile(kind),
+    compile(profileOf(quick)),
   ]);
-  const out = join(targetOf(kind.folder), `bindings-${kind.profile}`);
+  const out = bindingsOf(quick);
   rmSync(out, { recursive: true, force: true });
   await beside(bindings, [module, out]);
   return out;
@@ -126,42 +118,25 @@ async function optimize(/** @type {string} */ wasm) {
     ...passes,
     ...skip,
     ...assume,
+    // The names say where it is split.
+    "-g",
     wasm,
     "-o",
     wasm,
   ]);
 }
 
-/**
- * The whole module and the smaller one that the page begins with, with the bindings of the whole one: they serve both. Gives the folders they are in.
- * Needs no package of npm.
- */
-export async function compileModules(/** @type {boolean} */ quick) {
-  ensureTarget();
-  if (!quick)
-    return Promise.all([
-      buildModule(MODULES.whole),
-      buildModule(MODULES.first),
-    ]);
-  const out = await buildModule(MODULES.quick);
-  return [out, out];
-}
-
-/** Both modules, optimized unless they are for this machine, into www/core/wasm/. */
-export async function writeModules(
-  /** @type {string[]} */ [whole = "", first = ""],
+/** The module without its names, optimized unless it is for this machine, into www/core/wasm/. */
+export async function writeModule(
+  /** @type {string} */ folder,
   /** @type {boolean} */ quick,
 ) {
-  if (!quick)
-    await Promise.all(
-      [whole, first].map((folder) =>
-        optimize(join(folder, "touchpath_bg.wasm")),
-      ),
-    );
-  const out = at("www", "core", "wasm");
+  const [module, out] = [join(folder, MODULE), at("www", "core", "wasm")];
+  if (!quick) await optimize(module);
   rmSync(out, { recursive: true, force: true });
-  cpSync(whole, out, { recursive: true });
-  cpSync(join(first, "touchpath_bg.wasm"), join(out, "first.wasm"));
+  cpSync(folder, out, { recursive: true });
+  if (!quick)
+    writeFileSync(join(out, MODULE), await unnamed(readFileSync(module)));
   // The generated types name Symbol.dispose, which only the newest `lib` knows: users' strict compilers must not stumble.
   const types = `${out}/touchpath.d.ts`;
   const plain = readFileSync(types, "utf8").replaceAll(
@@ -170,16 +145,44 @@ export async function writeModules(
   );
   writeFileSync(
     types,
-    `${plain}\nexport function use(module: WebAssembly.Module): void;\n`,
+    `${plain}\nexport function join(rest: WebAssembly.Module): void;\n`,
   );
-  appendFileSync(
-    `${out}/touchpath.js`,
-    "\n/** Puts another build of the module in the place of this one. */\nexport function use(module) {\n    wasmModule = module;\n    __wbg_reset_state();\n}\n",
-  );
+  writeJoin(join(out, "touchpath.js"));
   // For servers that are bundled into one file.
   const wasm = readFileSync(`${out}/touchpath_bg.wasm`, "base64");
   writeFileSync(`${out}/inline.js`, `export const base64 = "${wasm}";\n`);
   writeFileSync(`${out}/inline.d.ts`, "export const base64: string;\n");
+}
+
+/** A module that comes in two parts is joined in every instance that is made of it. */
+function writeJoin(/** @type {string} */ script) {
+  const source = readFileSync(script, "utf8");
+  const begins =
+    "    wasm = wasmInstance.exports;\n    wasm.__wbindgen_start();\n";
+  if (source.split(begins).length !== 2)
+    throw new Error("the bindings make their instance in another way");
+  const joins = "    if (rest) new WebAssembly.Instance(rest, { p: wasm });\n";
+  writeFileSync(
+    script,
+    `${source.replace(begins, begins + joins)}
+let rest;
+/** Joins the rest of the module to its first part, now and whenever an instance is made. */
+export function join(module) {
+    new WebAssembly.Instance(module, { p: wasm });
+    rest = module;
+}
+`,
+  );
+}
+
+/** The first part of the module and its rest, for the page; in a quick build all is in the first. */
+export async function writeParts(/** @type {boolean} */ quick) {
+  const module = readFileSync(join(bindingsOf(quick), MODULE));
+  const { first, rest } = quick
+    ? { first: module, rest: module.subarray(0, 8) }
+    : await split(module);
+  writeFileSync(at("www", "core", "wasm", "first.wasm"), first);
+  writeFileSync(at("www", "core", "wasm", "rest.wasm"), rest);
 }
 
 /** What frameworks know of the element. */
@@ -189,10 +192,10 @@ const TYPES = ["attributes.d.ts", "svelte.d.ts", "vue.d.ts"];
 async function buildCore() {
   rmSync(at("dist"), { recursive: true, force: true });
   await npx("tsc", "-p", "tsconfig.package.json");
-  // The first module is the page's alone.
+  // The parts of the module are the page's alone.
   cpSync(at("www", "core", "wasm"), at("dist", "wasm"), {
     recursive: true,
-    filter: (path) => !path.endsWith("first.wasm"),
+    filter: (path) => !/(first|rest)\.wasm$/.test(path),
   });
   for (const name of [
     "embed.html",
@@ -284,7 +287,7 @@ function writeWorker() {
     name.replace(".json", ""),
   );
   const rare = new RegExp(
-    `^assets/(${["program-editor", "touchpath_bg", ...words].join("|")})-[\\w-]{8}\\.\\w+$`,
+    `^assets/(${["program-editor", ...words].join("|")})-[\\w-]{8}\\.\\w+$`,
   );
   const wanted = files.filter(
     (file) => file === "licences.txt" || rare.test(file),
@@ -310,11 +313,11 @@ async function buildPage() {
   writeWorker();
 }
 
-/** The package and the page from modules that are there. */
-export async function buildPackage() {
+/** The package and the page from a module that is there; the page from its parts. */
+export async function buildPackage(parts = async () => {}) {
   await buildCore();
   // The manifest is the page's own affair, and the schemas are the core's: none waits for another.
-  await Promise.all([buildBundles(), writeSchema(), buildPage()]);
+  await Promise.all([buildBundles(), writeSchema(), parts().then(buildPage)]);
 }
 
 /** The sizes of the module, as it is sent. */
@@ -328,12 +331,12 @@ export function printSizes() {
 
 /** Everything: for who publishes it, or quickly for this machine. */
 export async function build({ quick = false } = {}) {
-  const [modules] = await stage("Packages and WebAssembly", () =>
-    Promise.all([compileModules(quick), ensurePackages()]),
+  const [folder] = await stage("Packages and WebAssembly", () =>
+    Promise.all([compileModule(quick), ensurePackages()]),
   );
-  if (quick) await writeModules(modules, quick);
-  else await stage("Optimization", () => writeModules(modules, quick));
-  await stage("Package and page", buildPackage);
+  if (quick) await writeModule(folder, quick);
+  else await stage("Optimization", () => writeModule(folder, quick));
+  await stage("Package and page", () => buildPackage(() => writeParts(quick)));
   if (!quick) printSizes();
 }
 

@@ -7,10 +7,11 @@ import { parseArgs } from "node:util";
 import {
   build,
   buildPackage,
-  compileModules,
+  compileModule,
   printSizes,
   targetOf,
-  writeModules,
+  writeModule,
+  writeParts,
 } from "./build.mjs";
 import {
   at,
@@ -180,17 +181,17 @@ const TESTS = [
     name: "WebAssembly",
     after: ["Rust"],
     work: async () => {
-      const modules = await compileModules(false);
+      const folder = await compileModule(false);
       // Another stage installs the packages, and long since has.
       await ensurePackages();
-      await writeModules(modules, false);
+      await writeModule(folder, false);
     },
   },
   {
     name: "Package",
     after: ["WebAssembly"],
     work: async () => {
-      await buildPackage();
+      await buildPackage(() => writeParts(false));
       printSizes();
     },
   },

@@ -23,10 +23,6 @@
 //!
 //! What this is not: a simulator of a machine. It knows the feature that is probed, not fixtures, axis limits or spindles; of the
 //! stylus it knows what the job says; and no program made here has been run on a machine by its authors.
-#![cfg_attr(
-    all(target_arch = "wasm32", not(feature = "whole")),
-    allow(dead_code, reason = "the rest of the module calls it")
-)]
 
 pub mod config;
 pub mod describe;

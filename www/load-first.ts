@@ -1,10 +1,10 @@
-// The module of the page. It begins without what reads texts from outside and without LENTOAX: a quarter fewer bytes before the first answer.
+// The module of the page. It comes in two parts: the first is what a first visit and the edits of its forms run, the rest is joined to it as soon as it has come.
 // The job of a first visit is always the same: what the module says of it comes with the page (www/first-answers.ts), and is shown until the module is
 // there.
-import { instance, type Raw } from "./core/instance.js";
+import type { Raw } from "./core/instance.js";
 import address from "./core/wasm/first.wasm?url";
+import rest from "./core/wasm/rest.wasm?url";
 import init, * as raw from "./core/wasm/touchpath.js";
-import rest from "./core/wasm/touchpath_bg.wasm?url";
 
 export { raw };
 
@@ -59,21 +59,52 @@ function showPicture(): void {
 }
 
 let loading: Promise<void> | undefined;
+let partial = true;
 
-/** Puts the whole module in the place of the first one; Views are made anew. Fails without a network, and can be tried again then. */
+/** Joins the rest at once, where something was asked that it alone can answer; says whether it was missing. A page that cannot have it fails as it would have. */
+export function completeNow(): boolean {
+  if (!partial) return false;
+  const request = new XMLHttpRequest();
+  request.open("GET", rest, false);
+  // Bytes as they are: without this a synchronous answer is a text.
+  request.overrideMimeType("text/plain; charset=x-user-defined");
+  try {
+    request.send();
+  } catch {
+    return false;
+  }
+  if (request.status !== 200) return false;
+  const text = request.responseText;
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  take(new WebAssembly.Module(bytes));
+  return true;
+}
+
+/** It may have come in both ways. */
+function take(module: WebAssembly.Module): void {
+  if (partial) raw.join(module);
+  partial = false;
+}
+
+/** Joins the rest to the first part. Fails without a network, and can be tried again then. */
 export function loadWhole(): Promise<void> {
-  loading ??= replace().catch((thrown) => {
+  loading ??= join().catch((thrown) => {
     loading = undefined;
     throw thrown;
   });
   return loading;
 }
 
-async function replace(): Promise<void> {
-  const response = await fetch(rest);
+async function join(): Promise<void> {
+  const response = await fetch(rest, { priority: "low" });
   if (!response.ok)
     throw new Error(`${response.status} ${response.statusText}`);
   const module = await WebAssembly.compile(await response.arrayBuffer());
   await loaded;
-  instance.replace(() => raw.use(module));
+  take(module);
 }
+
+// A job that was kept may need all of it; a first visit has its answer sooner.
+const joined = loaded.then(loadWhole).catch(() => undefined);
+if (!isFirst) await joined;

@@ -4,9 +4,6 @@ import { beside } from "./in-worker.js";
 import { keep, keepOffline } from "./offline.js";
 import type { Asked, Task } from "./tasks.js";
 
-/** Milliseconds after which a visitor looks at the page, and nothing is loaded any more. */
-const IDLE = 4000;
-
 const page = document.querySelector<TouchPath>("touch-path") as TouchPath;
 
 /** What is kept for when there is no network. */
@@ -14,9 +11,6 @@ function keepAll(): void {
   keepOffline((take) =>
     page.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
   );
-  // What reads texts, and LENTOAX, once nothing else is loaded.
-  const { connection } = navigator as { connection?: { saveData?: boolean } };
-  if (!connection?.saveData) setTimeout(() => keep("touchpath_bg"), IDLE);
 }
 // Not before what is shown; a page that could not be shown may be an old one.
 page.ready.then(keepAll, keepAll);

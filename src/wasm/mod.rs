@@ -6,12 +6,10 @@
 
 mod sink;
 mod view;
-#[cfg(feature = "whole")]
 mod whole;
 
 pub use sink::Sink;
 pub use view::View;
-#[cfg(feature = "whole")]
 pub use whole::{import_job, job_schema, lentoax, lentoax_words, read_program, run_program};
 
 use std::cell::RefCell;

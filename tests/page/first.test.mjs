@@ -1,7 +1,7 @@
 // The first visit: the picture of its job is there with the first paint, before the module, and only where it is true.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { context, page, ready, setUp } from "./common.mjs";
+import { context, page, ready, settles, setUp } from "./common.mjs";
 
 setUp({ width: 1440, height: 900 });
 
@@ -254,7 +254,7 @@ test("a job that another tab keeps meanwhile, and a link that is pasted, wait fo
   await other.own.close();
 });
 
-test("the page begins with the smaller module, and fetches the whole one when a text is opened", async () => {
+test("the module comes in two parts: what needs the second one before it is there waits for it", async () => {
   const browser = /** @type {import("playwright-core").Browser} */ (
     context.browser()
   );
@@ -269,16 +269,40 @@ test("the page begins with the smaller module, and fetches the whole one when a 
     const name = /([a-z_]+)-[\w-]{8}\.wasm$/.exec(request.url())?.[1];
     if (name) modules.push(name);
   });
+  /** @type {(() => void)[]} */
+  const held = [];
+  await tab.route(/\/rest-[^/]+\.wasm$/, async (route) => {
+    await new Promise((done) => held.push(() => done(undefined)));
+    await route.continue();
+  });
+  const problems = /** @type {string[]} */ ([]);
+  tab.on("pageerror", ({ message }) => problems.push(message));
   await tab.goto(page.url());
   await element(tab);
-  await tab.waitForLoadState("networkidle");
-  assert.deepEqual([...new Set(modules)], ["first"]);
-  const buffer = Buffer.from("G21\nG0 X1 Y2\nG1 Z-3 F100\nM2\n");
-  await tab
-    .locator("#file")
-    .setInputFiles({ name: "some.ngc", mimeType: "text/plain", buffer });
-  await tab.locator("tp-viewer").waitFor();
-  assert.deepEqual([...new Set(modules)], ["first", "touchpath_bg"]);
+  const state = () =>
+    tab.evaluate(() => {
+      const { stale, plan } = /** @type {any} */ (
+        document.querySelector("touch-path")
+      ).store;
+      return [stale, plan.program.post];
+    });
+  assert.deepEqual(await state(), [false, "linuxcnc"]);
+  // The first part has no SINUMERIK.
+  const chosen = tab.evaluate(() => {
+    const touchpath = /** @type {any} */ (document.querySelector("touch-path"));
+    const { job } = touchpath;
+    touchpath.job = { ...job, control: { ...job.control, post: "sinumerik" } };
+  });
+  // It is fetched with the page, and asked for once more by who cannot wait.
+  await settles(async () => held.length > 0);
+  const all = setInterval(() => {
+    for (const go of held.splice(0)) go();
+  }, 50).unref();
+  await chosen;
+  clearInterval(all);
+  assert.deepEqual(await state(), [false, "sinumerik"]);
+  assert.deepEqual([...new Set(modules)], ["first", "rest"]);
+  assert.deepEqual(problems, []);
   await own.close();
 });
 

@@ -61,8 +61,6 @@ const written = (/** @type {string} */ name) =>
 
 test("without a network the page opens, plans, draws, saves and shows its other tools", async () => {
   assert.equal(await kept(), 1);
-  // What answers LENTOAX comes when the page has nothing else to do.
-  await written("touchpath_bg");
   await context.setOffline(true);
   await page.goto(new URL("index.html?from=home", page.url()).href);
   await ready();
@@ -239,8 +237,13 @@ test("the editor of opened programs: loaded with the first of them, there withou
     await page.locator("tp-viewer .listing pre").textContent(),
     foreign,
   );
-  // The browser says that a file did not come.
+  // The browser says that a file did not come: the editor, for each time that the program is shown.
   await settles(async () => problems.splice(0).length > 0);
+  await settles(
+    async () => (await page.locator("tp-viewer .running").count()) === 0,
+  );
+  await page.waitForTimeout(300);
+  problems.splice(0);
   await again(false);
   await openText(foreign, "foreign.nc");
   await page.locator("tp-viewer .line").first().waitFor();

@@ -1,6 +1,12 @@
 import { coded } from "./coded.js";
 import { attach, instance } from "./instance.js";
-import { arrival, loadWhole, raw as module, stand } from "./load.js";
+import {
+  arrival,
+  completeNow,
+  loadWhole,
+  raw as module,
+  stand,
+} from "./load.js";
 import type { ProgramKnown, ProgramRun } from "./types.js";
 import type * as raw from "./wasm/touchpath.js";
 
@@ -8,18 +14,17 @@ export * from "./api.js";
 export { say } from "./said.js";
 export type * from "./types.js";
 
-attach(stand ?? module, stand ? () => undefined : module.__wbg_reset_state);
-arrival?.then(
-  () => attach(module, module.__wbg_reset_state),
-  () => undefined,
-);
+const here = () => attach(module, module.__wbg_reset_state, completeNow);
+if (stand) attach(stand, () => undefined);
+else here();
+arrival?.then(here, () => undefined);
 
 /** The arrival of the module, where the page is shown before it; null once it is there. @internal */
 export function awaited(): Promise<void> | null {
   return arrival;
 }
 
-/** Loads what the module lacks, where the page has begun with a smaller one. @internal */
+/** Loads the rest of the module, where the page has begun with its first part. @internal */
 export function whole(): Promise<void> {
   return loadWhole();
 }

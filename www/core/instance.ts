@@ -72,7 +72,7 @@ export interface Raw {
 }
 
 /**
- * The module's instance. An exception that passes through it (a caller's own stack overflow, a getter's) leaves it broken for
+ * The module's instance; `complete` brings what the module still lacks, and says whether it lacked anything. An exception that passes through it (a caller's own stack overflow, a getter's) leaves it broken for
  * good, so a fresh one takes its place before the next call.
  */
 export class Instance {
@@ -82,7 +82,10 @@ export class Instance {
   /** Calls under way: a getter of a job may itself call in. */
   private depth = 0;
 
-  constructor(private readonly renew: () => void) {}
+  constructor(
+    private readonly renew: () => void,
+    private readonly complete: () => boolean = () => false,
+  ) {}
 
   /** Makes sure that the instance is a sound one. */
   ready(): void {
@@ -94,13 +97,6 @@ export class Instance {
     this.number++;
   }
 
-  /** Puts another module in the place of this one. What this one made cannot be used with the other. */
-  replace(put: () => void): void {
-    put();
-    this.broken = false;
-    this.number++;
-  }
-
   call<T>(run: () => unknown): T {
     this.ready();
     this.depth++;
@@ -108,6 +104,15 @@ export class Instance {
       return run() as T;
     } catch (thrown) {
       this.broken = true;
+      // A function that is still to come is a trap.
+      if (thrown instanceof WebAssembly.RuntimeError && this.complete()) {
+        this.depth--;
+        try {
+          return this.call(run);
+        } finally {
+          this.depth++;
+        }
+      }
       const { message, findings } = (thrown ?? {}) as {
         message?: string;
         findings?: Finding[];
@@ -125,8 +130,12 @@ export class Instance {
 export let raw: Raw;
 export let instance: Instance;
 
-/** Gives the functions their module: once, by the entry for Node or for browsers. */
-export function attach(module: Raw, renew: () => void): void {
+/** Gives the functions their module: by the entry for Node or for browsers, once for each module that stands in for another. */
+export function attach(
+  module: Raw,
+  renew: () => void,
+  complete?: () => boolean,
+): void {
   raw = module;
-  instance = new Instance(renew);
+  instance = new Instance(renew, complete);
 }

@@ -13,5 +13,8 @@ export const stand: Raw | null = null;
 /** The arrival of the module; null once it is there. */
 export const arrival: Promise<void> | null = null;
 
+/** Brings what the module lacks, and says whether it lacked anything: nothing. */
+export const completeNow = (): boolean => false;
+
 /** Loads what the module lacks: nothing. */
 export async function loadWhole(): Promise<void> {}

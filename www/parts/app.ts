@@ -101,7 +101,7 @@ const LATER: Record<string, () => Promise<unknown>> = {
   presets: () => import("./presets.js"),
 };
 
-/** What needs the whole module. */
+/** What needs the rest of the module. */
 const WHOLE = new Set(["lengths", "viewer"]);
 
 /** Milliseconds after which the user sees that something is being loaded. */
@@ -819,7 +819,7 @@ export class App extends LitElement {
     }
   }
 
-  /** Loads the whole module, and says so where that takes a while. What is drawn is drawn anew by it. */
+  /** Loads the rest of the module, and says so where that takes a while. */
   private async whole(): Promise<void> {
     const late = setTimeout(() => this.tell(LOADING), SOON);
     try {
@@ -828,7 +828,6 @@ export class App extends LitElement {
       clearTimeout(late);
     }
     if (this.said?.text === LOADING) this.tell(null);
-    this.store.dispatchEvent(new Event("recolour"));
   }
 
   /** Loads what was not needed until now; false where it cannot be had. */

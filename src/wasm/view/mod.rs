@@ -2,7 +2,6 @@
 
 mod dimensions;
 mod drag;
-#[cfg(feature = "whole")]
 mod whole;
 
 use std::cell::Cell;

@@ -1,0 +1,17 @@
+// The module of the page's workers: both of its parts, which the page has fetched already.
+import type { Raw } from "./core/instance.js";
+import first from "./core/wasm/first.wasm?url";
+import rest from "./core/wasm/rest.wasm?url";
+import init, * as raw from "./core/wasm/touchpath.js";
+
+const compiled = fetch(rest)
+  .then((response) => response.arrayBuffer())
+  .then((bytes) => WebAssembly.compile(bytes));
+await init({ module_or_path: first });
+raw.join(await compiled);
+
+export { raw };
+export const stand: Raw | null = null;
+export const arrival: Promise<void> | null = null;
+export const completeNow = (): boolean => false;
+export async function loadWhole(): Promise<void> {}
