@@ -105,6 +105,9 @@ async function join(): Promise<void> {
   take(module);
 }
 
-// A job that was kept may need all of it; a first visit has its answer sooner.
-const joined = loaded.then(loadWhole).catch(() => undefined);
-if (!isFirst) await joined;
+// A job that was kept may need all of it; a first visit has its answer sooner. Where the browser is to save data, it comes when it is needed.
+const { connection } = navigator as { connection?: { saveData?: boolean } };
+if (!connection?.saveData) {
+  const joined = loaded.then(loadWhole).catch(() => undefined);
+  if (!isFirst) await joined;
+}
