@@ -24,16 +24,7 @@ impl Modes {
     /// The modes after one of two ways.
     fn agreed(self, other: Modes) -> Modes {
         let moves = |modes: Modes| (modes.motion, modes.curve, modes.given);
-        let counts = |modes: Modes| {
-            let Modes {
-                absolute,
-                centers_absolute,
-                diameter,
-                polar,
-                ..
-            } = modes;
-            (absolute, centers_absolute, diameter, polar)
-        };
+        let counts = |modes: Modes| (modes.absolute, modes.diameter, modes.polar);
         let unsure = Unsure {
             motion: self.unsure.motion || other.unsure.motion || moves(self) != moves(other),
             distance: self.unsure.distance
