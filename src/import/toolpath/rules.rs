@@ -431,16 +431,18 @@ fn may_be_asked() -> Text {
 
 fn missed(path: &Toolpath, log: &Log, touches: &[&Touch], last: usize) -> RunRule {
     const RULE: &str = "missed-touch-stops";
-    // What is wrong with a positioning move that nothing asks about is that a contact goes unnoticed.
-    // Where the touches are in what is called, this one may be a positioning move.
-    let may_ask = |touch: &Touch| touch.may_ask || touch.positions && !log.unread.is_empty();
-    let is_asked = |touch: &Touch| touch.stops || touch.asked;
-    // One that goes nowhere reads the position.
+    // A move that goes nowhere reads the position.
     let is_still =
         |touch: &Touch| (path.end(touch.index) - path.begin(touch.index)).length() < 1e-3;
+    // What is wrong with a positioning move that nothing asks about is that a contact goes unnoticed.
     let is_touch = |touch: &&&Touch| {
         (!touch.positions || !path.by_g38 && touch.index >= last) && !is_still(touch)
     };
+    // If the touches are in a subprogram that is not in the text, this may be a positioning move.
+    let may_ask = |touch: &&&Touch| {
+        touch.may_ask || is_touch(touch) && touch.positions && !log.unread.is_empty()
+    };
+    let is_asked = |touch: &Touch| touch.stops || touch.asked;
     let bad: Vec<usize> = touches
         .iter()
         .filter(is_touch)
