@@ -166,23 +166,30 @@ const MACRO_FUNCTIONS: &[(&str, Function)] = &[
     ("LN", Function::NotComputed),
 ];
 
+/// The functions of macros and these, `N` in all.
+const fn macro_functions<const N: usize>(
+    more: &[(&'static str, Function)],
+) -> [(&'static str, Function); N] {
+    assert!(N == MACRO_FUNCTIONS.len() + more.len());
+    let mut all = [("", Function::NotComputed); N];
+    let mut i = 0;
+    while i < N {
+        all[i] = if i < MACRO_FUNCTIONS.len() {
+            MACRO_FUNCTIONS[i]
+        } else {
+            more[i - MACRO_FUNCTIONS.len()]
+        };
+        i += 1;
+    }
+    all
+}
+
 /// LinuxCNC's words, by its documentation.
 pub const LINUXCNC: Grammar = Grammar {
     language: Language::LinuxCnc,
     operators: MACRO_OPERATORS,
     brackets: (b'[', b']'),
-    functions: {
-        const FUNCTIONS: [(&str, Function); MACRO_FUNCTIONS.len() + 1] = {
-            let mut all = [("EXISTS", Function::Exists); MACRO_FUNCTIONS.len() + 1];
-            let mut i = 0;
-            while i < MACRO_FUNCTIONS.len() {
-                all[i] = MACRO_FUNCTIONS[i];
-                i += 1;
-            }
-            all
-        };
-        &FUNCTIONS
-    },
+    functions: &macro_functions::<16>(&[("EXISTS", Function::Exists)]),
     constants: &[],
     is_spaced: false,
     is_prefix: false,
@@ -198,23 +205,12 @@ pub const LINUXCNC: Grammar = Grammar {
 
 /// PlanetCNC, by public macros.
 pub const PLANETCNC: Grammar = Grammar {
-    functions: &[
-        ("ABS", Function::Absolute),
-        ("SIN", Function::Sine),
-        ("COS", Function::Cosine),
-        ("TAN", Function::Tangent),
-        ("ASIN", Function::ArcSine),
-        ("ACOS", Function::ArcCosine),
-        ("ATAN", Function::ArcTangent),
-        ("SQRT", Function::SquareRoot),
-        ("ROUND", Function::Round),
-        ("FIX", Function::Fix),
-        ("FUP", Function::Up),
+    functions: &macro_functions::<19>(&[
         ("EXISTS", Function::Exists),
         ("NOTEXISTS", Function::NotExists),
         ("LNOT", Function::Not),
         ("ACTIVE", Function::NotComputed),
-    ],
+    ]),
     ..LINUXCNC
 };
 
