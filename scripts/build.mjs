@@ -287,7 +287,7 @@ function writeWorker() {
     name.replace(".json", ""),
   );
   const rare = new RegExp(
-    `^assets/(${["program-editor", ...words].join("|")})-[\\w-]{8}\\.\\w+$`,
+    `^assets/(${["program-editor", "rest", ...words].join("|")})-[\\w-]{8}\\.\\w+$`,
   );
   const wanted = files.filter(
     (file) => file === "licences.txt" || rare.test(file),

@@ -11,6 +11,9 @@ function keepAll(): void {
   keepOffline((take) =>
     page.dispatchEvent(new CustomEvent("update-ready", { detail: take })),
   );
+  // The page has loaded it already, unless the browser is to save data.
+  const { connection } = navigator as { connection?: { saveData?: boolean } };
+  if (!connection?.saveData) keep("rest");
 }
 // Not before what is shown; a page that could not be shown may be an old one.
 page.ready.then(keepAll, keepAll);

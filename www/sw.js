@@ -3,7 +3,7 @@
 const worker = /** @type {ServiceWorkerGlobalScope} */ (/** @type {unknown} */ (self));
 /** @type {string[]} */
 const FILES = [];
-/** Files that not every user wants: the words of the languages, the editor of opened programs, the licences. They are kept when they are asked for. @type {string[]} */
+/** Files that not every user wants: the words of the languages, the editor of opened programs, the rest of the module, the licences. They are kept when they are asked for. @type {string[]} */
 const WANTED = [];
 const VERSION = "";
 /** One installation a folder: another one of the same server has its own files. */

@@ -61,6 +61,7 @@ const written = (/** @type {string} */ name) =>
 
 test("without a network the page opens, plans, draws, saves and shows its other tools", async () => {
   assert.equal(await kept(), 1);
+  await written("rest");
   await context.setOffline(true);
   await page.goto(new URL("index.html?from=home", page.url()).href);
   await ready();
