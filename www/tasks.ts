@@ -1,7 +1,7 @@
 // What a worker does for the page.
 import type { ProgramKnown } from "./core/browser.js";
-import { type Reading, read } from "./read-text.js";
-import { type Ran, runText } from "./run-text.js";
+import type { Reading } from "./read-text.js";
+import type { Ran } from "./run-text.js";
 
 /** A text to be read, or a program to be run with what is known. */
 export type Task = { read: string } | { run: string; known: ProgramKnown };
@@ -9,16 +9,12 @@ export type Task = { read: string } | { run: string; known: ProgramKnown };
 /** What comes of a task. */
 export type Answer<T extends Task> = T extends { read: string } ? Reading : Ran;
 
-/** A task for the page around: whoever does it puts its answer here. */
+/** A request to the page around the element. The page sets `answer` if it has a worker. */
 export interface Asked<T extends Task> {
   task: T;
   signal: AbortSignal;
   answer: Promise<Answer<T>> | null;
 }
-
-/** Does a task here. */
-export const perform = (task: Task): Reading | Ran =>
-  "read" in task ? read(task.read) : runText(task.run, task.known);
 
 /** Asks the page around an element for a worker; `null` if it has none. */
 export function askFor<T extends Task>(
