@@ -130,7 +130,7 @@ export class Instance {
 export let raw: Raw;
 export let instance: Instance;
 
-/** Gives the functions their module: by the entry for Node or for browsers, once for each module that stands in for another. */
+/** Sets the module that the functions call. The page calls this again when its module replaces the baked answers. */
 export function attach(
   module: Raw,
   renew: () => void,

@@ -119,7 +119,7 @@ export interface ProgramWrite {
   axis: "X" | "Y" | "Z" | "R" | null;
   /** In the program's first units, degrees of a rotation; `null` where it is not known. By `G10 L20` and G92 it is what the present position is called. */
   value: number | null;
-  /** Whether a condition between the last touch and this write guards it: `false` if there is none, `null` if it is not known what the condition compares. */
+  /** Whether the write depends on a condition after the last touch. `false`: there is no condition. `null`: what the condition compares is unknown. */
   guarded: boolean | null;
 }
 

@@ -26,7 +26,7 @@ pub struct Write {
     pub axis: Option<&'static str>,
     /// In the program's first units, degrees of a rotation; none where it is not known. The present position gets it by `G10 L20` and G92.
     pub value: Option<f64>,
-    /// Whether a condition between the last touch and this write guards it: `Some(false)` if there is no condition, `None` if it is not known what it compares.
+    /// Whether the write depends on a condition after the last touch. `Some(false)`: there is no condition. `None`: what the condition compares is unknown.
     pub guarded: Option<bool>,
     /// How many moves were made before.
     #[serde(skip)]
