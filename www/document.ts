@@ -14,6 +14,7 @@ import { byCode, type SetUpState } from "./features.js";
 import { Fixed } from "./fixed.js";
 import { History } from "./history.js";
 import { alike, complete, type Draft, dropAt, isObject, putAt } from "./job.js";
+import { tidy } from "./number.js";
 import { Output } from "./output.js";
 import type { Reading } from "./read-text.js";
 import type { Rules } from "./rules.js";
@@ -38,6 +39,9 @@ export const noPoints = (): Points => ({ mm: "", inch: "" });
 export const LOOK_ONLY: Said = [
   w("Nothing was changed: this job is read-only"),
 ];
+
+/** The field of how far a measured size may be from the nominal one. */
+const SIZE_LIMIT = "limits.size";
 
 /** Everything that a user can change, at a moment. */
 interface Moment {
@@ -155,13 +159,45 @@ export abstract class Document extends Output {
     if (path === "control.workOffset") this.lost = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
+    const follows = this.sizeLimitFollows(path);
     putAt(this.draft, path, value);
     if (typeof value === "number") this.untolerate(path);
+    if (follows) dropAt(this.draft, SIZE_LIMIT);
     fixed.keep(this.draft);
     // What was typed inside a value that is another one now.
     if (typeof value === "object")
       for (const inside of [`${path}.`, `${path}[`]) this.forget(inside);
     this.changed();
+  }
+
+  /** Whether the size limit follows the tolerance of a size that is about to change: until someone enters another limit. */
+  private sizeLimitFollows(path: string): boolean {
+    if (this.given === null || this.given.has(SIZE_LIMIT)) return false;
+    if (!path.startsWith("cycle.") || !this.fieldAt(path)?.size) return false;
+    const limit = this.get(SIZE_LIMIT);
+    return limit === undefined || alike(limit, this.usualSizeLimit());
+  }
+
+  /** The size limit of a job that gives none: the usual one, plus the largest deviation that a tolerance of the plan allows. */
+  private usualSizeLimit(): number {
+    const usual = Number(this.begins(this.fieldAt(SIZE_LIMIT) as FieldEntry));
+    const sizes = this.catalog.cycles.flatMap(({ fields }) =>
+      fields.filter(({ size, unit }) => size && unit === "length"),
+    );
+    const reach = this.plan.results
+      .filter(({ code }) => sizes.some(({ key }) => key === code))
+      .flatMap(({ limits, nominal }) =>
+        (limits ?? []).map((limit) => Math.abs(limit - (nominal ?? limit))),
+      );
+    return tidy(usual + Math.max(0, ...reach));
+  }
+
+  /** Puts the size limit that followed a tolerance into the job, once there is a plan with that tolerance. */
+  private fillSizeLimit(): void {
+    if (this.given === null || this.stale) return;
+    if (this.get(SIZE_LIMIT) !== undefined) return;
+    putAt(this.draft, SIZE_LIMIT, this.usualSizeLimit());
+    this.shown = structuredClone(this.job);
   }
 
   /** Removes the action and wear correction of a size that no longer has a tolerance. */
@@ -334,6 +370,7 @@ export abstract class Document extends Output {
   protected changed(): void {
     this.nameAnew();
     this.compute();
+    this.fillSizeLimit();
     this.keep();
     this.dispatchEvent(new Event("change"));
     if (this.history.settled) this.dispatchEvent(new Event("settled"));

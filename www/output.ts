@@ -156,6 +156,17 @@ export abstract class Output extends Entries {
     );
   }
 
+  /** The path of the field that puts a finding right: the empty one that its message names, else the one that it is about. */
+  fieldOf({ message, path }: Finding): string {
+    for (const section of this.catalog.sections)
+      for (const { key, label } of section.fields) {
+        const named = `${section.path}.${key}`;
+        if (this.get(named) === null && message.includes(`"${label}"`))
+          return named;
+      }
+    return path;
+  }
+
   /** Whether the plan is of a cycle of the control's own. */
   get ownCycle(): boolean {
     return (this.shown.control as Draft | undefined)?.form === "cycle";

@@ -1,7 +1,10 @@
 //! The list of cycles of a job of format 2: each as the job that it would be alone.
 
+use crate::cycle;
 use crate::form::{Field, Value};
-use crate::job::sections::TOLERANCES;
+use crate::job::sections::{TOLERANCES, USUAL_SIZE, Units};
+use crate::job::sized;
+use crate::num::tidy;
 
 /// The format of a job with several cycles.
 pub const SET_UP_FORMAT: f64 = 2.0;
@@ -67,6 +70,32 @@ pub fn alone(job: &Value, index: usize) -> Option<Value> {
         .collect();
     alone.push(("cycle".to_owned(), Value::Map(cycle)));
     Some(Value::Map(alone))
+}
+
+/// A set-up with the size limit that it leaves out, where a size has a tolerance: one limit holds for all of its cycles, so the widest tolerance decides.
+pub fn with_size_limit(set_up: &Value) -> Option<Value> {
+    let limits = set_up.get("limits");
+    let Some(Value::List(cycles)) = set_up.get("cycles") else {
+        return None;
+    };
+    if limits.is_some_and(|given| given.get("size").is_some()) {
+        return None;
+    }
+    let scale = Units::of(set_up).scale();
+    let sized: Vec<sized::Sized> = cycles
+        .iter()
+        .filter_map(|cycle| match cycle.get("type") {
+            Some(Value::Text(key)) => Some(sized::of(cycle::find(key)?, cycle, scale)),
+            _ => None,
+        })
+        .flatten()
+        .collect();
+    let limit = Value::Number(tidy(sized::size_limit(&sized, USUAL_SIZE)? / scale));
+    let mut limits = limits.cloned().unwrap_or(Value::Map(Vec::new()));
+    limits.put("size", limit);
+    let mut whole = set_up.clone();
+    whole.put("limits", limits);
+    Some(whole)
 }
 
 /// The virtual part with the sizes of one cycle: `BORE.diameter` is its `diameter`.

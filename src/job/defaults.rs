@@ -2,7 +2,7 @@
 
 use crate::cycle::{self, CycleDef, REPEAT};
 use crate::form::{Default, Field, SubForm, Value};
-use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, names};
+use crate::job::cycles::{RELATIONS, SET_UP_FORMAT, alone, is_set_up, names, with_size_limit};
 use crate::job::naming::job_name;
 use crate::job::sections::{FORMAT, NORMAL_RUN, SECTIONS, TOLERANCES, USUAL_SIZE, Units};
 use crate::job::sized;
@@ -151,7 +151,7 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
 /// A job with every value: what it does not say has the value that stands in. None where it has no known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
     if is_set_up(job) {
-        return resolved_set_up(job);
+        return resolved_set_up(&with_size_limit(job).unwrap_or_else(|| job.clone()));
     }
     let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else {
         return None;

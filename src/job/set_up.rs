@@ -9,7 +9,9 @@ use crate::control::own::Several;
 use crate::cycle::CycleDef;
 use crate::form::{Checker, Finding, Value};
 use crate::geom::Vec3;
-use crate::job::cycles::{CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names};
+use crate::job::cycles::{
+    CLEAR, LONGEST_NAME, MOST_CYCLES, SET_UP_FORMAT, alone, is_name, names, with_size_limit,
+};
 use crate::job::follows::{self, Earlier};
 use crate::job::planned::{Planned, several};
 use crate::job::relations::{self, Relations};
@@ -54,8 +56,9 @@ pub fn read(checker: &mut Checker, value: &Value) -> Option<Planned> {
     let cycles = read_list(checker, value)?;
     let names = names(cycles);
     check_names(checker, cycles, &names);
+    let limited = with_size_limit(value);
     let mut reading = Reading {
-        value,
+        value: limited.as_ref().unwrap_or(value),
         cycles,
         names: &names,
         relations: Relations::of(checker, value, &names, &follows::followed(cycles)),

@@ -535,6 +535,24 @@ fn tolerances_come_back_from_the_header_of_a_program_and_in_other_units() {
     }
 }
 
+/// One size limit holds for all cycles of a set-up: the widest tolerance decides, whichever cycle has it.
+#[test]
+fn a_set_up_without_a_size_limit_has_room_for_its_widest_tolerance() {
+    let set_up = |first: &str, second: &str, limits: &str| {
+        job(&format!(
+            r#"{{ "format": 2, "units": "mm", "control": {{ "post": "haas", "workOffset": 1 }}, {limits} "cycles": [
+                {{ "type": "hole", "diameter": "{first}" }},
+                {{ "type": "internal-rectangle", "width1": "{second}", "origin": [100, 0, 0] }} ] }}"#
+        ))
+    };
+    // By hand: 1.5 mm of the tolerance and 0.5 mm beyond it.
+    for (first, second) in [("25 H7", "60 ±1.5"), ("25 +1.5 -0.2", "60 H7")] {
+        let free = set_up(first, second, "");
+        let given = set_up(first, second, r#""limits": { "size": 2 },"#);
+        assert_eq!(planned(&free).program.text, planned(&given).program.text);
+    }
+}
+
 /// A hole whose size is written so, on a control, with more beside it.
 fn hole(size: &str, post: &str, more: &str) -> Value {
     job(&format!(

@@ -493,6 +493,23 @@ test("a place that follows a result has a limit, proposed and said", () => {
   }
 });
 
+test("what a missing limit is about was shown, not the limit: its empty field is", () => {
+  const store = begun("surface");
+  store.addFeature("hole");
+  for (const [path, result, limit] of [
+    ["cycle.origin[2]", "=SURFACE.point.z", "limits.position"],
+    ["cycle.origin[2]", "=SURFACE.point.y", null],
+  ]) {
+    store.put("limits.position", null);
+    store.put(path, result);
+    const finding = store.findings.find(
+      (/** @type {any} */ { level }) => level === "error",
+    );
+    assert.equal(store.fieldOf(finding), limit ?? finding.path);
+    assert.notEqual(store.fieldOf({ ...finding, message: "" }), limit);
+  }
+});
+
 test("the stock of a ready set-up fits its features, and those that are added", () => {
   const store = begun("hole");
   assert.equal(store.get("stock") ?? null, null);

@@ -34,6 +34,51 @@ test("a size keeps the tolerance that is typed behind it, and is judged by it", 
   assert.match(store.withheld, /ISO 286 has no Q9/);
 });
 
+test("a tolerance wider than the usual size limit was refused: the limit follows it until another is entered", () => {
+  const store = new Store();
+  store.choose("hole");
+  const limit = () => store.get("limits.size");
+  assert.equal(limit(), 0.5);
+  // By hand: 0.5 mm beyond the largest deviation of the tolerance.
+  for (const [typed, follows] of /** @type {[string, number][]} */ ([
+    ["25 ±0.8", 1.3],
+    ["25 +1.5 -2", 2.5],
+    ["25", 0.5],
+  ])) {
+    type(store, "cycle.diameter", typed);
+    assert.equal(store.withheld, null);
+    assert.equal(limit(), follows);
+    store.settle();
+  }
+  store.undo();
+  assert.equal(limit(), 2.5);
+  // A size between whose characters there is no plan.
+  type(store, "cycle.diameter", "25 ±");
+  type(store, "cycle.diameter", "25 ±1");
+  assert.equal(limit(), 1.5);
+  type(store, "limits.size", "1.2");
+  type(store, "cycle.diameter", "25 ±0.3");
+  assert.equal(limit(), 1.2);
+  type(store, "cycle.diameter", "25 ±1.4");
+  assert.match(store.withheld, /Enter a larger limit/);
+});
+
+test("the size limit of a job in inch follows in inch, and that of a set-up the widest tolerance", () => {
+  const inch = new Store();
+  inch.choose("hole");
+  inch.setUnits("inch");
+  type(inch, "cycle.diameter", "1 ±0.03");
+  assert.equal(inch.withheld, null);
+  assert.equal(inch.get("limits.size"), 0.05);
+  const both = new Store();
+  both.choose("hole");
+  type(both, "cycle.diameter", "25 ±0.8");
+  both.addFeature("internal-rectangle");
+  type(both, "cycle.width1", "60 ±1.5");
+  assert.equal(both.withheld, null);
+  assert.equal(both.get("limits.size"), 2);
+});
+
 test("a name says the class of a size as long as that is the size", () => {
   const store = new Store();
   store.choose("hole");

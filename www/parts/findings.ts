@@ -103,11 +103,11 @@ class FindingsPart extends Part {
       ${
         worst && this.tall && worst.level === "info"
           ? html`<p class="verdict fine" role="status">✓ ${this.t("Ready to save")}</p><p class="verdict info"><b>${words.join(", ")}:</b> ${this.message(worst)}
-            ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>` : nothing}
+            ${worst.path && this.panels.includes("form") ? html`<button type="button" class="quiet" @click=${() => this.go(this.store.fieldOf(worst))}>${this.t("Go to it")}</button>` : nothing}
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}</p>`
           : worst
             ? html`<p class=${`verdict ${worst.level}`} role="status"><b>${words.join(", ")}:</b> ${this.message(worst)}</p>
-            ${worst.path && this.panels.includes("form") ? (remedy(this.store, worst) ?? html`<button type="button" class="quiet" @click=${() => this.go(worst.path)}>${this.t("Go to it")}</button>`) : nothing}
+            ${worst.path && this.panels.includes("form") ? (remedy(this.store, worst) ?? html`<button type="button" class="quiet" @click=${() => this.go(this.store.fieldOf(worst))}>${this.t("Go to it")}</button>`) : nothing}
             ${findings.length > 1 && this.panels.includes("checks") ? html`<button type="button" class="quiet" @click=${() => this.ask("checks")}>${this.t("All")}</button>` : nothing}`
             : html`<p class="verdict fine" role="status">✓ ${this.t("Ready to save")}</p>`
       }
