@@ -69,7 +69,7 @@ test("what a macro reads and nothing sets could not be entered: it is asked for,
   const rule = viewer.locator(".checks li", {
     hasText: "before the last touch has succeeded",
   });
-  assert.match(await textOf(rule), /^!\s.*Line 6/s);
+  assert.match(await textOf(rule), /^A\s.*Line 6/s);
   await rule.getByRole("button", { name: "Line 6" }).click();
   // Opened again, it is known by the name of its file.
   await page.getByRole("button", { name: "Back to the job" }).click();
@@ -117,6 +117,44 @@ test("a routine that computes with its touches was drawn up to the first of them
     await page.evaluate(() => localStorage["touchpath.programs.1"]),
     /\["routine\.ngc",\{"part":\{"at":0\.5\}\}\]/,
   );
+});
+
+test("faults and touches had no place in the program: letters and numbers are in the margin, as in list and picture", async () => {
+  const text = `G21 G90 G17\nG38.2 X20 F200\n#1 = #5061\nG0 X0\nG38.2 X-20 F200\nG0 X[[#1+#5061]/2]\nG10 L20 P1 X0\n`;
+  const marks = (/** @type {string} */ name) =>
+    page
+      .locator(`tp-viewer [${name}]`)
+      .evaluateAll(
+        (lines, name) =>
+          lines.map((line) => [
+            Number(line.getAttribute("data-number")),
+            line.getAttribute(name),
+          ]),
+        name,
+      );
+  // Lines of their own, then so many that the editor lists them.
+  for (const end of ["M2\n", `M2\n${"( )\n".repeat(6000)}`]) {
+    await openText(`${text}${end}`, `marks${end.length}.ngc`);
+    await page.locator("tp-viewer [data-touch]").first().waitFor();
+    assert.deepEqual(await marks("data-touch"), [
+      [2, "1"],
+      [5, "2"],
+    ]);
+    const list = page.locator("tp-viewer .fault");
+    const letters = await list.allTextContents();
+    assert.deepEqual(letters, ["A", "B", "C"].slice(0, letters.length));
+    const written = page.locator("tp-viewer .checks li", {
+      hasText: "G54 X is written whatever was measured",
+    });
+    const letter = await textOf(written.locator(".fault"));
+    assert.ok(
+      (await marks("data-faults")).some(
+        ([line, all]) => line === 7 && `${all}`.split(" ").includes(letter),
+      ),
+    );
+  }
+  // From the start, which is assumed, to the first touch and to the second.
+  assert.ok((await painted("tp-viewer", "touch")).columns > 200);
 });
 
 test("a program that checks its touches is not run to its alarm by what is assumed", async () => {

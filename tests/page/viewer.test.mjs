@@ -67,7 +67,7 @@ test("a program of another hand was refused: its moves are drawn, probing in its
   await viewer.waitFor();
 });
 
-test("a probing move that is looked at along its way was not seen: it is a dot, also over the origin", async () => {
+test("a probing move that is looked at along its way was not seen: it is a dot with its number, also over the origin", async () => {
   const across = async (
     /** @type {number} */ moves,
     /** @type {string} */ text,
@@ -81,8 +81,9 @@ test("a probing move that is looked at along its way was not seen: it is a dot, 
     return (await painted("tp-viewer", "touch")).columns;
   };
   const head = "G21 G90\nG0 X0 Y0 Z20\nG0 X40 Y10\nG0 Z5\n";
+  // A dot of 3 px and beside it a disc of 9 px radius.
   const dot = (/** @type {number} */ seen) =>
-    assert.ok(seen >= 6 && seen <= 10, `${seen} pixels`);
+    assert.ok(seen >= 16 && seen <= 28, `${seen} pixels`);
   const probing = "G38.2 Z-5 F100\nG0 Z20\n";
   const far = "G0 X80 Y0\nG0 X-40 Y0\n";
   dot(await across(7, `${head}${probing}${far}M2\n`));
@@ -400,7 +401,8 @@ test("a program of very many moves froze the page while it was drawn: it is draw
       .evaluate((line) =>
         getComputedStyle(line).strokeDasharray === "none" ? "solid" : "dashed",
       );
-  const short = await seen(`G21 G17 G90\nG0 Z5\n${round}M2\n`);
+  // So many touches that neither picture has numbers.
+  const short = await seen(`G21 G17 G90\nG0 Z5\n${round.repeat(51)}M2\n`);
   assert.equal(await feeds(), "dashed");
   const long = await seen(`G21 G17 G90\nG0 Z5\n${round.repeat(3000)}M2\n`);
   assert.ok(long.touch);

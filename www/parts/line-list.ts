@@ -1,6 +1,6 @@
 // The lines of an opened program that is not very long: an element a line, as our own programs are shown.
 import { Colours } from "./colours.js";
-import { MARGIN, type Shown } from "./shown.js";
+import { attributesOf, MARGIN, type Shown } from "./shown.js";
 
 /** A text in its box, line by line. */
 export class LineList {
@@ -41,7 +41,7 @@ export class LineList {
     this.list.remove();
   }
 
-  show({ text, kind, notes, lit, found, sight }: Shown): void {
+  show({ text, kind, notes, marks, lit, found, sight }: Shown): void {
     this.list.ariaLabel = this.label();
     if (text !== this.text) {
       this.text = text;
@@ -58,7 +58,9 @@ export class LineList {
       this.marked = [];
       this.list.replaceChildren(...this.lines);
     }
-    for (const row of this.marked) row.removeAttribute("title");
+    for (const row of this.marked)
+      for (const name of ["title", "data-faults", "data-touch"])
+        row.removeAttribute(name);
     const rows = (numbers: Iterable<number>) =>
       [...numbers].flatMap((k) => this.lines[k] ?? []);
     this.lines.forEach((row, k) => {
@@ -68,10 +70,16 @@ export class LineList {
     for (const row of rows(found.matches)) row.classList.add("match");
     for (const row of rows([found.here])) row.classList.add("here");
     for (const row of rows([lit])) row.classList.add("lit");
-    this.marked = rows(notes.keys());
+    this.marked = rows(new Set([...notes.keys(), ...marks.keys()]));
     for (const row of this.marked) {
-      row.classList.add("noted");
-      row.title = (notes.get(Number(row.dataset.line)) ?? []).join("\n");
+      const line = Number(row.dataset.line);
+      const noted = notes.get(line);
+      if (noted) {
+        row.classList.add("noted");
+        row.title = noted.join("\n");
+      }
+      for (const [name, value] of Object.entries(attributesOf(marks.get(line))))
+        row.setAttribute(name, value);
     }
     this.reveal(this.lines[sight]);
     this.colours.show(0);

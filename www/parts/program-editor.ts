@@ -14,10 +14,10 @@ import {
 } from "@codemirror/view";
 import { words } from "./colours.js";
 import { letterOf } from "./keys.js";
-import { MARGIN, type Shown } from "./shown.js";
+import { attributesOf, MARGIN, type Shown } from "./shown.js";
 
 /** What the lines have beside their text. */
-type Look = Pick<Shown, "kind" | "notes" | "lit" | "found">;
+type Look = Pick<Shown, "kind" | "notes" | "marks" | "lit" | "found">;
 
 const change = StateEffect.define<Look>();
 
@@ -25,6 +25,7 @@ const look = StateField.define<Look>({
   create: () => ({
     kind: () => "",
     notes: new Map(),
+    marks: new Map(),
     lit: -1,
     found: { matches: new Set(), here: -1 },
   }),
@@ -37,7 +38,7 @@ const look = StateField.define<Look>({
 
 /** Numbers, kinds and words of the lines that are seen. */
 function decorated({ state, visibleRanges }: EditorView): DecorationSet {
-  const { kind, notes, lit, found } = state.field(look);
+  const { kind, notes, marks, lit, found } = state.field(look);
   const all: Range<Decoration>[] = [];
   let last = -1;
   for (const seen of visibleRanges) {
@@ -57,6 +58,7 @@ function decorated({ state, visibleRanges }: EditorView): DecorationSet {
       const attributes = {
         "data-line": String(line),
         "data-number": String(number),
+        ...attributesOf(marks.get(line)),
         ...title,
       };
       // A long line may be seen in parts, with gaps between them: it is decorated once.
@@ -180,14 +182,12 @@ export class Editor {
     });
   }
 
-  show({ text, kind, notes, lit, found, sight }: Shown): void {
+  show({ text, sight, ...beside }: Shown): void {
     const { state } = this.view;
     const whole = { from: 0, to: state.doc.length, insert: text };
     const changes = state.changes(text === this.text ? [] : whole);
     this.text = text;
-    const effects: StateEffect<unknown>[] = [
-      change.of({ kind, notes, lit, found }),
-    ];
+    const effects: StateEffect<unknown>[] = [change.of(beside)];
     const doc = changes.apply(state.doc);
     if (sight >= 0 && sight < doc.lines)
       effects.push(

@@ -2,7 +2,7 @@
 // that is loaded.
 import { LineList } from "./line-list.js";
 import type { Editor } from "./program-editor.js";
-import { type Found, isShort, type Kind, MARGIN, type Shown } from "./shown.js";
+import { type Found, isShort, MARGIN, type Shown } from "./shown.js";
 
 const NONE: Found = { matches: new Set(), here: -1 };
 
@@ -15,6 +15,7 @@ export class ProgramList {
     text: "",
     kind: () => "",
     notes: new Map(),
+    marks: new Map(),
     found: NONE,
     lit: -1,
     sight: -1,
@@ -36,19 +37,13 @@ export class ProgramList {
   }
 
   /** Another text, with what is said of its lines. Nothing of it is lit or found yet. */
-  show(
-    text: string,
-    kind: (line: number) => Kind,
-    notes: Shown["notes"],
-  ): void {
-    Object.assign(this.shown, {
-      text,
-      kind,
-      notes,
+  show(program: Pick<Shown, "text" | "kind" | "notes" | "marks">): void {
+    Object.assign(this.shown, program, {
       found: NONE,
       lit: -1,
       sight: 0,
     });
+    const { text } = program;
     const short = isShort(text);
     if (this.editor && this.editor instanceof LineList !== short) {
       this.editor.free();

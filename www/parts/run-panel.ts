@@ -57,6 +57,14 @@ function written(
   });
 }
 
+/** The rules that a program breaks. */
+export const brokenOf = (rules: ProgramRun["rules"] = []) =>
+  rules.filter(({ holds }) => holds === false);
+
+/** The letter of a fault, in the list and in the margin of its lines: A to Z, then A2. */
+export const letter = (fault: number): string =>
+  `${String.fromCharCode(65 + (fault % 26))}${fault < 26 ? "" : Math.floor(fault / 26) + 1}`;
+
 export const noteList = (notes: string[]): TemplateResult | typeof nothing =>
   notes.length > 0
     ? html`<ul class="notes">${notes.map((note) => html`<li>${note}</li>`)}</ul>`
@@ -99,10 +107,10 @@ export class RunPanel {
     ].slice(0, MOST_ASKED);
     const probes = run.kind.some((k) => run.kinds[k] === "probe");
     const form = this.names.length > 0 || probes;
-    const broken = plain.rules.filter(({ holds }) => holds === false);
+    const broken = brokenOf(plain.rules);
     const others = plain.rules.filter(({ holds }) => holds !== false);
     const rules = (rows: ProgramRun["rules"]) =>
-      html`<ul class="checks">${rows.map((row) => this.rule(row))}</ul>`;
+      html`<ul class="checks">${rows.map((row, k) => this.rule(row, k))}</ul>`;
     return html`
       ${plain.rules.length === 0 ? nothing : broken.length === 0 ? html`<h2>${t("No broken rule was found")}</h2>` : html`<h2>${broken.length === 1 ? t("1 fault") : t("{count} faults", broken.length)}</h2>${rules(broken)}`}
       ${wrong.length > 0 ? html`<ul class="notes">${wrong.map((finding) => html`<li class="warning">${t("The part is not used:")} ${this.store().say(finding.said)}</li>`)}</ul>` : nothing}
@@ -262,16 +270,16 @@ export class RunPanel {
     if (!wrong) take(value);
   }
 
-  private rule({
-    rule,
-    holds,
-    said,
-    lines,
-  }: ProgramRun["rules"][number]): TemplateResult {
+  /** A rule and what became of it; a fault has its letter. */
+  private rule(
+    { rule, holds, said, lines }: ProgramRun["rules"][number],
+    index: number,
+  ): TemplateResult {
     const store = this.store();
     const { mark, word } = VERDICTS[`${holds}`];
     const why = store.catalog.rules.find(({ name }) => name === rule);
-    return html`<li class=${holds === false ? "warning" : ""} title=${why ? `${why.why} (${rule})` : rule}><span class="mark" role="img" aria-label=${store.t(word)}>${mark}</span>
+    const shown = holds === false ? letter(index) : mark;
+    return html`<li class=${holds === false ? "warning" : ""} title=${why ? `${why.why} (${rule})` : rule}><span class=${holds === false ? "mark fault" : "mark"} role="img" aria-label=${holds === false ? `${shown}: ${store.t(word)}` : store.t(word)}>${shown}</span>
       ${store.say(said)}${this.places(lines)}</li>`;
   }
 

@@ -9,10 +9,17 @@ export interface Found {
   here: number;
 }
 
+/** What stands in the margin of a line: the letters of its faults, else the number of its touch. */
+export interface Mark {
+  faults: string;
+  touch: string;
+}
+
 /** What is shown of a text. */
 export interface Shown {
   text: string;
   kind: (line: number) => Kind;
+  marks: ReadonlyMap<number, Mark>;
   /** What is said of lines, at their margin. */
   notes: ReadonlyMap<number, string[]>;
   found: Found;
@@ -21,6 +28,14 @@ export interface Shown {
   /** The line that is brought into sight; -1 is none. */
   sight: number;
 }
+
+/** The attributes of a line for its mark: CSS prints what they say. */
+export const attributesOf = (mark: Mark | undefined): Record<string, string> =>
+  mark?.faults
+    ? { "data-faults": mark.faults }
+    : mark?.touch
+      ? { "data-touch": mark.touch }
+      : {};
 
 /** A line that is brought into sight is this far from the edge, px. */
 export const MARGIN = 40;

@@ -18,7 +18,8 @@ import { Finder } from "./finder.js";
 import { letterOf } from "./keys.js";
 import { kind } from "./legend.js";
 import { ProgramList } from "./program-list.js";
-import { noteList, RunPanel } from "./run-panel.js";
+import { brokenOf, letter, noteList, RunPanel } from "./run-panel.js";
+import type { Mark } from "./shown.js";
 import { Steps } from "./steps.js";
 
 /** A longer text, or one with more moves, is run in a worker: the page can be used meanwhile. */
@@ -84,6 +85,8 @@ class ViewerPart extends DrawnPart {
   );
   /** What is said of lines: findings, and rules that they break. */
   private notes = new Map<number, string[]>();
+  /** What stands in their margin. */
+  private marks = new Map<number, Mark>();
   /** What is said of the line that is pointed at. */
   private noted: string[] = [];
 
@@ -156,11 +159,17 @@ class ViewerPart extends DrawnPart {
       ]),
     );
     const touches: number[] = [];
+    const numbers = new Map<number, number[]>();
     kind.forEach((is, move) => {
-      if (kinds[is] === "probe") touches.push(move + 1);
+      if (kinds[is] !== "probe") return;
+      touches.push(move + 1);
+      if (!ownFile(move)) return;
+      const at = line[move] as number;
+      numbers.set(at, [...(numbers.get(at) ?? []), touches.length]);
     });
     this.steps.take(kind.length, touches);
     this.notes = this.said();
+    this.marks = this.marked(numbers);
     this.dispatchEvent(new CustomEvent("shown", { detail: this.moves }));
     this.noted = [];
   }
@@ -177,6 +186,27 @@ class ViewerPart extends DrawnPart {
     for (const { holds, said, lines } of this.ran?.plain.rules ?? [])
       if (holds === false) say(lines, this.store.say(said));
     return notes;
+  }
+
+  /** The marks of lines: letters of the faults there, and numbers of the touches, as in the picture. */
+  private marked(numbers: Map<number, number[]>): Map<number, Mark> {
+    const marks = new Map<number, Mark>();
+    const faults = brokenOf(this.ran?.plain.rules);
+    faults.forEach(({ lines }, k) => {
+      for (const line of lines) {
+        const before = marks.get(line)?.faults;
+        const letters = before ? `${before} ${letter(k)}` : letter(k);
+        marks.set(line, { faults: letters, touch: "" });
+      }
+    });
+    for (const [line, touches] of numbers) {
+      const [first, last] = [touches[0], touches.at(-1)];
+      marks.set(line, {
+        faults: marks.get(line)?.faults ?? "",
+        touch: first === last ? `${first}` : `${first}…${last}`,
+      });
+    }
+    return marks;
   }
 
   /** What is said of a line, and its move. */
@@ -266,17 +296,15 @@ class ViewerPart extends DrawnPart {
       this.listing = new ProgramList(box, () => this.t("The program"), point);
     }
     if (this.drawn !== this.viewed) {
-      this.listing.show(
-        text,
-        (line) => {
-          const move = this.moveAt.get(line);
-          if (move === undefined) return "plain";
-          return moves.kinds[moves.kind[move] as number] === "probe"
-            ? "touch"
-            : "";
-        },
-        this.notes,
-      );
+      const kind = (line: number) => {
+        const move = this.moveAt.get(line);
+        if (move === undefined) return "plain";
+        return moves.kinds[moves.kind[move] as number] === "probe"
+          ? "touch"
+          : "";
+      };
+      const { notes, marks } = this;
+      this.listing.show({ text, kind, notes, marks });
       this.listing.mark(this.finder.found);
     }
     const line =

@@ -2,13 +2,21 @@
 
 use std::f64::consts::TAU;
 
-use super::{Line, Projection, Scene, Stroke};
+use super::{Line, Projection, Scene, Stroke, TouchShape};
 use crate::geom::{Plane, Vec2, Vec3};
 use crate::path::Arc;
+
+/// The kind of a probing move.
+const PROBING: u8 = 2;
+
+/// The touches of a program with more of them have no numbers: these would cover the path.
+const MOST_NUMBERED: usize = 50;
 
 /// The moves of a program that nothing else is known of.
 #[derive(Clone, Copy, Debug)]
 pub struct Moves<'a> {
+    /// Where the first one begins; NaN is not known.
+    pub start: [f64; 3],
     /// Where each ends, three numbers a move; NaN is not known.
     pub to: &'a [f64],
     /// What each is: 0 rapid, 1 at a feed, 2 probing.
@@ -25,7 +33,7 @@ pub struct Moves<'a> {
     pub scale: Option<f64>,
 }
 
-/// The scene of a program's moves: lines alone, probing moves as touches. A move to or from a place that is not known is not seen.
+/// The scene of a program's moves: lines, and the numbers of its probing moves where these end. A move to or from a place that is not known is not seen.
 pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     let spot = |p: Vec3| view.place(moves.plane, p);
     let mut scene = Scene {
@@ -40,7 +48,9 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
     let mut arcs = moves.arcs.iter().peekable();
     let mut contacts = moves.contacts.iter().peekable();
     let mut resumes = moves.resumes.iter().peekable();
-    let mut from = Vec3::NAN;
+    let mut from = Vec3::from(moves.start) * scale;
+    let numbered = moves.kind.iter().filter(|kind| **kind == PROBING).count() <= MOST_NUMBERED;
+    let mut number = 0;
     for (index, (to, kind)) in moves.to.chunks_exact(3).zip(moves.kind).enumerate() {
         let end = Vec3::from_slice(to) * scale;
         if let Some([_, x, y, z]) = resumes.next_if(|place| place[0] == index as f64) {
@@ -61,9 +71,9 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
                 )
             });
         if from.is_finite() && end.is_finite() {
-            let stroke = match kind {
+            let stroke = match *kind {
                 0 => Stroke::Position,
-                2 => Stroke::Touch,
+                PROBING => Stroke::Touch,
                 _ => Stroke::Link,
             };
             let pieces = helix(from, end, arc, most);
@@ -92,7 +102,26 @@ pub fn scene(moves: &Moves<'_>, view: Projection) -> Scene {
             Vec2::NAN
         });
         let contact = contacts.next_if(|contact| contact[0] == index as f64);
+        let begin = from;
         from = contact.map_or(end, |[_, x, y, z]| Vec3::new(*x, *y, *z) * scale);
+        if *kind != PROBING {
+            continue;
+        }
+        number += 1;
+        if numbered && begin.is_finite() && from.is_finite() {
+            let at = spot(from);
+            scene.touches.push(TouchShape {
+                contact: at,
+                ball: at,
+                trigger: None,
+                number,
+                named: None,
+                pale: false,
+                inward: (spot(begin) - at).normalize_or_zero(),
+                index: Some(index),
+                behind: None,
+            });
+        }
     }
     scene
 }
@@ -128,6 +157,7 @@ mod tests {
         ];
         let arcs = [[1.0, 1.0, 0.0, 1.0, -180.0, 17.0]];
         let moves = Moves {
+            start: [f64::NAN; 3],
             to: &to,
             kind: &[0, 1, 0, 2],
             arcs: &arcs,
@@ -167,11 +197,12 @@ mod tests {
         );
     }
 
-    /// A touch is drawn to where it would search; the way back begins where it met something.
+    /// A touch is drawn to where it would search; the way back begins where it met something. The first move begins where the program is said to start.
     #[test]
     fn a_move_begins_where_the_touch_before_it_ended() {
         let to = [0.0, 0.0, 0.0, 10.0, 0.0, 0.0, 0.0, 4.0, 0.0];
         let moves = Moves {
+            start: [0.0, 0.0, 5.0],
             to: &to,
             kind: &[0, 2, 1],
             arcs: &[],
@@ -180,9 +211,18 @@ mod tests {
             plane: Plane::G17,
             scale: Some(1.0),
         };
-        let lines = scene(&moves, Projection::Top).lines;
+        let unknown = Moves {
+            start: [0.0, 0.0, f64::NAN],
+            ..moves
+        };
+        assert_eq!(scene(&unknown, Projection::Top).lines.len(), 2);
+        let Scene { lines, touches, .. } = scene(&moves, Projection::Top);
+        let numbered = touches
+            .iter()
+            .map(|touch| (touch.number, touch.contact.to_array(), touch.index));
+        assert_eq!(numbered.collect::<Vec<_>>(), [(1, [6.0, 0.0], Some(1))]);
         assert_eq!(
-            [lines[0].to, lines[1].from, lines[1].to].map(|at| at.to_array()),
+            [lines[1].to, lines[2].from, lines[2].to].map(|at| at.to_array()),
             [[10.0, 0.0], [6.0, 0.0], [0.0, 4.0]]
         );
     }

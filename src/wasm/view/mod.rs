@@ -485,6 +485,7 @@ impl View {
     fn of_program(&self, path: Rc<Toolpath>, part: Option<Feature>) -> Shown {
         let scale = path.metric.map(|metric| if metric { 1.0 } else { 25.4 });
         let moves = Moves {
+            start: path.start,
             to: &path.to,
             kind: &path.kind,
             arcs: &path.arcs,

@@ -29,7 +29,8 @@ impl View {
     #[wasm_bindgen(js_name = showRunCoded)]
     pub fn show_run(&mut self, run: &JsValue, codes: &[f64], known: &str) {
         let value = decoded(codes, known);
-        if let (Some(path), Ok(known)) = (path_of(run), Known::of(&value)) {
+        if let (Some(mut path), Ok(known)) = (path_of(run), Known::of(&value)) {
+            path.start = known.start.unwrap_or([f64::NAN; 3]);
             self.show_moves(path, known.feature);
         }
     }
