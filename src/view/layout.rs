@@ -111,13 +111,13 @@ impl Layout<'_> {
         said
     }
 
-    /// Where the scale bar lies on nothing, so wide and high by half: in the lower right corner, else in another one; none where each has something.
+    /// Where the scale bar lies on nothing, so wide and high by half: in the lower right corner, else in another one; none where each has something. The upper right corner is kept free for the page's view cube.
     pub fn bar(&self, camera: &Camera, half: Vec2) -> Option<Vec2> {
         let far = camera.size - half - BAR_CORNER;
         let near = half + BAR_CORNER;
         let past = near.x + AXES_CORNER + AXES_REACH;
         let lines: Vec<[Vec2; 2]> = self.dimensions.iter().map(|placed| placed.reach).collect();
-        let places = [far, Vec2::new(far.x, near.y), Vec2::new(past, far.y), near];
+        let places = [far, Vec2::new(past, far.y), near];
         places.into_iter().find(|middle| {
             let plate = Plate {
                 middle: *middle,

@@ -55,13 +55,13 @@ const PART = w("Stock and virtual part");
 const DOORS: [door: string, groups: RegExp][] = [
   [
     USUAL,
-    /^(Touches|Clearances|Repeated touches|Feeds and limits|After probing|Postprocessor)/,
+    /^(Touches|Probing|Clearances|Heights|Repeated touches|Extrusion probing|Touch probe table|Feeds and limits|After probing|Postprocessor)/,
   ],
   [MACHINE, /^(Program and machine|Probe|Tool length \(SINUMERIK\))$/],
   [PART, /^(Stock|Virtual part)$/],
 ];
 /** The groups of a cycle that need no heading. */
-const PLAIN = /^(Place|Size)$/;
+const PLAIN = /^(Place|Size|Circle [12]|Both circles)$/;
 
 /** A heading, and the fields under it. */
 type Group = [name: string, fields: Placed[]];

@@ -148,7 +148,7 @@ form! {
         /// Diameter of 2nd position? A number, or text with a tolerance.
         diameter2: Nominal = Field::nominal("diameter2", "Diameter 2", 20.0).range(0.0, 9999.9999).code("Q1117").group("Circle 2").size(),
         /// Geometry type (0-3)? What is at each position.
-        geometry_type: i32 = Field::code_of("geometryType", "Geometry type", 0, GEOMETRY).code("Q1115").group("Probing"),
+        geometry_type: i32 = Field::code_of("geometryType", "Geometry type", 0, GEOMETRY).code("Q1115").group("Both circles"),
         /// Number of probe points? On each circle.
         probe_points: i32 = Field::count("probePoints", "No. of probe points", 4, 3, 8).code("Q423").group("Probing"),
         /// Starting angle? From the main axis to the first touch.
@@ -166,7 +166,7 @@ form! {
         /// Traverse to clearance height? When the ball goes there.
         clearance_height_mode: i32 = Field::code_of("clearanceHeightMode", "Clear. height mode", 2, HEIGHT_MODE).code("Q1125").group("Heights"),
         /// Reaction to tolerance error?
-        error_reaction: i32 = Field::code_of("errorReaction", "Error reaction", 0, REACTION).code("Q309").group("After probing"),
+        error_reaction: i32 = Field::code_of("errorReaction", "Error reaction", 0, REACTION).code("Q309").group("Both circles"),
         /// Align rotary axis? Only together with confirm rotation.
         align_rotary_axis: i32 = Field::code_of("alignRotaryAxis", "Align rotary axis", 0, ALIGN).code("Q1126").group("After probing"),
         /// Transfer position? Which point corrects the active preset.
