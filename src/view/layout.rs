@@ -128,6 +128,22 @@ impl Layout<'_> {
         })
     }
 
+    /// Where the name of a distance, so wide and high by half, lies on nothing beside its line; none where each place has something.
+    pub fn distance(&self, [from, to]: [Vec2; 2], half: Vec2) -> Option<Vec2> {
+        let aside = (to - from).perp().normalize_or_zero();
+        let off = aside * (half.dot(aside.abs()) + 4.0);
+        [0.5, 0.4, 0.6, 0.3, 0.7]
+            .into_iter()
+            .flat_map(|along| [off, -off].map(|off| from.lerp(to, along) + off))
+            .find(|middle| {
+                self.crowd.leaves(&Plate {
+                    middle: *middle,
+                    along: Vec2::X,
+                    half,
+                })
+            })
+    }
+
     /// Where the name of the work origin stands, so wide and high by half: in the freest of the four corners about it.
     pub fn origin(&self, at: Vec2, half: Vec2) -> Plate {
         let plate = |x: f64, y: f64| Plate {

@@ -275,6 +275,9 @@ impl Painter {
             self.turn(scene, camera);
         }
         self.axes(scene, camera, marks.origin, &layout);
+        if let Some(unit) = scene.unit {
+            self.distances(scene, camera, (unit, marks.comma), &layout);
+        }
         // Over everything that may lie at their contacts.
         layout.numbers.iter().for_each(|number| self.number(number));
         self.font(BOLD);

@@ -1,10 +1,10 @@
 //! What stands around what is drawn: handles, the work origin and its axes, the scale.
 
-use super::{AXIS_NAME, HANDLE, Painter, axes_corner, spread_handles, turning};
+use super::{AXIS_NAME, BOLD, HANDLE, Painter, axes_corner, spread_handles, turning};
 use crate::geom::Vec2;
 use crate::view::camera::{BAR_REACH, Camera, DOWNWARDS};
 use crate::view::layout::Layout;
-use crate::view::scene::Scene;
+use crate::view::scene::{Distance, Scene};
 use crate::view::style::Colour;
 use crate::view::style::screen::{ARM, SPREAD};
 
@@ -132,6 +132,30 @@ impl Painter {
         }
     }
 
+    /// The distances that relations measure, in units of so many millimetres: those that are seen in their true length.
+    pub(super) fn distances(
+        &self,
+        scene: &Scene,
+        camera: &Camera,
+        (unit, comma): (f64, bool),
+        layout: &Layout<'_>,
+    ) {
+        self.font(BOLD);
+        let places = if unit == 1.0 { 3 } else { 4 };
+        for Distance { name, ends, length } in &scene.distances {
+            let is_true = (ends[0].distance(ends[1]) - length).abs() < 1e-3 * length;
+            let text = format!("{name} {}", number(length / unit, places, comma));
+            let half = Vec2::new(3.6 * text.len() as f64, 8.0);
+            let ends = ends.map(|end| camera.pixel(end));
+            if !is_true || ends[0].distance(ends[1]) < 2.0 * half.x {
+                continue;
+            }
+            if let Some(middle) = layout.distance(ends, half) {
+                self.label(&text, middle);
+            }
+        }
+    }
+
     /// A bar of a round length in units of so many millimetres, so that sizes can be judged.
     pub(super) fn scale_bar(&self, camera: &Camera, unit: f64, comma: bool, layout: &Layout<'_>) {
         let length = camera.bar(unit);
@@ -153,15 +177,19 @@ impl Painter {
             self.segment(a, b, Colour::Text, 1.0);
         }
         let name = if unit == 1.0 { "mm" } else { "inch" };
-        let number = crate::num::decimal(length, 6);
-        let number = if comma {
-            number.replace('.', ",")
-        } else {
-            number
-        };
         self.label(
-            &format!("{number} {name}"),
+            &format!("{} {name}", number(length, 6, comma)),
             (left + right) / 2.0 - Vec2::Y * 10.0,
         );
+    }
+}
+
+/// A number of at most so many decimals as people of the page's language write it.
+fn number(value: f64, places: usize, comma: bool) -> String {
+    let number = crate::num::decimal(value, places);
+    if comma {
+        number.replace('.', ",")
+    } else {
+        number
     }
 }

@@ -3,12 +3,12 @@
 use crate::formula::{Operand, RelationDrawing};
 use crate::geom::{Plane, Vec2, Vec3};
 use crate::part::{Run, Stock};
-use crate::path::{Feed, Feeds, Move, Path, Purpose, Setup, Surface, Touch, Wall};
+use crate::path::{Feed, Feeds, Move, Path, Purpose, Related, Setup, Surface, Touch, Wall};
 use crate::view::material::material;
 use crate::view::scene::blocks::blocks;
 use crate::view::scene::top_faces::{Backs, breaks, topped, tops};
 use crate::view::scene::{
-    Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles, tilted,
+    Distance, Line, Projection, Scene, Stroke, TouchShape, drawn, drawn_angles, tilted,
 };
 use crate::view::walls::{WallShape, shape, strips};
 
@@ -113,6 +113,13 @@ pub fn between(
         related: related(path, setup.plane)
             .map(|line| line.map(&spot))
             .collect(),
+        distances: distances(path, setup.plane)
+            .map(|(name, length, line)| Distance {
+                name: name.to_owned(),
+                ends: line.map(&spot),
+                length,
+            })
+            .collect(),
         ..Scene::about(setup.plane, view)
     };
     for member in path.members.iter().skip(1) {
@@ -146,26 +153,49 @@ pub fn between(
 /// Number of chords that draw a circle.
 const CHORDS: usize = 72;
 
+/// The greatest height of these cycles along the tool axis.
+fn height(path: &Path, plane: Plane, members: &[usize]) -> f64 {
+    let [.., w] = plane.basis();
+    members
+        .iter()
+        .map(|member| path.members[*member].path.frame.origin.dot(w))
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The places that a relation takes, on the nominal part.
+fn places(path: &Path, plane: Plane, relation: &Related) -> Vec<Vec3> {
+    let [a, o, w] = plane.basis();
+    let nominal = |result: usize| path.formula.results[result].nominal;
+    let place = |operand: &Operand| match *operand {
+        Operand::Place([x, y]) => {
+            let height = height(path, plane, &path.sources(x));
+            Some(a * nominal(x) + o * nominal(y) + w * height)
+        }
+        Operand::Result(_) => None,
+    };
+    relation.own.of.iter().filter_map(place).collect()
+}
+
+/// Name, length and line of each distance that a relation measures.
+fn distances(path: &Path, plane: Plane) -> impl Iterator<Item = (&str, f64, [Vec3; 2])> {
+    path.relations
+        .iter()
+        .filter(|relation| relation.own.relation.drawing == RelationDrawing::Line)
+        .map(move |relation| {
+            let places = places(path, plane, relation);
+            let length = path.formula.results[relation.results.start].nominal;
+            (relation.name.as_str(), length, [places[0], places[1]])
+        })
+}
+
 /// Lines of the relations on the nominal part, at the height of the highest cycle that each one uses.
 fn related(path: &Path, plane: Plane) -> impl Iterator<Item = [Vec3; 2]> {
     let [a, o, w] = plane.basis();
     let nominal = |result: usize| path.formula.results[result].nominal;
-    let height = move |sources: &[usize]| {
-        sources
-            .iter()
-            .map(|member| path.members[*member].path.frame.origin.dot(w))
-            .fold(f64::NEG_INFINITY, f64::max)
-    };
     path.relations.iter().flat_map(move |relation| {
-        let place = |operand: &Operand| match *operand {
-            Operand::Place([x, y]) => {
-                Some(a * nominal(x) + o * nominal(y) + w * height(&path.sources(x)))
-            }
-            Operand::Result(_) => None,
-        };
-        let places: Vec<Vec3> = relation.own.of.iter().filter_map(place).collect();
+        let places = places(path, plane, relation);
         let own = |k: usize| nominal(relation.results.start + k);
-        let middle = || a * own(0) + o * own(1) + w * height(&relation.sources);
+        let middle = || a * own(0) + o * own(1) + w * height(path, plane, &relation.sources);
         let lines: Vec<[Vec3; 2]> = match relation.own.relation.drawing {
             RelationDrawing::Line => vec![[places[0], places[1]]],
             RelationDrawing::Middle => places.iter().map(|place| [middle(), *place]).collect(),

@@ -123,6 +123,16 @@ pub struct TouchShape {
     pub behind: Option<usize>,
 }
 
+/// The nominal distance between the two places of a relation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Distance {
+    /// The name of the relation.
+    pub name: String,
+    pub ends: [Vec2; 2],
+    /// mm.
+    pub length: f64,
+}
+
 /// A dimension in the picture plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
@@ -189,6 +199,8 @@ pub struct Scene {
     pub centre_lines: Option<[[Vec2; 2]; 2]>,
     /// Lines of the relations of a set-up, on the nominal part.
     pub related: Vec<[Vec2; 2]>,
+    /// Distances that relations measure.
+    pub distances: Vec<Distance>,
     /// Centre of the circle whose touches are spread, its radius (mm), and the angles of first touch and spread (radians).
     /// Only seen from the top.
     pub spread: Option<(Vec2, f64, f64, f64)>,

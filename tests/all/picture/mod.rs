@@ -686,6 +686,13 @@ fn relations_are_drawn_where_their_places_are() {
         }
     };
     near(&seen(line, Projection::Top), &[[spots[0], spots[2]]]);
+    // The distance is the diagonal of 80 by 60 mm.
+    let distances = |relation: &str| built(&with_relation(relation), Projection::Top).0.distances;
+    let diagonal = distances(line);
+    assert_eq!((diagonal.len(), diagonal[0].name.as_str()), (1, "LINE"));
+    assert!((diagonal[0].length - 100.0).abs() < 1e-9);
+    near(&[diagonal[0].ends], &[[spots[0], spots[2]]]);
+    assert!(distances(&format!(r#"{{ "name": "MID", "type": "center", {all} }}"#)).is_empty());
     // From the front their height is seen.
     near(
         &seen(line, Projection::Front),
