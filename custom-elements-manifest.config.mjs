@@ -1,6 +1,6 @@
-// What editors and other tools read of the elements: made of the doc comments of www/element.ts.
+// What editors and other tools read of the elements: made of the doc comments of www/element/.
 export default {
-  globs: ["www/element.ts"],
+  globs: ["www/element.ts", "www/element/*.ts"],
   outdir: "dist",
   plugins: [
     {
@@ -14,6 +14,29 @@ export default {
           "TouchPicture",
           "TouchProgram",
         ]);
+        // In the package they are one file, which begins with the whole element.
+        const { modules } = customElementsManifest;
+        const all = (/** @type {"declarations" | "exports"} */ key) =>
+          modules
+            .flatMap((/** @type {any} */ one) => one[key] ?? [])
+            .sort(
+              (/** @type {any} */ a, /** @type {any} */ b) =>
+                Number(b.name === "TouchPath") - Number(a.name === "TouchPath"),
+            );
+        customElementsManifest.modules = [
+          {
+            ...modules[0],
+            declarations: all("declarations"),
+            // The entry names again what the others declare.
+            exports: all("exports").filter(
+              (
+                /** @type {any} */ one,
+                /** @type {number} */ k,
+                /** @type {any[]} */ every,
+              ) => every.findIndex(({ name }) => name === one.name) === k,
+            ),
+          },
+        ];
         for (const module of customElementsManifest.modules) {
           module.path = "dist/element/element.js";
           const shared = module.declarations.find(
@@ -48,9 +71,14 @@ export default {
             );
           }
         }
-        for (const module of customElementsManifest.modules)
-          for (const one of [...module.exports, ...module.declarations])
-            if (one.declaration?.module) one.declaration.module = module.path;
+        const inPackage = (/** @type {any} */ one) => {
+          if (typeof one.module === "string")
+            one.module = "dist/element/element.js";
+          for (const inside of Object.values(one))
+            if (typeof inside === "object" && inside !== null)
+              inPackage(inside);
+        };
+        inPackage(customElementsManifest.modules);
       },
     },
   ],

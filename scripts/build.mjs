@@ -213,16 +213,21 @@ async function buildCore() {
     cpSync(at("www", "words", name), at("dist", "words", name));
 }
 
-/** The types of the element: only its own, the rest is the core's. */
-async function writeElementTypes() {
+/** The types of the elements, by the names of their files: only their own, the rest is the core's. */
+async function elementTypes() {
   const types = mkdtempSync(join(tmpdir(), "touchpath-"));
   await npx("tsc", "-p", "tsconfig.element.json", "--outDir", types);
-  const own = readFileSync(join(types, "element.d.ts"), "utf8").replaceAll(
-    "./core/types.js",
-    "../types.js",
-  );
+  const inside = readdirSync(join(types, "element"));
+  const names = ["element.d.ts", ...inside.map((name) => `element/${name}`)];
+  const own = names.map((name) => [
+    name,
+    readFileSync(join(types, name), "utf8").replaceAll(
+      "/core/types.js",
+      "/../types.js",
+    ),
+  ]);
   rmSync(types, { recursive: true });
-  return own;
+  return Object.fromEntries(own);
 }
 
 /** What is bundled: the element, with its types and its manifest, and the command; and the licences of all that is in them. */
@@ -230,7 +235,7 @@ async function buildBundles() {
   const vite = (/** @type {string} */ config) =>
     npx("vite", "build", "--config", config, "--logLevel", "warn");
   const [types] = await Promise.all([
-    writeElementTypes(),
+    elementTypes(),
     vite("vite.element.config.mjs"),
     vite("vite.cli.config.mjs"),
     npx(
@@ -241,7 +246,9 @@ async function buildBundles() {
       "--quiet",
     ),
   ]);
-  writeFileSync(at("dist", "element", "element.d.ts"), types);
+  mkdirSync(at("dist", "element", "element"));
+  for (const [name, text] of Object.entries(types))
+    writeFileSync(at("dist", "element", name), text);
   const bundled = ["element", "cli"].map((folder) =>
     at("dist", folder, "licences.txt"),
   );

@@ -236,7 +236,8 @@ ${parts()}
 
 The class of the element is \`TouchPath\`, and that of panels elsewhere \`TouchPart\`.
 
-${types("element/element.d.ts", (name) => !/^Touch(?:Path|Part|Form|Picture|Program)$/.test(name))}
+${types("element/element/events.d.ts")}
+${types("element/element.d.ts")}
 ### React
 
 \`import type {} from "touchpath/react"\` tells TSX of the element.

@@ -69,6 +69,8 @@ export abstract class Document extends Output {
   /** State of the cycles that were left, restored when the user chooses one again. */
   protected left = new Map<string, Left>();
   protected readonly history = new History<Moment>();
+  /** Whether the size limit follows from the tolerances of the next plan. */
+  private limitFollows = false;
   /** Whether the user can change the job. What is put in from outside is taken all the same. */
   protected shut = false;
   /** Whether the current change is by the host page. */
@@ -159,10 +161,10 @@ export abstract class Document extends Output {
     if (path === "control.workOffset") this.lost = null;
     if (typed === undefined) this.typed.delete(path);
     else this.typed.set(path, typed);
-    const follows = this.sizeLimitFollows(path);
+    this.limitFollows ||= !fixed.has(SIZE_LIMIT) && this.isLimitUsual(path);
     putAt(this.draft, path, value);
     if (typeof value === "number") this.untolerate(path);
-    if (follows) dropAt(this.draft, SIZE_LIMIT);
+    if (path === SIZE_LIMIT) this.limitFollows = false;
     fixed.keep(this.draft);
     // What was typed inside a value that is another one now.
     if (typeof value === "object")
@@ -170,12 +172,18 @@ export abstract class Document extends Output {
     this.changed();
   }
 
-  /** Whether the size limit follows the tolerance of a size that is about to change: until someone enters another limit. */
-  private sizeLimitFollows(path: string): boolean {
+  /** Whether a size is about to change while the size limit is the usual one of a job that nobody gave another: then it follows the tolerance of the size. */
+  private isLimitUsual(path: string): boolean {
     if (this.given === null || this.given.has(SIZE_LIMIT)) return false;
     if (!path.startsWith("cycle.") || !this.fieldAt(path)?.size) return false;
-    const limit = this.get(SIZE_LIMIT);
-    return limit === undefined || alike(limit, this.usualSizeLimit());
+    return alike(this.get(SIZE_LIMIT), this.usualSizeLimit());
+  }
+
+  protected override get toPlan(): Draft {
+    if (!this.limitFollows) return this.job;
+    const job = structuredClone(this.job);
+    dropAt(job, SIZE_LIMIT);
+    return job;
   }
 
   /** The size limit of a job that gives none: the usual one, plus the largest deviation that a tolerance of the plan allows. */
@@ -192,10 +200,10 @@ export abstract class Document extends Output {
     return tidy(usual + Math.max(0, ...reach));
   }
 
-  /** Puts the size limit that followed a tolerance into the job, once there is a plan with that tolerance. */
-  private fillSizeLimit(): void {
-    if (this.given === null || this.stale) return;
-    if (this.get(SIZE_LIMIT) !== undefined) return;
+  /** Puts the size limit that follows from the plan into the job. Without a plan the job keeps the one that it has. */
+  private followLimit(): void {
+    if (!this.limitFollows || this.stale) return;
+    this.limitFollows = false;
     putAt(this.draft, SIZE_LIMIT, this.usualSizeLimit());
     this.shown = structuredClone(this.job);
   }
@@ -335,6 +343,7 @@ export abstract class Document extends Output {
   protected become(moment: Moment | undefined): void {
     if (!moment) return;
     const fixed = this.fixed(true);
+    this.limitFollows = false;
     this.draft = moment.draft;
     this.features.become(moment.features);
     fixed.keep(this.draft);
@@ -370,7 +379,7 @@ export abstract class Document extends Output {
   protected changed(): void {
     this.nameAnew();
     this.compute();
-    this.fillSizeLimit();
+    this.followLimit();
     this.keep();
     this.dispatchEvent(new Event("change"));
     if (this.history.settled) this.dispatchEvent(new Event("settled"));
@@ -400,6 +409,7 @@ export abstract class Document extends Output {
     this.beforeControl = null;
     this.lost = null;
     this.ownName = null;
+    this.limitFollows = false;
     this.given = given;
     this.draft = this.formOf(job);
     fixed.keep(this.draft);

@@ -87,20 +87,25 @@ export abstract class Output extends Entries {
   /** Whether the state is stored in this browser. */
   protected abstract readonly local: boolean;
 
+  /** The job as it is planned: without what follows from its plan. */
+  protected get toPlan(): Draft {
+    return this.job;
+  }
+
   /** Brings the cycle at a place into the form. */
   abstract bringFeature(index: number): void;
 
   /** Plans the job. The last good plan of the document stays where the job has errors. */
   protected compute(): void {
     this.revision++;
-    const { job } = this;
+    const { job, toPlan } = this;
     let made: Plan | null = null;
     let findings: Finding[];
     try {
-      made = plan(job as unknown as Job);
+      made = plan(toPlan as unknown as Job);
       findings = made.findings;
     } catch (thrown) {
-      findings = thrown instanceof JobError ? thrown.findings : check(job);
+      findings = thrown instanceof JobError ? thrown.findings : check(toPlan);
     }
     const ruled = this.rules.judged(job);
     if (ruled.some(({ level }) => level === "error")) made = null;

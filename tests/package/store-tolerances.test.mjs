@@ -52,8 +52,9 @@ test("a tolerance wider than the usual size limit was refused: the limit follows
   }
   store.undo();
   assert.equal(limit(), 2.5);
-  // A size between whose characters there is no plan.
+  // While there is no plan the job keeps its limit.
   type(store, "cycle.diameter", "25 ±");
+  assert.equal(limit(), 2.5);
   type(store, "cycle.diameter", "25 ±1");
   assert.equal(limit(), 1.5);
   type(store, "limits.size", "1.2");
@@ -61,6 +62,22 @@ test("a tolerance wider than the usual size limit was refused: the limit follows
   assert.equal(limit(), 1.2);
   type(store, "cycle.diameter", "25 ±1.4");
   assert.match(store.withheld, /Enter a larger limit/);
+});
+
+test("a size limit that the page around locks, or a job states, follows no tolerance", () => {
+  const locked = new Store();
+  locked.choose("hole");
+  locked.outside.input("config", {
+    format: 1,
+    fields: { "limits.size": { value: 0.5, locked: true } },
+  });
+  const stated = new Store();
+  stated.open(read(JSON.stringify({ ...locked.job, name: "STATED" })));
+  for (const store of [locked, stated]) {
+    type(store, "cycle.diameter", "25 ±0.8");
+    assert.match(store.withheld ?? "", /Enter a larger limit/);
+    assert.equal(store.get("limits.size"), 0.5);
+  }
 });
 
 test("the size limit of a job in inch follows in inch, and that of a set-up the widest tolerance", () => {

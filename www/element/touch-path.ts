@@ -1,0 +1,579 @@
+// <touch-path>: the whole of Touchpath as one element.
+import type { Config, Cycle, Finding, Job, Plan } from "../core/types.js";
+import { FIRST_CYCLE } from "../first-cycle.js";
+import type { App } from "../parts/app.js";
+import {
+  INPUTS,
+  type Input,
+  type Inputs,
+  isWordy,
+  PANEL_NAMES,
+  type View,
+  WORDS,
+  type Wordy,
+} from "./attributes.js";
+import { followJob } from "./events.js";
+import { Attempt, failure, HERE, takeUp } from "./loading.js";
+import { Showing } from "./showing.js";
+
+type Units = "mm" | "inch";
+
+/**
+ * A probing job: form, picture, program, parameters, results and checks in one element. It fills its box: without a height that is 480 pixels.
+ *
+ * @tag touch-path
+ * @attr {string} job - The job as JSON. What cannot be shown changes nothing, and a `finding` event says why.
+ * @attr {string} config - The rules of the portal, as JSON: see `Config`. A `<script type="application/json">` inside the element does the same. A config with faults changes nothing, and a `finding` event lists them.
+ * @attr {string} cycle - The type of the cycle, such as `hole`. Another one keeps the rest of the job.
+ * @attr {string} post - The control, by the `id` of a post in the catalog: that of the present job and of every later one that names none. Where a job names another, the finding `other-control` says so.
+ * @attr {"mm" | "inch"} units - The units, likewise; the values of the present job are converted. Where a job names others, the finding `other-units` says so.
+ * @attr {"light" | "dark" | "auto"} theme - Colours; `auto`, the default, follows the system.
+ * @attr {string} lang - The language, as a BCP 47 tag: `en`, `zh-Hans`, `zh-Hant`, `de` or `ru`, with any region. Without it, that of the nearest element around that has one; with `storage="local"` the user's choice, or else the browser's. Any other language shows English. Programs are always English.
+ * @attr {boolean} readonly - Whether the job can only be looked at; its program can still be saved.
+ * @attr {string} panels - What is shown, of `form stage program table results checks`; all by default, but the table only if it is named here or the mode is `cam`. `none`: the bar and the foot alone, for a job whose panels are elsewhere on the page (`<touch-form>`, `<touch-picture>`, `<touch-program>`).
+ * @attr {"setter" | "cam"} mode - `cam` also shows what only the author of a postprocessor needs: parameters, codes, picked touches. Without the attribute the user chooses, and opening a parameter dump switches to `cam`.
+ * @attr {"top" | "front" | "side" | "isometric"} view - The view of the picture, `top` by default. The user can change it; the property gives the present one.
+ * @attr {"none" | "local"} storage - Whether the job, presets and theme are kept in this browser; `none` by default. Only one element per origin should use `local`.
+ * @attr {boolean} links - Whether the job of a link (`#job1=…`) in the page's address is taken up, and such links are handed out.
+ * @attr {boolean} disabled - Whether the form control is disabled: the job is read-only and is not submitted.
+ * @attr {string} name - The name under which a form gets the job's JSON.
+ * @fires {CustomEvent<{ job: Job }>} job-change - The user has changed the job.
+ * @fires {CustomEvent<{ plan: Plan }>} plan-change - The plan has changed, by the user or by the page around. A job with errors gives no event.
+ * @fires {CustomEvent<{ name: string, text: string, post: string, extension: string }>} program-save - A program is to be saved. Cancelled, the element saves no file: the page around it does.
+ * @fires {CustomEvent<Selection>} selection-change - The user has selected another move, line or field, or the selected move is gone.
+ * @fires {CustomEvent<{ measured: string }>} measured-change - The user has changed the measured points.
+ * @fires {Event} input - The user has changed the job, as `job-change` says: for form libraries.
+ * @fires {Event} change - The user has left a changed field or made a choice: for form libraries.
+ * @fires {Event} load - The element is loaded and shown: `ready` is fulfilled. Does not bubble.
+ * @fires {ErrorEvent} error - The element could not be loaded: `ready` is rejected. Does not bubble.
+ * @fires {CustomEvent<{ findings: Finding[], refused: boolean }>} finding - The job's findings have changed; or (`refused`) an input could not be used, and nothing was changed.
+ * @slot - Shown until the element is loaded.
+ * @slot header - In the place of the name, at the left of the bar.
+ * @slot footer - At the right of the line at the foot.
+ * @csspart bar - The line at the head.
+ * @csspart form - The form.
+ * @csspart stage - The picture, with its tools and its timeline.
+ * @csspart tabs - The tabs over the panels.
+ * @csspart panel - Every panel; each also by its own name: `program`, `table`, `results`, `checks`.
+ * @csspart footer - The line at the foot; where the element is less than 600 pixels wide, with Save.
+ * @cssprop --touchpath-background - The background.
+ * @cssprop --touchpath-panel - The background of buttons and bars.
+ * @cssprop --touchpath-text - The text.
+ * @cssprop --touchpath-accent - What is chosen, what has the focus, the main button.
+ * @cssprop --touchpath-on-accent - The text on it.
+ * @cssprop --touchpath-font - The font, as in the `font` shorthand.
+ */
+export class TouchPath extends Showing {
+  static readonly formAssociated = true;
+  /** The version of the package. If a page loads two versions, the first one defines the elements; the other one is had by `define(name)`. */
+  static readonly version = VERSION;
+  static readonly observedAttributes = [
+    ...INPUTS,
+    "lang",
+    "theme",
+    "readonly",
+    "panels",
+    "mode",
+    "view",
+    "storage",
+  ];
+
+  private readonly inside: ElementInternals;
+  private attempt = new Attempt();
+  private loading = false;
+  /** What the attributes said before there was anything to put it into, and what was set since. */
+  private readonly waiting: Inputs = {};
+  private readonly later: Inputs = {};
+  /** What is set while the page is shown and its module not there yet; null at any other time. */
+  private early: Inputs | null = null;
+  /** What the browser puts back into a form. */
+  private restored: unknown;
+  /** What a form puts back. */
+  private first: unknown;
+
+  constructor() {
+    super();
+    this.inside = this.attachInternals();
+    // What the page around has put inside is seen until there is more.
+    this.attachShadow({ mode: "open" }).append(document.createElement("slot"));
+    this.addEventListener("invalid", this.unseen);
+  }
+
+  /** Settles when the element has been put into a document, is loaded and shown; fails where it cannot be loaded. Put into a document again it is tried again, and this is another promise. */
+  get ready(): Promise<void> {
+    return this.attempt.ready;
+  }
+
+  connectedCallback(): void {
+    takeUp(this, [
+      "config",
+      "job",
+      "cycle",
+      "post",
+      "units",
+      "theme",
+      "readonly",
+      "panels",
+      "mode",
+      "view",
+      "measured",
+      "value",
+      "disabled",
+      "links",
+      "storage",
+      "name",
+    ]);
+    if (this.app) this.shadow.append(this.app);
+    if (!this.loading) this.begin();
+    this.dispatchEvent(new Event(HERE, { bubbles: true }));
+  }
+
+  /** Loads what is shown; where that has failed before, once more. */
+  private begin(): void {
+    this.loading = true;
+    if (this.attempt.over) this.attempt = new Attempt();
+    const { attempt } = this;
+    this.load().then(
+      () => {
+        attempt.done();
+        this.dispatchEvent(new Event("load"));
+      },
+      (why) => {
+        this.loading = false;
+        attempt.fail(why);
+        this.dispatchEvent(
+          new ErrorEvent("error", { error: why, message: String(why) }),
+        );
+      },
+    );
+  }
+
+  disconnectedCallback(): void {
+    this.app?.remove();
+  }
+
+  attributeChangedCallback(
+    name: string,
+    before: string | null,
+    value: string | null,
+  ): void {
+    if (value === before) return;
+    if ((INPUTS as readonly string[]).includes(name)) {
+      this.put(name as Input, value, this.waiting);
+    } else if (name === "lang") this.app?.reword();
+    else {
+      if (isWordy(name)) this.word(name, value);
+      this.applyOptions();
+    }
+  }
+
+  /** The job as it stands in the form, errors and all: a copy; nothing until it is loaded. Set, it may be an object or its JSON. */
+  get job(): Job | undefined {
+    return this.store && (structuredClone(this.store.job) as unknown as Job);
+  }
+
+  set job(value: Job | string | null | undefined) {
+    this.put("job", value);
+  }
+
+  /** The rules of the portal: what may be chosen, which fields are fixed, hidden or filled in, where the machine can travel. A copy; `null` without a config. May be set as an object or as JSON; `null` removes it. */
+  get config(): Config | null {
+    return structuredClone(this.store?.rules.config ?? null);
+  }
+
+  set config(value: Config | string | null | undefined) {
+    this.put("config", value);
+  }
+
+  /** The type of the cycle. */
+  get cycle(): Cycle["type"] | undefined {
+    return this.store?.cycle.type;
+  }
+
+  set cycle(value: Cycle["type"] | null | undefined) {
+    this.put("cycle", value);
+  }
+
+  /** The control of the job, by the id of a post in the catalog. Set, it is that of the present job and of every later one that names none; `null` asks for none. */
+  get post(): string | undefined {
+    return this.store?.get("control.post") as string | undefined;
+  }
+
+  set post(value: string | null | undefined) {
+    this.put("post", value);
+  }
+
+  /** The units of the job. Set, they convert its values, and are those of every later job that names none; `null` asks for none. */
+  get units(): Units | undefined {
+    return this.store?.units;
+  }
+
+  set units(value: Units | null | undefined) {
+    this.put("units", value);
+  }
+
+  /** The plan of the job: a copy; null while the job has errors, or nothing is loaded. */
+  get plan(): Plan | null {
+    return this.store && !this.store.stale
+      ? structuredClone(this.store.plan)
+      : null;
+  }
+
+  /** Everything that is wrong, unusual or worth knowing about the job: a copy. */
+  get findings(): Finding[] {
+    return structuredClone(this.store?.findings ?? []);
+  }
+
+  /** Colours; `auto` follows the system. */
+  get theme(): "light" | "dark" | "auto" {
+    return (this.words.get("theme") ?? "auto") as "light" | "dark" | "auto";
+  }
+
+  set theme(value: "light" | "dark" | "auto" | null | undefined) {
+    this.say("theme", value);
+  }
+
+  /** Whether the job can only be looked at. */
+  get readonly(): boolean {
+    return this.hasAttribute("readonly");
+  }
+
+  set readonly(value: boolean) {
+    this.toggleAttribute("readonly", Boolean(value));
+  }
+
+  /** What is shown, as words with spaces between. */
+  get panels(): string {
+    return this.words.get("panels") ?? PANEL_NAMES.join(" ");
+  }
+
+  set panels(value: string | null | undefined) {
+    this.say("panels", value);
+  }
+
+  /** For whom it is shown: `cam` shows what only the author of a postprocessor needs. */
+  get mode(): "setter" | "cam" {
+    return (this.words.get("mode") ?? (this.store?.cam ? "cam" : "setter")) as
+      | "setter"
+      | "cam";
+  }
+
+  set mode(value: "setter" | "cam" | null | undefined) {
+    this.say("mode", value);
+  }
+
+  /** The view of the picture. */
+  get view(): View {
+    return this.pictured?.view ?? ((this.words.get("view") ?? "top") as View);
+  }
+
+  set view(value: View | null | undefined) {
+    if (value && this.getAttribute("view") === value) this.word("view", value);
+    else this.say("view", value);
+  }
+
+  /** Measured points, results or a log, as text: shown and judged in the results. Empty removes them. They are not part of the job. */
+  get measured(): string {
+    return this.store?.measured ?? "";
+  }
+
+  set measured(value: string | null | undefined) {
+    this.put("measured", value === null ? "" : value);
+  }
+
+  /** Saves the program as the Save button does: fires `program-save`, and saves a file unless that event is cancelled. Returns `false` if the job has errors or the element is not loaded. */
+  save(): boolean {
+    return this.early === null && (this.app?.save() ?? false);
+  }
+
+  /** Undoes the user's last step, as Ctrl+Z does, and fires `job-change`. Returns `false` if there is nothing to undo. */
+  undo(): boolean {
+    const can = this.store?.canUndo ?? false;
+    if (can) this.store?.undo();
+    return can;
+  }
+
+  /** Redoes the step that was undone last. Returns `false` if there is nothing to redo. */
+  redo(): boolean {
+    const can = this.store?.canRedo ?? false;
+    if (can) this.store?.redo();
+    return can;
+  }
+
+  /** Highlights a move of the plan, counted from 0, in the picture, the program and the table; `null` shows the user's selection again. */
+  highlight(move: number | null): void {
+    const { store } = this;
+    if (!store) return;
+    const known =
+      typeof move === "number" &&
+      Number.isInteger(move) &&
+      move >= 0 &&
+      move < store.plan.moves.length;
+    store.point(known ? move : null);
+  }
+
+  /** The picture in its present view, as SVG text; `null` without a plan. For a job with errors, the picture of its last good plan. */
+  picture(): string | null {
+    return this.early === null ? (this.pictured?.svg() ?? null) : null;
+  }
+
+  /** Whether anything is kept in this browser. It takes effect where it is set before the element is put into a document. */
+  get storage(): "none" | "local" {
+    return this.words.get("storage") === "local" ? "local" : "none";
+  }
+
+  set storage(value: "none" | "local" | null | undefined) {
+    this.say("storage", value);
+  }
+
+  /** Whether links to the job are followed and offered. Set it before the element is added to a document. */
+  get links(): boolean {
+    return this.hasAttribute("links");
+  }
+
+  set links(value: boolean) {
+    this.toggleAttribute("links", Boolean(value));
+  }
+
+  /** The name under which a form gets the job. */
+  get name(): string {
+    return this.getAttribute("name") ?? "";
+  }
+
+  set name(value: string | null | undefined) {
+    this.say("name", value);
+  }
+
+  /** The job as JSON, as a form submits it: for form libraries. Setting it sets `job`. Empty until a job is set or the element is loaded. */
+  get value(): string {
+    const { store } = this;
+    return store
+      ? JSON.stringify(store.job)
+      : (textOf(this.later.job ?? this.waiting.job) ?? "");
+  }
+
+  set value(value: string) {
+    if (value !== "") this.put("job", value);
+  }
+
+  /** Whether the form control is disabled. */
+  get disabled(): boolean {
+    return this.hasAttribute("disabled");
+  }
+
+  set disabled(value: boolean) {
+    this.toggleAttribute("disabled", Boolean(value));
+  }
+
+  /** The type of form control. */
+  get type(): "touch-path" {
+    return "touch-path";
+  }
+
+  /** The `<label>` elements of this form control. */
+  get labels(): NodeList {
+    return this.inside.labels;
+  }
+
+  /** The validity of the form control: `customError` while the job has an error. */
+  get validity(): ValidityState {
+    return this.inside.validity;
+  }
+
+  /** Whether the form validates this control: not while it is disabled. */
+  get willValidate(): boolean {
+    return this.inside.willValidate;
+  }
+
+  /** The form around the element. */
+  get form(): HTMLFormElement | null {
+    return this.inside.form;
+  }
+
+  /** Why a form must not be sent; empty where it may. */
+  get validationMessage(): string {
+    return this.inside.validationMessage;
+  }
+
+  /** Whether the job has no error. */
+  checkValidity(): boolean {
+    return this.inside.checkValidity();
+  }
+
+  /** The same, and the browser says why not. */
+  reportValidity(): boolean {
+    return this.inside.reportValidity();
+  }
+
+  /** To the first field of the form. */
+  override focus(options?: FocusOptions): void {
+    if (this.app) this.app.focusFirst(options);
+    else super.focus(options);
+  }
+
+  /** The form around the element is put back: so is the job that was there first. */
+  formResetCallback(): void {
+    this.store?.outside.forget();
+    if (this.store) this.put("job", this.first);
+  }
+
+  /** A form that is sent cannot put the focus into an element that is not seen: it goes to what is wrong in the form elsewhere. */
+  private readonly unseen = (event: Event): void => {
+    if (this.checkVisibility() || this.lent.size === 0) return;
+    event.preventDefault();
+    const { store } = this;
+    const wrong = store?.findings.find((finding) => finding.level === "error");
+    if (wrong) this.app?.find(wrong.path);
+  };
+
+  formDisabledCallback(): void {
+    this.applyOptions();
+  }
+
+  /** The browser puts back what a form held before the page was left. */
+  formStateRestoreCallback(state: unknown): void {
+    if (typeof state !== "string") return;
+    this.store?.outside.forget();
+    if (this.store) this.put("job", state);
+    else this.restored = state;
+  }
+
+  /** Takes what is set at one time, in whatever order it was said: a job names its own control and units, or has those beside it; a cycle beside it is its cycle. @internal */
+  take({ config, job, cycle, post, units, measured }: Inputs): void {
+    for (const [input, value] of Object.entries({
+      config,
+      post,
+      units,
+      cycle,
+      job,
+      measured,
+    }))
+      this.put(input as Input, value);
+    if (
+      job &&
+      cycle &&
+      this.store?.outside.refusals("cycle", cycle).length === 0
+    )
+      this.put("cycle", cycle);
+  }
+
+  /** The config from a script in the element's markup. */
+  private inScript(): string | undefined {
+    return (
+      this.querySelector(':scope > script[type="application/json"]')
+        ?.textContent ?? undefined
+    );
+  }
+
+  private get shadow(): ShadowRoot {
+    return this.shadowRoot as ShadowRoot;
+  }
+
+  private async load(): Promise<void> {
+    try {
+      // One module for every element of the page, and with it one WebAssembly module.
+      const { App, Store, awaited, hold, kept, styles } = await import(
+        "../parts/app.js"
+      );
+      const local = this.storage === "local";
+      const given = { config: this.inScript(), ...this.waiting };
+      // Before the module is there only the job of a first visit can be shown: another tab may have kept one by now.
+      const inputs = { ...given, ...this.later, restored: this.restored };
+      if (
+        Object.values(inputs).some((value) => value !== undefined) ||
+        location.hash !== "" ||
+        (local && kept().length > 0)
+      )
+        await awaited();
+      const store = new Store({
+        local,
+        ...(this.links ? { first: FIRST_CYCLE } : {}),
+      });
+      this.early = awaited() ? {} : null;
+      this.store = store;
+      this.take(given);
+      this.take(this.later);
+      for (const name of Object.keys(WORDS))
+        this.word(name as Wordy, this.getAttribute(name));
+      this.first = structuredClone(store.job);
+      if (this.restored !== undefined) this.use("job", this.restored);
+      store.clear();
+      this.shadow.adoptedStyleSheets = [styles];
+      const app = new App(store, {
+        host: this,
+        local,
+        links: this.hasAttribute("links"),
+      });
+      // The words are there before anything is shown; where they do not come, English is shown until they do.
+      await Promise.race([
+        app.reword(),
+        new Promise((done) => setTimeout(done, 3000)),
+      ]);
+      this.app = app;
+      this.applyOptions();
+      this.shadow.replaceChildren(app);
+      followJob(this, this.inside, { store, app });
+      this.closes(app);
+      if (this.words.has("view")) app.view = this.words.get("view") as View;
+      // One that was taken out meanwhile is drawn when it is put in again.
+      if (this.isConnected) await app.updateComplete;
+      if (this.early) await this.arrive(app, hold(this.shadow));
+    } catch (thrown) {
+      this.shadow.replaceChildren(failure(thrown));
+      throw thrown;
+    }
+  }
+
+  /** Waits for the module, and catches up with what was typed and set until then. */
+  private async arrive(
+    app: App,
+    release: (enter: boolean) => void,
+  ): Promise<void> {
+    try {
+      await app.arrived();
+    } catch (thrown) {
+      this.early = null;
+      release(false);
+      throw thrown;
+    }
+    const { early } = this;
+    this.early = null;
+    this.take(early ?? {});
+    release(true);
+  }
+
+  /** Takes an input as soon as there is something to put it into. Undefined says nothing, null that nothing is asked for any more. */
+  private put(input: Input, value: unknown, early = this.later): void {
+    if (value === undefined || (value === null && input === "job")) return;
+    if (!this.store) early[input] = value;
+    else if (this.early) this.early[input] = value;
+    else if (value !== null) this.use(input, value);
+    else if (input !== "job" && input !== "measured")
+      this.store.outside.release(input);
+    if (this.store && input === "config") this.applyOptions();
+    // A form that is sent before anything is loaded sends what it was given.
+    if (!this.store && input === "job") {
+      this.inside.setFormValue(textOf(value));
+      this.inside.setValidity(
+        { customError: true },
+        "The job is not checked yet",
+      );
+    }
+  }
+
+  /** Takes an input, or says why it cannot be taken. */
+  private use(input: Input, value: unknown): void {
+    const refused = this.store?.outside.input(input, value) ?? [];
+    if (refused.length > 0)
+      this.tell("finding", { findings: refused, refused: true });
+  }
+}
+
+/** The value as JSON; null if JSON cannot hold it. */
+function textOf(value: unknown): string | null {
+  try {
+    return typeof value === "string" ? value : (JSON.stringify(value) ?? null);
+  } catch {
+    return null;
+  }
+}
