@@ -11,7 +11,7 @@ import tokens from "./styles/tokens.css?inline";
 import tools from "./styles/tools.css?inline";
 import wide from "./styles/wide.css?inline";
 
-export const css = [
+const css = [
   tokens,
   frame,
   features,
@@ -24,3 +24,11 @@ export const css = [
   narrow,
   media,
 ].join("\n");
+
+/** The styles of everything inside the element. */
+export const styles = new CSSStyleSheet();
+styles.replaceSync(css);
+
+/** What panels elsewhere on the page have otherwise: they may be as low as the page around likes. */
+export const partStyles = new CSSStyleSheet();
+partStyles.replaceSync(":host { min-height: 8rem; }");

@@ -229,7 +229,9 @@ test("a job that another tab keeps meanwhile, and a link that is pasted, wait fo
     const { store } = /** @type {any} */ (document.querySelector("touch-path"));
     store.set("cycle.width1", 77);
     await navigator.clipboard.writeText("");
-    /** @type {any} */ (document.querySelector("touch-path")).app.ask("share");
+    /** @type {any} */ (document.querySelector("touch-path")).app.actions.ask(
+      "share",
+    );
     for (;;) {
       const text = await navigator.clipboard.readText();
       if (text !== "") return text;

@@ -173,7 +173,9 @@ test("to a group of fields, to the cycle or to a picked touch there was no way",
     await page.getByRole("tab", { name: "Checks" }).click();
     await page.evaluate(
       (path) =>
-        /** @type {any} */ (document.querySelector("touch-path")).app.go(path),
+        /** @type {any} */ (
+          document.querySelector("touch-path")
+        ).app.actions.go(path),
       path,
     );
     await settles(async () => (await focusedId()) === id).catch(async () => {
@@ -181,7 +183,7 @@ test("to a group of fields, to the cycle or to a picked touch there was no way",
     });
   }
   await page.evaluate(() =>
-    /** @type {any} */ (document.querySelector("touch-path")).app.go(
+    /** @type {any} */ (document.querySelector("touch-path")).app.actions.go(
       'there is"no such field',
     ),
   );

@@ -110,7 +110,7 @@ for (const [language, locale] of Object.entries(LANGUAGES)) {
         walk();
       }
       for (const tool of ["gallery", "lengths", "sheet", "cycles"]) {
-        await host.app.ask(tool === "cycles" ? "gallery" : tool);
+        await host.app.actions.ask(tool === "cycles" ? "gallery" : tool);
         await rest();
         walk();
       }

@@ -52,9 +52,9 @@ for (const [width, height] of SIZES) {
     for (const tool of ["gallery", "lengths", "sheet"]) {
       await page.evaluate(
         (tool) =>
-          /** @type {any} */ (document.querySelector("touch-path")).app.ask(
-            tool,
-          ),
+          /** @type {any} */ (
+            document.querySelector("touch-path")
+          ).app.actions.ask(tool),
         tool,
       );
       assert.ok((await over()) <= 0, tool);
@@ -472,7 +472,7 @@ for (const width of [1280, 390])
       });
     const before = await places();
     await page.evaluate(() =>
-      /** @type {any} */ (document.querySelector("touch-path")).app.ask(
+      /** @type {any} */ (document.querySelector("touch-path")).app.actions.ask(
         "share",
       ),
     );

@@ -403,16 +403,16 @@ for (const [colorScheme, width, height] of /** @type {const} */ ([
     for (const topic of ["cycle:hole", "control:sinumerik"]) {
       await page.evaluate(
         (topic) =>
-          /** @type {any} */ (document.querySelector("touch-path")).app.about(
-            topic,
-          ),
+          /** @type {any} */ (
+            document.querySelector("touch-path")
+          ).app.actions.about(topic),
         topic,
       );
       await page.locator("tp-manual h2").waitFor();
       assert.deepEqual(await violations(), []);
     }
     await page.evaluate(() =>
-      /** @type {any} */ (document.querySelector("touch-path")).app.ask(
+      /** @type {any} */ (document.querySelector("touch-path")).app.actions.ask(
         "gallery",
       ),
     );

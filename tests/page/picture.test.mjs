@@ -110,7 +110,7 @@ test("each opening of Tool lengths kept 512 nodes and a View", async () => {
   const ask = (/** @type {string} */ tool) =>
     page.evaluate((tool) => {
       const { app } = /** @type {any} */ (document.querySelector("touch-path"));
-      return app.ask(tool).then(() => app.updateComplete);
+      return app.actions.ask(tool).then(() => app.updateComplete);
     }, tool);
   const cycles = page.getByRole("button", { name: "Back to the job" });
   const measure = async () => {

@@ -155,9 +155,10 @@ class FormPart extends FormRows {
           .join(" · ");
     const usual = name === PART ? "" : this.t("as usual");
     const alone = groups.length === 1;
-    const body = (open ? groups : []).map(
-      ([group, fields]) =>
-        html`${alone ? nothing : html`<h3>${this.t(group)}</h3>`}${this.body(group, fields)}`,
+    const body = (open ? groups : []).map(([group, fields]) =>
+      alone
+        ? this.body(group, fields)
+        : html`<section class="within" id=${idOf(group)} aria-label=${this.t(group)}><h3>${this.t(group)}</h3>${this.body(group, fields)}</section>`,
     );
     return this.folding(
       name,

@@ -1,0 +1,29 @@
+// The panels of the page, what they are called, and from which width on they stand beside each other.
+import { w } from "../words.js";
+
+export const PANELS = {
+  setup: w("Setup"),
+  results: w("Results"),
+  program: w("Program"),
+  table: w("Parameters"),
+  measured: w("Measured values, report"),
+  checks: w("Checks"),
+} as const;
+/** Short label for a narrow tab. */
+export const MEASURED = w("Measured");
+export type Panel = keyof typeof PANELS;
+export const NAME_OF = {
+  setup: "form",
+  results: "results",
+  program: "program",
+  table: "table",
+  measured: "results",
+  checks: "checks",
+} as const satisfies Record<Panel, string>;
+/** What the element may leave out. */
+export type PanelName = "stage" | (typeof NAME_OF)[Panel];
+
+/** From this width on the form has a column of its own; the style sheet knows the same width. */
+export const WIDE = 1080;
+/** Below this width picture and panel stand on each other; the style sheet knows the same width. */
+export const NARROW = 600;
