@@ -13,7 +13,7 @@ import {
   writeFileSync,
 } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 import { configSchema } from "./config-schema.mjs";
@@ -218,13 +218,12 @@ async function elementTypes() {
   const types = mkdtempSync(join(tmpdir(), "touchpath-"));
   await npx("tsc", "-p", "tsconfig.element.json", "--outDir", types);
   const inside = readdirSync(join(types, "element"));
-  const names = ["element.d.ts", ...inside.map((name) => `element/${name}`)];
-  const own = names.map((name) => [
-    name,
-    readFileSync(join(types, name), "utf8").replaceAll(
-      "/core/types.js",
-      "/../types.js",
-    ),
+  const files = ["element.d.ts", ...inside.map((name) => `element/${name}`)];
+  const own = files.map((file) => [
+    basename(file),
+    readFileSync(join(types, file), "utf8")
+      .replaceAll('"./element/', '"./')
+      .replaceAll(/"\.\.?\/core\/types\.js"/g, '"../types.js"'),
   ]);
   rmSync(types, { recursive: true });
   return Object.fromEntries(own);
@@ -246,7 +245,6 @@ async function buildBundles() {
       "--quiet",
     ),
   ]);
-  mkdirSync(at("dist", "element", "element"));
   for (const [name, text] of Object.entries(types))
     writeFileSync(at("dist", "element", name), text);
   const bundled = ["element", "cli"].map((folder) =>
