@@ -17,7 +17,7 @@ const LINES = /** @type {const} */ ([
 const ROUNDS = 5;
 
 const server = await serve(0, at("dist", "page"), "127.0.0.1", true);
-// As little as a page can be.
+// Minimal page, as the baseline.
 const nothing = mkdtempSync(join(tmpdir(), "touchpath-bench-"));
 writeFileSync(
   join(nothing, "index.html"),

@@ -380,7 +380,7 @@ export class Features {
   }
 
   /**
-   * What is written from a cycle or relation, or computed of it, is so by its new name, or not any longer. A name that another one has, too, is that one's.
+   * Renames or drops every reference to a cycle or relation. If another entry has the same name, references stay with that one.
    */
   private refer(from: string, to: string | null): void {
     const named = (name: string) =>

@@ -155,7 +155,7 @@ export class Outside {
         "other-control",
         "control.post",
         w(
-          "The page around asks for {asked}, and this job names {named}: the program is for {named}",
+          "The host page asks for {asked}, this job specifies {named}: the program is for {named}",
         ),
         wanted.title,
         named.title,

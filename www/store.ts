@@ -133,7 +133,9 @@ export class Store extends PartEditor {
     if (!this.byUser) return;
     if (now !== post)
       this.tell([
-        w("{control} does not take this cycle: the program is now for {other}"),
+        w(
+          "{control} does not support this cycle: the program is now for {other}",
+        ),
         title(post),
         title(now),
       ]);
@@ -238,7 +240,7 @@ export class Store extends PartEditor {
       () =>
         this.tell([
           w(
-            "This browser keeps nothing: save the job as a file, or it is lost with this page",
+            "This browser stores nothing: save the job as a file before you close the page",
           ),
         ]),
     );

@@ -265,7 +265,7 @@ namespace Touchpath
         public ProgramText Program { get; set; }
         /// <summary>The cycle's parameters as its source numbers them.</summary>
         public ParameterRow[] Table { get; set; }
-        /// <summary>What the control will have stored, for the virtual part.</summary>
+        /// <summary>Results the control will store, for the virtual part.</summary>
         public ResultRow[] Results { get; set; }
         /// <summary>Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.</summary>
         public double[][] Triggers { get; set; }

@@ -258,7 +258,7 @@ class Plan(TypedDict):
     program: ProgramText
     # The cycle's parameters as its source numbers them.
     table: list[ParameterRow]
-    # What the control will have stored, for the virtual part.
+    # Results the control will store, for the virtual part.
     results: list[ResultRow]
     # Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.
     triggers: list[Vec3 | None]

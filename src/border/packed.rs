@@ -36,7 +36,7 @@ impl Section {
     };
 }
 
-/// Numbers and a text while they are written. A text is its length in UTF-16 units; what is not there is NaN, or −1 for an index.
+/// Output buffer: numbers and one string. A text is its length in UTF-16 units; what is not there is NaN, or −1 for an index.
 #[derive(Default)]
 pub struct Packed {
     pub numbers: Vec<f64>,

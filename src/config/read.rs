@@ -1,4 +1,4 @@
-//! Reading a config: every problem at once, as of a job.
+//! Reads a config and reports all its problems at once, as for a job.
 
 use crate::config::allow::{Allow, check_hide};
 use crate::config::list::{MOST, entries};

@@ -204,7 +204,7 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: ONE_WRITE,
         says: "No more than one work offset is written, each of its values once",
-        why: "A value written twice is corrected twice.",
+        why: "A second write would apply the correction again.",
         must: true,
         own_cycle: true,
         about: About::Writes,
@@ -222,7 +222,7 @@ pub static RULES: &[Rule] = &[
     Rule {
         name: TOLERANCE,
         says: "A result out of its tolerance stops the program where the job says so, and nowhere else",
-        why: "A bad part would be machined on, or a good one would stop the machine.",
+        why: "Machining would continue on a bad part, or stop on a good one.",
         must: true,
         own_cycle: true,
         about: About::Last,

@@ -1,4 +1,4 @@
-//! What the house says of itself and of a plan: the catalog, the JSON Schema of a job, the parameter table as text. Readers of the one list of
+//! Self-description: the catalog, the JSON Schema of a job, the parameter table as text. Readers of the one list of
 //! fields and of the controls.
 
 mod catalog;

@@ -7,7 +7,7 @@ use crate::num::decimal;
 use crate::text::{Part, Text, text, words};
 use crate::tolerance::{self, Nominal};
 
-/// Collects findings and knows which paths have failed, so that rules say nothing about values that are not there.
+/// Collects findings. Remembers the paths with errors, so that rules skip values that could not be read.
 #[derive(Debug)]
 pub struct Checker {
     /// Millimetres in one unit of length of the job.

@@ -433,7 +433,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "order-of-cycles",
-        "A set-up: the height of the part is measured after features that hang on it.",
+        "The part height is measured after features whose depth depends on it.",
     ),
     (
         "orient-unsupported",
@@ -580,7 +580,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "relation-of",
-        "A set-up: a relation is of something that it cannot be of.",
+        "A relation has an operand of a type that it does not accept.",
     ),
     (
         "repeat-unsupported",
@@ -593,7 +593,7 @@ pub const CODES: &[(&str, &str)] = &[
     ("result-twice", "A text gives two values of one result."),
     (
         "result-untrue",
-        "On this part the control stores values that differ from what is true of it.",
+        "On this part the control stores values that differ from the true ones.",
     ),
     (
         "rotary-unsupported",
@@ -773,7 +773,7 @@ pub const CODES: &[(&str, &str)] = &[
     ),
     (
         "touches-unsound",
-        "The touches of a dump do not make its feature; the job has findings of its own about it.",
+        "The touches of the dump do not define its feature; the job's other findings say why.",
     ),
     (
         "turn-beyond-limit",

@@ -1,4 +1,4 @@
-//! What lies between the features of a set-up: results of results, in the formula of all.
+//! Relations between features: results computed from results, in the joint formula.
 
 use crate::formula::draft::{Draft, Expr, Value};
 use crate::formula::node::Variable;

@@ -345,7 +345,7 @@ fn job_of(said: &HeaderLines<'_>, checker: &mut Checker) -> Option<Value> {
     }
     if unknown > 0 {
         let message = text!(
-            "The header has {unknown} values that a job of this cycle does not have: they are ignored",
+            "The header has {unknown} values that this cycle does not use: ignored",
             unknown
         );
         checker.warning("header-unknown", "", message);

@@ -317,7 +317,7 @@ fn report_own(path: &Path, checker: &mut Checker) {
     checker.info("own-path", "control.form", message);
     if writes > 1 {
         let message = text!(
-            "Each call writes its axes of the work offset as soon as it has measured them: an alarm in a later one leaves the offset half written"
+            "Each call writes its axes of the work offset right after measuring: an alarm in a later call leaves the offset partly updated"
         );
         checker.warning("offset-in-parts", "control.workOffset", message);
     }
@@ -356,7 +356,7 @@ fn report_predefined(job: &Job, checker: &mut Checker) {
     }
 }
 
-/// What the control will have stored, for the virtual part. A run that ends in the part ends before the results: nothing is stored. `writes`: whether an
+/// Results the control will store, for the virtual part. A run that ends in the part ends before the results: nothing is stored. `writes`: whether an
 /// implausible result keeps the program from writing. `None` if the program stops before it asks.
 fn predicted(
     planned: &Planned,

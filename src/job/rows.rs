@@ -38,7 +38,7 @@ pub struct Plan {
     pub program: ProgramText,
     /// The cycle's parameters as its source numbers them.
     pub table: Vec<ParameterRow>,
-    /// What the control will have stored, for the virtual part.
+    /// Results the control will store, for the virtual part.
     pub results: Vec<ResultRow>,
     /// Ball centre at the trigger of each touch on the virtual part; null where it is not met in time.
     pub triggers: Vec<Option<Triple>>,

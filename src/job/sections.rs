@@ -194,7 +194,7 @@ form! {
         units: String = Field::choice("units", "Units", UNITS).group("Program and machine"),
         /// The working plane; the tool axis is square to it.
         plane: String = Field::choice("plane", "Plane", PLANES).group("Program and machine"),
-        /// How far past the nominal contact a touch searches before the control gives up.
+        /// Overtravel: distance the probe searches past the nominal contact before the touch counts as a miss.
         overtravel: f64 = Field::length("overtravel", "Overtravel", 5.0).range(0.01, 1000.0).usual(0.5, 50.0).group("Probe"),
     }
 }
@@ -212,7 +212,7 @@ form! {
         shank: Option<f64> = Field::length("shank", "Shank diameter", 4.0).range(0.05, 100.0).usual(0.2, 20.0).null_by_default().null_means("not known").group("Probe"),
         /// Diameter of the probe body above the stylus. Empty: not known.
         body: Option<f64> = Field::length("body", "Body diameter", 40.0).range(1.0, 500.0).usual(10.0, 100.0).null_by_default().null_means("not known").group("Probe"),
-        /// Half of what a dial at the ball shows in a turn. Adds to the uncertainty of results unless the spindle is oriented. Empty: not known.
+        /// Eccentricity: half the total indicator reading at the ball over one spindle revolution. Adds to the uncertainty unless the spindle is oriented. Empty: unknown.
         runout: Option<f64> = Field::length("runout", "Ball eccentricity", 0.01).range(0.0, 10.0).usual(0.0, 0.1).null_by_default().null_means("not known").group("Probe"),
     }
 }
@@ -236,9 +236,9 @@ form! {
     pub struct MachineForm {
         /// How fast an axis slows down after the probe triggers. Hobby machines have 200 to 1000 mm/s², machining centres more.
         acceleration: f64 = Field::acceleration("acceleration", "Acceleration", 500.0).usual(50.0, 20_000.0).group("Program and machine"),
-        /// From the contact until the axes begin to slow down: probe, receiver and control.
+        /// Delay from contact to the start of deceleration: probe, receiver and control.
         latency: f64 = Field::time("latency", "Latency", 5.0).range(0.0, 1000.0).usual(0.5, 50.0).group("Program and machine"),
-        /// Travel that the stylus takes past contact without damage: 3 to 12 mm sideways, by the probe's data sheet.
+        /// Permissible stylus deflection after contact, from the probe's data sheet: 3 to 12 mm sideways.
         deflection: f64 = Field::length("deflection", "Stylus deflection", 3.0).range(0.01, 100.0).usual(1.0, 15.0).group("Program and machine"),
     }
 }
@@ -274,7 +274,7 @@ form! {
         run: String = Field::choice("run", "Run", RUNS).group("Program and machine"),
         /// How much higher along the tool axis the whole path of a dry run lies: above the part it can be run with the part in the machine.
         lift: f64 = Field::length("lift", "Height of a dry run", 0.0).range(0.0, 1000.0).usual(0.0, 300.0).group("Program and machine"),
-        /// How much the comments at the top say: with the whole job the program can be opened here again.
+        /// Detail of the header comments. A header with the whole job lets Touchpath reopen the program.
         header: String = Field::choice("header", "Comments at the top", HEADERS).group("Program and machine"),
         /// Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call.
         tool: Option<i32> = Field::count("tool", "Probe's tool number", 1, 1, 32_767).null_by_default().null_means("in the spindle, not called").group("Program and machine"),
@@ -770,7 +770,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
             Ok(()) if other == Form::Moves => {
                 let other = other.word().to_owned();
                 text!(
-                    "{title} does not take this cycle in the form \"{form}\": {why}. Use the form \"{other}\"",
+                    "{title} does not support this cycle as \"{form}\": {why}. Use the form \"{other}\"",
                     title,
                     form,
                     why,
@@ -778,7 +778,7 @@ fn check_control(checker: &mut Checker, post: &PostDef, control: &Control, def: 
                 )
             }
             _ => text!(
-                "{title} does not take this cycle in the form \"{form}\": {why}",
+                "{title} does not support this cycle as \"{form}\": {why}",
                 title,
                 form,
                 why

@@ -661,7 +661,7 @@ impl<'n> Merged<'n> {
         self.found.iter().any(|(finding, _)| finding.code == code)
     }
 
-    /// Gives all of them: what every cycle has and is of none of their fields is said once, the rest at its cycle and with its name.
+    /// Emits the merged findings: one that all cycles share and that concerns no field of a cycle once, any other per cycle with its name.
     pub fn give(self, checker: &mut Checker) {
         for (finding, of) in self.found {
             let own = finding.path == "cycle" || finding.path.starts_with("cycle.");

@@ -18,7 +18,7 @@ pub struct Follows {
     pub sizes: Vec<(usize, Along)>,
 }
 
-/// How far the places of a path move for each mm that a size grows.
+/// Derivative of the path's positions by one size, mm per mm.
 #[derive(Clone, Debug, Default)]
 pub struct Along {
     /// The place where it begins.

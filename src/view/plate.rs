@@ -48,7 +48,7 @@ impl Plate {
     }
 }
 
-/// From which part of a line to which it lies in an upright box, 0 to 1.
+/// Clips a segment to an axis-aligned box; returns the parameter range, 0 to 1.
 pub fn within_box([from, to]: [Vec2; 2], [low, high]: [Vec2; 2]) -> Option<[f64; 2]> {
     let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
     for i in [0, 1] {

@@ -115,7 +115,7 @@ test("the setup sheet says what must be so before the start, and promises no rep
     await sheet.waitFor({ state: "detached" });
     await panel("results", page);
     const caption = reports
-      ? "What the control will have stored"
+      ? "Results the control will store"
       : "What the touches will give";
     await page.locator("tp-results").getByText(caption).waitFor();
   }

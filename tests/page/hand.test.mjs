@@ -80,7 +80,7 @@ test("results of the form before an error say so", async () => {
   await field("cycle.width1").fill("-5");
   assert.match(
     await textOf(caption),
-    /The form has errors: this is the last good plan/,
+    /The form has errors: showing the last valid plan/,
   );
 });
 

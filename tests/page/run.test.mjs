@@ -181,7 +181,9 @@ test("no job is made of a call at an assumed position", async () => {
   await calls.first().waitFor();
   assert.match(await textOf(calls.last()), /P9814/);
   assert.equal(
-    await calls.getByRole("button", { name: "Make it a job" }).count(),
+    await calls
+      .getByRole("button", { name: "Create a job from this call" })
+      .count(),
     0,
   );
 });
@@ -202,7 +204,10 @@ test("a cycle of the control's own was a line that is not understood: it is name
     /G65 P9814 Line 7 hole or boss, four touches: D 25 \(diameter\)/,
   );
   // A hole of 25 where the stylus stands: with a click it is the job.
-  await calls.nth(1).getByRole("button", { name: "Make it a job" }).click();
+  await calls
+    .nth(1)
+    .getByRole("button", { name: "Create a job from this call" })
+    .click();
   await field("cycle.diameter").waitFor();
   assert.equal(await field("cycle.diameter").inputValue(), "25");
 });
@@ -229,7 +234,7 @@ test("a program could not be tried on a part: it is run on the one in the form",
 test("on a phone the form was not there: it had the class of something that makes room", async () => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openText(MACRO, "phone.ngc");
-  await page.getByText("Run it with what you know").waitFor();
+  await page.getByText("Run with your values").waitFor();
   await enter("ask-#1", "10");
   await page.setViewportSize({ width: 1440, height: 900 });
 });

@@ -175,7 +175,7 @@ export interface ProbingTwoCircles {
   transferPosition?: 0 | 1 | 2 | 3;
   /** Confirm rotation? What becomes of the measured misalignment. Code Q1121. */
   confirmRotation?: 0 | 1 | 2;
-  /** Where the stylus is before the cycle. */
+  /** Stylus position before the cycle. */
   start?: Vec3;
   probe?: {
     /** SET_UP of the touch probe table: added to the set-up clearance. */
@@ -657,7 +657,7 @@ export interface Job {
   units?: "mm" | "inch";
   /** The working plane; the tool axis is square to it. */
   plane?: "G17" | "G18" | "G19";
-  /** How far past the nominal contact a touch searches before the control gives up. */
+  /** Overtravel: distance the probe searches past the nominal contact before the touch counts as a miss. */
   overtravel?: number;
   stylus?: {
     /** Effective diameter of the ball; 0 is a point. */
@@ -670,7 +670,7 @@ export interface Job {
     shank?: number | null;
     /** Diameter of the probe body above the stylus. Empty: not known. `null`: not known. */
     body?: number | null;
-    /** Half of what a dial at the ball shows in a turn. Adds to the uncertainty of results unless the spindle is oriented. Empty: not known. `null`: not known. */
+    /** Eccentricity: half the total indicator reading at the ball over one spindle revolution. Adds to the uncertainty unless the spindle is oriented. Empty: unknown. `null`: not known. */
     runout?: number | null;
   };
   feeds?: {
@@ -698,9 +698,9 @@ export interface Job {
   machine?: {
     /** How fast an axis slows down after the probe triggers. Hobby machines have 200 to 1000 mm/s², machining centres more. */
     acceleration?: number;
-    /** From the contact until the axes begin to slow down: probe, receiver and control. */
+    /** Delay from contact to the start of deceleration: probe, receiver and control. */
     latency?: number;
-    /** Travel that the stylus takes past contact without damage: 3 to 12 mm sideways, by the probe's data sheet. */
+    /** Permissible stylus deflection after contact, from the probe's data sheet: 3 to 12 mm sideways. */
     deflection?: number;
   };
   control?: {
@@ -716,7 +716,7 @@ export interface Job {
     run?: "normal" | "dry";
     /** How much higher along the tool axis the whole path of a dry run lies: above the part it can be run with the part in the machine. */
     lift?: number;
-    /** How much the comments at the top say: with the whole job the program can be opened here again. */
+    /** Detail of the header comments. A header with the whole job lets Touchpath reopen the program. */
     header?: "full" | "short";
     /** Tool number of the probe, for controls whose programs call it: a call changes the tool. Empty: no call. `null`: in the spindle, not called. */
     tool?: number | null;

@@ -546,7 +546,7 @@ export interface Plan {
   program: ProgramText;
   /** The cycle's parameters as its source numbers them. */
   table: ParameterRow[];
-  /** What the control will have stored, for the virtual part. */
+  /** Results the control will store, for the virtual part. */
   results: ResultRow[];
   /** Ball centre at the trigger of each touch on the virtual part; null where it is not met in time. */
   triggers: (Vec3 | null)[];

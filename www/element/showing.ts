@@ -86,7 +86,7 @@ export abstract class Showing extends Base {
     return found;
   }
 
-  /** Takes a word, or says why it cannot be taken: as soon as there is something to say it. @internal */
+  /** Applies a keyword attribute, or reports why it is invalid, once the element can report. @internal */
   protected word(name: Wordy, value: string | null): void {
     if (value === null) this.words.delete(name);
     else if (isKnown(name, value)) {

@@ -510,7 +510,7 @@ export class App extends LitElement {
     if (!inside) this.store.focus(null);
   };
 
-  /** What is said of one job is not said of another; what is passing, of no later one. */
+  /** Clears a message when another job is loaded; a transient one on any change. */
   private readonly forget = (): void => {
     const { document, revision } = this.store;
     if (this.said && this.said.at !== (this.said.passing ? revision : document))

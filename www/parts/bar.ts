@@ -243,7 +243,7 @@ class BarPart extends FieldPart {
     const first = paged?.first ?? 0;
     const value = store.get("control.workOffset") ?? null;
     const inPages = paged && typeof value === "number" && value >= first;
-    return html`${this.select("control.workOffset", offsets, choose, this.t("What shall it do?"), { value: inPages ? first : value })}${
+    return html`${this.select("control.workOffset", offsets, choose, this.t("What should it do?"), { value: inPages ? first : value })}${
       inPages && paged
         ? html`<label class="page"><span>${paged.word}</span><input type="text" inputmode="numeric" id="offset-page" aria-label=${this.t("Number after {word}", paged.word)} .value=${String(value - first + 1)}
             @change=${(e: Event) => this.page(e.target as HTMLInputElement, first, paged.count)} /></label>`
@@ -290,7 +290,7 @@ class BarPart extends FieldPart {
       "cycle.confirmRotation",
       [...known, ...other],
       take,
-      this.t("What shall it do?"),
+      this.t("What should it do?"),
       {
         value: is,
         id: "does",

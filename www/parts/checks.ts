@@ -58,8 +58,8 @@ export function checked(store: Store): string {
 /** Of how many rules the program can say nothing: the control's own cycle does it, or the control cannot. */
 function unheld(store: Store, count: number): string {
   return store.ownCycle
-    ? store.t("{count} are the work of the control's own cycles", count)
-    : store.t("{count} this control cannot hold", count);
+    ? store.t("{count} left to the native cycles", count)
+    : store.t("{count} this control cannot guarantee", count);
 }
 
 /** Every finding with the way to its field, and the safety rules for the program, each with what it came to. */

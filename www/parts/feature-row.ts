@@ -186,6 +186,6 @@ function acts(
     ${button("↑", w("{cycle} earlier"), () => store.moveFeature(place, place - 1), place === 0)}
     ${button("↓", w("{cycle} later"), () => store.moveFeature(place, place + 1), place + 1 === count)}
     ${button(TWICE, w("Duplicate {cycle}"), () => store.duplicateFeature(place))}
-    ${button(off ? "○" : "●", off ? w("Take {cycle} in again") : w("Leave {cycle} out of the program"), () => store.switchFeature(place))}
+    ${button(off ? "○" : "●", off ? w("Include {cycle} in the program again") : w("Leave {cycle} out of the program"), () => store.switchFeature(place))}
     ${button("✕", w("Remove {cycle}"), () => store.removeFeature(place))}</span>`;
 }

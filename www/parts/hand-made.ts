@@ -174,5 +174,5 @@ export function handMadeFields(
     ${keys.map(([key, word]) => number(`hand-${key}`, t(word), sizes[key] as number, (x) => now({ sizes: { [key]: x } })))}
     ${keys.length > 0 ? number("hand-depth", t("Depth"), depth, (x) => now({ sizes: { depth: x } })) : ""}
     ${number("hand-ball", t("Ball diameter"), stylus.diameter, (ball) => now({ ball }))}
-    ${[0, 1, 2].map((i) => number(`hand-off-${i}`, `${t("Lies off by")} ${"XYZ"[i]}`, lies.offset[i] as number, (x) => now({ offset: put(lies.offset, i, x) })))}`;
+    ${[0, 1, 2].map((i) => number(`hand-off-${i}`, `${t("Displaced by")} ${"XYZ"[i]}`, lies.offset[i] as number, (x) => now({ offset: put(lies.offset, i, x) })))}`;
 }

@@ -219,7 +219,7 @@ export class Intake {
       this.page.showJob();
       this.page.tell(
         this.store.t(
-          "This is the job of that call; what the call does not say is the form's default. Undo brings back the one before.",
+          "Job created from this call; fields it does not specify have their defaults. Undo restores the previous job.",
         ),
       );
     } catch (thrown) {

@@ -70,7 +70,7 @@ class ManualPart extends CanvasPart {
     return html`
       <h2 tabindex="-1">${post.title}</h2>
       ${always.length > 0 ? html`<h3>${this.t("What always holds")}</h3><ul>${always.map((f) => html`<li class=${f.level}>${this.message(f)}</li>`)}</ul>` : nothing}
-      ${unable.length > 0 ? html`<h3>${this.t("What it cannot hold")}</h3><dl class="terms">${unable.map((row) => html`<dt>${rule(row.rule)}</dt><dd>${store.say(row.said)}</dd>`)}</dl>` : nothing}
+      ${unable.length > 0 ? html`<h3>${this.t("Rules it cannot guarantee")}</h3><dl class="terms">${unable.map((row) => html`<dt>${rule(row.rule)}</dt><dd>${store.say(row.said)}</dd>`)}</dl>` : nothing}
       <h3>${this.t("What it can do")}</h3>
       <ul>
         <li>${post.computes ? this.t("Its program computes the results.") : this.t("Its program computes nothing: results come from the points that it reports.")}</li>

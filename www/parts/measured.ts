@@ -245,7 +245,7 @@ class MeasuredPart extends Part {
     };
     return html`<li><code title=${label}>${name}</code>
       <input id=${`f-tolerances.${name}`} type="text" maxlength="64" spellcheck="false" autocomplete="off" aria-label=${this.t("Tolerance of {result}", label)} .value=${live(own?.tolerance ?? inSize ?? "")} title=${inSize ? this.t("The size contains it") : nothing} ?disabled=${store.readonly || (inSize !== null && own?.tolerance === undefined)} @input=${text} @blur=${() => store.settle()} />
-      ${own || inSize ? html`<select aria-label=${this.t("What follows from {result} out of its tolerance", name)} ?disabled=${store.readonly} @change=${act}>${ACTIONS.map(([value, words]) => html`<option value=${value} ?selected=${(own?.action ?? "go") === value}>${this.t(words)}</option>`)}</select>` : nothing}
+      ${own || inSize ? html`<select aria-label=${this.t("Action when {result} is out of tolerance", name)} ?disabled=${store.readonly} @change=${act}>${ACTIONS.map(([value, words]) => html`<option value=${value} ?selected=${(own?.action ?? "go") === value}>${this.t(words)}</option>`)}</select>` : nothing}
       ${(own || inSize) && limits && !store.stale ? html`<small>${shown(store, limits[0], digits)} … ${shown(store, limits[1], digits)}</small>` : nothing}
       ${own && (own.wear || this.corrects(code)) ? this.wear(cycle, code, name, own) : nothing}</li>`;
   }

@@ -112,8 +112,8 @@ class PicturePart extends DrawnPart {
         <canvas class="over" aria-hidden="true"></canvas>
         ${awaited() ? html`<slot name="picture"></slot>` : nothing}
         <div class="stamps">
-        ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: this is the last good plan")}</p>` : nothing}
-        ${still ? html`<p class="stamp idle">${this.t("This cycle moves nothing: it is rows of the table")}</p>` : this.deviates()}
+        ${stale ? html`<p class="stamp" role="status">${this.live || blank ? this.t("No program: {why}", this.store.withheld ?? "") : this.t("The form has errors: showing the last valid plan")}</p>` : nothing}
+        ${still ? html`<p class="stamp idle">${this.t("This cycle has no motion: it only adds rows to the parameter table")}</p>` : this.deviates()}
         </div>
       </div>
       ${moves === 0 ? nothing : html`<ul class="key" aria-label=${this.t("Kinds of lines")}>${this.kinds()}</ul>`}

@@ -32,7 +32,7 @@ class ResultsPart extends Part {
       : null;
     const stored = this.store.bare
       ? w("What the touches will give")
-      : w("What the control will have stored");
+      : w("Results the control will store");
     const caption = rows
       ? this.t("{stored}, and what the measured points give", [stored])
       : this.t(stored);
@@ -197,7 +197,7 @@ class ResultsPart extends Part {
     );
     return html`
       <table role="table" class=${rows.every(isWritten) ? "cards-when-narrow written" : "cards-when-narrow"}>
-        <caption>${caption}${this.store.stale ? html`<strong>${this.store.blank ? this.t("No plan can be made of this form") : this.t("The form has errors: this is the last good plan")}</strong>` : nothing}</caption>
+        <caption>${caption}${this.store.stale ? html`<strong>${this.store.blank ? this.t("No plan can be made of this form") : this.t("The form has errors: showing the last valid plan")}</strong>` : nothing}</caption>
         <thead><tr><th>${this.t("Result")}</th><th class="n">${this.t("Nominal")}</th><th class="n">${this.t("Value")}</th>${measured ? nothing : html`<th class="n">${this.t("Deviation")}</th>`}<th class="n">± 2σ</th><th class="n">${measured ? this.t("Measured") : this.t("True")}</th></tr></thead>
         <tbody>
           ${rows.map((r) => this.row(r, measured))}

@@ -174,9 +174,9 @@ export class RunPanel {
     };
     this.open ||= this.names.length > 0 || assumes;
     return html`<details class="known" ?open=${this.open}>
-      <summary>${t("Run it with what you know")}</summary>
+      <summary>${t("Run with your values")}</summary>
       ${assumes ? html`<p class="assumed">${t("Assumed, since the program does not say it: the start, work offsets and tool length 0, and where touches trigger, as far as you have not entered it.")}</p>` : nothing}
-      <p>${this.names.length > 0 || !assumes ? t("What the program reads and nothing sets is not known, and so is what follows from it. What you enter here is kept with the name of the file.") : nothing}</p>
+      <p>${this.names.length > 0 || !assumes ? t("The program reads variables that it never sets. Enter their values here; they are stored under the file name. Results that depend on an empty one are shown as unknown.") : nothing}</p>
       <div class="fields">
         ${this.control(own)}
         ${this.meets("at", t("Touches trigger"), own, known, run)}
@@ -314,6 +314,6 @@ export class RunPanel {
     return html`<li class=${contradictions.length > 0 ? "warning" : ""}><b>${name}</b>${this.places([line])} <span lang="en">${title ?? ""}${words.length > 0 ? `: ${words.join(", ")}` : ""}</span>
       ${mark === "recalled" ? html`<small>${t("not verified on a control")}</small>` : nothing}
       ${contradictions.length > 0 ? html`<b lang="en">${contradictions.join("; ")}</b>` : nothing}
-      ${job && !this.store().readonly ? html`<button type="button" class="quiet" @click=${() => this.adopt(job)}>${t("Make it a job")}</button>` : nothing}</li>`;
+      ${job && !this.store().readonly ? html`<button type="button" class="quiet" @click=${() => this.adopt(job)}>${t("Create a job from this call")}</button>` : nothing}</li>`;
   }
 }

@@ -94,7 +94,7 @@ class SheetPart extends Part {
       <article aria-label=${this.t("Setup sheet")}>
         <h2>${String(job.name || "PROBE")}: ${plan.cycles.length > 1 ? plan.cycles.join(", ") : cycle.title}</h2>
         <p>${plan.cycles.length > 1 ? this.t("{count} cycles in one program", plan.cycles.length) : cycle.source} · ${post?.title ?? program.post}, ${this.store.does} · ${this.t("all lengths in {units} · file {file}", units, this.store.fileName(program.extension))}</p>
-        ${off.length > 0 ? html`<p class="warning"><b>${this.t("What is expected is that of the virtual part, not of the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
+        ${off.length > 0 ? html`<p class="warning"><b>${this.t("Expected values are for the virtual part, not the drawing:")}</b> ${off.join(", ")}</p>` : nothing}
         <div class=${several ? "views one" : dense ? "views dense" : "views"}><canvas data-view="top" role="img" aria-label=${this.t("Path of the probe from the top")}></canvas>${several ? nothing : html`<canvas data-view="front" role="img" aria-label=${this.t("Path of the probe from the front, with its heights")}></canvas>`}</div>
         <div class=${dense && !several ? "columns dense" : "columns"}>
           <div>
@@ -159,7 +159,7 @@ class SheetPart extends Part {
     const says = computes
       ? this.t("What the control is expected to report, and what it reported")
       : this.t(
-          "What the touches are expected to give: this control computes no results",
+          "Results expected from the touches (this control computes none)",
         );
     if (plan.cycles.length < 2) return [table(says, plan.results, true)];
     const measured = plan.results.filter((row) => !isWritten(row));

@@ -12,7 +12,7 @@ use crate::geom::Vec3;
 use crate::num::{Digits, decimal, format_count, push_count};
 use crate::path::{Move, Term, Touch};
 
-/// What a move may end off its end, or a touch before its end, mm: less is no contact. Ours.
+/// In-position tolerance, mm: a move that stops closer than this to its end had no contact. Our choice.
 pub(super) const IN_POSITION: f64 = 0.05;
 
 /// Labels of the exits, which come after the end of the program.

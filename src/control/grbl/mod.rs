@@ -41,7 +41,7 @@ pub static FLUIDNC: PostDef = PostDef {
     ..LATER
 };
 
-/// Those that can more than grbl, and get its program.
+/// Base of the grbl-compatible controls (grblHAL, FluidNC): the program of grbl with longer lines.
 const LATER: PostDef = PostDef {
     dialect: &LONG,
     cannot: &[

@@ -62,7 +62,7 @@ fn samples(path: &Path) -> usize {
 /// Read to the end, or never again.
 const TO_THE_END: usize = usize::MAX;
 
-/// Where each value of a formula is read last.
+/// Last use of each value of a formula.
 struct Reads {
     /// Of each assignment, the assignment that reads it last; itself where nothing does.
     variables: Vec<usize>,

@@ -1,4 +1,4 @@
-//! A machine that runs a control's own cycles: its probing moves are answered by something, the nominal part, the actual one, or what a run knows.
+//! Simulated machine for native cycles. A callback answers each probing move: the nominal part, the actual part or the inputs of a run.
 
 use crate::geom::Vec3;
 use crate::path::{Arc, Feed, Move, Purpose};

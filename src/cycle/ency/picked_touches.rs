@@ -256,7 +256,7 @@ pub fn in_front(picks: &[Pick], start: Vec3, checker: &mut Checker) {
         let aside = (away - pick.vector * away.dot(pick.vector)).length();
         if aside > NEAR * (1.0 + 2.0 * away.length()) {
             let message = text!(
-                "Touch {touch} is not straight in front of the middle, where this cycle touches from, but {aside} off to the side. A protected cycle takes such touches",
+                "Touch {touch} is {aside} off the line through the centre from which this cycle probes. Use a protected cycle for such touches",
                 k + 1,
                 checker.length(aside)
             );

@@ -94,10 +94,10 @@ impl Reader {
             (take(&mut self.transformed), "places-transformed", text!(
                 "Where the coordinate system lies from here on is not known, or the radius of the tool is compensated: positions are as they are written, and those of different systems may not lie side by side"
             )),
-            (take(&mut self.from_unknown), "start-unknown", text!("Incremental moves begin at a place that is not known: they are counted from 0")),
+            (take(&mut self.from_unknown), "start-unknown", text!("Incremental moves start from an unknown position: 0 is assumed")),
             (take(&mut self.arcs_unsolved), "arc-unsolved", text!("Splines, and arcs whose centre or start is not known or whose end is not on the circle, are straight here")),
             (take(&mut self.others), "lines-skipped", text!("Axes other than X, Y and Z are not followed")),
-            (take(&mut self.optional), "lines-optional", text!("Blocks with / are read: the control leaves them out where block skip is on")),
+            (take(&mut self.optional), "lines-optional", text!("Optional blocks (/) are read here; the control omits them while block skip is on")),
             (take(&mut self.branches), "branch-ends", text!("Branches whose condition is not known end the program: the run continues as if they were not taken")),
             (take(&mut self.aborted), "program-stops", text!("The program stops itself with a message")),
             (take(&mut self.own_moves), "own-moves", text!("The moves of these macros are those of one edition: feeds, and the way back between their two touches, are settings of an installation")),
@@ -105,7 +105,7 @@ impl Reader {
             (take(&mut self.measuring_cycles), "own-moves", text!("The moves of these measuring cycles follow a manual and generators; the paths between the touches are our interpretation")),
             (take(&mut self.stopped), "macro-stops", text!("A macro of the control's own stops the program with an alarm: it meets nothing where it must, or something where it must not")),
             (take(&mut self.probe_words), "probe-word", text!("P in a probing block writes the work offset on a FluidNC, and other controls refuse it or take it for something else: name the control")),
-            (take(&mut self.twice), "words-twice", text!("Of two motions, or two places along an axis, in one block the last is read")),
+            (take(&mut self.twice), "words-twice", text!("A block has two motions, or one axis twice: the last one is used")),
         ]);
         all
     }

@@ -685,7 +685,7 @@ fn fast(way: f64, feed: f64, unit: &str) -> Finding {
 #[cold]
 fn not_called(name: &str) -> Finding {
     let message = text!(
-        "Nothing in this text calls {name}: it is shown as if it were called with arguments that are not known",
+        "{name} is never called in this text: shown with unknown arguments",
         crate::form::printable(name)
     );
     Finding::new(Level::Info, "not-called", "", message)

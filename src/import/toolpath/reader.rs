@@ -110,7 +110,7 @@ pub(super) struct Reader {
     pub turns: f64,
     /// What M72 gives back.
     pub kept: Option<Kept>,
-    /// The axes along which a tool has been long.
+    /// Axes on which a tool length offset has been active.
     pub long: Axes,
     /// Those whose tool length changed after the modes were kept.
     pub lengthened: Axes,

@@ -185,7 +185,7 @@ fn is_numbers(line: &str) -> bool {
 /// A line that could be a measurement, and is of none of the forms around it.
 fn unclear(checker: &mut Checker, number: usize, line: &str) {
     let message = text!(
-        "Line {line} could be a measurement and is not one of those around it: \"{text}\". Remove the line, or give the measurements alone",
+        "Line {line} may be a measurement but does not match the lines around it: \"{text}\". Remove it, or paste only the measurements",
         number,
         line.chars().take(60).collect::<String>()
     );

@@ -9,7 +9,7 @@ use crate::part::measured::line::Item;
 use crate::part::measured::log::Log;
 use crate::text::{Text, text};
 
-/// What machine coordinates are ahead of work coordinates, and how that is known. Lengths as the log has them.
+/// Machine minus work coordinates, and their source. Lengths as the log has them.
 #[derive(Clone, Debug)]
 pub struct Shift {
     /// Machine less work.

@@ -412,7 +412,7 @@ impl View {
         }
     }
 
-    /// Whether what is shown still suits the picture as it lies: whole, with room around, near its middle, and not small in it. What is edited then
+    /// Whether the current camera still frames the scene well: complete, with margin, centred and not too small. What is edited then
     /// keeps its scale.
     fn suits(&self) -> bool {
         let Some(shown) = &self.shown else {

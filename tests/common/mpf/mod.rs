@@ -511,7 +511,7 @@ impl Program {
                     let stood = at;
                     at = motion.after(at);
                     feed = motion.feed.unwrap_or(feed);
-                    // From where the job says that the stylus stands, the way up to that height is none.
+                    // From the start position in the job, the move up to that height has zero length.
                     if steps.is_empty() && at == stood && self.start.is_some() {
                         continue;
                     }

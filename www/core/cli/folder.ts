@@ -129,7 +129,7 @@ export class Folder {
     yield this.lines;
   }
 
-  /** Puts every file into its place; where one of them has none of its own, none. */
+  /** Moves all files into place, or none if a target conflicts. */
   async finish(): Promise<void> {
     if (!this.aside) return;
     const refusals = [...this.clashes];

@@ -6,19 +6,19 @@ import { LIMITS } from "./limits.js";
 /** The commands: what follows each, what it gives, its formats. */
 const COMMANDS = {
   plan: ["JOB…", "the program of every job"],
-  check: ["JOB…", "everything that is wrong, unusual or worth knowing"],
+  check: ["JOB…", "errors, warnings and notes"],
   table: ["JOB…", "the parameter table", "text|csv|json"],
   svg: ["JOB…", "the picture"],
   import: ["TEXT…", "a job from a dump or a program"],
   moves: ["PROGRAM…", "the moves of any program", "text|csv|json"],
   examine: [
     "PROGRAM…",
-    "what a program of anyone's does: safety rules, cycles, what it asks for",
+    "check any program: safety rules, native cycles, variables to set",
     "text|json|sarif",
   ],
   verify: [
     "PROGRAM…",
-    "whether programs, or all in a folder, still are those of the jobs in their headers",
+    "check that programs, or all in a folder, match the jobs in their headers",
     "text|json",
   ],
   evaluate: [
@@ -89,7 +89,7 @@ const HELP_OF_OPTIONS: readonly (readonly [
   ["--view V", "isometric, top, front or side", ["svg"]],
   [
     "--set NAME=X",
-    "the value of a variable, as often as there are some: --set '#3014=5' --set R1=2",
+    "set a variable (repeatable): --set '#3014=5' --set R1=2",
     ["moves", "examine"],
   ],
   [
@@ -124,7 +124,7 @@ const HELP_OF_OPTIONS: readonly (readonly [
   ],
   [
     "-o, --out DIR",
-    "into files there, named after the jobs, in folders as those of the jobs; existing files are replaced",
+    "write one file per job to DIR, in the folders of the jobs; overwrites existing files",
     ["plan", "table", "svg", "import", "moves", "evaluate", "report"],
   ],
   [
@@ -181,7 +181,7 @@ A file .ndjson or .jsonl, and with --ndjson any, holds one job per line: each ou
 const ENDS = `With -o, files are written when every job is done, all of them or none: two jobs of one file are refused. The output then is a line for every job: its
 source, its file with the SHA-256, the control and its findings (as JSON with --json or --ndjson).
 Findings are printed to the standard error output; those of check are its output. Exit code: 0 good, 1 a job with errors, a
-program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use, 141 whoever reads closed the pipe before all was judged.`;
+program without moves, one that breaks a rule or is not that of its job, or a reported part that is not good, 2 wrong use, 141 the output pipe was closed before all jobs were checked.`;
 
 /** A line of the help for each command, and what it gives. */
 function usage(command: Command): string {

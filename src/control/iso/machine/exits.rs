@@ -1,4 +1,4 @@
-//! Where a program goes where a probing move, or the probe itself, does not do as on the path: to an exit, or on.
+//! Follows the program after an unexpected contact, a miss or a deflected probe: to an error exit, or onward.
 
 use super::{Flow, Machine, Run, State};
 use crate::control::iso::script::{BlockKind, Motion, Script, Trouble};

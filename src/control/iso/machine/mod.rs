@@ -162,7 +162,7 @@ enum Flow<'s> {
     End,
 }
 
-/// The way that the last condition since the last motion did not go.
+/// The branch not taken at the last condition since the last motion.
 #[derive(Default)]
 struct Fork {
     open: bool,

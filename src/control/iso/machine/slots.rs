@@ -1,4 +1,4 @@
-//! The values of variables, with what each write replaced: a run goes back to any place that it passed at the cost of the writes since.
+//! Variable values with an undo log: rewinding costs one step per write since then.
 
 /// The values of variables, by their slots.
 #[derive(Clone, Debug, Default)]

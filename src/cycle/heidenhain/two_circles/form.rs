@@ -173,7 +173,7 @@ form! {
         transfer_position: i32 = Field::code_of("transferPosition", "Transfer position", 0, TRANSFER).code("Q1120").group("After probing"),
         /// Confirm rotation? What becomes of the measured misalignment.
         confirm_rotation: i32 = Field::code_of("confirmRotation", "Confirm rotation", 0, CONFIRM).code("Q1121").group("After probing"),
-        /// Where the stylus is before the cycle.
+        /// Stylus position before the cycle.
         start: Vec3 = Field::point("start", "Stylus before the cycle").at([0.0, 0.0, 100.0]).group("Heights"),
     }
 }

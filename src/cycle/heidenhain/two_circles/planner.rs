@@ -89,7 +89,7 @@ impl<'a> Planner<'a> {
         (self.touches, self.tracer.moves())
     }
 
-    /// Every touch of one object from its stand, and the way from stand to stand.
+    /// Probes one object: every touch from its start point, with the moves between start points.
     fn probe(&mut self, object: &Object, stands: &[Stand], step: u8) {
         let mode = self.cycle.form.clearance_height_mode;
         for (k, stand) in stands.iter().enumerate() {
