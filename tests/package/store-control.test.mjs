@@ -19,7 +19,7 @@ test("a cycle that its control does not take goes back to the control before it,
   assert.equal(store.get("control.post"), "sinumerik");
   assert.match(
     told.at(-1) ?? "",
-    /^HEIDENHAIN TNC7 \(Klartext\) does not take this cycle: the program is now for SINUMERIK/,
+    /^HEIDENHAIN TNC7 \(Klartext\) does not support this cycle: the program is now for SINUMERIK/,
   );
 });
 

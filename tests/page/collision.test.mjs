@@ -84,14 +84,14 @@ test("a trial of the virtual part that collides is drawn where it happens, and t
   assert.equal(await page.locator(".trial").count(), 0);
 });
 
-test("a form that has no path keeps the picture of the last good plan, also after one that had a collision", async () => {
+test("a form that has no path keeps the picture of the last valid plan, also after one that had a collision", async () => {
   // The handles of the part stand out while its fields have the focus.
   await field("part.offset[0]").focus();
   const good = await pixels();
   await field("part.offset[0]").fill("60");
   await page.locator(".verdict", { hasText: "hits the part" }).waitFor();
   await field("part.offset[0]").fill("x");
-  await page.locator(".stamp", { hasText: "last good plan" }).waitFor();
+  await page.locator(".stamp", { hasText: "last valid plan" }).waitFor();
   assert.match(await program(), /G38\.2 X42/);
   await put("part.offset[0]", 0);
   assert.equal(await page.locator(".stamp").count(), 0);

@@ -121,14 +121,14 @@ test("a job with errors stood beside picture, program and results of the job bef
   await stamp.filter({ hasText: "No program: Diameter" }).waitFor();
   assert.ok(await page.locator(PICTURE).isHidden());
   assert.deepEqual(await amount(), [0, 0, 0, 0]);
-  assert.equal(await page.getByText("last good plan").count(), 0);
+  assert.equal(await page.getByText("last valid plan").count(), 0);
   await field("cycle.diameter").fill("30");
   await stamp.waitFor({ state: "detached" });
   const good = await amount();
   assert.ok(good.every((n) => n > 0));
-  // A later error of the same job leaves its last good plan to look at; another cycle has none of it.
+  // A later error of the same job leaves its last valid plan to look at; another cycle has none of it.
   await put("stylus.diameter", -1);
-  await stamp.filter({ hasText: "last good plan" }).waitFor();
+  await stamp.filter({ hasText: "last valid plan" }).waitFor();
   assert.deepEqual(
     await amount(),
     [0, ...good.slice(1)],

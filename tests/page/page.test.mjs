@@ -51,7 +51,7 @@ test("a keystroke changes program, table, picture and results", async () => {
   assert.deepEqual(problems, []);
 });
 
-test("an error stands beside its field, the last good plan stays and is marked, and what was typed is kept", async () => {
+test("an error stands beside its field, the last valid plan stays and is marked, and what was typed is kept", async () => {
   const good = await program();
   await field("cycle.sideClearance1").fill("2");
   const problem = page.locator(`[id="e-cycle.sideClearance1"]`);
@@ -61,7 +61,7 @@ test("an error stands beside its field, the last good plan stays and is marked, 
     "true",
   );
   assert.equal(await program(), good);
-  await page.getByText("last good plan").waitFor();
+  await page.getByText("last valid plan").waitFor();
   await field("cycle.depth").fill("ten");
   assert.match(
     (await page.locator("tp-findings").textContent()) ?? "",
@@ -80,7 +80,7 @@ test("an error stands beside its field, the last good plan stays and is marked, 
   await field("cycle.depth").fill("10");
   await field("cycle.sideClearance1").fill("8");
   assert.equal(
-    await page.getByText("last good plan").filter({ visible: true }).count(),
+    await page.getByText("last valid plan").filter({ visible: true }).count(),
     0,
   );
 });
