@@ -170,7 +170,7 @@ export class Outside {
         "other-units",
         "units",
         w(
-          "The page around asks for {asked}, and this job is in {named}: the program is in {named}",
+          "The host page asks for {asked}, this job is in {named}: the program is in {named}",
         ),
         asked.units,
         units,

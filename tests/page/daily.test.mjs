@@ -111,7 +111,7 @@ test("a browser that keeps nothing is said, once", async () => {
   await ready();
   await field("cycle.width1").fill("70");
   const said = page.locator("tp-findings .note", {
-    hasText: "This browser keeps nothing",
+    hasText: "This browser stores nothing",
   });
   await said.waitFor();
   const refused = () =>
@@ -212,7 +212,7 @@ test("the legend names the lines that are there, and a cycle without motion has 
     "virtual part",
   ]);
   await field("cycle.type").selectOption("nc-action");
-  await page.getByText("This cycle moves nothing").waitFor();
+  await page.getByText("This cycle has no motion").waitFor();
   assert.deepEqual(
     [
       await page.locator(".key li").count(),

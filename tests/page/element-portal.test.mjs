@@ -268,12 +268,12 @@ test("a job that names another control than the page asks for says so, to the us
       .filter((/** @type {any} */ f) => f.code.startsWith("other-"))
       .map((/** @type {any} */ f) => f.message),
     [
-      `The page around asks for ${await title("fanuc")}, and this job names LinuxCNC: the program is for LinuxCNC`,
-      "The page around asks for mm, and this job is in inch: the program is in inch",
+      `The host page asks for ${await title("fanuc")}, this job specifies LinuxCNC: the program is for LinuxCNC`,
+      "The host page asks for mm, this job is in inch: the program is in inch",
     ],
   );
   await page.locator("#tab-checks").click();
-  await page.getByText("this job names LinuxCNC").first().waitFor();
+  await page.getByText("this job specifies LinuxCNC").first().waitFor();
   // Asked for again, it is taken: the job changes.
   await set("post", "fanuc");
   await set("units", "mm");

@@ -116,7 +116,7 @@ test("the buttons of a cycle duplicate it, leave it out, take it in again and re
   await ready();
   assert.deepEqual(await names(), ["BORE", "BORE2", "BORE3"]);
   assert.doesNotMatch(await program(), /\(BORE3:/);
-  await button("Take BORE3 in again").click();
+  await button("Include BORE3 in the program again").click();
   assert.match(await program(), /\(BORE3:/);
   await button("Remove BORE3").click();
   await button("Remove BORE2").click();
@@ -152,7 +152,7 @@ test("tolerances are typed beside the results that they are of, with what they c
   );
   await panel("measured", page);
   await page
-    .getByLabel("What follows from diameter out of its tolerance")
+    .getByLabel("Action when diameter is out of tolerance")
     .selectOption("stop");
   assert.match(
     await planned(),

@@ -178,8 +178,8 @@ test("of what a control's own cycle does itself it is not said that the control 
   await field("control.post").selectOption("heidenhain");
   await page.getByRole("tab", { name: "Checks" }).click();
   const checks = await textOf(page.locator("tp-checks"));
-  assert.match(checks, /are the work of the control's own cycles/);
-  assert.doesNotMatch(checks, /cannot hold/);
+  assert.match(checks, /left to the native cycles/);
+  assert.doesNotMatch(checks, /cannot guarantee/);
   assert.equal(
     await page.locator("tp-checks [aria-label='this control cannot']").count(),
     0,
