@@ -172,7 +172,7 @@ export abstract class Document extends Output {
     this.changed();
   }
 
-  /** Whether a size is about to change while the size limit is the usual one of a job that nobody gave another: then it follows the tolerance of the size. */
+  /** Whether the size limit follows the size at this path: nobody entered a limit, and the present one is the usual one. */
   private isLimitUsual(path: string): boolean {
     if (this.given === null || this.given.has(SIZE_LIMIT)) return false;
     if (!path.startsWith("cycle.") || !this.fieldAt(path)?.size) return false;

@@ -161,7 +161,7 @@ export abstract class Output extends Entries {
     );
   }
 
-  /** The path of the field that puts a finding right: the empty one that its message names, else the one that it is about. */
+  /** Path of the field to correct for a finding: an empty field that its message quotes, else the path of the finding. */
   fieldOf({ message, path }: Finding): string {
     for (const section of this.catalog.sections)
       for (const { key, label } of section.fields) {

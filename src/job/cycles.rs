@@ -72,7 +72,7 @@ pub fn alone(job: &Value, index: usize) -> Option<Value> {
     Some(Value::Map(alone))
 }
 
-/// A set-up with the size limit that it leaves out, where a size has a tolerance: one limit holds for all of its cycles, so the widest tolerance decides.
+/// Adds the size limit to a set-up that leaves it out and has a size with a tolerance. One limit holds for all cycles, so the widest tolerance decides.
 pub fn with_size_limit(set_up: &Value) -> Option<Value> {
     let limits = set_up.get("limits");
     let Some(Value::List(cycles)) = set_up.get("cycles") else {

@@ -151,7 +151,8 @@ fn complete_job(def: &CycleDef, units: Units, inch: Inch) -> Value {
 /// A job with every value: what it does not say has the value that stands in. None where it has no known cycle.
 pub fn resolved(job: &Value) -> Option<Value> {
     if is_set_up(job) {
-        return resolved_set_up(&with_size_limit(job).unwrap_or_else(|| job.clone()));
+        let limited = with_size_limit(job);
+        return resolved_set_up(limited.as_ref().unwrap_or(job));
     }
     let Some(Value::Text(key)) = job.get("cycle").and_then(|c| c.get("type")) else {
         return None;

@@ -128,7 +128,7 @@ impl Layout<'_> {
         })
     }
 
-    /// Where the name of a distance, so wide and high by half, lies on nothing beside its line; none where each place has something.
+    /// Position for the name of a distance beside its line, where it covers nothing. `half`: half its size. `None` if every position is taken.
     pub fn distance(&self, [from, to]: [Vec2; 2], half: Vec2) -> Option<Vec2> {
         let aside = (to - from).perp().normalize_or_zero();
         let off = aside * (half.dot(aside.abs()) + 4.0);

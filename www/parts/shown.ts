@@ -9,7 +9,7 @@ export interface Found {
   here: number;
 }
 
-/** What stands in the margin of a line: the letters of its faults, else the number of its touch. */
+/** Mark in the margin of a line: the letters of its faults, else the number of its touch. */
 export interface Mark {
   faults: string;
   touch: string;

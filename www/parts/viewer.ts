@@ -85,7 +85,7 @@ class ViewerPart extends DrawnPart {
   );
   /** What is said of lines: findings, and rules that they break. */
   private notes = new Map<number, string[]>();
-  /** What stands in their margin. */
+  /** Letters and numbers in the margin, by line. */
   private marks = new Map<number, Mark>();
   /** What is said of the line that is pointed at. */
   private noted: string[] = [];
@@ -159,13 +159,14 @@ class ViewerPart extends DrawnPart {
       ]),
     );
     const touches: number[] = [];
-    const numbers = new Map<number, number[]>();
+    const numbers = new Map<number, [first: number, last: number]>();
     kind.forEach((is, move) => {
       if (kinds[is] !== "probe") return;
       touches.push(move + 1);
       if (!ownFile(move)) return;
       const at = line[move] as number;
-      numbers.set(at, [...(numbers.get(at) ?? []), touches.length]);
+      const number = touches.length;
+      numbers.set(at, [numbers.get(at)?.[0] ?? number, number]);
     });
     this.steps.take(kind.length, touches);
     this.notes = this.said();
@@ -188,8 +189,8 @@ class ViewerPart extends DrawnPart {
     return notes;
   }
 
-  /** The marks of lines: letters of the faults there, and numbers of the touches, as in the picture. */
-  private marked(numbers: Map<number, number[]>): Map<number, Mark> {
+  /** Marks for the margin: the letters of faults and the numbers of touches, as in list and picture. `numbers`: the first and the last touch of each line. */
+  private marked(numbers: Map<number, [number, number]>): Map<number, Mark> {
     const marks = new Map<number, Mark>();
     const faults = brokenOf(this.ran?.plain.rules);
     faults.forEach(({ lines }, k) => {
@@ -199,13 +200,11 @@ class ViewerPart extends DrawnPart {
         marks.set(line, { faults: letters, touch: "" });
       }
     });
-    for (const [line, touches] of numbers) {
-      const [first, last] = [touches[0], touches.at(-1)];
+    for (const [line, [first, last]] of numbers)
       marks.set(line, {
         faults: marks.get(line)?.faults ?? "",
         touch: first === last ? `${first}` : `${first}…${last}`,
       });
-    }
     return marks;
   }
 

@@ -132,7 +132,7 @@ impl Painter {
         }
     }
 
-    /// The distances that relations measure, in units of so many millimetres: those that are seen in their true length.
+    /// Names the distances that relations measure, where the view shows their true length. `unit`: mm per unit of the job.
     pub(super) fn distances(
         &self,
         scene: &Scene,
@@ -184,7 +184,7 @@ impl Painter {
     }
 }
 
-/// A number of at most so many decimals as people of the page's language write it.
+/// A number with at most `places` decimals, in the notation of the page's language.
 fn number(value: f64, places: usize, comma: bool) -> String {
     let number = crate::num::decimal(value, places);
     if comma {
